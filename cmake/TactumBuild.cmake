@@ -1,0 +1,87 @@
+# How everything is compiled, and the two functions that make the rooms of the house.
+
+option(TACTUM_TESTS "Build the tests" ON)
+option(TACTUM_NATIVE "Compile for the processor of this machine" OFF)
+set(TACTUM_SANITIZE "" CACHE STRING "A sanitizer: address, undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# "Check" is what the tests run: optimised, so that 10^6 haptic steps take seconds, but with assertions.
+set(CMAKE_CXX_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
+set(CMAKE_C_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Check CACHE STRING "" FORCE)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+endif()
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# tl::expected: the Result type. A header; Debian ships no CMake package that all versions agree on.
+find_path(TL_EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
+
+add_library(tactum_options INTERFACE)
+target_compile_options(tactum_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+  # One multiplication and one addition are two roundings everywhere, so that a native build and a
+  # portable one give the same bits.
+  -ffp-contract=off)
+if(TACTUM_NATIVE)
+  target_compile_options(tactum_options INTERFACE -march=native)
+endif()
+if(TACTUM_SANITIZE)
+  add_compile_options(-fsanitize=${TACTUM_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${TACTUM_SANITIZE})
+  if(TACTUM_SANITIZE STREQUAL "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()
+
+# tactum_room(NAME SOURCES ... USES room ... PRIVATE library ...)
+# One folder, one target. USES are other rooms, seen by whoever uses this one; PRIVATE are outside
+# libraries, which nobody else sees.
+function(tactum_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE" ${ARGN})
+  set(target tactum_${name})
+  if(ROOM_SOURCES)
+    add_library(${target} STATIC ${ROOM_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE tactum_options)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}")
+  foreach(other IN LISTS ROOM_USES)
+    target_link_libraries(${target} ${scope} tactum_${other})
+  endforeach()
+  if(ROOM_PRIVATE)
+    target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})
+  endif()
+endfunction()
+
+# tactum_test(NAME SOURCES ... USES room ... [GUI])
+# One Qt Test program. GUI tests need a display, which ./check gives them.
+function(tactum_test name)
+  cmake_parse_arguments(TEST "GUI" "" "SOURCES;USES;LABELS" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE tactum_options Qt6::Test)
+  foreach(room IN LISTS TEST_USES)
+    target_link_libraries(${name} PRIVATE tactum_${room})
+  endforeach()
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${TEST_LABELS}")
+  if(TEST_GUI)
+    set_tests_properties(${name} PROPERTIES LABELS "gui" RUN_SERIAL ON)
+  endif()
+endfunction()

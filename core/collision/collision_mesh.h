@@ -1,0 +1,17 @@
+// What the haptic loop needs of one object's geometry: its triangles in tree order and the sphere tree.
+#pragma once
+
+#include <memory>
+
+#include "core/collision/sphere_tree.h"
+#include "core/geometry/triangle_soup.h"
+
+namespace tactum {
+
+/// Immutable; shared between worlds so that an edit of a surface rebuilds nothing.
+struct CollisionMesh {
+    std::shared_ptr<const TriangleSoup> soup;
+    SphereTree tree;
+};
+
+} // namespace tactum

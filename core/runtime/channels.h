@@ -1,0 +1,81 @@
+// Everything that crosses a thread, in one place.
+//
+//   ui ----- World (pointer hand-over) ---------> proxy      proxy -- old World (retire queue) --> ui
+//   ui ----- EngineCommand (queue) -------------> proxy
+//   servo -- FingerSample (newest) -------------> proxy
+//   proxy -- LocalContactModel (newest) --------> servo
+//   proxy -- ProxyTelemetry (newest) -----------> ui         servo -- ServoTelemetry (newest) ---> ui
+//   servo -- TracePoint (queue) ----------------> ui
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "core/base/vec.h"
+#include "core/base/wait_free.h"
+#include "core/runtime/haptic_step.h"
+#include "core/runtime/world.h"
+
+namespace tactum {
+
+/// Where the finger is. World frame, SI.
+struct FingerSample {
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    std::uint64_t tick = 0; ///< of the servo
+    bool valid = false;
+};
+
+/// What the proxy loop tells the window.
+struct ProxyTelemetry {
+    HapticOutput output;             ///< of the last update
+    Vec3 finger = Vec3::Zero();      ///< that the update used
+    std::uint64_t updates = 0;
+    std::uint64_t worldRevision = 0; ///< the World that the update used
+    double rate = 0;                 ///< Hz, over the last half second
+    double updateMicros = 0;         ///< mean time of hapticStep over the last half second
+    double worstUpdateMicros = 0;    ///< largest of it
+    std::uint64_t boundHits = 0;     ///< steps that ended at their iteration bound
+};
+
+/// What the servo loop tells the window.
+struct ServoTelemetry {
+    Vec3 finger = Vec3::Zero();
+    Vec3 force = Vec3::Zero(); ///< N, after the limiter: what the device was sent
+    std::uint64_t ticks = 0;
+    double rate = 0;           ///< Hz, over the last half second
+    double jitterMicros = 0;   ///< largest deviation of a period from its nominal length over it
+    std::uint64_t misses = 0;  ///< ticks that came more than one period late
+    std::uint64_t clamped = 0; ///< commands that the limiter shortened
+    std::uint64_t invalidSamples = 0;
+};
+
+/// One servo tick, for plots.
+struct TracePoint {
+    double t = 0; ///< s since the start
+    Vec3 finger = Vec3::Zero();
+    Vec3 proxy = Vec3::Zero();
+    Vec3 force = Vec3::Zero();
+};
+
+/// Small orders to the proxy loop.
+struct EngineCommand {
+    enum class Kind : std::uint8_t { RestartProxy };
+    Kind kind = Kind::RestartProxy;
+};
+
+struct Channels {
+    std::atomic<const World*> worldIn{nullptr};
+    SpscQueue<const World*, 64> worldOut;
+    SpscQueue<EngineCommand, 64> commands;
+    TripleBuffer<FingerSample> finger;
+    TripleBuffer<LocalContactModel> contactModel;
+    TripleBuffer<ProxyTelemetry> proxyTelemetry;
+    TripleBuffer<ServoTelemetry> servoTelemetry;
+    SpscQueue<TracePoint, 8192> trace;
+    std::atomic<bool> armed{false}; ///< false: the servo commands zero force
+    std::atomic<bool> stop{false};
+};
+
+} // namespace tactum

@@ -1,0 +1,20 @@
+// Scene to World: off the real-time threads, reusing what did not change.
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/runtime/world.h"
+#include "core/scene/load_scene.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+/// Builds the World of a scene. Geometry whose soup `previous` already holds is shared, not rebuilt, so
+/// that a change of a material costs microseconds. Invisible objects are left out: what cannot be seen
+/// cannot be felt. Materials are clamped to their parameters' ranges, dynamic to static friction.
+/// Fails only when cancelled. Thread: any but real time.
+Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous = nullptr,
+                                             const Progress& progress = {});
+
+} // namespace tactum

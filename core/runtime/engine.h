@@ -1,0 +1,55 @@
+// Runs a device against a World: owns the servo and the proxy thread and the channels between them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/control/haptic_device.h"
+#include "core/runtime/channels.h"
+#include "core/runtime/world.h"
+
+namespace tactum {
+
+class Engine {
+public:
+    /// Thread of every member: one and the same, not real time (the ui thread in the program).
+    explicit Engine(std::unique_ptr<HapticDevice> device);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Opens the device and starts both loops, forces off.
+    Result<void> start();
+    /// Zero force, both loops ended, device closed. Safe to call twice.
+    void stop();
+    bool running() const;
+
+    /// Hands over a World; the proxy loop takes it at its next update. The old one is destroyed here, at a
+    /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched.
+    void publish(std::shared_ptr<const World> world);
+    /// Forces on or off. Off is also the state after start().
+    void setArmed(bool armed);
+    bool armed() const;
+    /// Puts the proxy onto the finger: a new model, a jump of the hand.
+    void restartProxy();
+
+    /// Collects the newest telemetry and drops retired Worlds. Call it once a frame.
+    void poll();
+    const ProxyTelemetry& proxy() const;
+    const ServoTelemetry& servo() const;
+    /// Takes the next tick for the plots; false when there is none.
+    bool popTrace(TracePoint& point);
+
+    const DeviceInfo& device() const;
+    /// True when both loops run under SCHED_FIFO with locked memory.
+    bool hasRealtimePriority() const;
+    /// One sentence about priority for the status bar: what was granted, or why not and what helps.
+    const std::string& priorityNote() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace tactum

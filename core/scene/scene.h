@@ -1,0 +1,62 @@
+// The author's scene: plain values with ==, edited on the ui thread, compiled into a World for the loops.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/vec.h"
+#include "core/geometry/triangle_soup.h"
+#include "core/surface/material.h"
+
+namespace tactum {
+
+inline constexpr Parameter kProxyRadius{
+    "proxy-radius", "Proxy radius", "m", 1e-5, 0.1, 1e-4, 1e-3, 5,
+    "Radius of the sphere that stands for the finger; larger than any gap it must not fall into (section 2)."};
+
+/// A part of an object with one feel: a group or material of the file.
+struct Surface {
+    std::string name;
+    Material material;
+    Eigen::Vector3f colour = {0.72f, 0.72f, 0.74f}; ///< linear RGB, 0 to 1; only for the eye
+
+    bool operator==(const Surface&) const = default;
+};
+
+/// Names an object for its whole life, across undo and reordering. 0 is nobody.
+using ObjectId = std::uint32_t;
+
+struct SceneObject {
+    ObjectId id = 0;
+    std::string name;
+    Pose pose; ///< X_WB
+    std::shared_ptr<const TriangleSoup> geometry; ///< body frame, shared and immutable
+    std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
+    bool visible = true;
+
+    bool operator==(const SceneObject&) const = default;
+};
+
+struct Scene {
+    std::vector<SceneObject> objects;
+    double proxyRadius = kProxyRadius.initial; ///< m
+
+    bool operator==(const Scene&) const = default;
+
+    SceneObject* find(ObjectId id);
+    const SceneObject* find(ObjectId id) const;
+    /// Appends under an id that no object of this scene has.
+    SceneObject& add(SceneObject object);
+};
+
+/// The box of all objects in the world frame.
+Bounds boundsOf(const Scene& scene);
+std::size_t triangleCount(const Scene& scene);
+
+/// Scales every object about the centre of the scene's box so that its diagonal is `diagonal` metres, and
+/// moves that centre to the world origin. Leaves a scene without extent as it is.
+void fitDiagonal(Scene& scene, double diagonal);
+
+} // namespace tactum
