@@ -1,0 +1,85 @@
+// The 3-D view: the model, the finger and the proxy on it, and the mouse that leads the finger.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QImage>
+
+#include "core/runtime/channels.h"
+#include "core/scene/scene.h"
+#include "core/scene/surface_ref.h"
+#include "ui/view/vtk_widget.h"
+
+namespace tactum {
+
+/// What the left mouse button does on the model: touch it with the finger, or select its surfaces.
+enum class ViewTool { Touch, Select };
+
+/// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
+enum class StandardView { Front, Right, Top, Isometric };
+
+/// Camera: middle drag (or left drag on empty space, or Alt + left drag) orbits, with Shift it pans, the
+/// wheel zooms to the cursor; Home fits, 1, 3 and 7 of the number pad are the standard views.
+/// Touch tool: a press on the model brings the finger there and into the surface a little, and dragging
+/// strokes it along; a press on the finger itself drags it in the camera's plane. Wheel or Ctrl + vertical
+/// drag move it along the view; G lets it follow the mouse until a click or Esc. Arrow keys and Page Up and
+/// Page Down nudge it. Thread: ui.
+class SceneView : public VtkWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// Shows a scene. Objects whose geometry is still the same keep what was made of it. The first scene
+    /// with an extent is fitted into the view; later ones leave the camera alone.
+    void setScene(const Scene& scene);
+    /// Outlines a surface; nothing when empty.
+    void setSelection(std::optional<SurfaceRef> surface);
+    void setTool(ViewTool tool);
+    /// What the loops reported, once a frame. forceLimit in N, > 0.
+    void setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit, bool armed);
+    void setProxyRadius(double metres);
+
+    /// Shows the whole scene from where the camera looks now.
+    void fit();
+    void showStandardView(StandardView view);
+    /// Proxy, finger, spring, force, contacts and their words.
+    void setOverlayVisible(bool visible);
+    void setTheme(bool dark);
+
+    /// Where the mouse leads the finger. World frame, metre.
+    Vec3 handGoal() const;
+    /// Puts the goal there without telling anybody; ends a glide that is under way.
+    void setHandGoal(const Vec3& p_W);
+
+    /// What is shown now, in device pixels, drawn as well as this machine can.
+    QImage grabPicture();
+
+signals:
+    /// The surface under the cursor changed.
+    void surfaceHovered(std::optional<tactum::SurfaceRef> surface);
+    /// A click chose a surface, or nothing.
+    void surfacePicked(std::optional<tactum::SurfaceRef> surface);
+    /// A drag, the wheel or a key moved the finger's goal. World frame, metre.
+    void handGoalMoved(tactum::Vec3 goal_W);
+    /// The mouse took hold of the finger, or let it go.
+    void handGrabbed(bool grabbed);
+
+protected:
+    void prepareFrame() override;
+    void paintOver() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace tactum

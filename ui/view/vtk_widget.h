@@ -1,0 +1,43 @@
+// A Qt 6 widget that shows a VTK render window.
+#pragma once
+
+#include <memory>
+
+#include <QOpenGLWidget>
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace tactum {
+
+/// Owns a generic OpenGL render window and gives it this widget's context, size and framebuffer. Survives
+/// being moved into another window (a new context), fractional device pixels and software rendering, where
+/// it keeps the expensive settings off. Pointer and key events stay Qt's: a subclass handles them.
+/// Thread: ui.
+class VtkWidget : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    explicit VtkWidget(QWidget* parent = nullptr);
+    ~VtkWidget() override;
+
+    /// True once a context exists and it draws on the processor.
+    bool rendersInSoftware() const;
+
+protected:
+    vtkRenderWindow& renderWindow() const;
+
+    /// Brings everything that is drawn up to date; called before each frame, with the context current.
+    virtual void prepareFrame() {}
+    /// Draws on top with QPainter; called after each frame.
+    virtual void paintOver() {}
+
+    void initializeGL() final;
+    void resizeGL(int width, int height) final;
+    void paintGL() final;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace tactum
