@@ -23,9 +23,13 @@ public:
     RealtimeScope& operator=(const RealtimeScope&) = delete;
 };
 
-inline bool insideRealtime() noexcept { return detail::realtimeDepth > 0; }
+inline bool insideRealtime() noexcept {
+    return detail::realtimeDepth > 0;
+}
 
 /// Call first in everything that allocates, locks or waits.
-inline void assertNotRealtime() noexcept { assert(!insideRealtime()); }
+inline void assertNotRealtime() noexcept {
+    assert(!insideRealtime());
+}
 
 } // namespace tactum

@@ -1,7 +1,6 @@
 // The bounding-sphere hierarchy of section 5, in wide nodes that one vector instruction tests.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,56 +14,62 @@ namespace tactum {
 
 /// A sphere of the hierarchy, for display. Body frame, metre.
 struct BoundingSphere {
-    Eigen::Vector3f centre;
-    float radius;
-    int depth; ///< 0 at the root
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    float radius = 0;
 };
 
 /// Where a moving sphere first touches a mesh.
 struct SweepHit {
-    double t = 2.0;      ///< in [0, 1]; kNoContact when nothing is touched
-    Index triangle = 0;  ///< index into the soup
+    double t = kNoContact; ///< in [0, 1]
+    Index triangle = 0;    ///< index into the soup
+};
+
+/// The moving sphere of a sweep: its centre goes from `from` to `from + motion`. Body frame, metre.
+struct SpherePath {
+    Vec3 from = Vec3::Zero();
+    Vec3 motion = Vec3::Zero();
+    double radius = 0;
 };
 
 class SphereTree {
 public:
     static constexpr int kWidth = 8;
+    using Lane = Eigen::Array<float, kWidth, 1>;
+
+    /// Eight child spheres in structure-of-arrays, single precision, rounded outward.
+    struct Node {
+        Lane x, y, z;
+        Lane radius;                ///< -1e30 for an unused child: nothing is ever near it
+        std::int32_t child[kWidth]; ///< an index into nodes(), or ~index into leaves()
+    };
+    /// Up to eight leaf spheres, each over a primitive or a part of a long one, and the primitives' planes.
+    struct Leaf {
+        Lane x, y, z, radius;
+        Lane nx, ny, nz, offset; ///< n . (p - sphere centre) = offset; n = 0 where there is no plane
+        Index triangle[kWidth];
+    };
 
     SphereTree() = default;
-    /// Builds over every triangle of the soup, in parallel. Keeps no reference to the soup.
-    /// Thread: any but real time.
+    /// Builds over every triangle of the soup, on all cores. Keeps no reference to the soup.
+    /// Thread: any but real time. O(n log n).
     explicit SphereTree(const TriangleSoup& soup);
 
-    /// First contact of a sphere of radius r whose centre moves from p to p + d (body frame, metre) with
-    /// the soup that the tree was built over, leaving out the triangles in `excluded`.
+    /// First contact of a moving sphere with the soup that the tree was built over, leaving out the
+    /// triangles in `excluded`. Of several at the same time, any.
     /// Thread: real time; fixed stack, no allocation.
-    SweepHit sweep(const TriangleSoup& soup, const Vec3& p, const Vec3& d, double r,
+    SweepHit sweep(const TriangleSoup& soup, const SpherePath& path,
                    std::span<const Index> excluded) const noexcept;
 
-    /// Bytes held by the nodes.
-    std::size_t bytes() const;
-    /// The spheres of one depth, for display; all leaves above that depth are included.
+    const std::vector<Node>& nodes() const { return nodes_; }
+    const std::vector<Leaf>& leaves() const { return leaves_; }
+    std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
+    /// The spheres at one depth below the root's children (0), for display.
     std::vector<BoundingSphere> spheresAt(int depth) const;
-    bool empty() const { return leaves_.empty(); }
-
-    // One inner node: eight child spheres in structure-of-arrays, single precision, rounded outward.
-    // child < 0: leaf node ~child; unused children have radius -1.
-    struct alignas(32) Node {
-        std::array<float, kWidth> x, y, z, radius;
-        std::array<std::int32_t, kWidth> child;
-    };
-    // One leaf node: up to eight leaf spheres, each with its primitive and the primitive's plane.
-    struct alignas(32) Leaf {
-        std::array<float, kWidth> x, y, z, radius;     ///< leaf spheres
-        std::array<float, kWidth> nx, ny, nz, offset;  ///< n . (p - sphere centre) = offset; n = 0 for segments
-        std::array<std::uint32_t, kWidth> triangle;
-    };
 
 private:
-    std::vector<Node> nodes_;
+    std::vector<Node> nodes_; ///< the root is the first; empty when there are no triangles
     std::vector<Leaf> leaves_;
-    std::int32_t root_ = 0;
-    float reach_ = 0; ///< largest coordinate, for the rounding margin of the plane test
+    float reach_ = 0; ///< largest coordinate: the size of rounding errors
 };
 
 } // namespace tactum

@@ -9,7 +9,7 @@ namespace tactum {
 /// What the hand strives for. Frame D, metre.
 struct HandGoal {
     Vec3 position = Vec3::Zero();
-    bool teleport = false; ///< jump there at rest instead of moving: used when a model is opened
+    bool teleport = false;      ///< jump there at rest instead of moving: used when a model is opened
     std::uint32_t sequence = 0; ///< raised with every teleport, so that each is carried out once
 };
 

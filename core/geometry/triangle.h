@@ -16,8 +16,8 @@ enum class Feature : unsigned char { Face, Edge, Vertex };
 
 /// The point of a triangle nearest to some point, with what shading and texture need of it.
 struct ClosestPoint {
-    Vec3 point;             ///< frame and unit of the triangle
-    Vec3 weights;           ///< barycentric: point = weights[0] a + weights[1] b + weights[2] c; sum 1
+    Vec3 point;   ///< frame and unit of the triangle
+    Vec3 weights; ///< barycentric: point = weights[0] a + weights[1] b + weights[2] c; sum 1
     Feature feature = Feature::Face;
 };
 

@@ -19,10 +19,10 @@ struct ConstraintPlane {
 };
 
 struct NearestPoint {
-    Vec3 x = Vec3::Zero();                      ///< the solution of equation (2)
-    std::array<double, kMaxPlanes> lambda{};    ///< multipliers, >= 0: x - u = sum lambda_i normal_i (6)
-    int active = 0;                             ///< how many multipliers are positive: at most three
-    bool feasible = true;                       ///< false: the planes exclude each other, x is the origin
+    Vec3 x = Vec3::Zero();                   ///< the solution of equation (2)
+    std::array<double, kMaxPlanes> lambda{}; ///< multipliers, >= 0: x - u = sum lambda_i normal_i (6)
+    int active = 0;                          ///< how many multipliers are positive: at most three
+    bool feasible = true;                    ///< false: the planes exclude each other, x is the origin
 };
 
 /// Minimises |x - u| subject to every plane (equation 2).

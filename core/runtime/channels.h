@@ -29,8 +29,8 @@ struct FingerSample {
 
 /// What the proxy loop tells the window.
 struct ProxyTelemetry {
-    HapticOutput output;             ///< of the last update
-    Vec3 finger = Vec3::Zero();      ///< that the update used
+    HapticOutput output;        ///< of the last update
+    Vec3 finger = Vec3::Zero(); ///< that the update used
     std::uint64_t updates = 0;
     std::uint64_t worldRevision = 0; ///< the World that the update used
     double rate = 0;                 ///< Hz, over the last half second

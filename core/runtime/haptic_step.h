@@ -9,15 +9,29 @@
 #include "core/proxy/nearest_point.h"
 #include "core/proxy/proxy.h"
 #include "core/runtime/world.h"
+#include "core/surface/friction.h"
 
 namespace tactum {
 
+/// More planes than push at once (three); the rest would be nearly parallel to them.
 inline constexpr int kMaxModelPlanes = 4;
 
 /// What is known of the finger at this step. World frame, SI.
 struct HapticInput {
     Vec3 finger = Vec3::Zero();
     Vec3 fingerVelocity = Vec3::Zero();
+};
+
+/// The surroundings of the proxy in a form that the servo renders between proxy updates, so that free
+/// motion does not drag and contact keeps the servo's rate (sections 7 and 8). World frame, SI.
+struct LocalContactModel {
+    Vec3 proxy = Vec3::Zero();
+    int planes = 0;
+    std::array<ConstraintPlane, kMaxModelPlanes> plane{}; ///< offset relative to `proxy`
+    std::array<FrictionLimit, kMaxModelPlanes> friction{};
+    double stiffness = 0; ///< N/m
+    double damping = 0;   ///< N s/m
+    bool valid = false;   ///< false: no step has run yet
 };
 
 /// One touched place, for the display.
@@ -33,37 +47,22 @@ struct ContactReport {
 struct HapticOutput {
     Vec3 proxy = Vec3::Zero(); ///< world frame
     Vec3 force = Vec3::Zero(); ///< N on the finger, before the device's limit
-    int contacts = 0;          ///< how many of the planes push
+    int contacts = 0;          ///< how many planes push, at most kMaxModelPlanes
     std::array<ContactReport, kMaxModelPlanes> contact{};
-    int iterations = 0;        ///< move and update rounds of this step
-    bool boundHit = false;     ///< the fixed bound of rounds ended the step; the next one goes on
-};
-
-/// The surroundings of the proxy in a form that the servo renders between proxy updates, so that free
-/// motion does not drag and contact keeps the servo's rate. World frame, SI.
-struct LocalContactModel {
-    Vec3 proxy = Vec3::Zero();
-    int planes = 0;
-    std::array<ConstraintPlane, kMaxModelPlanes> plane{}; ///< offset relative to `proxy`
-    std::array<FrictionLimit, kMaxModelPlanes> friction{};
-    double stiffness = 0; ///< N/m
-    double damping = 0;   ///< N s/m
-    bool valid = false;   ///< false: no step has run yet
+    ProxyReport report;
 };
 
 /// All that changes at haptic rate.
 struct SimState {
     ProxyState proxy;
-    std::uint64_t shapeRevision = ~std::uint64_t(0); ///< of the World that the contacts belong to
     LocalContactModel model;                         ///< written by the step for the servo
+    std::uint64_t shapeRevision = ~std::uint64_t(0); ///< of the World that the contacts belong to
 };
 
-/// Puts the proxy onto the finger and forgets every contact. Thread: real time.
-void restartProxy(SimState& state, const Vec3& finger_W) noexcept;
-
 /// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
-/// Deterministic: the same world, state, input and dt give the same bits. dt in s, > 0.
-/// Thread: real time. Bounded: at most kMaxRounds sweeps (core/proxy/proxy.h).
+/// Deterministic: the same world, state, input and dt give the same bits. dt in s, > 0. After a change of
+/// shape, and at first, the proxy starts on the finger. Input that is not finite changes nothing and gives no
+/// force. Thread: real time. Bounded: at most kMaxRounds sweeps of each body.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
 
 /// The force that a local contact model gives a finger: N, world frame, before the device's limit.

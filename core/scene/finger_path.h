@@ -10,8 +10,8 @@
 namespace tactum {
 
 struct FingerPoint {
-    double t = 0;                  ///< s, strictly rising
-    Vec3 position = Vec3::Zero();  ///< m, world frame
+    double t = 0;                 ///< s, strictly rising
+    Vec3 position = Vec3::Zero(); ///< m, world frame
 };
 
 /// Reads "t,x,y,z" with a header line. Numbers in the C locale; every one finite; t strictly rising.

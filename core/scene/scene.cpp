@@ -5,15 +5,19 @@
 namespace tactum {
 
 SceneObject* Scene::find(ObjectId id) {
-    auto it = std::find_if(objects.begin(), objects.end(), [&](const auto& object) { return object.id == id; });
+    auto it =
+        std::find_if(objects.begin(), objects.end(), [&](const auto& object) { return object.id == id; });
     return it == objects.end() ? nullptr : &*it;
 }
 
-const SceneObject* Scene::find(ObjectId id) const { return const_cast<Scene*>(this)->find(id); }
+const SceneObject* Scene::find(ObjectId id) const {
+    return const_cast<Scene*>(this)->find(id);
+}
 
 SceneObject& Scene::add(SceneObject object) {
     object.id = 1;
-    for (const auto& other : objects) object.id = std::max(object.id, other.id + 1);
+    for (const auto& other : objects)
+        object.id = std::max(object.id, other.id + 1);
     return objects.emplace_back(std::move(object));
 }
 
@@ -21,13 +25,15 @@ Bounds boundsOf(const Scene& scene) {
     Bounds box;
     for (const auto& object : scene.objects)
         for (const auto& triangle : object.geometry->triangles)
-            for (Index corner : triangle) box.add(object.pose.apply(object.geometry->positions[corner]));
+            for (Index corner : triangle)
+                box.add(object.pose.apply(object.geometry->positions[corner]));
     return box;
 }
 
 std::size_t triangleCount(const Scene& scene) {
     std::size_t count = 0;
-    for (const auto& object : scene.objects) count += object.geometry->triangles.size();
+    for (const auto& object : scene.objects)
+        count += object.geometry->triangles.size();
     return count;
 }
 
@@ -37,7 +43,8 @@ void fitDiagonal(Scene& scene, double diagonal) {
     const double scale = diagonal / box.diagonal();
     for (auto& object : scene.objects) {
         auto scaled = std::make_shared<TriangleSoup>(*object.geometry);
-        for (Vec3& p : scaled->positions) p *= scale;
+        for (Vec3& p : scaled->positions)
+            p *= scale;
         object.geometry = std::move(scaled);
         object.pose.translation = scale * (object.pose.translation - box.centre());
     }

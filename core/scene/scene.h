@@ -12,9 +12,16 @@
 
 namespace tactum {
 
-inline constexpr Parameter kProxyRadius{
-    "proxy-radius", "Proxy radius", "m", 1e-5, 0.1, 1e-4, 1e-3, 5,
-    "Radius of the sphere that stands for the finger; larger than any gap it must not fall into (section 2)."};
+inline constexpr Parameter kProxyRadius{"proxy-radius",
+                                        "Proxy radius",
+                                        "m",
+                                        1e-5,
+                                        0.1,
+                                        1e-4,
+                                        1e-3,
+                                        5,
+                                        "Radius of the sphere that stands for the finger; larger than any "
+                                        "gap it must not fall into (section 2)."};
 
 /// A part of an object with one feel: a group or material of the file.
 struct Surface {
@@ -31,7 +38,7 @@ using ObjectId = std::uint32_t;
 struct SceneObject {
     ObjectId id = 0;
     std::string name;
-    Pose pose; ///< X_WB
+    Pose pose;                                    ///< X_WB
     std::shared_ptr<const TriangleSoup> geometry; ///< body frame, shared and immutable
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
     bool visible = true;

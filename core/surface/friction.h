@@ -8,7 +8,7 @@ namespace tactum {
 /// What one contact plane allows. Lengths, because force = stiffness x length: the spring cancels.
 struct FrictionLimit {
     double coefficient = 0; ///< mu_s while the contact sticks, mu_d while it slips
-    double viscosity = 0;   ///< b / k, in s; 0 while the contact sticks
+    double lag = 0;         ///< b / k, in s; 0 while the contact sticks
 };
 
 /// The limit that a contact in the given state obeys. Thread: real time.
@@ -17,15 +17,15 @@ inline FrictionLimit frictionLimit(const Material& material, bool slipping) noex
     return {material.dynamicFriction, material.viscosity / material.stiffness};
 }
 
-/// How far the proxy may slide in a time. `excess`: distance from the proxy to where it would go without
-/// friction, i.e. tangential force / k. `depth`: normal force / k, the multiplier of the plane. Unit: m, s.
-/// Equation (21) as magnitudes along the slip direction, b e' = -k (e - mu depth), solved exactly over dt:
-/// never overshoots, and for b = 0 ends on the edge of the cone. 0 means that the contact holds.
-/// Thread: real time.
-double allowedSlide(const FrictionLimit& limit, double excess, double depth, double dt) noexcept;
-
-/// Inverse of allowedSlide: the time that it takes to slide by `distance`, at most the time in which
-/// allowedSlide reaches it; 0 for a contact without viscosity. Unit: s. Thread: real time.
-double slideTime(const FrictionLimit& limit, double excess, double depth, double distance) noexcept;
+/// How far the proxy slides in a time.
+/// `excess`: distance from the proxy to where it would go without friction, that is tangential force / k, at
+/// the end of the time. `depth`: normal force / k, the multiplier of the plane. `speed`: of the finger in the
+/// direction of the slide, m/s, so that the excess was excess - speed dt when the time began. Units: m, s.
+///
+/// Equation (21) in magnitudes along the slide, b e' = b speed - k (e - mu depth), is linear: solved exactly
+/// over dt, it never overshoots, gives mu depth k + b speed when steady, and for b = 0 ends on the edge of
+/// the cone. Returns 0 for a contact that holds. Thread: real time.
+double allowedSlide(const FrictionLimit& limit, double excess, double depth, double speed,
+                    double dt) noexcept;
 
 } // namespace tactum

@@ -8,21 +8,56 @@
 namespace tactum {
 
 inline constexpr Parameter kStiffness{
-    "stiffness", "Stiffness", "N/m", 1, 10000, 10, 800, 0,
+    "stiffness",
+    "Stiffness",
+    "N/m",
+    1,
+    10000,
+    10,
+    800,
+    0,
     "Force of the virtual spring for each metre between proxy and finger (equation 24). Values above the "
     "device's ceiling are clamped to it."};
 inline constexpr Parameter kDamping{
-    "damping", "Damping", "N s/m", 0, 20, 0.1, 0, 2,
+    "damping",
+    "Damping",
+    "N s/m",
+    0,
+    20,
+    0.1,
+    0,
+    2,
     "Force against the speed of the finger into the surface. It never pulls the finger inward."};
 inline constexpr Parameter kStaticFriction{
-    "static-friction", "Static friction", "", 0, 2, 0.01, 0, 3,
+    "static-friction",
+    "Static friction",
+    "",
+    0,
+    2,
+    0.01,
+    0,
+    3,
     "Largest ratio of tangential to normal force at which a resting contact holds (section 4.1)."};
 inline constexpr Parameter kDynamicFriction{
-    "dynamic-friction", "Dynamic friction", "", 0, 2, 0.01, 0, 3,
+    "dynamic-friction",
+    "Dynamic friction",
+    "",
+    0,
+    2,
+    0.01,
+    0,
+    3,
     "Ratio of tangential to normal force while the contact slides; never above static friction "
     "(section 4.2, equation 21)."};
 inline constexpr Parameter kViscosity{
-    "viscosity", "Viscosity", "N s/m", 0, 50, 0.1, 0, 2,
+    "viscosity",
+    "Viscosity",
+    "N s/m",
+    0,
+    50,
+    0.1,
+    0,
+    2,
     "Additional tangential force for each metre per second of sliding: the b of equation 21."};
 
 /// The feel of one surface. Values outside their parameter's range are found by validation, not here.

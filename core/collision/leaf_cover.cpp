@@ -1,0 +1,82 @@
+#include "core/collision/leaf_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.h"
+#include "core/geometry/triangle.h"
+
+namespace tactum {
+
+namespace {
+
+// A long triangle is halved at most this often: at most sixteen spheres.
+constexpr int kMaxHalvings = 4;
+// One sphere wastes little until it is this much larger than a sphere over a compact triangle of equal area.
+constexpr double kCompact = 2.0;
+
+// The smallest sphere around three points: on the longest side, or the circumcircle when all angles are
+// acute.
+Vec3 smallestSphereCentre(const Triangle& t) {
+    const Vec3 ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c;
+    if (ab.dot(ca) >= 0) return 0.5 * (t.b + t.c);
+    if (ab.dot(bc) >= 0) return 0.5 * (t.a + t.c);
+    if (bc.dot(ca) >= 0) return 0.5 * (t.a + t.b);
+    const Vec3 ac = -ca, normal = ab.cross(ac);
+    return t.a + (ac.squaredNorm() * normal.cross(ab) + ab.squaredNorm() * ac.cross(normal)) /
+                     (2 * normal.squaredNorm());
+}
+
+LeafSphere around(const Triangle& t, Index index) {
+    LeafSphere sphere;
+    sphere.centre = smallestSphereCentre(t).cast<float>();
+    const Vec3 centre = sphere.centre.cast<double>();
+    const double radius = std::sqrt(
+        std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
+    sphere.radius = std::nextafter(float(radius), std::numeric_limits<float>::infinity());
+    sphere.triangle = index;
+    return sphere;
+}
+
+void cover(const Triangle& t, Index index, double compactRadius, int halvings, std::vector<LeafSphere>& out) {
+    const LeafSphere sphere = around(t, index);
+    if (halvings == 0 || sphere.radius <= kCompact * compactRadius) {
+        out.push_back(sphere);
+        return;
+    }
+    const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
+                 ca = (t.a - t.c).squaredNorm();
+    Triangle turned = t; // the longest side becomes ab
+    if (bc >= ab && bc >= ca)
+        turned = {t.b, t.c, t.a};
+    else if (ca >= ab)
+        turned = {t.c, t.a, t.b};
+    const Vec3 middle = 0.5 * (turned.a + turned.b);
+    cover({turned.a, middle, turned.c}, index, compactRadius, halvings - 1, out);
+    cover({middle, turned.b, turned.c}, index, compactRadius, halvings - 1, out);
+}
+
+} // namespace
+
+std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup) {
+    const std::size_t count = soup.triangles.size();
+    std::vector<std::vector<LeafSphere>> parts(parallelParts(count));
+    parallelFor(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+        auto& out = parts[part];
+        out.reserve(end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& corner = soup.triangles[i];
+            const Triangle t{soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
+            // An equilateral triangle of area A fits a circle of radius 0.877 sqrt(A).
+            const double area = 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
+            cover(t, Index(i), 0.877 * std::sqrt(area), area > 0 ? kMaxHalvings : 0, out);
+        }
+    });
+    std::vector<LeafSphere> all = std::move(parts.front());
+    for (std::size_t k = 1; k < parts.size(); ++k)
+        all.insert(all.end(), parts[k].begin(), parts[k].end());
+    return all;
+}
+
+} // namespace tactum

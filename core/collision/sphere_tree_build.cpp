@@ -1,0 +1,266 @@
+// Building: leaf spheres, a binary tree by halving the longest axis (section 5), folded into wide nodes.
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <limits>
+
+#include "core/collision/leaf_cover.h"
+#include "core/collision/sphere_tree.h"
+
+namespace tactum {
+
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+constexpr int kLeafSize = SphereTree::kWidth;
+// Below this many spheres a second thread costs more than it saves.
+constexpr std::size_t kWorthAThread = 1 << 16;
+// Halving the longest axis could peel one sphere at a time off a set that crowds geometrically toward a
+// point; below this depth the spheres are halved by number, which bounds the depth and with it the sweep's
+// stack.
+constexpr int kDeep = 64;
+constexpr float kOutward = 1 + 1e-6f; // covers the few roundings of one radius computation
+
+struct Sphere {
+    Vec3f centre = Vec3f::Zero();
+    float radius = 0;
+};
+
+// A node of the binary tree: leaves [begin, end) of the ordered spheres; children -1 when it is not divided.
+struct BinaryNode {
+    Sphere sphere;
+    std::uint32_t begin = 0, end = 0;
+    std::int32_t left = -1, right = -1;
+};
+
+struct Box {
+    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
+    Vec3f high = -low;
+    void add(const LeafSphere& s) {
+        low = low.cwiseMin((s.centre.array() - s.radius).matrix());
+        high = high.cwiseMax((s.centre.array() + s.radius).matrix());
+    }
+};
+
+// First heuristic: the smallest sphere around two spheres.
+Sphere around(const Sphere& a, const Sphere& b) {
+    const Vec3f way = b.centre - a.centre;
+    const float distance = way.norm();
+    if (distance + b.radius <= a.radius) return a;
+    if (distance + a.radius <= b.radius) return b;
+    const float radius = 0.5f * (distance + a.radius + b.radius);
+    Sphere both;
+    both.centre = a.centre + way * ((radius - a.radius) / distance);
+    both.radius =
+        std::max((both.centre - a.centre).norm() + a.radius, (both.centre - b.centre).norm() + b.radius) *
+        kOutward;
+    return both;
+}
+
+class Builder {
+public:
+    explicit Builder(std::vector<LeafSphere>& leaves) : leaves_(leaves) {
+        nodes_.resize(2 * leaves.size() + 1);
+    }
+
+    std::int32_t build(std::size_t begin, std::size_t end, int depth = 0) {
+        const std::int32_t index = next_.fetch_add(1, std::memory_order_relaxed);
+        BinaryNode& node = nodes_[index];
+        node.begin = std::uint32_t(begin);
+        node.end = std::uint32_t(end);
+        Box box;
+        for (std::size_t i = begin; i < end; ++i)
+            box.add(leaves_[i]);
+        if (end - begin > kLeafSize) {
+            const std::size_t middle = divide(begin, end, box, depth);
+            buildChildren(node, begin, middle, end, depth + 1);
+        }
+        node.sphere = aroundLeaves(box, begin, end);
+        if (node.left >= 0) {
+            const Sphere merged = around(nodes_[node.left].sphere, nodes_[node.right].sphere);
+            if (merged.radius < node.sphere.radius) node.sphere = merged;
+        }
+        return index;
+    }
+
+    const BinaryNode& node(std::int32_t i) const { return nodes_[i]; }
+
+private:
+    void buildChildren(BinaryNode& node, std::size_t begin, std::size_t middle, std::size_t end, int depth) {
+        if (end - begin < kWorthAThread) {
+            node.left = build(begin, middle, depth);
+            node.right = build(middle, end, depth);
+            return;
+        }
+        auto left = std::async(std::launch::async, [&] { return build(begin, middle, depth); });
+        node.right = build(middle, end, depth);
+        node.left = left.get();
+    }
+
+    // Along the plane through the midpoint of the longest axis; by number where that leaves a side empty.
+    std::size_t divide(std::size_t begin, std::size_t end, const Box& box, int depth) {
+        int axis = 0;
+        (box.high - box.low).maxCoeff(&axis);
+        const float plane = 0.5f * (box.low[axis] + box.high[axis]);
+        const auto first = leaves_.begin() + std::ptrdiff_t(begin),
+                   last = leaves_.begin() + std::ptrdiff_t(end);
+        auto middle =
+            std::partition(first, last, [&](const LeafSphere& s) { return s.centre[axis] < plane; });
+        if (depth > kDeep || middle == first || middle == last) {
+            middle = first + (last - first) / 2;
+            std::nth_element(first, middle, last, [&](const LeafSphere& a, const LeafSphere& b) {
+                return a.centre[axis] < b.centre[axis];
+            });
+        }
+        return std::size_t(middle - leaves_.begin());
+    }
+
+    // Second heuristic: about the middle of the box, just large enough for the leaf spheres.
+    Sphere aroundLeaves(const Box& box, std::size_t begin, std::size_t end) const {
+        Sphere sphere;
+        sphere.centre = 0.5f * (box.low + box.high);
+        for (std::size_t i = begin; i < end; ++i)
+            sphere.radius =
+                std::max(sphere.radius, (leaves_[i].centre - sphere.centre).norm() + leaves_[i].radius);
+        sphere.radius *= kOutward;
+        return sphere;
+    }
+
+    std::vector<LeafSphere>& leaves_;
+    std::vector<BinaryNode> nodes_;
+    std::atomic<std::int32_t> next_{0};
+};
+
+// Folds the binary tree into wide nodes: the child with the largest sphere is opened until eight are there.
+class Folder {
+public:
+    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup,
+           std::vector<SphereTree::Node>& nodes, std::vector<SphereTree::Leaf>& leaves)
+        : tree_(tree), leafSpheres_(leafSpheres), soup_(soup), nodes_(nodes), leaves_(leaves) {}
+
+    void fold(std::int32_t binary) {
+        std::int32_t open[SphereTree::kWidth] = {binary};
+        const int count = openChildren(open);
+        const std::size_t index = nodes_.size();
+        nodes_.push_back(emptyNode());
+        for (int i = 0; i < count; ++i) {
+            const BinaryNode& child = tree_.node(open[i]);
+            place(nodes_[index], i, child.sphere);
+            if (child.left < 0) {
+                nodes_[index].child[i] = ~std::int32_t(leaves_.size());
+                leaves_.push_back(leafOf(child));
+            } else {
+                nodes_[index].child[i] = std::int32_t(nodes_.size());
+                fold(open[i]);
+            }
+        }
+    }
+
+private:
+    int openChildren(std::int32_t (&open)[SphereTree::kWidth]) const {
+        int count = 1;
+        while (count < SphereTree::kWidth) {
+            int widest = -1;
+            for (int i = 0; i < count; ++i) {
+                if (tree_.node(open[i]).left < 0) continue;
+                if (widest < 0 || tree_.node(open[i]).sphere.radius > tree_.node(open[widest]).sphere.radius)
+                    widest = i;
+            }
+            if (widest < 0) break;
+            const BinaryNode& opened = tree_.node(open[widest]);
+            open[widest] = opened.left;
+            open[count++] = opened.right;
+        }
+        return count;
+    }
+
+    static SphereTree::Node emptyNode() {
+        SphereTree::Node node;
+        node.x = node.y = node.z = SphereTree::Lane::Zero();
+        node.radius = SphereTree::Lane::Constant(-1e30f);
+        std::fill(std::begin(node.child), std::end(node.child), 0);
+        return node;
+    }
+
+    template <class Spheres> static void place(Spheres& node, int i, const Sphere& sphere) {
+        node.x[i] = sphere.centre.x();
+        node.y[i] = sphere.centre.y();
+        node.z[i] = sphere.centre.z();
+        node.radius[i] = sphere.radius;
+    }
+
+    SphereTree::Leaf leafOf(const BinaryNode& binary) const {
+        SphereTree::Leaf leaf;
+        leaf.x = leaf.y = leaf.z = leaf.nx = leaf.ny = leaf.nz = leaf.offset = SphereTree::Lane::Zero();
+        leaf.radius = SphereTree::Lane::Constant(-1e30f);
+        std::fill(std::begin(leaf.triangle), std::end(leaf.triangle), 0);
+        for (std::uint32_t k = binary.begin; k < binary.end; ++k) {
+            const int i = int(k - binary.begin);
+            place(leaf, i, {leafSpheres_[k].centre, leafSpheres_[k].radius});
+            placePlane(leaf, i, leafSpheres_[k]);
+        }
+        return leaf;
+    }
+
+    void placePlane(SphereTree::Leaf& leaf, int i, const LeafSphere& sphere) const {
+        leaf.triangle[i] = sphere.triangle;
+        const auto& corner = soup_.triangles[sphere.triangle];
+        const Vec3& a = soup_.positions[corner[0]];
+        const Vec3 ab = soup_.positions[corner[1]] - a, ac = soup_.positions[corner[2]] - a;
+        const Vec3 normal = ab.cross(ac);
+        const double area = normal.norm();
+        // The normal of a sliver is rounding noise, and that of a segment or a point does not exist.
+        if (!(area > 1e-6 * ab.norm() * ac.norm())) return;
+        leaf.nx[i] = float(normal.x() / area);
+        leaf.ny[i] = float(normal.y() / area);
+        leaf.nz[i] = float(normal.z() / area);
+        leaf.offset[i] = float(normal.dot(a - sphere.centre.cast<double>()) / area);
+    }
+
+    const Builder& tree_;
+    const std::vector<LeafSphere>& leafSpheres_;
+    const TriangleSoup& soup_;
+    std::vector<SphereTree::Node>& nodes_;
+    std::vector<SphereTree::Leaf>& leaves_;
+};
+
+} // namespace
+
+SphereTree::SphereTree(const TriangleSoup& soup) {
+    if (soup.triangles.empty()) return;
+    std::vector<LeafSphere> leafSpheres = coverWithSpheres(soup);
+    Builder builder(leafSpheres);
+    const std::int32_t root = builder.build(0, leafSpheres.size());
+    const std::size_t expected = leafSpheres.size() / 4 + 1;
+    leaves_.reserve(expected);
+    nodes_.reserve(expected / 4 + 1);
+    Folder(builder, leafSpheres, soup, nodes_, leaves_).fold(root);
+    nodes_.shrink_to_fit();
+    leaves_.shrink_to_fit();
+    const BinaryNode& top = builder.node(root);
+    reach_ = top.sphere.centre.cwiseAbs().maxCoeff() + top.sphere.radius;
+}
+
+std::vector<BoundingSphere> SphereTree::spheresAt(int depth) const {
+    std::vector<BoundingSphere> spheres;
+    if (nodes_.empty()) return spheres;
+    std::vector<std::pair<std::int32_t, int>> open{{0, 0}};
+    while (!open.empty()) {
+        const auto [index, level] = open.back();
+        open.pop_back();
+        const Node& node = nodes_[std::size_t(index)];
+        for (int i = 0; i < kWidth; ++i) {
+            if (node.radius[i] < 0) continue;
+            if (level < depth && node.child[i] >= 0)
+                open.emplace_back(node.child[i], level + 1);
+            else
+                spheres.push_back({{node.x[i], node.y[i], node.z[i]}, node.radius[i]});
+        }
+    }
+    return spheres;
+}
+
+} // namespace tactum

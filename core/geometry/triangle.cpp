@@ -1,0 +1,143 @@
+#include "core/geometry/triangle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tactum {
+
+namespace {
+
+ClosestPoint onEdge(const Vec3& from, const Vec3& to, double s, int i, int j) noexcept {
+    ClosestPoint result;
+    result.point = from + s * (to - from);
+    result.weights = Vec3::Zero();
+    result.weights[i] += 1 - s;
+    result.weights[j] += s;
+    result.feature = Feature::Edge;
+    return result;
+}
+
+ClosestPoint atVertex(const Vec3& v, int i) noexcept {
+    ClosestPoint result;
+    result.point = v;
+    result.weights = Vec3::Unit(i);
+    result.feature = Feature::Vertex;
+    return result;
+}
+
+ClosestPoint nearestOfEdges(const Triangle& t, const Vec3& p) noexcept {
+    const std::array<const Vec3*, 3> corner{&t.a, &t.b, &t.c};
+    ClosestPoint best = atVertex(t.a, 0);
+    double bestSquared = (p - t.a).squaredNorm();
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const Vec3 edge = *corner[j] - *corner[i];
+        const double length2 = edge.squaredNorm();
+        if (!(length2 > 0)) continue;
+        const double s = std::clamp(edge.dot(p - *corner[i]) / length2, 0.0, 1.0);
+        const ClosestPoint candidate = onEdge(*corner[i], *corner[j], s, i, j);
+        const double squared = (p - candidate.point).squaredNorm();
+        if (squared < bestSquared) best = candidate, bestSquared = squared;
+    }
+    return best;
+}
+
+// First t in [0, 1] at which |m + t d| = r on the way in; m is the start relative to the point.
+double sweepPoint(const Vec3& m, const Vec3& d, double r) noexcept {
+    const double c = m.squaredNorm() - r * r;
+    const double b = m.dot(d);
+    if (b >= 0) return kNoContact;
+    if (c <= 0) return 0;
+    const double discriminant = b * b - d.squaredNorm() * c;
+    if (discriminant < 0) return kNoContact;
+    // c / (-b + root) is the smaller root without the cancellation of (-b - root) / a.
+    const double t = c / (-b + std::sqrt(discriminant));
+    return t <= 1 ? t : kNoContact;
+}
+
+// The same for a segment: enter the infinite cylinder, then see whether that is beside the segment.
+double sweepSegment(const Vec3& from, const Vec3& to, const Vec3& p, const Vec3& d, double r) noexcept {
+    const Vec3 e = to - from;
+    const Vec3 m = p - from;
+    const double length2 = e.squaredNorm();
+    if (!(length2 > 0)) return sweepPoint(m, d, r);
+    const double mAlong = m.dot(e) / length2;
+    const double dAlong = d.dot(e) / length2;
+    const Vec3 mAcross = m - mAlong * e;
+    const Vec3 dAcross = d - dAlong * e;
+    const double a = dAcross.squaredNorm();
+    const double b = mAcross.dot(dAcross);
+    const double c = mAcross.squaredNorm() - r * r;
+    double along = mAlong;
+    if (c > 0) {
+        const double discriminant = b * b - a * c;
+        if (b >= 0 || discriminant < 0) return kNoContact;
+        const double t = c / (-b + std::sqrt(discriminant));
+        if (t > 1) return kNoContact;
+        along = mAlong + t * dAlong;
+        if (along >= 0 && along <= 1) return t;
+    } else if (along >= 0 && along <= 1) {
+        return b < 0 ? 0 : kNoContact;
+    }
+    return along < 0 ? sweepPoint(m, d, r) : sweepPoint(p - to, d, r);
+}
+
+bool insideFace(const Triangle& t, const Vec3& normal, const Vec3& q) noexcept {
+    return normal.dot((t.b - t.a).cross(q - t.a)) >= 0 && normal.dot((t.c - t.b).cross(q - t.b)) >= 0 &&
+           normal.dot((t.a - t.c).cross(q - t.c)) >= 0;
+}
+
+} // namespace
+
+ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
+    const Vec3 ab = t.b - t.a, ac = t.c - t.a;
+    const Vec3 ap = p - t.a, bp = p - t.b, cp = p - t.c;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0) return atVertex(t.a, 0);
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3) return atVertex(t.b, 1);
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6) return atVertex(t.c, 2);
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return onEdge(t.a, t.b, d1 / (d1 - d3), 0, 1);
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return onEdge(t.a, t.c, d2 / (d2 - d6), 0, 2);
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return onEdge(t.b, t.c, (d4 - d3) / ((d4 - d3) + (d5 - d6)), 1, 2);
+    // va + vb + vc is the squared double area; a sliver loses it to rounding and has only edges.
+    const double sum = va + vb + vc;
+    if (!(sum > 1e-12 * ab.squaredNorm() * ac.squaredNorm())) return nearestOfEdges(t, p);
+    ClosestPoint result;
+    const double v = vb / sum, w = vc / sum;
+    result.weights = {1 - v - w, v, w};
+    result.point = t.a + v * ab + w * ac;
+    result.feature = Feature::Face;
+    return result;
+}
+
+double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r) noexcept {
+    const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+    const double doubleArea = normal.norm();
+    if (doubleArea > 0) {
+        const double height = normal.dot(p - t.a) / doubleArea;
+        const double rise = normal.dot(d) / doubleArea;
+        const double side = height < 0 ? -1 : 1;
+        if (side * height > r) {
+            const double approach = -side * rise;
+            // Staying above the plane by r means staying away from the triangle by r.
+            if (!(approach > 0)) return kNoContact;
+            const double reach = (side * height - r) / approach;
+            if (reach > 1) return kNoContact;
+            const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
+            if (insideFace(t, normal, touched)) return reach;
+        } else {
+            const Vec3 away = p - closestPoint(t, p).point;
+            if (away.squaredNorm() <= r * r) return away.dot(d) < 0 ? 0 : kNoContact;
+        }
+    }
+    return std::min(
+        {sweepSegment(t.a, t.b, p, d, r), sweepSegment(t.b, t.c, p, d, r), sweepSegment(t.c, t.a, p, d, r)});
+}
+
+} // namespace tactum

@@ -1,0 +1,22 @@
+#include "core/surface/friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactum {
+
+double allowedSlide(const FrictionLimit& limit, double excess, double depth, double speed,
+                    double dt) noexcept {
+    const double most = excess - limit.coefficient * depth;
+    if (!(most > 0)) return 0;
+    if (!(limit.lag > 0)) return most;
+    // Only the part of the time in which the cone was already left counts.
+    const double before = most - speed * dt;
+    const double start = std::max(before, 0.0);
+    const double time = before < 0 ? most / speed : dt;
+    const double steady = speed * limit.lag;
+    const double end = steady + (start - steady) * std::exp(-time / limit.lag);
+    return std::clamp(most - end, 0.0, most);
+}
+
+} // namespace tactum
