@@ -1,12 +1,11 @@
 // Opens any file the program knows as a Scene.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/scene/scene.h"
 
@@ -24,13 +23,6 @@ struct Finding {
 struct LoadedScene {
     Scene scene;
     std::vector<Finding> findings; ///< what the reader repaired, dropped or doubts
-};
-
-/// How long work tells where it is and is told to stop. Both may be empty.
-struct Progress {
-    std::function<void(double fraction)> report; ///< 0 to 1, called from the working thread
-    const std::atomic<bool>* cancelled = nullptr;
-    bool isCancelled() const { return cancelled && cancelled->load(std::memory_order_relaxed); }
 };
 
 /// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb.

@@ -1,0 +1,19 @@
+// What the half-edge structure of a mesh is good for. The only place that knows OpenMesh.
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/geometry/triangle_soup.h"
+
+namespace tactum {
+
+/// Normals for display, three to a triangle in its order: the mean of the triangles around the corner,
+/// weighted by their angle there, as far as no edge on the way bends by more than `creaseAngle` (radian).
+/// Edges that are not shared by exactly two triangles of one orientation count as creases. Triangles without
+/// an area get (0, 0, 1). Unit length, body frame.
+/// Cost: about 1.5 s for a million triangles. Fails only when cancelled. Thread: any but real time.
+Result<std::vector<Eigen::Vector3f>> cornerNormalsOf(const TriangleSoup& soup, double creaseAngle,
+                                                     const Progress& progress = {});
+
+} // namespace tactum

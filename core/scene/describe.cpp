@@ -1,0 +1,51 @@
+#include "core/scene/describe.h"
+
+#include <map>
+
+namespace tactum {
+namespace {
+
+ParameterDescription described(const Parameter& parameter, double value) {
+    return {parameter.key, parameter.unit, value, parameter.allows(value)};
+}
+
+SurfaceDescription described(const Surface& surface) {
+    SurfaceDescription result{surface.name, 0, surface.colour, {}};
+    for (const MaterialField& field : kMaterialFields)
+        result.parameters.push_back(described(*field.parameter, surface.material.*field.value));
+    return result;
+}
+
+ObjectDescription described(const SceneObject& object) {
+    const TriangleSoup& soup = *object.geometry;
+    ObjectDescription result;
+    result.id = object.id;
+    result.name = object.name;
+    result.visible = object.visible;
+    result.triangles = soup.triangles.size();
+    result.vertices = soup.positions.size();
+    result.bounds_B = boundsOf(soup);
+    result.pose = object.pose;
+    for (const Surface& surface : object.surfaces) result.surfaces.push_back(described(surface));
+    for (Index surface : soup.surfaceOf) ++result.surfaces[surface].triangles;
+    return result;
+}
+
+} // namespace
+
+SceneDescription describe(const Scene& scene) {
+    SceneDescription result;
+    result.triangles = triangleCount(scene);
+    result.bounds_W = boundsOf(scene);
+    result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
+    std::map<const TriangleSoup*, MeshHealth> healths;
+    for (const SceneObject& object : scene.objects) {
+        auto [health, isNew] = healths.try_emplace(object.geometry.get());
+        if (isNew) health->second = healthOf(*object.geometry).value();
+        result.objects.push_back(described(object));
+        result.objects.back().health = health->second;
+    }
+    return result;
+}
+
+} // namespace tactum

@@ -1,0 +1,49 @@
+// A scene in plain words and numbers: what `tactum info` prints.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/mesh_health.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+struct ParameterDescription {
+    std::string_view key;  ///< e.g. "static-friction"
+    std::string_view unit; ///< empty for a ratio
+    double value = 0;
+    bool allowed = true; ///< inside the parameter's range
+};
+
+struct SurfaceDescription {
+    std::string name;
+    std::size_t triangles = 0;
+    Eigen::Vector3f colour;                       ///< linear RGB
+    std::vector<ParameterDescription> parameters; ///< every number of the material, in the order of kMaterialFields
+};
+
+struct ObjectDescription {
+    ObjectId id = 0;
+    std::string name;
+    bool visible = true;
+    std::size_t triangles = 0; ///< segments and points included
+    std::size_t vertices = 0;
+    Bounds bounds_B; ///< m, body frame
+    Pose pose;       ///< X_WB
+    MeshHealth health;
+    std::vector<SurfaceDescription> surfaces;
+};
+
+struct SceneDescription {
+    std::size_t triangles = 0;
+    Bounds bounds_W;                              ///< m, world frame
+    std::vector<ParameterDescription> parameters; ///< of the scene itself: the proxy radius
+    std::vector<ObjectDescription> objects;
+};
+
+/// Examines every mesh once, also where objects share one. Thread: any but real time.
+SceneDescription describe(const Scene& scene);
+
+} // namespace tactum
