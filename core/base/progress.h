@@ -27,7 +27,9 @@ inline Progress partOf(const Progress& whole, double low, double high) {
 }
 
 /// What cancelled work answers.
-inline tl::unexpected<Error> cancelledError() { return inputError("cancelled"); }
+inline tl::unexpected<Error> cancelledError() {
+    return inputError("cancelled");
+}
 
 /// Watches one loop: a comparison on most turns, a look at the Progress on few.
 class ProgressMeter {

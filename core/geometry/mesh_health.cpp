@@ -14,9 +14,12 @@ using Corners = std::array<Index, 3>;
 /// Which vertices hang together.
 class UnionFind {
 public:
-    explicit UnionFind(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+    explicit UnionFind(std::size_t size) : parent_(size) {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
     Index rootOf(Index i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
         return i;
     }
     /// True when they did not hang together before.
@@ -89,7 +92,7 @@ private:
         const auto& p = soup_.positions;
         return eachTriangle([&](const Corners& t) {
             const Kind kind = kindOf(t);
-            ++(kind == Kind::Triangle ? health_.triangles
+            ++(kind == Kind::Triangle  ? health_.triangles
                : kind == Kind::Segment ? health_.segments
                                        : health_.points);
             if (kind != Kind::Triangle) return;
@@ -103,7 +106,8 @@ private:
         std::size_t joins = 0, places = 0;
         const auto use = [&](Index v) { places += !std::exchange(used[v], 1); };
         const bool whole = eachTriangle([&](const Corners& t) {
-            for (Index v : t) use(v);
+            for (Index v : t)
+                use(v);
             joins += parts.join(t[0], t[1]);
             joins += parts.join(t[1], t[2]);
         });
@@ -115,7 +119,8 @@ private:
     void countUnreferenced() {
         std::vector<char> used(soup_.positions.size(), 0);
         for (const Corners& t : soup_.triangles)
-            for (Index v : t) used[v] = 1;
+            for (Index v : t)
+                used[v] = 1;
         health_.unreferencedVertices = std::size_t(std::count(used.begin(), used.end(), 0));
     }
 
@@ -125,16 +130,20 @@ private:
         FiledByVertex<Edge> edges(weld_.size());
         const auto eachEdge = [](const Corners& t, auto f) {
             if (kindOf(t) != Kind::Triangle) return;
-            for (int i = 0; i < 3; ++i) f(t[i], t[(i + 1) % 3]);
+            for (int i = 0; i < 3; ++i)
+                f(t[i], t[(i + 1) % 3]);
         };
         for (const Corners& t : soup_.triangles)
             eachEdge(welded(t), [&](Index a, Index b) { edges.count(std::min(a, b)); });
         edges.allocate();
         const bool whole = eachTriangle([&](const Corners& t) {
-            eachEdge(t, [&](Index a, Index b) { edges.place(std::min(a, b), Edge(std::max(a, b)) << 1 | (a < b)); });
+            eachEdge(t, [&](Index a, Index b) {
+                edges.place(std::min(a, b), Edge(std::max(a, b)) << 1 | (a < b));
+            });
         });
         UnionFind rims(weld_.size());
-        for (Index v = 0; v < edges.vertices(); ++v) judgeEdges(v, edges.begin(v), edges.end(v), rims);
+        for (Index v = 0; v < edges.vertices(); ++v)
+            judgeEdges(v, edges.begin(v), edges.end(v), rims);
         return whole;
     }
 
@@ -143,7 +152,8 @@ private:
         for (auto* edge = first; edge != last;) {
             auto* after = edge;
             std::size_t forward = 0;
-            for (; after != last && *after >> 1 == *edge >> 1; ++after) forward += *after & 1;
+            for (; after != last && *after >> 1 == *edge >> 1; ++after)
+                forward += *after & 1;
             const std::size_t uses = std::size_t(after - edge);
             health_.nonManifoldEdges += uses > 2;
             health_.flippedEdges += uses == 2 && forward != 1;
@@ -163,7 +173,8 @@ private:
     bool countDuplicates() {
         using Others = std::pair<Index, Index>; // of a triangle's corners, sorted
         FiledByVertex<Others> faces(weld_.size());
-        for (const Corners& t : soup_.triangles) faces.count(std::ranges::min(welded(t)));
+        for (const Corners& t : soup_.triangles)
+            faces.count(std::ranges::min(welded(t)));
         faces.allocate();
         const bool whole = eachTriangle([&](Corners t) {
             std::sort(t.begin(), t.end());
@@ -200,7 +211,8 @@ std::optional<std::array<int, 3>> collapsedCorners(const TriangleSoup& soup, con
 void takeCorners(TriangleSoup& soup, std::size_t face, const std::array<int, 3>& sources) {
     const auto take = [&](auto* first) {
         const std::array old{first[0], first[1], first[2]};
-        for (int i = 0; i < 3; ++i) first[i] = old[std::size_t(sources[i])];
+        for (int i = 0; i < 3; ++i)
+            first[i] = old[std::size_t(sources[i])];
     };
     take(soup.triangles[face].data());
     if (!soup.cornerNormals.empty()) take(&soup.cornerNormals[3 * face]);

@@ -8,7 +8,9 @@ namespace {
 
 constexpr std::size_t kWorkBound = 20'000'000;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 } // namespace
 
@@ -44,7 +46,8 @@ void PolygonCutter::dropRepeatedCorners(std::span<const Vec3> corners) {
     ring_.clear();
     for (Index i = 0; i < corners.size(); ++i)
         if (ring_.empty() || corners[i] != corners[ring_.back()]) ring_.push_back(i);
-    while (ring_.size() > 1 && corners[ring_.back()] == corners[ring_.front()]) ring_.pop_back();
+    while (ring_.size() > 1 && corners[ring_.back()] == corners[ring_.front()])
+        ring_.pop_back();
 }
 
 /// False when the polygon has no plane: all corners on one line, or lobes that cancel out. Links the ring
@@ -96,7 +99,9 @@ void PolygonCutter::cutQuad(std::span<const Vec3> corners) {
     }
 }
 
-void PolygonCutter::classify(std::size_t i) { reflex_[i] = !(turn(previous_[i], i, next_[i]) > flatness_); }
+void PolygonCutter::classify(std::size_t i) {
+    reflex_[i] = !(turn(previous_[i], i, next_[i]) > flatness_);
+}
 
 void PolygonCutter::clipEars() {
     const std::size_t n = ring_.size();
@@ -113,7 +118,8 @@ void PolygonCutter::clipEars() {
         if (gaveUp_) return fan(at);
         clip(ear);
         at = next_[next_[ear]]; // skipping one spreads the cuts: better shaped than a fan
-        while (!reflexes_.empty() && !reflex_[reflexes_.back()]) reflexes_.pop_back();
+        while (!reflexes_.empty() && !reflex_[reflexes_.back()])
+            reflexes_.pop_back();
     }
     fan(at);
 }

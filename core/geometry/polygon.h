@@ -42,10 +42,10 @@ private:
     void fan(std::size_t start);
     double turn(std::size_t a, std::size_t b, std::size_t c) const;
 
-    std::vector<Index> ring_;       ///< distinct corners
-    std::vector<Point> flat_;       ///< of ring_, counter-clockwise
+    std::vector<Index> ring_; ///< distinct corners
+    std::vector<Point> flat_; ///< of ring_, counter-clockwise
     std::vector<std::size_t> next_, previous_;
-    std::vector<char> reflex_;      ///< not strictly convex
+    std::vector<char> reflex_; ///< not strictly convex
     std::vector<std::size_t> reflexes_;
     std::vector<std::array<Index, 3>> triangles_;
     double flatness_ = 0; ///< twice the area below which three corners count as collinear

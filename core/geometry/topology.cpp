@@ -20,7 +20,9 @@ struct Traits : OpenMesh::DefaultTraits {
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 using Corners = std::array<Index, 3>;
 
-bool hasArea(const Corners& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+bool hasArea(const Corners& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
 
 /// Our soup as a half-edge mesh in which every triangle has its face. A half-edge mesh knows only edges with
 /// two triangles of one orientation and vertices with one fan of triangles: corners become one vertex
@@ -46,10 +48,11 @@ private:
 };
 
 HalfEdges::HalfEdges(const TriangleSoup& soup) : soup_(soup) {
-    OpenMesh::omerr().disable();
+    omerr().disable();
     const std::vector<Index> weld = weldMap(soup.positions);
     welded_.reserve(soup.triangles.size());
-    for (const Corners& t : soup.triangles) welded_.push_back({weld[t[0]], weld[t[1]], weld[t[2]]});
+    for (const Corners& t : soup.triangles)
+        welded_.push_back({weld[t[0]], weld[t[1]], weld[t[2]]});
     fan_.resize(3 * welded_.size());
     std::iota(fan_.begin(), fan_.end(), Index{0});
     linkCorners();
@@ -57,7 +60,8 @@ HalfEdges::HalfEdges(const TriangleSoup& soup) : soup_(soup) {
 }
 
 std::size_t HalfEdges::fanOf(std::size_t corner) {
-    while (fan_[corner] != corner) corner = fan_[corner] = fan_[fan_[corner]];
+    while (fan_[corner] != corner)
+        corner = fan_[corner] = fan_[fan_[corner]];
     return corner;
 }
 
@@ -87,7 +91,8 @@ void HalfEdges::linkCorners() {
     });
     const auto endOf = [](std::size_t corner) { return corner - corner % 3 + (corner + 1) % 3; };
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
-        for (j = i + 1; j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high;) ++j;
+        for (j = i + 1; j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high;)
+            ++j;
         if (j - i != 2 || uses[i].forward == uses[i + 1].forward) continue;
         link(uses[i].corner, endOf(uses[i + 1].corner));
         link(endOf(uses[i].corner), uses[i + 1].corner);
@@ -114,7 +119,8 @@ void HalfEdges::addFaces() {
 /// A triangle that still does not fit gets three vertices of its own.
 OpenMesh::FaceHandle HalfEdges::addApart(const Corners& t) {
     std::array<OpenMesh::VertexHandle, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.add_vertex(point(soup_.positions[t[i]]));
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = mesh.add_vertex(point(soup_.positions[t[i]]));
     return mesh.add_face(corners.data(), 3);
 }
 
@@ -135,10 +141,13 @@ public:
             sum += weighted(h);
         }
         if (!wholeRound)
-            for (auto h = backward(into); h.is_valid(); h = backward(h)) sum += weighted(h);
+            for (auto h = backward(into); h.is_valid(); h = backward(h))
+                sum += weighted(h);
         const double length = sum.norm();
-        if (!(length > 0)) sum = mesh_.normal(mesh_.face_handle(into));
-        else sum /= length;
+        if (!(length > 0))
+            sum = mesh_.normal(mesh_.face_handle(into));
+        else
+            sum /= length;
         return {float(sum[0]), float(sum[1]), float(sum[2])};
     }
 
@@ -151,7 +160,8 @@ private:
     bool smooth(Halfedge h) const {
         const Halfedge other = mesh_.opposite_halfedge_handle(h);
         if (mesh_.is_boundary(h) || mesh_.is_boundary(other)) return false;
-        return dot(mesh_.normal(mesh_.face_handle(h)), mesh_.normal(mesh_.face_handle(other))) >= leastCosine_;
+        return dot(mesh_.normal(mesh_.face_handle(h)), mesh_.normal(mesh_.face_handle(other))) >=
+               leastCosine_;
     }
     /// The neighbour across the edge that leaves the corner, or nothing at a crease.
     Halfedge forward(Halfedge into) const {
@@ -182,8 +192,10 @@ Result<std::vector<Eigen::Vector3f>> cornerNormalsOf(const TriangleSoup& soup, d
         // The half-edge that ends in the first corner, whichever one add_face() has made the first.
         auto h = edges.mesh.halfedge_handle(edges.faceOf[f]);
         const OpenMesh::Vec3d first(soup.positions[soup.triangles[f][0]].data());
-        while (edges.mesh.point(edges.mesh.to_vertex_handle(h)) != first) h = edges.mesh.next_halfedge_handle(h);
-        for (std::size_t i = 0; i < 3; ++i, h = edges.mesh.next_halfedge_handle(h)) result[3 * f + i] = normals.at(h);
+        while (edges.mesh.point(edges.mesh.to_vertex_handle(h)) != first)
+            h = edges.mesh.next_halfedge_handle(h);
+        for (std::size_t i = 0; i < 3; ++i, h = edges.mesh.next_halfedge_handle(h))
+            result[3 * f + i] = normals.at(h);
     }
     return result;
 }

@@ -16,7 +16,9 @@ std::uint64_t hashOf(const Vec3& p) {
     return h;
 }
 
-std::size_t slotsFor(std::size_t places) { return std::bit_ceil(std::max<std::size_t>(16, 2 * places)); }
+std::size_t slotsFor(std::size_t places) {
+    return std::bit_ceil(std::max<std::size_t>(16, 2 * places));
+}
 
 } // namespace
 
@@ -48,7 +50,8 @@ void PlaceTable::grow() {
     for (Index number = 0; number < places_.size(); ++number) {
         const std::uint64_t hash = hashOf(places_[number]);
         std::size_t i = hash & mask;
-        while (slots_[i].number != kFree) i = (i + 1) & mask;
+        while (slots_[i].number != kFree)
+            i = (i + 1) & mask;
         slots_[i] = {Index(hash >> 32), number};
     }
 }

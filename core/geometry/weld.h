@@ -30,7 +30,8 @@ private:
     std::vector<Vec3> places_;
 };
 
-/// For each position the number of the first equal one: numbers below positions.size(), first ones keep theirs.
+/// For each position the number of the first equal one: numbers below positions.size(), first ones keep
+/// theirs.
 std::vector<Index> weldMap(const std::vector<Vec3>& positions);
 
 } // namespace tactum

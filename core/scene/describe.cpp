@@ -26,8 +26,10 @@ ObjectDescription described(const SceneObject& object) {
     result.vertices = soup.positions.size();
     result.bounds_B = boundsOf(soup);
     result.pose = object.pose;
-    for (const Surface& surface : object.surfaces) result.surfaces.push_back(described(surface));
-    for (Index surface : soup.surfaceOf) ++result.surfaces[surface].triangles;
+    for (const Surface& surface : object.surfaces)
+        result.surfaces.push_back(described(surface));
+    for (Index surface : soup.surfaceOf)
+        ++result.surfaces[surface].triangles;
     return result;
 }
 

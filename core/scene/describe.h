@@ -20,8 +20,9 @@ struct ParameterDescription {
 struct SurfaceDescription {
     std::string name;
     std::size_t triangles = 0;
-    Eigen::Vector3f colour;                       ///< linear RGB
-    std::vector<ParameterDescription> parameters; ///< every number of the material, in the order of kMaterialFields
+    Eigen::Vector3f colour; ///< linear RGB
+    std::vector<ParameterDescription>
+        parameters; ///< every number of the material, in the order of kMaterialFields
 };
 
 struct ObjectDescription {
