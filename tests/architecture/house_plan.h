@@ -1,0 +1,73 @@
+// The plan of the house: which room may use which, and where each outside library may be seen.
+// A new arrow or library is one line here, and a sentence in docs/architecture.md.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace tactum::architecture {
+
+/// A folder and the folders that it uses; what those use it may use as well.
+struct Room {
+    std::string_view folder;
+    std::vector<std::string_view> uses;
+};
+
+inline const std::vector<Room> kRooms{
+    {"core/base", {}},
+    {"core/geometry", {"core/base"}},
+    {"core/collision", {"core/geometry"}},
+    {"core/surface", {"core/geometry"}},
+    {"core/dynamics", {"core/base"}},
+    {"core/proxy", {"core/collision", "core/surface", "core/dynamics"}},
+    {"core/control", {"core/base"}},
+    {"core/scene", {"core/geometry", "core/surface"}},
+    {"core/runtime", {"core/scene", "core/control", "core/proxy"}},
+    {"device", {"core/control"}},
+    {"ui", {"core/runtime"}},
+    {"app", {"ui", "device", "core/runtime"}},
+};
+
+/// Includes that begin with `prefix` are seen only by files whose path begins with one of `places`.
+struct Library {
+    std::string_view prefix;
+    std::vector<std::string_view> places;
+};
+
+inline const std::vector<Library> kLibraries{
+    {"Eigen/", {"core/", "device/", "ui/", "app/"}},
+    {"tl/expected.hpp", {"core/base/result.h"}},
+    {"OpenMesh/", {"core/geometry/topology.cpp"}},
+    {"tiny_gltf.h", {"core/scene/"}},
+    {"nlohmann/", {"core/scene/", "app/"}},
+    {"CLI/", {"app/"}},
+    {"Q", {"ui/", "app/"}},
+    {"vtk", {"ui/view/"}},
+    // The operating system: threads, clocks and memory.
+    {"pthread.h", {"core/runtime/"}},
+    {"sched.h", {"core/runtime/"}},
+    {"sys/", {"core/runtime/", "app/"}},
+    {"unistd.h", {"core/runtime/", "app/"}},
+};
+
+/// Libraries that no more than one file may see, whatever places they have.
+inline const std::vector<std::string_view> kSeenOnce{"OpenMesh/", "tiny_gltf.h"};
+
+/// What runs inside a RealtimeScope, header and source: "Thread: real time" holds for all of it.
+inline const std::vector<std::string_view> kRealtimeFiles{
+    "core/base/realtime",         "core/base/wait_free",
+    "core/geometry/triangle",     "core/collision/sphere_tree_sweep",
+    "core/surface/friction",      "core/dynamics/body_motion",
+    "core/control/force_limiter", "core/control/hand_target",
+    "core/proxy/nearest_point",   "core/proxy/proxy",
+    "core/runtime/channels",      "core/runtime/haptic_step",
+    "core/runtime/proxy_loop",    "core/runtime/servo_loop",
+};
+
+/// Standard headers whose contents lock, wait, write text or allocate by design.
+inline const std::vector<std::string_view> kNotRealtime{
+    "condition_variable", "deque",   "filesystem",   "fstream", "functional", "future",       "iomanip",
+    "iostream",           "istream", "list",         "map",     "mutex",      "ostream",      "regex",
+    "semaphore",          "set",     "shared_mutex", "sstream", "thread",     "unordered_map"};
+
+} // namespace tactum::architecture

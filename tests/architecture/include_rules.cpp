@@ -1,0 +1,207 @@
+#include "tests/architecture/include_rules.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/architecture/house_plan.h"
+
+namespace tactum::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isHeader(std::string_view path) {
+    return path.ends_with(".h");
+}
+
+bool isIn(std::string_view path, std::string_view folder) {
+    return path.starts_with(folder) && path.size() > folder.size() && path[folder.size()] == '/';
+}
+
+SourceFile readFile(const fs::path& root, const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return {fs::relative(file, root).generic_string(), text.str()};
+}
+
+const Room* findRoom(std::string_view folder) {
+    auto it =
+        std::find_if(kRooms.begin(), kRooms.end(), [&](const Room& room) { return room.folder == folder; });
+    return it == kRooms.end() ? nullptr : &*it;
+}
+
+// Whether arrows lead from one room to another, over any number of rooms.
+bool leadsTo(std::string_view from, std::string_view to) {
+    const Room* room = findRoom(from);
+    return room && std::any_of(room->uses.begin(), room->uses.end(),
+                               [&](std::string_view used) { return used == to || leadsTo(used, to); });
+}
+
+// <vector> and <cmath>: lower case and neither dot nor slash.
+bool isStandard(std::string_view include) {
+    return std::all_of(include.begin(), include.end(),
+                       [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; });
+}
+
+bool isGenerated(std::string_view include) {
+    return include.ends_with(".moc");
+}
+
+const Library* findLibrary(std::string_view include) {
+    auto it = std::find_if(kLibraries.begin(), kLibraries.end(),
+                           [&](const Library& library) { return include.starts_with(library.prefix); });
+    return it == kLibraries.end() ? nullptr : &*it;
+}
+
+std::string libraryFault(const std::string& path, const std::string& include) {
+    const Library* library = findLibrary(include);
+    if (!library)
+        return path + ": <" + include +
+               "> belongs to no known library; write project headers from the root of the repository, or "
+               "name the library in tests/architecture/house_plan.h";
+    const bool allowed = std::any_of(library->places.begin(), library->places.end(),
+                                     [&](std::string_view place) { return path.starts_with(place); });
+    if (allowed) return {};
+    return path + ": <" + include + "> may be seen only in " + std::string(library->places.front());
+}
+
+std::string roomFault(const std::string& path, const std::string& include) {
+    const auto from = roomOf(path), to = roomOf(include);
+    if (from == to || leadsTo(from, to)) return {};
+    return path + ": \"" + include + "\": no arrow leads from " + std::string(from) + " to " +
+           std::string(to);
+}
+
+using IncludeGraph = std::map<std::string, std::vector<std::string>>;
+
+// Depth first; `trail` is the way from the first header to this one. Returns the first ring.
+std::string findRing(const IncludeGraph& graph, const std::string& file, std::vector<std::string>& trail,
+                     std::set<std::string>& finished) {
+    if (finished.count(file)) return {};
+    const auto begin = std::find(trail.begin(), trail.end(), file);
+    if (begin != trail.end()) {
+        std::string ring;
+        for (auto it = begin; it != trail.end(); ++it)
+            ring += *it + " -> ";
+        return ring + file;
+    }
+    trail.push_back(file);
+    if (auto node = graph.find(file); node != graph.end())
+        for (const auto& next : node->second)
+            if (auto ring = findRing(graph, next, trail, finished); !ring.empty()) return ring;
+    trail.pop_back();
+    finished.insert(file);
+    return {};
+}
+
+Faults ringsOf(const IncludeGraph& graph) {
+    std::set<std::string> finished;
+    for (const auto& [file, includes] : graph) {
+        std::vector<std::string> trail;
+        if (auto ring = findRing(graph, file, trail, finished); !ring.empty())
+            return {"these include each other: " + ring};
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<SourceFile> readSources(const fs::path& root) {
+    std::vector<SourceFile> files;
+    for (const char* folder : {"app", "core", "device", "ui"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+                files.push_back(readFile(root, entry.path()));
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return files;
+}
+
+std::vector<std::string> includesOf(std::string_view text) {
+    static const std::regex directive(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    std::vector<std::string> includes;
+    std::istringstream lines{std::string(text)};
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);)
+        if (std::regex_search(line, match, directive)) includes.push_back(match[1]);
+    return includes;
+}
+
+std::string_view roomOf(std::string_view path) {
+    for (const Room& room : kRooms)
+        if (isIn(path, room.folder)) return room.folder;
+    return {};
+}
+
+Faults wrongIncludes(const SourceFile& file) {
+    if (roomOf(file.path).empty())
+        return {file.path + ": lies in no room of tests/architecture/house_plan.h"};
+    Faults faults;
+    for (const auto& include : includesOf(file.text)) {
+        if (isStandard(include) || isGenerated(include)) continue;
+        const std::string fault =
+            roomOf(include).empty() ? libraryFault(file.path, include) : roomFault(file.path, include);
+        if (!fault.empty()) faults.push_back(fault);
+    }
+    return faults;
+}
+
+Faults librariesSeenTwice(const std::vector<SourceFile>& files) {
+    Faults faults;
+    for (std::string_view library : kSeenOnce) {
+        std::string seenBy;
+        for (const auto& file : files) {
+            const auto includes = includesOf(file.text);
+            const bool sees = std::any_of(includes.begin(), includes.end(),
+                                          [&](const auto& include) { return include.starts_with(library); });
+            if (!sees) continue;
+            if (!seenBy.empty())
+                faults.push_back(file.path + ": only one file may see " + std::string(library) + ", and " +
+                                 seenBy + " does");
+            seenBy = file.path;
+        }
+    }
+    return faults;
+}
+
+Faults formFaults(const SourceFile& file) {
+    Faults faults;
+    if (!isHeader(file.path)) return faults;
+    if (!file.text.starts_with("// "))
+        faults.push_back(file.path + ": the first line must be a comment that says what the file is for");
+    if (file.text.find("\n#pragma once\n") == std::string::npos)
+        faults.push_back(file.path + ": has no #pragma once");
+    const auto includes = includesOf(file.text);
+    if (file.path.starts_with("core/") && std::count(includes.begin(), includes.end(), "iostream") > 0)
+        faults.push_back(file.path + ": <iostream> in a header of core makes every user of it pay");
+    return faults;
+}
+
+Faults realtimeFaults(const SourceFile& file) {
+    Faults faults;
+    for (const auto& include : includesOf(file.text))
+        if (std::find(kNotRealtime.begin(), kNotRealtime.end(), include) != kNotRealtime.end())
+            faults.push_back(file.path + ": runs in real time and must not include <" + include + ">");
+    return faults;
+}
+
+Faults includeRings(const std::vector<SourceFile>& files) {
+    IncludeGraph graph;
+    for (const auto& file : files)
+        graph[file.path] = includesOf(file.text);
+    return ringsOf(graph);
+}
+
+Faults roomRings() {
+    IncludeGraph graph;
+    for (const Room& room : kRooms)
+        for (std::string_view used : room.uses)
+            graph[std::string(room.folder)].emplace_back(used);
+    return ringsOf(graph);
+}
+
+} // namespace tactum::architecture

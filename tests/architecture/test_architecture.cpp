@@ -1,0 +1,162 @@
+// The arrows of the house, read from the sources themselves; and the reader on sources with known faults.
+#include <QTest>
+
+#include "tests/architecture/house_plan.h"
+#include "tests/architecture/include_rules.h"
+
+using namespace tactum::architecture;
+
+namespace {
+
+void expectNone(const Faults& faults) {
+    QString all;
+    for (const auto& fault : faults)
+        all += "\n  " + QString::fromStdString(fault);
+    QVERIFY2(faults.empty(), qPrintable(all));
+}
+
+Faults collect(const std::vector<SourceFile>& files, Faults (*rule)(const SourceFile&)) {
+    Faults all;
+    for (const auto& file : files)
+        for (auto& fault : rule(file))
+            all.push_back(std::move(fault));
+    return all;
+}
+
+SourceFile source(const char* path, const char* include) {
+    return {path, std::string("// A file.\n#pragma once\n\n#include ") + include + "\n"};
+}
+
+} // namespace
+
+class TestArchitecture : public QObject {
+    Q_OBJECT
+
+    const std::vector<SourceFile> sources_ = readSources(TACTUM_SOURCE_DIR);
+
+private slots:
+    // The house as it stands.
+    void sourcesAreFound() { QVERIFY(sources_.size() > 50); }
+    void arrowsAreAllowed() { expectNone(collect(sources_, wrongIncludes)); }
+    void librariesStayInTheirCorner() { expectNone(librariesSeenTwice(sources_)); }
+    void headersHaveTheirForm() { expectNone(collect(sources_, formFaults)); }
+    void headersIncludeInOneDirection() { expectNone(includeRings(sources_)); }
+    void planHasNoRing() { expectNone(roomRings()); }
+    void realtimeFilesNeitherLockNorWrite();
+
+    // The reader, on small sources with known faults.
+    void readsEveryFormOfInclude();
+    void findsTheInnermostRoom();
+    void judgesAnInclude_data();
+    void judgesAnInclude();
+    void reportsALibraryInTwoFiles();
+    void reportsForm();
+    void reportsRings();
+    void reportsALockInRealTime();
+};
+
+void TestArchitecture::realtimeFilesNeitherLockNorWrite() {
+    for (std::string_view stem : kRealtimeFiles) {
+        int found = 0;
+        for (const auto& file : sources_) {
+            if (file.path != std::string(stem) + ".h" && file.path != std::string(stem) + ".cpp") continue;
+            ++found;
+            expectNone(realtimeFaults(file));
+        }
+        QVERIFY2(found > 0, qPrintable(QString("%1 is gone: mend kRealtimeFiles").arg(QLatin1String(stem))));
+    }
+}
+
+void TestArchitecture::readsEveryFormOfInclude() {
+    const auto found = includesOf("#include <vector>\n"
+                                  "  #  include \"core/base/vec.h\" // why\n"
+                                  "// #include <mutex>\n"
+                                  "const char* s = \"#include <map>\";\n"
+                                  "#include\t<QTest>");
+    QCOMPARE(found, (std::vector<std::string>{"vector", "core/base/vec.h", "QTest"}));
+}
+
+void TestArchitecture::findsTheInnermostRoom() {
+    QCOMPARE(roomOf("core/base/vec.h"), "core/base");
+    QCOMPARE(roomOf("ui/view/scene_view.h"), "ui");
+    QCOMPARE(roomOf("uikit/button.h"), "");
+    QCOMPARE(roomOf("core/version.h"), "");
+}
+
+void TestArchitecture::judgesAnInclude_data() {
+    QTest::addColumn<QByteArray>("path");
+    QTest::addColumn<QByteArray>("include");
+    QTest::addColumn<bool>("allowed");
+    auto add = [](const char* path, const char* include, bool allowed) {
+        QTest::addRow("%s %s", path, include) << QByteArray(path) << QByteArray(include) << allowed;
+    };
+    add("core/proxy/a.h", "\"core/proxy/b.h\"", true);
+    add("core/proxy/a.h", "\"core/base/vec.h\"", true); // over several arrows
+    add("core/proxy/a.h", "\"core/scene/scene.h\"", false);
+    add("core/base/a.h", "\"core/geometry/triangle.h\"", false);
+    add("core/surface/a.h", "\"core/collision/sphere_tree.h\"", false);
+    add("core/control/a.h", "\"core/runtime/world.h\"", false);
+    add("core/runtime/a.cpp", "\"core/dynamics/body_motion.h\"", true);
+    add("core/runtime/a.cpp", "\"device/simulated_hand.h\"", false);
+    add("device/a.h", "\"core/control/haptic_device.h\"", true);
+    add("device/a.h", "\"core/scene/scene.h\"", false);
+    add("ui/a.cpp", "\"core/runtime/engine.h\"", true);
+    add("ui/view/a.cpp", "\"ui/theme.h\"", true);
+    add("ui/a.cpp", "\"device/simulated_hand.h\"", false);
+    add("ui/a.cpp", "\"app/main.h\"", false);
+    add("app/a.cpp", "\"device/simulated_hand.h\"", true);
+    add("app/a.cpp", "\"tests/architecture/house_plan.h\"", false);
+    add("core/scene/a.cpp", "\"scene.h\"", false); // not from the root
+    add("core/scene/a.cpp", "<vector>", true);
+    add("core/scene/a.cpp", "<Eigen/Core>", true);
+    add("core/scene/a.cpp", "<QString>", false);
+    add("core/scene/a.cpp", "<vtkPolyData.h>", false);
+    add("core/scene/a.cpp", "<libusb-1.0/libusb.h>", false);
+    add("core/geometry/topology.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
+    add("core/geometry/soup.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
+    add("device/a.cpp", "<QTimer>", false);
+    add("ui/inspector/a.cpp", "<QWidget>", true);
+    add("ui/inspector/a.cpp", "<vtkActor.h>", false);
+    add("ui/inspector/a.cpp", "\"a.moc\"", true);
+    add("ui/view/a.cpp", "<vtkActor.h>", true);
+    add("ui/view/a.cpp", "<boost/any.hpp>", false);
+    add("attic/a.cpp", "<vector>", false); // no room
+}
+
+void TestArchitecture::judgesAnInclude() {
+    QFETCH(QByteArray, path);
+    QFETCH(QByteArray, include);
+    QFETCH(bool, allowed);
+    QCOMPARE(wrongIncludes(source(path.constData(), include.constData())).empty(), allowed);
+}
+
+void TestArchitecture::reportsALibraryInTwoFiles() {
+    const auto first = source("core/scene/a.cpp", "<tiny_gltf.h>");
+    const auto second = source("core/scene/b.cpp", "<tiny_gltf.h>");
+    QVERIFY(librariesSeenTwice({first}).empty());
+    QCOMPARE(librariesSeenTwice({first, second}).size(), std::size_t(1));
+}
+
+void TestArchitecture::reportsForm() {
+    QVERIFY(formFaults({"core/base/a.h", "// What it is.\n#pragma once\n"}).empty());
+    QCOMPARE(formFaults({"core/base/a.h", "// What it is.\n"}).size(), std::size_t(1));
+    QCOMPARE(formFaults({"core/base/a.h", "#pragma once\n"}).size(), std::size_t(2));
+    QCOMPARE(formFaults(source("core/base/a.h", "<iostream>")).size(), std::size_t(1));
+    QVERIFY(formFaults(source("app/a.h", "<iostream>")).empty());
+}
+
+void TestArchitecture::reportsRings() {
+    const auto a = source("ui/a.h", "\"ui/b.h\""), b = source("ui/b.h", "\"ui/c.h\"");
+    QVERIFY(includeRings({a, b, source("ui/c.h", "<vector>")}).empty());
+    QCOMPARE(includeRings({a, b, source("ui/c.h", "\"ui/a.h\"")}),
+             Faults{"these include each other: ui/a.h -> ui/b.h -> ui/c.h -> ui/a.h"});
+}
+
+void TestArchitecture::reportsALockInRealTime() {
+    QVERIFY(realtimeFaults(source("core/proxy/proxy.cpp", "<atomic>")).empty());
+    QCOMPARE(realtimeFaults(source("core/proxy/proxy.cpp", "<mutex>")).size(), std::size_t(1));
+    QCOMPARE(realtimeFaults(source("core/proxy/proxy.cpp", "<condition_variable>")).size(), std::size_t(1));
+}
+
+QTEST_APPLESS_MAIN(TestArchitecture)
+#include "test_architecture.moc"
