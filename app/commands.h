@@ -1,0 +1,40 @@
+// The verbs of the command line. Each returns its exit code, or the error that main prints as one line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/surface/material.h"
+
+namespace tactum {
+
+/// A value that the command line gives to every surface.
+struct MaterialOverride {
+    const MaterialField* field = nullptr;
+    double value = 0;
+};
+
+struct TouchOptions {
+    std::filesystem::path scene;
+    std::filesystem::path path;               ///< the finger, CSV
+    std::optional<std::filesystem::path> out; ///< the touch, CSV
+    std::optional<std::filesystem::path> summary;
+    std::optional<std::filesystem::path> picture;
+    std::optional<double> fitDiagonal; ///< m
+    std::optional<double> proxyRadius; ///< m
+    std::vector<MaterialOverride> materials;
+};
+
+/// Replays a finger path through hapticStep, one update a row, and writes what it gave.
+Result<int> runTouch(const TouchOptions& options);
+/// Objects, surfaces, triangles, mesh health and every parameter with its unit.
+Result<int> runInfo(const std::filesystem::path& scene, bool json);
+/// Every finding with object, sentence and remedy; 1 when there are errors.
+Result<int> runCheck(const std::filesystem::path& scene);
+/// What is connected, and why what is not usable is not.
+Result<int> runDevices();
+
+} // namespace tactum

@@ -1,0 +1,133 @@
+#include <array>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "core/base/numbers.h"
+#include "core/scene/describe.h"
+#include "core/scene/load_scene.h"
+
+namespace tactum {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct HealthField {
+    const char* key;
+    std::size_t MeshHealth::*count;
+};
+
+constexpr std::array<HealthField, 11> kHealthFields{{
+    {"triangles", &MeshHealth::triangles},
+    {"segments", &MeshHealth::segments},
+    {"points", &MeshHealth::points},
+    {"slivers", &MeshHealth::slivers},
+    {"duplicate_faces", &MeshHealth::duplicateFaces},
+    {"non_manifold_edges", &MeshHealth::nonManifoldEdges},
+    {"boundary_edges", &MeshHealth::boundaryEdges},
+    {"holes", &MeshHealth::holes},
+    {"flipped_edges", &MeshHealth::flippedEdges},
+    {"components", &MeshHealth::components},
+    {"unreferenced_vertices", &MeshHealth::unreferencedVertices},
+}};
+
+Json vectorJson(const Vec3& v) {
+    return Json::array({v.x(), v.y(), v.z()});
+}
+
+Json boundsJson(const Bounds& bounds) {
+    if (bounds.empty()) return nullptr;
+    return {
+        {"low", vectorJson(bounds.low)}, {"high", vectorJson(bounds.high)}, {"diagonal", bounds.diagonal()}};
+}
+
+Json parametersJson(const std::vector<ParameterDescription>& parameters) {
+    Json json = Json::object();
+    for (const ParameterDescription& parameter : parameters)
+        json[std::string(parameter.key)] = {{"value", parameter.value}, {"unit", parameter.unit}};
+    return json;
+}
+
+Json healthJson(const MeshHealth& health) {
+    Json json;
+    for (const HealthField& field : kHealthFields)
+        json[field.key] = health.*field.count;
+    json["has_normals"] = health.hasNormals;
+    json["has_uvs"] = health.hasUvs;
+    json["closed"] = health.closed();
+    return json;
+}
+
+Json objectJson(const ObjectDescription& object) {
+    Json json{{"name", object.name},
+              {"visible", object.visible},
+              {"triangles", object.triangles},
+              {"vertices", object.vertices},
+              {"bounds_m", boundsJson(object.bounds_B)},
+              {"health", healthJson(object.health)},
+              {"surfaces", Json::array()}};
+    for (const SurfaceDescription& surface : object.surfaces)
+        json["surfaces"].push_back({{"name", surface.name},
+                                    {"triangles", surface.triangles},
+                                    {"parameters", parametersJson(surface.parameters)}});
+    return json;
+}
+
+Json sceneJson(const SceneDescription& scene) {
+    Json json{{"triangles", scene.triangles},
+              {"bounds_m", boundsJson(scene.bounds_W)},
+              {"parameters", parametersJson(scene.parameters)},
+              {"objects", Json::array()}};
+    for (const ObjectDescription& object : scene.objects)
+        json["objects"].push_back(objectJson(object));
+    return json;
+}
+
+void print(const std::vector<ParameterDescription>& parameters, const std::string& indent) {
+    for (const ParameterDescription& parameter : parameters) {
+        std::string line = indent + std::string(parameter.key) + " ";
+        appendNumber(line, parameter.value);
+        if (!parameter.unit.empty()) line += " " + std::string(parameter.unit);
+        std::cout << line << (parameter.allowed ? "" : "  (out of range)") << '\n';
+    }
+}
+
+void print(const ObjectDescription& object) {
+    std::cout << "object " << object.name << (object.visible ? "" : " (hidden)") << ": " << object.triangles
+              << " triangles, " << object.vertices << " vertices, "
+              << (object.health.closed() ? "closed" : "open") << '\n';
+    for (const HealthField& field : kHealthFields)
+        if (field.count != &MeshHealth::triangles && object.health.*field.count > 0)
+            std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';
+    for (const SurfaceDescription& surface : object.surfaces) {
+        std::cout << "  surface " << surface.name << ": " << surface.triangles << " triangles\n";
+        print(surface.parameters, "    ");
+    }
+}
+
+void print(const SceneDescription& scene) {
+    std::string diagonal;
+    appendNumber(diagonal, scene.bounds_W.diagonal());
+    std::cout << "scene: " << scene.objects.size() << " objects, " << scene.triangles
+              << " triangles, diagonal " << diagonal << " m\n";
+    print(scene.parameters, "  ");
+    for (const ObjectDescription& object : scene.objects)
+        print(object);
+}
+
+} // namespace
+
+Result<int> runInfo(const std::filesystem::path& scene, bool json) {
+    const auto loaded = loadScene(scene);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const SceneDescription description = describe(loaded->scene);
+    if (json)
+        std::cout << sceneJson(description).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else
+        print(description);
+    return 0;
+}
+
+} // namespace tactum

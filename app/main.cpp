@@ -1,0 +1,194 @@
+// The one program: a verb runs without any display, a scene or nothing opens the window.
+
+#include <array>
+#include <iostream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.h"
+#include "app/window.h"
+#include "core/base/numbers.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kUsage = 2;
+
+int fail(const std::string& sentence, int code) {
+    std::cerr << "tactum: " << sentence << '\n';
+    return code;
+}
+
+// A number in the C locale within a parameter's range. CLI11's own conversion follows the user's locale.
+std::string readNumberOption(const std::string& text, const Parameter& range, double& value) {
+    const auto number = parseNumber(text);
+    if (number && range.allows(*number)) {
+        value = *number;
+        return {};
+    }
+    std::string low, high;
+    appendNumber(low, range.minimum);
+    appendNumber(high, range.maximum);
+    return "'" + text + "' is not a number from " + low + " to " + high + " " + std::string(range.unit);
+}
+
+void addNumber(CLI::App& command, const Parameter& parameter, std::function<void(double)> take) {
+    command
+        .add_option_function<std::string>(
+            "--" + std::string(parameter.key),
+            [&parameter, take](const std::string& text) {
+                double value = 0;
+                const std::string wrong = readNumberOption(text, parameter, value);
+                if (!wrong.empty()) throw CLI::ValidationError("--" + std::string(parameter.key), wrong);
+                take(value);
+            },
+            std::string(parameter.sentence))
+        ->type_name(parameter.unit.empty() ? "RATIO" : std::string(parameter.unit));
+}
+
+inline constexpr Parameter kFitDiagonal{
+    "fit-diagonal",
+    "Fit diagonal",
+    "m",
+    1e-6,
+    1e6,
+    0.01,
+    0.2,
+    3,
+    "Scale the scene about its bounding-box centre to this diagonal and move the centre to the origin."};
+
+template <class Path> void addFile(CLI::App& command, const char* name, Path& file, const char* help) {
+    command
+        .add_option_function<std::string>(
+            name, [&file](const std::string& text) { file = text; }, help)
+        ->type_name("FILE");
+}
+
+// Friction that slides harder than it sticks does not exist: one given coefficient moves the other,
+// two contradicting ones are a mistake.
+void checkFriction(const TouchOptions& options) {
+    Material given;
+    for (const MaterialOverride& set : options.materials)
+        given.*set.field->value = set.value;
+    const auto isGiven = [&](const Parameter& parameter) {
+        return std::ranges::any_of(options.materials,
+                                   [&](const auto& set) { return set.field->parameter == &parameter; });
+    };
+    if (isGiven(kStaticFriction) && isGiven(kDynamicFriction) && given.dynamicFriction > given.staticFriction)
+        throw CLI::ValidationError("--dynamic-friction",
+                                   "is above --static-friction; give at most that value");
+}
+
+void addTouch(CLI::App& program, TouchOptions& options) {
+    CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
+    touch
+        ->add_option_function<std::string>(
+            "SCENE", [&](const std::string& text) { options.scene = text; },
+            "Any file that the program opens")
+        ->required();
+    touch
+        ->add_option_function<std::string>(
+            "--path", [&](const std::string& text) { options.path = text; },
+            "The finger: CSV with the header t,x,y,z in seconds and metres")
+        ->required()
+        ->type_name("FILE");
+    addFile(*touch, "--out", options.out, "Write the touch as CSV, one row for each update");
+    addFile(*touch, "--summary", options.summary, "Write the summary as JSON");
+    addFile(*touch, "--picture", options.picture, "Write a PNG of scene, paths and force; needs a display");
+    addNumber(*touch, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
+    addNumber(*touch, kProxyRadius, [&](double value) { options.proxyRadius = value; });
+    for (const MaterialField& field : kMaterialFields)
+        addNumber(*touch, *field.parameter, [&options, &field](double value) {
+            options.materials.push_back({&field, value});
+        });
+    touch
+        ->add_option_function<std::string>(
+            "--shading",
+            [](const std::string& text) {
+                if (text == "on")
+                    std::cerr << "tactum: --shading on: this version feels every facet flat; the replay goes "
+                                 "on without shading\n";
+                else if (text != "off")
+                    throw CLI::ValidationError("--shading", "'" + text + "' is neither on nor off");
+            },
+            "Force shading by interpolated normals: on or off")
+        ->type_name("on|off");
+    touch->final_callback([&] { checkFriction(options); });
+}
+
+struct Request {
+    TouchOptions touch;
+    std::filesystem::path scene;
+    bool json = false;
+};
+
+void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
+    program.add_subcommand(name, help)
+        ->add_option_function<std::string>(
+            "SCENE", [&](const std::string& text) { request.scene = text; },
+            "Any file that the program opens")
+        ->required();
+}
+
+Result<int> run(const CLI::App& program, const Request& request) {
+    if (program.got_subcommand("touch")) return runTouch(request.touch);
+    if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
+    if (program.got_subcommand("check")) return runCheck(request.scene);
+    return runDevices();
+}
+
+int runVerb(int argc, char** argv) {
+    CLI::App program{"Tactum: author haptic scenes. Without a verb it opens the window.", "tactum"};
+    Request request;
+    addTouch(program, request.touch);
+    addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
+    program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
+    addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
+    program.add_subcommand("devices", "What is connected, and why what is not usable is not");
+    program.require_subcommand(0, 1);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        std::string sentence = error.what();
+        std::ranges::replace(sentence, '\n', ' ');
+        return fail(sentence + "; see tactum " + (argc > 1 ? argv[1] : "") + " --help", kUsage);
+    }
+    const Result<int> code = run(program, request);
+    return code ? *code : fail(code.error().text, int(code.error().kind));
+}
+
+bool isVerb(std::string_view word) {
+    constexpr std::array<std::string_view, 4> verbs{"touch", "info", "check", "devices"};
+    return std::ranges::find(verbs, word) != verbs.end();
+}
+
+int runProgram(int argc, char** argv) {
+    if (argc > 1 && (isVerb(argv[1]) || argv[1][0] == '-')) return runVerb(argc, argv);
+    if (argc > 2)
+        return fail("'" + std::string(argv[1]) +
+                        "' is no verb, and the window opens one scene; see tactum --help",
+                    kUsage);
+    std::optional<std::filesystem::path> scene;
+    if (argc > 1) scene = argv[1];
+    return runWindow(argc, argv, scene);
+}
+
+} // namespace
+
+} // namespace tactum
+
+int main(int argc, char** argv) {
+    try {
+        return tactum::runProgram(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return tactum::fail("not enough memory for this scene; close other programs or reduce the mesh", 3);
+    } catch (const std::exception& error) {
+        return tactum::fail(
+            std::string("stopped by an unexpected failure: ") + error.what() + "; please report it", 3);
+    }
+}

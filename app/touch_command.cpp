@@ -1,0 +1,133 @@
+#include <chrono>
+#include <fstream>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "app/commands.h"
+#include "app/picture.h"
+#include "core/base/numbers.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/replay.h"
+#include "core/scene/load_scene.h"
+
+namespace tactum {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::size_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+std::size_t hierarchyBytes(const World& world) {
+    std::size_t bytes = 0;
+    for (const WorldBody& body : world.bodies)
+        bytes += body.mesh->tree.bytes();
+    return bytes;
+}
+
+void appendVector(std::string& out, const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) {
+        out += ',';
+        appendNumber(out, v[axis]);
+    }
+}
+
+// The columns of the contract, full double precision.
+std::string touchCsv(const TouchTrace& rows) {
+    std::string out = "t,finger_x,finger_y,finger_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,"
+                      "contacts,update_ns\n";
+    out.reserve(rows.size() * 200);
+    for (const TouchRow& row : rows) {
+        appendNumber(out, row.t);
+        appendVector(out, row.finger);
+        appendVector(out, row.proxy);
+        appendVector(out, row.force);
+        out += ',' + std::to_string(row.contacts) + ',' + std::to_string(row.updateNs) + '\n';
+    }
+    return out;
+}
+
+void applyOverrides(Scene& scene, const TouchOptions& options) {
+    if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal);
+    if (options.proxyRadius) scene.proxyRadius = *options.proxyRadius;
+    for (SceneObject& object : scene.objects)
+        for (Surface& surface : object.surfaces)
+            for (const MaterialOverride& given : options.materials)
+                surface.material = withValue(surface.material, *given.field, given.value);
+}
+
+Result<void> writeFile(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out.write(text.data(), std::streamsize(text.size()));
+    out.close();
+    if (!out)
+        return machineError(file.string() +
+                            ": cannot be written; check the folder, its permissions and the free space");
+    return {};
+}
+
+nlohmann::ordered_json summaryOf(const World& world, const TouchTrace& rows, double load, double build) {
+    std::size_t triangles = 0;
+    for (const WorldBody& body : world.bodies)
+        triangles += body.mesh->soup->triangles.size();
+    const UpdateTimes times = updateTimes(rows);
+    nlohmann::ordered_json json;
+    json["triangles"] = triangles;
+    json["load_s"] = load;
+    json["build_s"] = build;
+    json["updates"] = rows.size();
+    json["update_ns"] = {{"mean", times.mean},
+                         {"median", times.median},
+                         {"p99", times.p99},
+                         {"p999", times.p999},
+                         {"max", times.max}};
+    json["peak_rss_bytes"] = peakRssBytes();
+    json["hierarchy_bytes"] = hierarchyBytes(world);
+    return json;
+}
+
+// Everything that was asked for in files; the first that cannot be written ends it.
+Result<void> writeResults(const TouchOptions& options, const Scene& scene, const TouchTrace& rows,
+                          const std::string& summary) {
+    if (options.out)
+        if (auto written = writeFile(*options.out, touchCsv(rows)); !written) return written;
+    if (options.summary)
+        if (auto written = writeFile(*options.summary, summary + '\n'); !written) return written;
+    if (options.picture) return writePicture(scene, rows, *options.picture);
+    return {};
+}
+
+} // namespace
+
+Result<int> runTouch(const TouchOptions& options) {
+    const auto path = readFingerPath(options.path);
+    if (!path) return tl::unexpected(path.error());
+    const auto loading = Clock::now();
+    auto loaded = loadScene(options.scene);
+    if (!loaded) return tl::unexpected(loaded.error());
+    applyOverrides(loaded->scene, options);
+    const double load = secondsSince(loading);
+    const auto building = Clock::now();
+    const auto world = compile(loaded->scene);
+    if (!world) return tl::unexpected(world.error());
+    const double build = secondsSince(building);
+    const TouchTrace rows = replay(**world, *path);
+    const std::string summary = summaryOf(**world, rows, load, build).dump();
+    if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
+        return tl::unexpected(written.error());
+    std::cout << summary << std::endl;
+    if (!std::cout) return machineError("standard output: cannot be written; check where it leads");
+    return 0;
+}
+
+} // namespace tactum

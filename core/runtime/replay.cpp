@@ -1,0 +1,59 @@
+#include "core/runtime/replay.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "core/runtime/haptic_step.h"
+
+namespace tactum {
+
+namespace {
+
+// The first row has no time before it; devices run at 1 kHz.
+constexpr double kFirstStep = 1e-3;
+
+std::int64_t nanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+} // namespace
+
+TouchTrace replay(const World& world, const std::vector<FingerPoint>& path) {
+    TouchTrace rows;
+    rows.reserve(path.size());
+    SimState state;
+    for (const FingerPoint& point : path) {
+        const double dt = rows.empty() ? kFirstStep : point.t - rows.back().t;
+        HapticInput input{point.position, Vec3::Zero()};
+        if (!rows.empty()) input.fingerVelocity = (point.position - rows.back().finger) / dt;
+        const std::int64_t begin = nanoseconds();
+        const HapticOutput output = hapticStep(world, state, input, dt);
+        const std::int64_t end = nanoseconds();
+        rows.push_back({point.t, point.position, output.proxy, output.force, output.contacts, end - begin});
+    }
+    return rows;
+}
+
+UpdateTimes updateTimes(const TouchTrace& rows) {
+    UpdateTimes times;
+    if (rows.empty()) return times;
+    std::vector<std::int64_t> sorted;
+    for (const TouchRow& row : rows)
+        sorted.push_back(row.updateNs);
+    std::ranges::sort(sorted);
+    const auto quantile = [&](double q) {
+        return sorted[std::min(sorted.size() - 1, std::size_t(q * double(sorted.size())))];
+    };
+    times.mean =
+        double(std::accumulate(sorted.begin(), sorted.end(), std::int64_t(0))) / double(sorted.size());
+    times.median = quantile(0.5);
+    times.p99 = quantile(0.99);
+    times.p999 = quantile(0.999);
+    times.max = sorted.back();
+    return times;
+}
+
+} // namespace tactum

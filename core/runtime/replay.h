@@ -1,0 +1,32 @@
+// A recorded finger through hapticStep, single-threaded and deterministic: the replay behind `tactum touch`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/runtime/world.h"
+#include "core/scene/finger_path.h"
+
+namespace tactum {
+
+/// One haptic step of a replay. World frame, SI.
+struct TouchRow {
+    double t = 0;
+    Vec3 finger = Vec3::Zero();
+    Vec3 proxy = Vec3::Zero();
+    Vec3 force = Vec3::Zero();
+    int contacts = 0;
+    std::int64_t updateNs = 0; ///< how long the step took
+};
+using TouchTrace = std::vector<TouchRow>;
+
+/// One haptic step for each point of the path; its time step is the time since the point before.
+TouchTrace replay(const World& world, const std::vector<FingerPoint>& path);
+
+struct UpdateTimes {
+    double mean = 0;
+    std::int64_t median = 0, p99 = 0, p999 = 0, max = 0; ///< ns
+};
+UpdateTimes updateTimes(const TouchTrace& rows);
+
+} // namespace tactum
