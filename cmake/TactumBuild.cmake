@@ -82,6 +82,8 @@ function(tactum_test name)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${TEST_LABELS}")
   if(TEST_GUI)
-    set_tests_properties(${name} PROPERTIES LABELS "gui" RUN_SERIAL ON)
+    # Settings of their own: a test neither reads nor changes the person's.
+    set_tests_properties(${name} PROPERTIES LABELS "gui" RUN_SERIAL ON
+      ENVIRONMENT "QT_QPA_PLATFORM=xcb;XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config")
   endif()
 endfunction()

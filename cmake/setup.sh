@@ -13,15 +13,26 @@ die() {
 
 wanted_packages() { sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]*$//' "$root/cmake/debian-packages.txt" | sort; }
 
+# Also the names that installed packages provide: they differ between releases.
 installed_packages() {
-    wanted_packages | xargs dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null |
-        sed -n 's/^installed //p' | sort -u
+    dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+        sed -n 's/^installed //p' | tr ',' '\n' | sed 's/^ *//; s/ .*//' | sort -u
 }
 
 # A few lines of apt's hundreds: how much, how far, and every error.
 condense_apt() {
-    awk '/newly installed|^Need to get|^After this|^[EW]: |^Err:|^dpkg: error|^sudo: / { print "  " $0; fflush() }
-         /^Unpacking / && ++unpacked % 100 == 0 { print "  " unpacked " packages unpacked"; fflush() }'
+    local line unpacked=0
+    while IFS= read -r line; do
+        case $line in
+        *"newly installed"* | "Need to get"* | "After this"* | E:* | W:* | Err:* | "dpkg: error"* | sudo:*)
+            say "  $line"
+            ;;
+        Unpacking*)
+            unpacked=$((unpacked + 1))
+            if [ $((unpacked % 100)) -eq 0 ]; then say "  $unpacked unpacked"; fi
+            ;;
+        esac
+    done
 }
 
 # Empty for root, sudo where there is one; else says what root has to do.
@@ -42,7 +53,7 @@ install_missing() {
     if [ -z "$missing" ]; then return; fi
 
     say "Installing what is missing:"
-    say "  apt-get install --no-install-recommends $missing"
+    say "  apt-get update && apt-get install --no-install-recommends $missing"
     sudo=$(administrator)
     mkdir -p "$root/build"
     # shellcheck disable=SC2086 # words on purpose
@@ -68,22 +79,25 @@ configure() {
 }
 
 # As many compilers as there are processors, and no more than fit into the memory that is free.
-jobs() {
-    awk -v processors="$(nproc)" '/^MemAvailable/ { fit = int($2 / 1.5e6) }
-        END { if (fit < 1) fit = 1; print fit < processors ? fit : processors }' /proc/meminfo
+compilers() {
+    local processors fit=1000000
+    processors=$(nproc)
+    if [ -r /proc/meminfo ]; then fit=$(awk '/^MemAvailable/ { print int($2 / 1.5e6) + 1 }' /proc/meminfo); fi
+    echo $((fit < processors ? fit : processors))
 }
 
-# On a terminal ninja's own line; else a line for every tenth of the way, and every complaint.
+# A line for every tenth of ninja's way, and every complaint.
 condense_ninja() {
-    awk '/^\[[0-9]+\/[0-9]+\] / {
-             split(substr($1, 2), step, /[\/\]]/)
-             if (int(10 * step[1] / step[2]) > tenth) {
-                 tenth = int(10 * step[1] / step[2]); print "  " $1; fflush()
-             }
-             next
-         }
-         /^ninja: no work to do/ { next }
-         { print; fflush() }'
+    local line tenth=0 now
+    while IFS= read -r line; do
+        if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+            now=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+            if [ $now -gt $tenth ]; then say "  ${BASH_REMATCH[0]}"; fi
+            tenth=$now
+        elif [[ $line != "ninja: Entering"* && $line != "ninja: no work"* ]]; then
+            say "$line"
+        fi
+    done
 }
 
 # build PRESET TARGET...
@@ -91,8 +105,9 @@ build() {
     local preset=$1 command
     configure "$preset"
     shift
-    command=(ninja -C "$root/build/$preset" -j "$(jobs)" "$@")
+    command=(ninja -C "$root/build/$preset" -j "$(compilers)" "$@")
     say "Building ($preset)"
+    # A terminal has ninja's own moving line.
     if [ -t 1 ]; then "${command[@]}"; else "${command[@]}" | condense_ninja; fi ||
         die "The build failed: the first error above says where."
 }

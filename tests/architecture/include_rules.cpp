@@ -29,6 +29,15 @@ SourceFile readFile(const fs::path& root, const fs::path& file) {
     return {fs::relative(file, root).generic_string(), text.str()};
 }
 
+std::vector<SourceFile> readFiles(const fs::path& root, bool (*isWanted)(const fs::path&)) {
+    std::vector<SourceFile> files;
+    for (const char* folder : {"app", "core", "device", "ui"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (isWanted(entry.path())) files.push_back(readFile(root, entry.path()));
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return files;
+}
+
 const Room* findRoom(std::string_view folder) {
     auto it =
         std::find_if(kRooms.begin(), kRooms.end(), [&](const Room& room) { return room.folder == folder; });
@@ -40,6 +49,14 @@ bool leadsTo(std::string_view from, std::string_view to) {
     const Room* room = findRoom(from);
     return room && std::any_of(room->uses.begin(), room->uses.end(),
                                [&](std::string_view used) { return used == to || leadsTo(used, to); });
+}
+
+// The room that tactum_<name> is built from: "geometry" is core/geometry, "ui_view" a part of ui.
+std::string_view roomOfTarget(const std::string& name) {
+    for (const Room& room : kRooms)
+        if (room.folder == "core/" + name || room.folder == name.substr(0, name.find('_')))
+            return room.folder;
+    return {};
 }
 
 // <vector> and <cmath>: lower case and neither dot nor slash.
@@ -112,13 +129,12 @@ Faults ringsOf(const IncludeGraph& graph) {
 } // namespace
 
 std::vector<SourceFile> readSources(const fs::path& root) {
-    std::vector<SourceFile> files;
-    for (const char* folder : {"app", "core", "device", "ui"})
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-            if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
-                files.push_back(readFile(root, entry.path()));
-    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-    return files;
+    return readFiles(
+        root, [](const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; });
+}
+
+std::vector<SourceFile> readBuildFiles(const fs::path& root) {
+    return readFiles(root, [](const fs::path& file) { return file.filename() == "CMakeLists.txt"; });
 }
 
 std::vector<std::string> includesOf(std::string_view text) {
@@ -146,6 +162,22 @@ Faults wrongIncludes(const SourceFile& file) {
         const std::string fault =
             roomOf(include).empty() ? libraryFault(file.path, include) : roomFault(file.path, include);
         if (!fault.empty()) faults.push_back(fault);
+    }
+    return faults;
+}
+
+Faults wrongLinks(const SourceFile& cmakeLists) {
+    static const std::regex uses(R"(\bUSES\s+([a-z_\s]+))");
+    std::smatch match;
+    if (!std::regex_search(cmakeLists.text, match, uses)) return {};
+    const auto from = roomOf(cmakeLists.path);
+    Faults faults;
+    std::istringstream names(match[1]);
+    for (std::string name; names >> name;) {
+        const auto to = roomOfTarget(name);
+        if (to.empty() || (from != to && !leadsTo(from, to)))
+            faults.push_back(cmakeLists.path + ": USES " + name + ": no arrow leads there from " +
+                             std::string(from));
     }
     return faults;
 }

@@ -1,4 +1,4 @@
-// Reads sources and says where they leave the plan of the house.
+// Reads sources and build files and says where they leave the plan of the house.
 #pragma once
 
 #include <filesystem>
@@ -20,6 +20,9 @@ using Faults = std::vector<std::string>;
 /// Every .h and .cpp under app, core, device and ui, sorted by path.
 std::vector<SourceFile> readSources(const std::filesystem::path& root);
 
+/// Every CMakeLists.txt under them.
+std::vector<SourceFile> readBuildFiles(const std::filesystem::path& root);
+
 /// What stands between the quotes or brackets of every #include, in order.
 std::vector<std::string> includesOf(std::string_view text);
 
@@ -28,6 +31,9 @@ std::string_view roomOf(std::string_view path);
 
 /// Includes of other rooms that no arrow allows, and of libraries out of their place.
 Faults wrongIncludes(const SourceFile& file);
+
+/// Rooms that the USES of a tactum_room() in a CMakeLists.txt names without an arrow.
+Faults wrongLinks(const SourceFile& cmakeLists);
 
 /// Libraries that should be behind one file and are seen by several.
 Faults librariesSeenTwice(const std::vector<SourceFile>& files);

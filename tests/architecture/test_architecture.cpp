@@ -1,4 +1,5 @@
-// The arrows of the house, read from the sources themselves; and the reader on sources with known faults.
+// The arrows of the house, read from sources and build files themselves; and the reader on sources with known
+// faults.
 #include <QTest>
 
 #include "tests/architecture/house_plan.h"
@@ -33,11 +34,16 @@ class TestArchitecture : public QObject {
     Q_OBJECT
 
     const std::vector<SourceFile> sources_ = readSources(TACTUM_SOURCE_DIR);
+    const std::vector<SourceFile> buildFiles_ = readBuildFiles(TACTUM_SOURCE_DIR);
 
 private slots:
     // The house as it stands.
-    void sourcesAreFound() { QVERIFY(sources_.size() > 50); }
+    void sourcesAreFound() {
+        QVERIFY(sources_.size() > 50);
+        QVERIFY(buildFiles_.size() > 10);
+    }
     void arrowsAreAllowed() { expectNone(collect(sources_, wrongIncludes)); }
+    void roomsLinkAlongTheArrows() { expectNone(collect(buildFiles_, wrongLinks)); }
     void librariesStayInTheirCorner() { expectNone(librariesSeenTwice(sources_)); }
     void headersHaveTheirForm() { expectNone(collect(sources_, formFaults)); }
     void headersIncludeInOneDirection() { expectNone(includeRings(sources_)); }
@@ -49,6 +55,7 @@ private slots:
     void findsTheInnermostRoom();
     void judgesAnInclude_data();
     void judgesAnInclude();
+    void judgesALink();
     void reportsALibraryInTwoFiles();
     void reportsForm();
     void reportsRings();
@@ -128,6 +135,20 @@ void TestArchitecture::judgesAnInclude() {
     QFETCH(QByteArray, include);
     QFETCH(bool, allowed);
     QCOMPARE(wrongIncludes(source(path.constData(), include.constData())).empty(), allowed);
+}
+
+void TestArchitecture::judgesALink() {
+    const auto faults = [](const char* path, const char* text) { return wrongLinks({path, text}).size(); };
+    QCOMPARE(
+        faults("core/proxy/CMakeLists.txt", "tactum_room(proxy\n SOURCES a.cpp\n USES collision dynamics)"),
+        std::size_t(0));
+    QCOMPARE(faults("core/proxy/CMakeLists.txt", "tactum_room(proxy USES collision\n scene)"),
+             std::size_t(1));
+    QCOMPARE(faults("core/base/CMakeLists.txt", "tactum_room(base)"), std::size_t(0));
+    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES ui_view runtime PRIVATE device)"),
+             std::size_t(0));
+    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES device)"), std::size_t(1));
+    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES attic)"), std::size_t(1));
 }
 
 void TestArchitecture::reportsALibraryInTwoFiles() {
