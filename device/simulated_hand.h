@@ -8,32 +8,42 @@
 
 namespace tactum {
 
-/// The hand and the moving parts of a device as one point mass. Assumed values, near a light pinch grip on a
-/// desktop device; not a calibration.
+/// The hand and the moving parts of a device as one point mass. Assumed values, near a firm pinch grip on a
+/// desktop device; not a calibration. A surface of stiffness K, rendered every T seconds and one tick late,
+/// is calm while damping > K (T/2 + T): 8 N s/m leave a third in reserve at 3000 N/m and 1 kHz.
 struct SimulatedHandProfile {
-    double mass = 0.1;        ///< kg
-    double damping = 4;       ///< N s/m, of the grip against the goal's frame
-    double stiffness = 250;   ///< N/m, of the grip
-    double maxForce = 8;      ///< N
+    double mass = 0.1;             ///< kg
+    double damping = 8;            ///< N s/m, of the grip against the goal's frame
+    double stiffness = 250;        ///< N/m, of the grip
+    double maxForce = 8;           ///< N
     double workspaceRadius = 0.15; ///< m
 };
 
+/// mass x" = stiffness (goal - x) - damping x' + force, inside a ball whose wall stops the outward motion.
+/// The force really pushes: on the spring it moves the hand by force / stiffness.
+/// Solved exactly over each tick for a constant goal and force, so that it is stable for every dt; a dt
+/// above 20 ms (the machine slept) counts as 20 ms. Position is a plain double: there is no encoder.
 class SimulatedHand final : public HapticDevice {
 public:
-    /// `target` is written by whoever leads the hand, and must outlive nothing: it is shared.
+    /// `target` is written by whoever leads the hand and shared with them.
     explicit SimulatedHand(std::shared_ptr<HandTarget> target, SimulatedHandProfile profile = {});
 
     DeviceInfo info() const override;
-    Result<void> open() override;
+    Result<void> open() override; ///< at rest at the origin, or where the first teleport says
     void close() override;
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override;
 
 private:
+    void obey(const HandGoal& goal) noexcept;
+    void move(const Vec3& force, double dt) noexcept;
+    void stayInside() noexcept;
+
     std::shared_ptr<HandTarget> target_;
     SimulatedHandProfile profile_;
+    Vec3 goal_ = Vec3::Zero();
     Vec3 position_ = Vec3::Zero();
     Vec3 velocity_ = Vec3::Zero();
-    std::uint32_t teleported_ = 0;
+    std::uint32_t teleported_ = 0; ///< sequence of the last teleport
 };
 
 } // namespace tactum

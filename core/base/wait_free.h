@@ -16,8 +16,8 @@ namespace tactum {
 /// says whether it is newer than the reader's. (A seqlock reader can livelock under a busy writer of
 /// lower priority; this cannot.)
 template <class T> class TripleBuffer {
-    static_assert(std::is_trivially_destructible_v<T> && std::is_nothrow_copy_assignable_v<T>,
-                  "what crosses threads is a small plain value");
+    // Eigen's vectors are plain in fact but not in the type system's words, so this asks for no more.
+    static_assert(std::is_trivially_destructible_v<T>, "what crosses threads is a small plain value");
 
 public:
     void write(const T& value) noexcept {
@@ -54,7 +54,8 @@ private:
 /// Every value of one writer for one reader, in order; `Capacity` a power of two.
 /// Thread: real time, wait-free on both sides. push() says false when full: the writer counts the loss.
 template <class T, std::size_t Capacity> class SpscQueue {
-    static_assert((Capacity & (Capacity - 1)) == 0, "a power of two");
+    static_assert(Capacity > 0 && (Capacity & (Capacity - 1)) == 0, "a power of two");
+    static_assert(std::is_trivially_destructible_v<T>, "what crosses threads is a small plain value");
 
 public:
     bool push(const T& value) noexcept {

@@ -1,18 +1,28 @@
 #include "core/control/force_limiter.h"
 
 namespace tactum {
+namespace {
+
+/// Rounding may leave a scaled vector some units in the last place above the limit; this keeps it below.
+constexpr double kRoundingMargin = 1 - 1e-15;
+
+/// Dividing by the largest component first: the square of a large one must not overflow to infinity.
+Vec3 directionOf(const Vec3& force) noexcept {
+    return (force / force.cwiseAbs().maxCoeff()).normalized();
+}
+
+} // namespace
 
 Vec3 ForceLimiter::operator()(const Vec3& force) noexcept {
     if (!force.allFinite()) {
         ++notFinite;
         return Vec3::Zero();
     }
-    // stableNorm: the square of a large finite component must not overflow to infinity.
-    const double magnitude = force.stableNorm();
-    if (magnitude <= maxForce) return force;
+    // A limit that is no number limits to nothing.
+    const double limit = maxForce > 0 ? maxForce : 0;
+    if (force.stableNorm() <= limit) return force;
     ++clamped;
-    // Scaling rounds; half an ulp above the limit is still above the limit.
-    return force * (maxForce / magnitude) * (1 - 4e-16);
+    return directionOf(force) * (limit * kRoundingMargin);
 }
 
 } // namespace tactum

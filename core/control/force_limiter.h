@@ -8,9 +8,9 @@
 namespace tactum {
 
 struct ForceLimiter {
-    double maxForce = 0; ///< N, of the device; no scene, file or client can raise it
-    std::uint64_t clamped = 0;
-    std::uint64_t notFinite = 0;
+    double maxForce = 0;         ///< N, of the device; no scene, file or client can raise it
+    std::uint64_t clamped = 0;   ///< forces that were shortened
+    std::uint64_t notFinite = 0; ///< forces that were no numbers
 
     /// The same direction, at most maxForce; zero when any component is not finite. Counts both.
     /// Thread: real time.

@@ -10,7 +10,7 @@ namespace tactum {
 struct HandGoal {
     Vec3 position = Vec3::Zero();
     bool teleport = false;      ///< jump there at rest instead of moving: used when a model is opened
-    std::uint32_t sequence = 0; ///< raised with every teleport, so that each is carried out once
+    std::uint32_t sequence = 0; ///< raised with every teleport, so that each is carried out once; first 1
 };
 
 /// Thread: one writer (ui), one reader (servo); wait-free.

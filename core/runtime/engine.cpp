@@ -1,0 +1,176 @@
+#include "core/runtime/engine.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "core/base/realtime.h"
+#include "core/runtime/proxy_loop.h"
+#include "core/runtime/realtime_thread.h"
+#include "core/runtime/servo_loop.h"
+
+namespace tactum {
+namespace {
+
+constexpr int kServoPriority = 80, kProxyPriority = 70;
+/// The proxy is updated this many times for each servo tick, where its work allows.
+constexpr double kUpdatesPerTick = 2;
+
+std::string notePriority(int refusal, int unlocked) {
+    if (!refusal && !unlocked) return "Real-time priority and locked memory were granted.";
+    const std::string what = refusal ? "no real-time priority" : "memory that may be swapped out";
+    return "The loops run with " + what + " (" + std::strerror(refusal ? refusal : unlocked) +
+           "): allow it with the lines \"<user> - rtprio 90\" and \"<user> - memlock unlimited\" in "
+           "/etc/security/limits.d/tactum.conf, then log in again.";
+}
+
+} // namespace
+
+struct Engine::Impl {
+    std::unique_ptr<HapticDevice> device;
+    DeviceInfo info;
+    std::unique_ptr<Channels> channels = std::make_unique<Channels>(); ///< fresh at every start
+    /// Every World that a loop may still see, oldest first; the last is the one to feel.
+    std::vector<std::shared_ptr<const World>> kept;
+    RealtimeThread servoThread, proxyThread;
+    bool running = false;
+    bool realtime = false;
+    std::string priorityNote = "The loops have not been started.";
+    ProxyTelemetry proxy;
+    ServoTelemetry servo;
+
+    Result<void> startLoops();
+    void endLoops();
+    void handOver();
+    void release(const World* world);
+    void releaseRetired();
+};
+
+Result<void> Engine::Impl::startLoops() {
+    return servoThread.start("tactum-servo", kServoPriority, [this] { servoLoop(*channels, *device, info); })
+        .and_then([this] {
+            return proxyThread.start("tactum-proxy", kProxyPriority,
+                                     [this] { proxyLoop(*channels, kUpdatesPerTick * info.rate); });
+        });
+}
+
+void Engine::Impl::endLoops() {
+    channels->stop.store(true, std::memory_order_relaxed);
+    servoThread.join();
+    proxyThread.join();
+    device->close();
+}
+
+/// Makes the newest World the next that the proxy loop takes. One that it never took is released at once.
+void Engine::Impl::handOver() {
+    if (kept.empty()) return;
+    if (const World* skipped = channels->worldIn.exchange(kept.back().get(), std::memory_order_acq_rel))
+        release(skipped);
+}
+
+/// Drops one reference; the same World may have been published twice.
+void Engine::Impl::release(const World* world) {
+    const auto found = std::find_if(kept.begin(), kept.end(),
+                                    [world](const auto& candidate) { return candidate.get() == world; });
+    if (found != kept.end()) kept.erase(found);
+}
+
+void Engine::Impl::releaseRetired() {
+    const World* retired = nullptr;
+    while (channels->worldOut.pop(retired))
+        release(retired);
+}
+
+Engine::Engine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Impl>()) {
+    impl_->device = std::move(device);
+    impl_->info = impl_->device->info();
+}
+
+Engine::~Engine() {
+    stop();
+}
+
+Result<void> Engine::start() {
+    assertNotRealtime();
+    if (impl_->running) return {};
+    if (Result<void> opened = impl_->device->open(); !opened) return opened;
+    impl_->info = impl_->device->info();
+    impl_->channels = std::make_unique<Channels>();
+    impl_->handOver();
+    if (Result<void> started = impl_->startLoops(); !started) {
+        impl_->endLoops();
+        return started;
+    }
+    impl_->running = true;
+    // After the threads, so that their stacks are among what is locked.
+    const int unlocked = lockPresentMemory();
+    const int refusal =
+        impl_->servoThread.refusal() ? impl_->servoThread.refusal() : impl_->proxyThread.refusal();
+    impl_->realtime = !refusal && !unlocked;
+    impl_->priorityNote = notePriority(refusal, unlocked);
+    return {};
+}
+
+void Engine::stop() {
+    assertNotRealtime();
+    if (!impl_->running) return;
+    impl_->endLoops();
+    impl_->running = false;
+    poll();
+    // No loop is left to see them; the newest stays for the next start.
+    impl_->kept.erase(impl_->kept.begin(),
+                      impl_->kept.end() - std::min<std::ptrdiff_t>(1, std::ssize(impl_->kept)));
+}
+
+bool Engine::running() const {
+    return impl_->running;
+}
+
+void Engine::publish(std::shared_ptr<const World> world) {
+    assertNotRealtime();
+    if (!world) return;
+    impl_->releaseRetired();
+    impl_->kept.push_back(std::move(world));
+    impl_->handOver();
+}
+
+void Engine::setArmed(bool armed) {
+    impl_->channels->armed.store(armed, std::memory_order_relaxed);
+}
+bool Engine::armed() const {
+    return impl_->channels->armed.load(std::memory_order_relaxed);
+}
+
+/// A full queue holds the same order already.
+void Engine::restartProxy() {
+    impl_->channels->commands.push({EngineCommand::Kind::RestartProxy});
+}
+
+void Engine::poll() {
+    assertNotRealtime();
+    impl_->releaseRetired();
+    impl_->proxy = impl_->channels->proxyTelemetry.read();
+    impl_->servo = impl_->channels->servoTelemetry.read();
+}
+
+const ProxyTelemetry& Engine::proxy() const {
+    return impl_->proxy;
+}
+const ServoTelemetry& Engine::servo() const {
+    return impl_->servo;
+}
+bool Engine::popTrace(TracePoint& point) {
+    return impl_->channels->trace.pop(point);
+}
+const DeviceInfo& Engine::device() const {
+    return impl_->info;
+}
+bool Engine::hasRealtimePriority() const {
+    return impl_->realtime;
+}
+const std::string& Engine::priorityNote() const {
+    return impl_->priorityNote;
+}
+
+} // namespace tactum

@@ -1,0 +1,55 @@
+// The clock of a loop: wakes it at a fixed rate, says how late it was, and keeps its statistics.
+#pragma once
+
+#include <cstdint>
+
+namespace tactum {
+
+/// Nanoseconds of CLOCK_MONOTONIC, which no one sets and which stands still only while the machine sleeps.
+/// Thread: real time.
+std::int64_t monotonicNanoseconds() noexcept;
+
+/// One waking of a loop. Unit: s.
+struct Tick {
+    double time = 0;     ///< since the metronome was made
+    double elapsed = 0;  ///< since the waking before; the nominal period at the first
+    bool missed = false; ///< more than one period late
+};
+
+/// Sleeps to absolute times, so that errors do not add up, and never spins: a loop that cannot keep its
+/// rate still sleeps for `rest` of the time it worked. (A thread that asks for all of a processor under
+/// SCHED_FIFO is stopped by the kernel for 50 ms in every second.)
+class Metronome {
+public:
+    /// rate in Hz, > 0; rest a ratio, 0 for a loop that waits for a device anyway.
+    explicit Metronome(double rate, double rest = 0) noexcept;
+
+    /// Sleeps until the next tick. A tick that was missed shifts the ones after it: no burst catches up.
+    /// Thread: the loop's, outside every RealtimeScope.
+    Tick wait() noexcept;
+
+    double period() const noexcept; ///< s, nominal
+
+private:
+    std::int64_t period_, start_, last_, next_;
+    double rest_;
+};
+
+/// How often something happened and how large it was, over the last full half second.
+/// Thread: real time, one thread only.
+class HalfSecond {
+public:
+    /// One event: `now` in s, never falling; `value` in any unit.
+    void add(double now, double value) noexcept;
+
+    double rate() const noexcept { return rate_; } ///< events a second; 0 in the first half second
+    double mean() const noexcept { return mean_; }
+    double worst() const noexcept { return worst_; }
+
+private:
+    double begin_ = 0, sum_ = 0, largest_ = 0;
+    std::uint32_t count_ = 0;
+    double rate_ = 0, mean_ = 0, worst_ = 0;
+};
+
+} // namespace tactum

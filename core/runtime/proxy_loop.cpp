@@ -1,0 +1,85 @@
+#include "core/runtime/proxy_loop.h"
+
+#include <algorithm>
+
+#include "core/base/realtime.h"
+#include "core/runtime/metronome.h"
+
+namespace tactum {
+namespace {
+
+/// What the proxy loop remembers from step to step.
+struct Proxy {
+    Channels& channels;
+    const World* world = nullptr;
+    bool restart = true; ///< the next step begins at the finger; so does the first
+    SimState state;
+    HalfSecond updates;
+    ProxyTelemetry telemetry;
+};
+
+/// The load first: an exchange at every tick would take the cache line from the ui thread for nothing.
+void takeWorld(Proxy& proxy) noexcept {
+    std::atomic<const World*>& in = proxy.channels.worldIn;
+    if (!in.load(std::memory_order_relaxed)) return;
+    const World* next = in.exchange(nullptr, std::memory_order_acquire);
+    if (!next) return;
+    // Never full: the ui thread empties it at each publish(), and no more come back than were published.
+    if (proxy.world) proxy.channels.worldOut.push(proxy.world);
+    proxy.world = next;
+}
+
+void obeyCommands(Proxy& proxy) noexcept {
+    EngineCommand command;
+    while (proxy.channels.commands.pop(command)) {
+        switch (command.kind) {
+        case EngineCommand::Kind::RestartProxy:
+            proxy.restart = true;
+        }
+    }
+}
+
+HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
+    if (proxy.restart) restartProxy(proxy.state, finger.position);
+    proxy.restart = false;
+    const double dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep);
+    return hapticStep(*proxy.world, proxy.state, {finger.position, finger.velocity}, dt);
+}
+
+void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,
+            double micros) noexcept {
+    proxy.updates.add(tick.time, micros);
+    ProxyTelemetry& telemetry = proxy.telemetry;
+    telemetry.output = output;
+    telemetry.finger = finger;
+    ++telemetry.updates;
+    telemetry.worldRevision = proxy.world->revision;
+    telemetry.rate = proxy.updates.rate();
+    telemetry.updateMicros = proxy.updates.mean();
+    telemetry.worstUpdateMicros = proxy.updates.worst();
+    telemetry.boundHits += output.boundHit;
+    proxy.channels.proxyTelemetry.write(telemetry);
+}
+
+} // namespace
+
+void proxyLoop(Channels& channels, double rate) noexcept {
+    Proxy proxy{.channels = channels, .state = {}, .updates = {}, .telemetry = {}};
+    Metronome metronome(rate, kProxyRest);
+    while (!channels.stop.load(std::memory_order_relaxed)) {
+        const Tick tick = metronome.wait();
+
+        const RealtimeScope scope;
+        takeWorld(proxy);
+        obeyCommands(proxy);
+        const FingerSample& finger = channels.finger.read();
+        if (!proxy.world || !finger.valid) continue;
+
+        const std::int64_t begun = monotonicNanoseconds();
+        const HapticOutput output = step(proxy, finger, tick);
+        channels.contactModel.write(proxy.state.model);
+        report(proxy, output, finger.position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
+    }
+}
+
+} // namespace tactum

@@ -1,0 +1,17 @@
+// The loop that belongs to the model: takes Worlds and orders, runs hapticStep, publishes what it found.
+#pragma once
+
+#include "core/runtime/channels.h"
+
+namespace tactum {
+
+/// The time that one step is told, whatever the clock measured. Unit: s.
+inline constexpr double kShortestStep = 1e-4, kLongestStep = 5e-3;
+/// A step that takes longer than its period still sleeps for this part of it.
+inline constexpr double kProxyRest = 0.125;
+
+/// Runs until channels.stop, `rate` times a second or as often as its work allows. Without a World or a
+/// finger it waits. Thread: proxy. The clock lies outside the RealtimeScope, all else inside it.
+void proxyLoop(Channels& channels, double rate) noexcept;
+
+} // namespace tactum

@@ -1,0 +1,167 @@
+// The simulated hand against the closed forms of a damped oscillator.
+#include <cmath>
+#include <random>
+
+#include <QtTest>
+
+#include "device/simulated_hand.h"
+
+using namespace tactum;
+
+namespace {
+
+struct Hand {
+    explicit Hand(SimulatedHandProfile profile = {}) : device(target, profile) { device.open(); }
+
+    void leadTo(const Vec3& position) { target->write({.position = position}); }
+    void teleportTo(const Vec3& position, std::uint32_t sequence) {
+        target->write({position, true, sequence});
+    }
+    DeviceSample go(double seconds, const Vec3& force = Vec3::Zero(), double dt = 1e-3) {
+        DeviceSample sample = device.exchange({force}, 0);
+        for (double t = 0; t < seconds - 0.5 * dt; t += dt)
+            sample = device.exchange({force}, dt);
+        return sample;
+    }
+
+    std::shared_ptr<HandTarget> target = std::make_shared<HandTarget>();
+    SimulatedHand device;
+};
+
+/// Response at time t of m x" + c x' + k x = k, from rest at 0: the textbook's three cases.
+double stepResponse(const SimulatedHandProfile& p, double t) {
+    const double w0 = std::sqrt(p.stiffness / p.mass);
+    const double zeta = p.damping / (2 * std::sqrt(p.stiffness * p.mass));
+    if (std::abs(zeta - 1) < 1e-9) return 1 - std::exp(-w0 * t) * (1 + w0 * t);
+    if (zeta < 1) {
+        const double wd = w0 * std::sqrt(1 - zeta * zeta);
+        return 1 - std::exp(-zeta * w0 * t) * (std::cos(wd * t) + zeta * w0 / wd * std::sin(wd * t));
+    }
+    const double root = std::sqrt(zeta * zeta - 1);
+    const double a = w0 * (zeta - root), b = w0 * (zeta + root);
+    return 1 - (b * std::exp(-a * t) - a * std::exp(-b * t)) / (b - a);
+}
+
+} // namespace
+
+class TestSimulatedHand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void followsAGoalStepAsADampedOscillator_data() {
+        QTest::addColumn<double>("damping");
+        QTest::newRow("underdamped") << 1.0;
+        QTest::newRow("as delivered") << SimulatedHandProfile{}.damping;
+        QTest::newRow("critical") << 2 * std::sqrt(250 * 0.1);
+        QTest::newRow("overdamped") << 40.0;
+    }
+
+    void followsAGoalStepAsADampedOscillator() {
+        QFETCH(double, damping);
+        const SimulatedHandProfile profile{.damping = damping};
+        const Vec3 goal(0.03, -0.02, 0.05);
+        for (const double dt : {1e-3, 2.5e-4, 7e-3}) {
+            Hand hand(profile);
+            hand.leadTo(goal);
+            for (int n = 1; n <= 60; ++n) {
+                const Vec3 x = hand.device.exchange({}, dt).position;
+                QVERIFY((x - goal * stepResponse(profile, n * dt)).norm() < 1e-9);
+            }
+        }
+    }
+
+    void velocityIsTheDerivativeOfPosition() {
+        Hand hand;
+        hand.leadTo({0.05, 0, 0});
+        hand.go(0.01);
+        const double h = 1e-6;
+        const double before = hand.device.exchange({}, 0).position.x();
+        const double velocity = hand.device.exchange({}, h).velocity.x();
+        const double after = hand.device.exchange({}, h).position.x();
+        QVERIFY(velocity > 0.1);
+        QVERIFY(std::abs((after - before) / (2 * h) - velocity) < 1e-4);
+    }
+
+    void forcePushesTheHandByForceOverStiffness() {
+        Hand hand;
+        hand.leadTo({0.01, 0.02, 0});
+        const Vec3 force(1, -2, 3);
+        const DeviceSample sample = hand.go(3, force);
+        QVERIFY((sample.position - Vec3(0.01, 0.02, 0) - force / SimulatedHandProfile{}.stiffness).norm() <
+                1e-12);
+        QVERIFY(sample.velocity.norm() < 1e-9);
+    }
+
+    void jitterOfTheClockChangesNothing() {
+        Hand even, uneven;
+        std::mt19937 random(7);
+        even.leadTo({0.05, 0, 0});
+        uneven.leadTo({0.05, 0, 0});
+        double t = 0;
+        DeviceSample sample;
+        while (t < 0.05) {
+            const double dt = std::uniform_real_distribution(1e-6, 5e-3)(random);
+            sample = uneven.device.exchange({}, dt);
+            t += dt;
+        }
+        for (int i = 0; i < 10; ++i)
+            even.device.exchange({}, t / 10);
+        QVERIFY((even.device.exchange({}, 0).position - sample.position).norm() < 1e-12);
+    }
+
+    void longSleepOfTheMachineCountsAsTwentyMilliseconds() {
+        Hand slept, steady;
+        slept.leadTo({0.05, 0, 0});
+        steady.leadTo({0.05, 0, 0});
+        QCOMPARE(slept.device.exchange({}, 3600).position, steady.device.exchange({}, 0.02).position);
+    }
+
+    void teleportJumpsOnceAndRests() {
+        Hand hand;
+        hand.leadTo({0.05, 0, 0});
+        hand.go(0.02);
+        hand.teleportTo({0, 0.03, 0}, 1);
+        DeviceSample sample = hand.device.exchange({}, 1e-3);
+        QVERIFY((sample.position - Vec3(0, 0.03, 0)).norm() < 1e-12);
+        QVERIFY(sample.velocity.norm() < 1e-12);
+        // The same teleport seen again, with the hand pushed aside: it stays where it was pushed.
+        hand.teleportTo({0, 0.03, 0}, 1);
+        sample = hand.go(0.05, {2, 0, 0});
+        QVERIFY(sample.position.x() > 1e-3);
+    }
+
+    void wallOfTheWorkspaceHoldsTheHand() {
+        Hand hand;
+        hand.leadTo({1, 0, 0});
+        const double radius = SimulatedHandProfile{}.workspaceRadius;
+        double farthest = 0;
+        for (int i = 0; i < 2000; ++i)
+            farthest = std::max(farthest, hand.device.exchange({}, 1e-3).position.norm());
+        const DeviceSample sample = hand.device.exchange({}, 1e-3);
+        QVERIFY(farthest <= radius * (1 + 1e-15));
+        QVERIFY(std::abs(sample.position.x() - radius) < 1e-12);
+        QVERIFY(sample.velocity.norm() < 1e-12);
+    }
+
+    void wallLetsTheHandSlideAlong() {
+        Hand hand;
+        hand.leadTo({0.3, 0, 0});
+        hand.go(1);
+        hand.leadTo({0, 0.3, 0});
+        const Vec3 x = hand.go(2).position;
+        QVERIFY((x - Vec3(0, SimulatedHandProfile{}.workspaceRadius, 0)).norm() < 1e-3);
+    }
+
+    void nonsenseLeavesTheHandWhereItIs() {
+        Hand hand;
+        hand.leadTo({0.02, 0, 0});
+        hand.go(2);
+        hand.leadTo(Vec3::Constant(std::nan("")));
+        const DeviceSample sample = hand.device.exchange({Vec3::Constant(std::nan(""))}, 1e-3);
+        QVERIFY(sample.valid);
+        QVERIFY((sample.position - Vec3(0.02, 0, 0)).norm() < 1e-9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSimulatedHand)
+#include "test_simulated_hand.moc"
