@@ -26,19 +26,19 @@ std::int64_t monotonicNanoseconds() noexcept {
 
 Metronome::Metronome(double rate, double rest) noexcept
     : period_(std::int64_t(double(kSecond) / rate)), start_(monotonicNanoseconds()), last_(start_),
-      next_(start_), rest_(rest) {}
+      scheduled_(start_), rest_(rest) {}
 
 Tick Metronome::wait() noexcept {
-    const std::int64_t worked = monotonicNanoseconds() - last_;
-    next_ = std::max(next_ + period_, last_ + worked + std::int64_t(rest_ * double(worked)));
-    sleepUntil(next_);
+    const std::int64_t due = scheduled_ + period_;
+    const std::int64_t now = monotonicNanoseconds();
+    sleepUntil(std::max(due, now + std::int64_t(rest_ * double(now - last_))));
 
     const std::int64_t woke = monotonicNanoseconds();
     Tick tick;
     tick.time = double(woke - start_) / double(kSecond);
     tick.elapsed = last_ == start_ ? period() : double(woke - last_) / double(kSecond);
-    tick.missed = woke - next_ > period_;
-    if (tick.missed) next_ = woke;
+    tick.missed = woke - due > period_;
+    scheduled_ = tick.missed ? woke : due;
     last_ = woke;
     return tick;
 }

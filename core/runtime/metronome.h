@@ -31,7 +31,7 @@ public:
     double period() const noexcept; ///< s, nominal
 
 private:
-    std::int64_t period_, start_, last_, next_;
+    std::int64_t period_, start_, last_, scheduled_;
     double rest_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 struct Proxy {
     Channels& channels;
     const World* world = nullptr;
-    bool restart = true; ///< the next step begins at the finger; so does the first
+    bool restartDue = true; ///< the next step begins at the finger; so does the first
     SimState state;
     HalfSecond updates;
     ProxyTelemetry telemetry;
@@ -34,14 +34,14 @@ void obeyCommands(Proxy& proxy) noexcept {
     while (proxy.channels.commands.pop(command)) {
         switch (command.kind) {
         case EngineCommand::Kind::RestartProxy:
-            proxy.restart = true;
+            proxy.restartDue = true;
         }
     }
 }
 
 HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
-    if (proxy.restart) restartProxy(proxy.state, finger.position);
-    proxy.restart = false;
+    if (proxy.restartDue) restart(proxy.state.proxy, finger.position);
+    proxy.restartDue = false;
     const double dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep);
     return hapticStep(*proxy.world, proxy.state, {finger.position, finger.velocity}, dt);
 }
@@ -57,7 +57,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.rate = proxy.updates.rate();
     telemetry.updateMicros = proxy.updates.mean();
     telemetry.worstUpdateMicros = proxy.updates.worst();
-    telemetry.boundHits += output.boundHit;
+    telemetry.boundHits += output.report.boundHit;
     proxy.channels.proxyTelemetry.write(telemetry);
 }
 

@@ -1,0 +1,59 @@
+// A device for tests: the finger is where the test says, every exchange is noted.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/control/haptic_device.h"
+
+namespace tactum {
+
+struct Exchange {
+    Vec3 force;
+    double dt;
+};
+
+/// What the test and the device share. The log may be read when the loops have ended.
+struct Probe {
+    std::atomic<double> height{0.01}; ///< of the finger over the origin, m
+    std::atomic<bool> valid{true};
+    std::atomic<bool> nonsense{false}; ///< the finger's position is no number
+    std::atomic<bool> refusesToOpen{false};
+    std::atomic<bool> isOpen{false};
+    std::atomic<double> push{0}; ///< newest command along z, N
+    std::vector<Exchange> log;
+    int exchangesWhileClosed = 0;
+
+    Probe() { log.reserve(1'000'000); }
+};
+
+class ProbeDevice final : public HapticDevice {
+public:
+    static constexpr double kMaxForce = 8;
+
+    explicit ProbeDevice(std::shared_ptr<Probe> probe) : probe_(std::move(probe)) {}
+
+    DeviceInfo info() const override { return {.name = "Probe", .maxForce = kMaxForce, .rate = 1000}; }
+    Result<void> open() override {
+        if (probe_->refusesToOpen) return machineError("The probe is not plugged in: plug it in.");
+        probe_->isOpen = true;
+        return {};
+    }
+    void close() override { probe_->isOpen = false; }
+    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
+        probe_->exchangesWhileClosed += !probe_->isOpen;
+        probe_->push = command.force.z();
+        if (probe_->log.size() < probe_->log.capacity()) probe_->log.push_back({command.force, dt});
+        const double height =
+            probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : probe_->height.load();
+        return {.position = {0, 0, height}, .valid = probe_->valid};
+    }
+
+private:
+    std::shared_ptr<Probe> probe_;
+};
+
+} // namespace tactum

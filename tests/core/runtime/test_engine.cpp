@@ -1,0 +1,244 @@
+// The engine with a device whose finger the test leads: what reaches the device, and when.
+#include <atomic>
+#include <thread>
+#include <utility>
+
+#include <QtTest>
+
+#include "core/runtime/compile.h"
+#include "core/runtime/engine.h"
+#include "tests/core/runtime/patience.h"
+#include "tests/core/runtime/probe_device.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kRadius = 1e-3;
+constexpr double kDepth = 2e-3;
+
+std::shared_ptr<const TriangleSoup> plate() {
+    TriangleSoup soup;
+    soup.positions = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0.1, 0.1, 0}, {-0.1, 0.1, 0}};
+    soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+    soup.surfaceOf = {0, 0};
+    return std::make_shared<const TriangleSoup>(std::move(soup));
+}
+
+/// A plate in z = 0 of a given stiffness; recompiled as the editor does it.
+std::shared_ptr<const World> plateWorld(double stiffness, const World* previous = nullptr) {
+    static const std::shared_ptr<const TriangleSoup> geometry = plate();
+    Scene scene;
+    scene.proxyRadius = kRadius;
+    SceneObject object;
+    object.geometry = geometry;
+    object.surfaces.resize(1);
+    object.surfaces[0].material.stiffness = stiffness;
+    scene.add(object);
+    return compile(scene, previous).value();
+}
+
+/// An engine over a plate whose finger comes from above and rests `depth` below the touching height.
+struct TouchedPlate {
+    explicit TouchedPlate(double stiffness) : world(plateWorld(stiffness)) {}
+
+    bool touch(double depth) {
+        engine.publish(world);
+        if (!engine.start()) return false;
+        const bool seen = eventually([&] { return polled().proxy().updates > 10; });
+        probe->height = kRadius - depth;
+        return seen && eventually([&] { return polled().proxy().output.contacts > 0; });
+    }
+    const Engine& polled() {
+        engine.poll();
+        return engine;
+    }
+    bool pushesWith(double force) {
+        return eventually([&] { return std::abs(probe->push - force) < 1e-5 * force + 1e-12; });
+    }
+
+    std::shared_ptr<Probe> probe = std::make_shared<Probe>();
+    std::shared_ptr<const World> world;
+    Engine engine{std::make_unique<ProbeDevice>(probe)};
+};
+
+/// Counts the Worlds alive and the ones that died on a thread other than the test's.
+struct Census {
+    std::atomic<int> alive{0}, diedElsewhere{0};
+    std::thread::id home = std::this_thread::get_id();
+
+    std::shared_ptr<const World> watched(std::shared_ptr<const World> world) {
+        ++alive;
+        const World* raw = world.get();
+        return {raw, [this, world](const World*) {
+                    --alive;
+                    diedElsewhere += std::this_thread::get_id() != home;
+                }};
+    }
+};
+
+} // namespace
+
+class TestEngine : public QObject {
+    Q_OBJECT
+
+private slots:
+    void runsWithoutAWorld() {
+        const auto probe = std::make_shared<Probe>();
+        Engine engine(std::make_unique<ProbeDevice>(probe));
+        QVERIFY(!engine.running());
+        QVERIFY(engine.start().has_value());
+        engine.setArmed(true);
+        QVERIFY(eventually([&] {
+            engine.poll();
+            return engine.servo().ticks > 300;
+        }));
+        QCOMPARE(engine.proxy().updates, 0u);
+        QCOMPARE(engine.servo().force, Vec3(0, 0, 0));
+        QVERIFY(!engine.priorityNote().empty());
+        QVERIFY(engine.priorityNote().find('\n') == std::string::npos);
+    }
+
+    void pressedFingerIsPushedOnlyWhenArmed() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        QVERIFY(!plate.engine.armed());
+        const std::uint64_t ticks = plate.polled().servo().ticks;
+        QVERIFY(eventually([&] { return plate.polled().servo().ticks > ticks + 100; }));
+        QCOMPARE(plate.probe->push.load(), 0.0);
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        plate.engine.setArmed(false);
+        QVERIFY(eventually([&] { return plate.probe->push == 0; }));
+    }
+
+    void editIsFelt() {
+        TouchedPlate plate(400);
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(400 * kDepth));
+        plate.engine.publish(plateWorld(900, plate.world.get()));
+        QVERIFY(plate.pushesWith(900 * kDepth));
+        QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == 2; }));
+    }
+
+    void absurdStiffnessStaysWithinTheDevicesLimit() {
+        TouchedPlate plate(1e9);
+        QVERIFY(plate.touch(0.05));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(ProbeDevice::kMaxForce));
+        QVERIFY(eventually([&] { return plate.polled().servo().clamped > 10; }));
+        plate.engine.stop();
+        for (const Exchange& exchange : plate.probe->log)
+            QVERIFY(exchange.force.norm() <= ProbeDevice::kMaxForce);
+    }
+
+    void restartPutsTheProxyOntoTheFinger() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(10 * kRadius));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * 10 * kRadius));
+        plate.engine.restartProxy();
+        QVERIFY(eventually([&] { return plate.probe->push == 0; }));
+        QVERIFY(eventually([&] { return plate.polled().proxy().output.proxy.z() < -kRadius; }));
+    }
+
+    void stopSendsZeroThenCloses() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        plate.engine.stop();
+        plate.engine.stop();
+        QVERIFY(!plate.engine.running());
+        QVERIFY(!plate.probe->isOpen);
+        QCOMPARE(plate.probe->exchangesWhileClosed, 0);
+        QCOMPARE(plate.probe->log.back().force, Vec3(0, 0, 0));
+    }
+
+    void destructorSendsZeroThenCloses() {
+        auto plate = std::make_unique<TouchedPlate>(500);
+        const std::shared_ptr<Probe> probe = plate->probe;
+        QVERIFY(plate->touch(kDepth));
+        plate->engine.setArmed(true);
+        QVERIFY(plate->pushesWith(500 * kDepth));
+        plate.reset();
+        QVERIFY(!probe->isOpen);
+        QCOMPARE(probe->exchangesWhileClosed, 0);
+        QCOMPARE(probe->log.back().force, Vec3(0, 0, 0));
+    }
+
+    void startsAgainWithTheSameWorldAndForcesOff() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        plate.engine.stop();
+        plate.probe->height = 0.01;
+        QVERIFY(plate.touch(kDepth));
+        QVERIFY(!plate.engine.armed());
+        QCOMPARE(plate.probe->push.load(), 0.0);
+    }
+
+    void deviceThatDoesNotOpenIsReported() {
+        const auto probe = std::make_shared<Probe>();
+        probe->refusesToOpen = true;
+        Engine engine(std::make_unique<ProbeDevice>(probe));
+        const Result<void> started = engine.start();
+        QVERIFY(!started);
+        QCOMPARE(started.error().kind, Error::Kind::Machine);
+        QVERIFY(!engine.running());
+        engine.publish(plateWorld(500));
+        engine.setArmed(true);
+        engine.restartProxy();
+        engine.poll();
+        engine.stop();
+        QVERIFY(probe->log.empty());
+    }
+
+    void everyWorldComesHome() {
+        Census census;
+        {
+            TouchedPlate plate(500);
+            QVERIFY(plate.touch(kDepth));
+            std::shared_ptr<const World> last = plate.world;
+            plate.world.reset();
+            std::uint64_t taken = 0, seen = 0;
+            for (int i = 0; i < 10'000; ++i) {
+                last = plateWorld(i % 2 ? 500 : 800, last.get());
+                plate.engine.publish(census.watched(last));
+                if (i % 10 == 0) plate.engine.poll();
+                // In bursts, so that the proxy loop takes some and others are replaced before it can.
+                if (i % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                taken += plate.engine.proxy().worldRevision !=
+                         std::exchange(seen, plate.engine.proxy().worldRevision);
+            }
+            QVERIFY(taken > 10);
+            QVERIFY(eventually([&] {
+                plate.engine.poll();
+                return plate.engine.proxy().worldRevision == last->revision && census.alive == 1;
+            }));
+            plate.engine.publish(plateWorld(500, last.get()));
+            plate.engine.stop();
+            QCOMPARE(census.alive.load(), 0);
+        }
+        QCOMPARE(census.diedElsewhere.load(), 0);
+    }
+
+    void worldsPublishedBeforeTheStartAreReleasedToo() {
+        Census census;
+        {
+            Engine engine(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
+            const std::shared_ptr<const World> twice = census.watched(plateWorld(500));
+            for (int i = 0; i < 5; ++i)
+                engine.publish(census.watched(plateWorld(500)));
+            engine.publish(twice);
+            engine.publish(twice);
+            QCOMPARE(census.alive.load(), 1);
+        }
+        QCOMPARE(census.alive.load(), 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEngine)
+#include "test_engine.moc"

@@ -1,0 +1,147 @@
+// The servo loop alone: the test is the proxy loop and publishes the model, or keeps silent.
+#include <algorithm>
+#include <thread>
+
+#include <QtTest>
+
+#include "core/runtime/servo_loop.h"
+#include "tests/core/runtime/patience.h"
+#include "tests/core/runtime/probe_device.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kStiffness = 500, kDepth = 0.002;
+constexpr double kPush = kStiffness * kDepth;
+
+/// A servo loop whose finger is pressed into the plane z = 0.
+struct RunningServo {
+    RunningServo() {
+        probe->isOpen = true;
+        probe->height = -kDepth;
+    }
+    ~RunningServo() { stop(); }
+
+    void start() {
+        thread = std::thread([this] { servoLoop(*channels, device, device.info()); });
+    }
+    void stop() {
+        channels->stop = true;
+        if (thread.joinable()) thread.join();
+    }
+    void publishModel() {
+        LocalContactModel model;
+        model.planes = 1;
+        model.plane[0] = {Vec3::UnitZ(), 0};
+        model.stiffness = kStiffness;
+        model.valid = true;
+        channels->contactModel.write(model);
+    }
+    /// Publishes models until the command is `wanted`.
+    bool pushesSteadily(double wanted) {
+        return eventually([&] {
+            publishModel();
+            return std::abs(probe->push - wanted) < 1e-12;
+        });
+    }
+
+    std::shared_ptr<Probe> probe = std::make_shared<Probe>();
+    ProbeDevice device{probe};
+    std::unique_ptr<Channels> channels = std::make_unique<Channels>();
+    std::thread thread;
+};
+
+bool isZero(const Exchange& exchange) {
+    return exchange.force.isZero(0);
+}
+
+} // namespace
+
+class TestServoLoop : public QObject {
+    Q_OBJECT
+
+private slots:
+    void silentProxyLosesItsSayAndGetsItBack() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        QVERIFY(eventually([&] { return servo.probe->push == 0; })); // nobody publishes: the watchdog
+        QVERIFY(servo.pushesSteadily(kPush));
+    }
+
+    void modelOfNoStepGivesNoForce() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(eventually([&] { return servo.channels->servoTelemetry.read().ticks > 200; }));
+        servo.stop();
+        QVERIFY(std::all_of(servo.probe->log.begin(), servo.probe->log.end(), isZero));
+    }
+
+    void withheldForceComesBackByItsGain() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        servo.channels->armed = false;
+        QVERIFY(eventually([&] { return servo.probe->push == 0; }));
+        servo.channels->armed = true;
+        QVERIFY(servo.pushesSteadily(kPush));
+        servo.stop();
+        const std::vector<Exchange>& log = servo.probe->log;
+        for (std::size_t i = 1; i < log.size(); ++i) {
+            const double rise = kPush * log[i - 1].dt / kForceReturn;
+            QVERIFY(log[i].force.z() <= log[i - 1].force.z() + rise * (1 + 1e-9));
+        }
+    }
+
+    void unreadableFingerGivesNoForce_data() {
+        QTest::addColumn<bool>("nonsense");
+        QTest::newRow("the device has nothing new") << false;
+        QTest::newRow("the position is no number") << true;
+    }
+
+    void unreadableFingerGivesNoForce() {
+        QFETCH(bool, nonsense);
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        (nonsense ? servo.probe->nonsense : servo.probe->valid) = nonsense;
+        QVERIFY(servo.pushesSteadily(0));
+        const ServoTelemetry& telemetry = servo.channels->servoTelemetry.read();
+        QVERIFY(telemetry.invalidSamples > 0);
+        QCOMPARE(telemetry.finger, Vec3(0, 0, -kDepth)); // the last one that was read
+        QVERIFY(!servo.channels->finger.read().valid);
+    }
+
+    void lastCommandIsZero() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        servo.stop();
+        QVERIFY(isZero(servo.probe->log.back()));
+        QVERIFY(!isZero(servo.probe->log[servo.probe->log.size() - 2]));
+    }
+
+    void everyTickIsTraced() {
+        RunningServo servo;
+        servo.start();
+        QVERIFY(eventually([&] { return servo.channels->servoTelemetry.read().ticks > 50; }));
+        servo.stop();
+        TracePoint point;
+        double last = -1;
+        std::size_t count = 0;
+        for (; servo.channels->trace.pop(point); ++count) {
+            QVERIFY(point.t > last);
+            last = point.t;
+        }
+        QCOMPARE(count, servo.probe->log.size() - 1); // all but the farewell
+    }
+};
+
+QTEST_APPLESS_MAIN(TestServoLoop)
+#include "test_servo_loop.moc"
