@@ -22,6 +22,7 @@ struct BoundingSphere {
 struct SweepHit {
     double t = kNoContact; ///< in [0, 1]
     Index triangle = 0;    ///< index into the soup
+    Index leaf = 0;        ///< index into SphereTree::leaves(): the hint for the next sweep nearby
 };
 
 /// The moving sphere of a sweep: its centre goes from `from` to `from + motion`. Body frame, metre.
@@ -55,10 +56,11 @@ public:
     explicit SphereTree(const TriangleSoup& soup);
 
     /// First contact of a moving sphere with the soup that the tree was built over, leaving out the
-    /// triangles in `excluded`. Of several at the same time, any.
-    /// Thread: real time; fixed stack, no allocation.
-    SweepHit sweep(const TriangleSoup& soup, const SpherePath& path,
-                   std::span<const Index> excluded) const noexcept;
+    /// triangles in `excluded`. Of several at the same time, any. The leaf `hint` is looked at first:
+    /// coherence of successive sweeps shortens the path before the descent; it never changes what is found
+    /// but among ties. Thread: real time; fixed stack, no allocation.
+    SweepHit sweep(const TriangleSoup& soup, const SpherePath& path, std::span<const Index> excluded,
+                   Index hint = 0) const noexcept;
 
     const std::vector<Node>& nodes() const { return nodes_; }
     const std::vector<Leaf>& leaves() const { return leaves_; }
@@ -69,7 +71,6 @@ public:
 private:
     std::vector<Node> nodes_; ///< the root is the first; empty when there are no triangles
     std::vector<Leaf> leaves_;
-    float reach_ = 0; ///< largest coordinate: the size of rounding errors
 };
 
 } // namespace tactum

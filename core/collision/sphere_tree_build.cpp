@@ -240,8 +240,6 @@ SphereTree::SphereTree(const TriangleSoup& soup) {
     Folder(builder, leafSpheres, soup, nodes_, leaves_).fold(root);
     nodes_.shrink_to_fit();
     leaves_.shrink_to_fit();
-    const BinaryNode& top = builder.node(root);
-    reach_ = top.sphere.centre.cwiseAbs().maxCoeff() + top.sphere.radius;
 }
 
 std::vector<BoundingSphere> SphereTree::spheresAt(int depth) const {

@@ -1,6 +1,12 @@
 // Sweeping: spheres and planes prune in single precision with a margin, closed forms decide in double.
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+
+#if defined(__SSE__)
+#include <immintrin.h>
+#endif
 
 #include "core/collision/sphere_tree.h"
 
@@ -10,85 +16,128 @@ namespace {
 
 using Lane = SphereTree::Lane;
 
+constexpr float kFar = 1e30f;
+
 // Depth-first with a fixed stack: the builder bounds the depth to 64 levels and 32 halvings, and each level
 // leaves at most seven siblings waiting.
 constexpr int kStackSize = (64 + 32) * (SphereTree::kWidth - 1) + SphereTree::kWidth;
 
-// The path in single precision. `slack` bounds every rounding of the pruning tests, so that they only ever
-// let too much through.
+// The path in single precision. Every pruning test is widened by a bound on its own rounding, so that it only
+// ever lets too much through: `slack` for the path, kRounding of the radius for each sphere of the tree.
 struct PruningPath {
+    static constexpr float kRounding = 1e-6f;
     Eigen::Vector3f from, motion;
-    float inverseLength2, radius, slack;
+    float inverseLength2, slack, radius;
 
-    PruningPath(const SpherePath& path, float reach)
-        : from(path.from.cast<float>()), motion(path.motion.cast<float>()), radius(float(path.radius)) {
+    explicit PruningPath(const SpherePath& path)
+        : from(path.from.cast<float>()), motion(path.motion.cast<float>()) {
         const float length2 = motion.squaredNorm();
         inverseLength2 = length2 > 1e-30f ? 1 / length2 : 0;
-        const float size = reach + from.cwiseAbs().maxCoeff() + motion.cwiseAbs().maxCoeff() + radius;
-        slack = 4e-6f * size;
+        // The start is rounded by half an ulp in each coordinate; differences and products lose a few more of
+        // what is left after the subtraction.
+        slack = 2e-7f * from.cwiseAbs().maxCoeff() + kRounding * (float(path.radius) + std::sqrt(length2));
+        radius = float(path.radius) + slack;
     }
 
-    // Which of the spheres the moving sphere comes near before `until`.
-    auto near(const Lane& x, const Lane& y, const Lane& z, const Lane& r, float until) const {
+    // Squared distance of each sphere's centre from the path until `until`; kFar where the moving sphere does
+    // not come near the sphere.
+    Lane distance2(const Lane& x, const Lane& y, const Lane& z, const Lane& r, float until) const {
         const Lane mx = x - from.x(), my = y - from.y(), mz = z - from.z();
         const Lane along =
             ((mx * motion.x() + my * motion.y() + mz * motion.z()) * inverseLength2).max(0.0f).min(until);
         const Lane dx = mx - along * motion.x(), dy = my - along * motion.y(), dz = mz - along * motion.z();
-        const Lane reach = r + (radius + slack);
-        const Lane distance2 = dx * dx + dy * dy + dz * dz;
-        return ((distance2 <= reach * reach) && (reach > 0.0f)).eval();
+        const Lane reach = (r * (1 + kRounding) + radius).max(0.0f);
+        const Lane squared = dx * dx + dy * dy + dz * dz;
+        return (squared <= reach * reach).select(squared, kFar);
     }
 
-    // Which of the planes the moving sphere comes within its radius of before `until`.
-    auto crosses(const SphereTree::Leaf& leaf, float until) const {
-        const Lane start = leaf.nx * (from.x() - leaf.x) + leaf.ny * (from.y() - leaf.y) +
-                           leaf.nz * (from.z() - leaf.z) - leaf.offset;
-        const Lane end = start + (leaf.nx * motion.x() + leaf.ny * motion.y() + leaf.nz * motion.z()) * until;
-        const float limit = radius + slack;
-        return ((start.min(end) <= limit) && (start.max(end) >= -limit)).eval();
+    // A lower bound of the time at which the moving sphere touches what lies in each leaf sphere and its
+    // plane: the disc in which they meet. The distance to a disc is convex along the path, so it stays above
+    // its tangent at the start. kFar where there is no approach.
+    Lane contactTime(const SphereTree::Leaf& leaf) const {
+        const Lane mx = from.x() - leaf.x, my = from.y() - leaf.y, mz = from.z() - leaf.z;
+        const Lane height = leaf.nx * mx + leaf.ny * my + leaf.nz * mz - leaf.offset;
+        const Lane across = (mx * mx + my * my + mz * mz - height * height).max(1e-30f).sqrt();
+        const Lane beside = (across - leaf.radius).max(0.0f);
+        const Lane distance = (height * height + beside * beside).sqrt();
+        const Lane gap = distance - (leaf.radius.abs() * kRounding + radius);
+        const Lane rise = leaf.nx * motion.x() + leaf.ny * motion.y() + leaf.nz * motion.z();
+        const Lane along = mx * motion.x() + my * motion.y() + mz * motion.z();
+        const Lane approach = slack - (height * rise + beside / across * (along - height * rise)) / distance;
+        const Lane time = (approach > 0.0f).select(gap / approach, kFar);
+        return (gap <= 0.0f).select(0.0f, time);
+    }
+};
+
+constexpr int kWidth = SphereTree::kWidth;
+
+// One bit for each lane that is below the limit.
+unsigned below(const Lane& value, float limit) noexcept {
+#if defined(__SSE__)
+    const __m128 most = _mm_set1_ps(limit);
+    return unsigned(_mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(value.data()), most))) |
+           unsigned(_mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(value.data() + 4), most))) << 4;
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < SphereTree::kWidth; ++i)
+        bits |= unsigned(value[i] < limit) << i;
+    return bits;
+#endif
+}
+
+// One sweep under way: the first contact so far.
+struct Sweep {
+    const TriangleSoup& soup;
+    const SpherePath& path;
+    std::span<const Index> excluded;
+    const std::vector<SphereTree::Leaf>& leaves;
+    PruningPath pruning{path};
+    SweepHit hit{};
+    float until = 1;
+
+    void testLeaf(Index leafIndex) noexcept {
+        const SphereTree::Leaf& leaf = leaves[leafIndex];
+        const Lane time = pruning.contactTime(leaf);
+        for (unsigned bits = below(time, std::nextafter(until, kFar)); bits != 0; bits &= bits - 1) {
+            const int lane = std::countr_zero(bits);
+            if (time[lane] <= until) testTriangle(leaf.triangle[lane], leafIndex);
+        }
+    }
+
+    void testTriangle(Index index, Index leafIndex) noexcept {
+        if (std::find(excluded.begin(), excluded.end(), index) != excluded.end()) return;
+        const auto& corner = soup.triangles[index];
+        const Triangle triangle{soup.positions[corner[0]], soup.positions[corner[1]],
+                                soup.positions[corner[2]]};
+        const double t = sweepSphere(triangle, path.from, path.motion, path.radius, hit.t);
+        if (!(t < hit.t)) return;
+        hit = {t, index, leafIndex};
+        until = float(t);
     }
 };
 
 } // namespace
 
-SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path,
-                           std::span<const Index> excluded) const noexcept {
-    SweepHit hit;
-    if (nodes_.empty()) return hit;
-    const PruningPath pruning(path, reach_);
-    float until = 1;
-    auto testLeaf = [&](const Leaf& leaf) {
-        const auto candidate =
-            (pruning.near(leaf.x, leaf.y, leaf.z, leaf.radius, until) && pruning.crosses(leaf, until)).eval();
-        for (int i = 0; i < kWidth; ++i) {
-            if (!candidate[i]) continue;
-            const Index index = leaf.triangle[i];
-            if (std::find(excluded.begin(), excluded.end(), index) != excluded.end()) continue;
-            const auto& corner = soup.triangles[index];
-            const Triangle triangle{soup.positions[corner[0]], soup.positions[corner[1]],
-                                    soup.positions[corner[2]]};
-            const double t = sweepSphere(triangle, path.from, path.motion, path.radius);
-            if (t < hit.t) {
-                hit = {t, index};
-                until = float(t);
-            }
-        }
-    };
+SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path, std::span<const Index> excluded,
+                           Index hint) const noexcept {
+    if (nodes_.empty()) return {};
+    Sweep sweep{soup, path, excluded, leaves_};
+    if (hint < leaves_.size()) sweep.testLeaf(hint);
     std::int32_t stack[kStackSize];
     int size = 0;
     stack[size++] = 0;
     while (size > 0) {
         const std::int32_t top = stack[--size];
         if (top < 0) {
-            testLeaf(leaves_[std::size_t(~top)]);
+            if (Index(~top) != hint) sweep.testLeaf(Index(~top));
             continue;
         }
         const Node& node = nodes_[std::size_t(top)];
-        const auto near = pruning.near(node.x, node.y, node.z, node.radius, until);
-        for (int i = 0; i < kWidth; ++i)
-            if (near[i]) stack[size++] = node.child[i];
+        const Lane near = sweep.pruning.distance2(node.x, node.y, node.z, node.radius, sweep.until);
+        for (unsigned bits = below(near, kFar); bits != 0; bits &= bits - 1)
+            stack[size++] = node.child[std::countr_zero(bits)];
     }
-    return hit;
+    return sweep.hit;
 }
 
 } // namespace tactum

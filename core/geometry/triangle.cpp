@@ -116,24 +116,24 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     return result;
 }
 
-double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r) noexcept {
+double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
+    const Vec3 away = p - closestPoint(t, p).point;
+    const double distance2 = away.squaredNorm();
+    const double approach = -away.dot(d);
+    // The distance is convex along the path and so stays above its tangent at the start.
+    if (!(approach > 0)) return kNoContact;
+    if (distance2 <= r * r) return 0;
+    const double distance = std::sqrt(distance2);
+    if ((distance - r) * distance > until * approach) return kNoContact;
     const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
     const double doubleArea = normal.norm();
     if (doubleArea > 0) {
         const double height = normal.dot(p - t.a) / doubleArea;
-        const double rise = normal.dot(d) / doubleArea;
         const double side = height < 0 ? -1 : 1;
         if (side * height > r) {
-            const double approach = -side * rise;
-            // Staying above the plane by r means staying away from the triangle by r.
-            if (!(approach > 0)) return kNoContact;
-            const double reach = (side * height - r) / approach;
-            if (reach > 1) return kNoContact;
+            const double reach = (side * height - r) * doubleArea / (-side * normal.dot(d));
             const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
-            if (insideFace(t, normal, touched)) return reach;
-        } else {
-            const Vec3 away = p - closestPoint(t, p).point;
-            if (away.squaredNorm() <= r * r) return away.dot(d) < 0 ? 0 : kNoContact;
+            if (reach >= 0 && insideFace(t, normal, touched)) return reach <= 1 ? reach : kNoContact;
         }
     }
     return std::min(

@@ -29,7 +29,9 @@ ClosestPoint closestPoint(const Triangle& triangle, const Vec3& p) noexcept;
 /// overlaps already gives 0 when the move goes deeper and kNoContact when it leads out: the distance to a
 /// convex set along a line is a convex function of t.
 /// Thread: real time.
-double sweepSphere(const Triangle& triangle, const Vec3& p, const Vec3& d, double r) noexcept;
+/// Contacts after `until` may be reported as none.
+double sweepSphere(const Triangle& triangle, const Vec3& p, const Vec3& d, double r,
+                   double until = 1) noexcept;
 
 inline constexpr double kNoContact = 2.0;
 

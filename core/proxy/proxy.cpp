@@ -129,9 +129,10 @@ private:
             const SpherePath path{obstacle.pose.applyInverse(state_.position),
                                   obstacle.pose.rotateInverse(motion), radius_ * (1 - kSkin)};
             const SweepHit hit =
-                obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path, {touched.data(), count});
+                obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path, {touched.data(), count}, state_.leafHint);
             if (hit.t < first.t) first = hit, body = i;
         }
+        if (body != kNoBody) state_.leafHint = first.leaf;
         return first;
     }
 

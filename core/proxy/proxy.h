@@ -47,6 +47,7 @@ struct ProxyState {
     Vec3 finger = Vec3::Zero();   ///< of the last step, world frame
     std::array<Contact, kMaxPlanes> contacts{};
     int contactCount = 0;
+    Index leafHint = 0; ///< where the last sweep hit: the next one looks there first
     std::uint32_t slidingOn =
         kNoBody; ///< the body that the proxy last slid on: a contact that it meets next slips
 };
