@@ -30,12 +30,19 @@ protected:
     virtual void prepareFrame() {}
     /// Draws on top with QPainter; called after each frame.
     virtual void paintOver() {}
+    /// Asks for a frame because what it shows has changed.
+    void changed();
+    /// The widget as it would look at rest, multisampled on every machine.
+    QImage grabSmooth();
 
     void initializeGL() final;
     void resizeGL(int width, int height) final;
     void paintGL() final;
 
 private:
+    void releaseContext();
+    void makeOpaque();
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

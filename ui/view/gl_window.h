@@ -1,0 +1,42 @@
+// VTK's generic OpenGL window, told by two functions how to reach its context. Private to this folder.
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+class QOpenGLContext;
+class QSurface;
+
+namespace tactum {
+
+/// A render window for a context that Qt owns. Thread: ui.
+class GlWindow : public vtkGenericOpenGLRenderWindow {
+public:
+    static GlWindow* New();
+    vtkTypeMacro(GlWindow, vtkGenericOpenGLRenderWindow)
+
+        /// How to make the context current and whether it is. Empty functions: there is no context.
+        void connect(std::function<void()> makeCurrent, std::function<bool()> isCurrent);
+
+    void MakeCurrent() override;
+    bool IsCurrent() override;
+    int SupportsOpenGL() override { return 1; }
+    void OpenGLInitContext() override;
+    void PushContext() override;
+    void PopContext() override;
+
+    /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
+    void renderFrame();
+    /// True when the current context draws on the processor.
+    static bool rendererIsSoftware();
+
+private:
+    std::function<void()> makeCurrent_;
+    std::function<bool()> isCurrent_;
+    std::vector<std::pair<QOpenGLContext*, QSurface*>> stack_;
+};
+
+} // namespace tactum

@@ -1,0 +1,113 @@
+#include "ui/view/vtk_widget.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QTimer>
+
+#include <vtkNew.h>
+
+#include "ui/view/gl_window.h"
+
+namespace tactum {
+
+namespace {
+// Software rendering takes a fifth of a second for a smooth frame: only a picture that rests gets one.
+constexpr int kRestMilliseconds = 250;
+constexpr int kSamples = 4;
+} // namespace
+
+struct VtkWidget::Impl {
+    vtkNew<GlWindow> window;
+    QMetaObject::Connection contextGone;
+    QTimer rest;
+    bool software = false;
+    bool resting = false;
+
+    int samples() const { return !software || resting ? kSamples : 0; }
+};
+
+VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>()) {
+    impl_->window->connect([this] { makeCurrent(); },
+                           [this] { return context() && QOpenGLContext::currentContext() == context(); });
+    impl_->window->SetForceMaximumHardwareLineWidth(1); // wide lines are drawn by a shader: core profile
+    impl_->window->SetOwnContext(false);
+    impl_->window->SetFrameBlitModeToBlitToCurrent();
+    impl_->rest.setSingleShot(true);
+    impl_->rest.setInterval(kRestMilliseconds);
+    connect(&impl_->rest, &QTimer::timeout, this, [this] {
+        impl_->resting = true;
+        update();
+    });
+}
+
+// The context dies after this part of the widget is gone; what hangs on it must go first.
+VtkWidget::~VtkWidget() {
+    disconnect(impl_->contextGone);
+    releaseContext();
+    impl_->window->connect({}, {});
+}
+
+bool VtkWidget::rendersInSoftware() const {
+    return impl_->software;
+}
+
+vtkRenderWindow& VtkWidget::renderWindow() const {
+    return *impl_->window.Get();
+}
+
+void VtkWidget::releaseContext() {
+    if (!context()) return;
+    makeCurrent();
+    impl_->window->Finalize();
+    impl_->window->SetReadyForRendering(false);
+    doneCurrent();
+}
+
+void VtkWidget::changed() {
+    impl_->resting = false;
+    if (impl_->software) impl_->rest.start();
+    update();
+}
+
+// Called again with a new context when the widget moves into another window.
+void VtkWidget::initializeGL() {
+    disconnect(impl_->contextGone);
+    impl_->contextGone =
+        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { releaseContext(); });
+    impl_->software = GlWindow::rendererIsSoftware();
+    impl_->window->SetReadyForRendering(true);
+    impl_->window->OpenGLInitContext();
+}
+
+void VtkWidget::resizeGL(int, int) {
+    changed();
+}
+
+void VtkWidget::paintGL() {
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
+    impl_->window->SetSize(pixels.width(), pixels.height());
+    impl_->window->SetDPI(int(72 * devicePixelRatioF()));
+    impl_->window->SetMultiSamples(impl_->samples());
+    prepareFrame();
+    impl_->window->renderFrame();
+    makeOpaque();
+    paintOver();
+}
+
+// Where the window has an alpha channel the compositor would see through the background.
+void VtkWidget::makeOpaque() {
+    auto* gl = context()->functions();
+    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    gl->glClearColor(0, 0, 0, 1);
+    gl->glClear(GL_COLOR_BUFFER_BIT);
+    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+QImage VtkWidget::grabSmooth() {
+    const bool before = std::exchange(impl_->resting, true);
+    const QImage picture = grabFramebuffer();
+    impl_->resting = before;
+    return picture;
+}
+
+} // namespace tactum
