@@ -1,0 +1,55 @@
+// What a ray through the view meets, answered by the bounding-sphere hierarchy.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/collision/sphere_tree.h"
+#include "core/scene/scene.h"
+#include "core/scene/surface_ref.h"
+#include "ui/view/view_camera.h"
+
+namespace tactum {
+
+struct PickHit {
+    SurfaceRef surface;
+    Vec3 point = Vec3::Zero(); ///< world frame
+    double distance = 0;       ///< from the ray's origin, m
+};
+
+/// Keeps a hierarchy for each geometry of a scene, built aside on other threads. Thread: ui.
+class ScenePicker {
+public:
+    /// A hierarchy that is still being built is not asked, or is waited for.
+    enum class Patience { Now, Wait };
+
+    /// Geometry that was there before keeps its hierarchy.
+    void setScene(const Scene& scene);
+    const Bounds& bounds() const { return bounds_; }
+
+    /// The nearest visible surface along the ray.
+    std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
+    /// Whether nothing lies between two points. World frame.
+    bool isFree(const Vec3& from, const Vec3& to) const;
+
+private:
+    using Tree = std::shared_future<std::shared_ptr<const SphereTree>>;
+    struct Target {
+        ObjectId object;
+        Pose pose; ///< X_WB
+        std::shared_ptr<const TriangleSoup> soup;
+        Tree tree;
+        bool visible;
+    };
+
+    Tree treeOf(const std::shared_ptr<const TriangleSoup>& soup) const;
+    std::optional<PickHit> castAt(const Target& target, const Ray& ray, double reach) const;
+    double reachOf(const Ray& ray) const;
+
+    std::vector<Target> targets_;
+    Bounds bounds_;
+};
+
+} // namespace tactum

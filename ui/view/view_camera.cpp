@@ -1,0 +1,87 @@
+#include "ui/view/view_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tactum {
+
+namespace {
+
+constexpr double kMargin = 1.15;
+
+/// How far from the centre of the box the eye must be for a corner to lie inside the view's pyramid.
+double distanceFor(const ViewCamera& camera, const Vec3& corner, double tanX, double tanY) {
+    const double x = std::abs(corner.dot(camera.right())), y = std::abs(corner.dot(camera.up()));
+    return std::max(x / tanX, y / tanY) - corner.dot(camera.forward());
+}
+
+Vec3 cornerOf(const Bounds& box, int i) {
+    return {(i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
+            (i & 4 ? box.high : box.low).z()};
+}
+
+} // namespace
+
+Vec3 ViewCamera::right() const {
+    return {std::cos(yaw), 0, -std::sin(yaw)};
+}
+
+Vec3 ViewCamera::forward() const {
+    return {-std::sin(yaw) * std::cos(pitch), -std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
+}
+
+Vec3 ViewCamera::up() const {
+    return right().cross(forward());
+}
+
+double ViewCamera::pixelSize(const Vec3& p_W) const {
+    return 2 * std::tan(0.5 * fieldOfView) * std::abs(depth(p_W)) / size.height();
+}
+
+std::optional<QPointF> ViewCamera::project(const Vec3& p_W) const {
+    if (depth(p_W) <= 1e-9 * distance) return std::nullopt;
+    const Vec3 d = (p_W - eye()) / pixelSize(p_W);
+    return QPointF(0.5 * size.width() + d.dot(right()), 0.5 * size.height() - d.dot(up()));
+}
+
+Ray ViewCamera::ray(QPointF pixel) const {
+    return {eye(), (pointAtDepthOf(focus, pixel) - eye()).normalized()};
+}
+
+Vec3 ViewCamera::dragVector(const Vec3& p_W, QPointF pixels) const {
+    return pixelSize(p_W) * (pixels.x() * right() - pixels.y() * up());
+}
+
+Vec3 ViewCamera::pointAtDepthOf(const Vec3& p_W, QPointF pixel) const {
+    const QPointF fromCentre = pixel - QPointF(0.5 * size.width(), 0.5 * size.height());
+    return eye() + depth(p_W) * forward() + dragVector(p_W, fromCentre);
+}
+
+void ViewCamera::orbit(QPointF pixels) {
+    const double perPixel = std::numbers::pi / std::max(1.0, std::min(size.width(), size.height()));
+    yaw = std::remainder(yaw - perPixel * pixels.x(), 2 * std::numbers::pi);
+    pitch = std::clamp(pitch + perPixel * pixels.y(), -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
+}
+
+void ViewCamera::pan(QPointF pixels) {
+    focus -= dragVector(focus, pixels);
+}
+
+void ViewCamera::zoomTo(const Vec3& anchor_W, double factor) {
+    focus = anchor_W + factor * (focus - anchor_W);
+    distance *= factor;
+}
+
+void ViewCamera::fit(const Bounds& box_W) {
+    if (box_W.empty()) return;
+    focus = box_W.centre();
+    if (!(box_W.diagonal() > 0)) return;
+    const double tanY = std::tan(0.5 * fieldOfView) / kMargin;
+    const double tanX = tanY * size.width() / size.height();
+    distance = 0.5 * box_W.diagonal();
+    for (int i = 0; i < 8; ++i)
+        distance = std::max(distance, distanceFor(*this, cornerOf(box_W, i) - focus, tanX, tanY));
+}
+
+} // namespace tactum

@@ -1,0 +1,60 @@
+// Where the view looks from: a turntable about a focus, and what lies under a pixel.
+#pragma once
+
+#include <optional>
+
+#include <QPointF>
+#include <QSizeF>
+
+#include "core/base/vec.h"
+#include "core/geometry/triangle_soup.h"
+
+namespace tactum {
+
+/// A half-line of the world frame; direction of unit length.
+struct Ray {
+    Vec3 origin = Vec3::Zero();
+    Vec3 direction = -Vec3::UnitZ();
+
+    Vec3 at(double distance) const { return origin + distance * direction; }
+};
+
+/// A perspective camera that turns about `focus` with Y up. Plain values; pixels are Qt's logical ones,
+/// from the upper left corner. Thread: any.
+struct ViewCamera {
+    Vec3 focus = Vec3::Zero();
+    double distance = 1;      ///< from the eye to the focus, m
+    double yaw = 0;           ///< rad, about Y; 0 looks along -Z
+    double pitch = 0;         ///< rad, -pi/2 to pi/2; positive looks down
+    double fieldOfView = 0.5; ///< rad, from the lower to the upper edge
+    QSizeF size = {1, 1};     ///< of the view, pixels
+
+    Vec3 right() const;
+    Vec3 up() const;
+    Vec3 forward() const;
+    Vec3 eye() const { return focus - distance * forward(); }
+
+    /// How far in front of the eye a point lies, m; negative behind it.
+    double depth(const Vec3& p_W) const { return (p_W - eye()).dot(forward()); }
+    /// The pixel that shows a point; nothing for a point behind the eye.
+    std::optional<QPointF> project(const Vec3& p_W) const;
+    /// From the eye through a pixel.
+    Ray ray(QPointF pixel) const;
+    /// Length of a pixel's side at the depth of a point, m.
+    double pixelSize(const Vec3& p_W) const;
+    /// The vector in the camera's plane that a drag by `pixels` means at the depth of a point, m.
+    Vec3 dragVector(const Vec3& p_W, QPointF pixels) const;
+    /// The point of a pixel at the depth of another point.
+    Vec3 pointAtDepthOf(const Vec3& p_W, QPointF pixel) const;
+
+    /// Turns by a drag: half a turn for the shorter side of the view.
+    void orbit(QPointF pixels);
+    /// Moves so that the point at the focus's depth follows the drag.
+    void pan(QPointF pixels);
+    /// Scales the distance to `anchor`, which keeps its pixel, by `factor` (< 1 comes nearer).
+    void zoomTo(const Vec3& anchor_W, double factor);
+    /// Stands so that the box fills the view with a margin, looking as before. Ignores an empty box.
+    void fit(const Bounds& box_W);
+};
+
+} // namespace tactum
