@@ -2,24 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include <QSize>
 
 #include "core/base/result.h"
+#include "core/runtime/replay.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
-
-/// One update of a replay. World frame, SI.
-struct TouchRow {
-    double t = 0;
-    Vec3 finger = Vec3::Zero();
-    Vec3 proxy = Vec3::Zero();
-    Vec3 force = Vec3::Zero();
-    int contacts = 0;
-};
-using TouchTrace = std::vector<TouchRow>;
 
 /// Draws and writes a PNG of `size` pixels, at least 320 x 240. Shows no window, but needs a QGuiApplication
 /// made after useViewSurfaceFormat(), on a display with OpenGL (Xvfb will do).

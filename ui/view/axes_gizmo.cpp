@@ -1,0 +1,74 @@
+#include "ui/view/axes_gizmo.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QImage>
+#include <QPainter>
+
+namespace tactum {
+
+namespace {
+
+constexpr double kSide = 92, kReach = 31, kBall = 9, kCorner = 8;
+
+struct AxisEnd {
+    QString letter; ///< empty at the negative end
+    QColor colour;
+    QPointF tip;  ///< from the centre of the cross
+    double depth; ///< away from the eye
+};
+
+std::array<AxisEnd, 6> axisEnds(const ViewCamera& camera, const Theme& theme) {
+    const std::array<QColor, 3> colours{theme.axisX, theme.axisY, theme.axisZ};
+    std::array<AxisEnd, 6> ends;
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 axis = (i < 3 ? 1 : -1) * Vec3::Unit(i % 3);
+        ends[i] = {i < 3 ? QString("XYZ"[i]) : QString(), colours[i % 3],
+                   kReach * QPointF(axis.dot(camera.right()), -axis.dot(camera.up())),
+                   axis.dot(camera.forward())};
+    }
+    std::sort(ends.begin(), ends.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+    return ends;
+}
+
+void drawEnd(QPainter& painter, const AxisEnd& end, const Theme& theme) {
+    const QRectF ball(end.tip - QPointF(kBall, kBall), QSizeF(2 * kBall, 2 * kBall));
+    QColor colour = end.colour;
+    if (end.letter.isEmpty()) { // the negative end: a small dim ball
+        colour.setAlphaF(0.45f);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour);
+        painter.drawEllipse(end.tip, 0.5 * kBall, 0.5 * kBall);
+        return;
+    }
+    painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(0, 0), end.tip);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawEllipse(ball);
+    painter.setPen(theme.dark ? QColor(0x14, 0x16, 0x1a) : QColor(Qt::white));
+    painter.drawText(ball, Qt::AlignCenter, end.letter);
+}
+
+} // namespace
+
+void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    QImage image((QSizeF(kSide, kSide) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::transparent);
+    QPainter inner(&image);
+    inner.setRenderHint(QPainter::Antialiasing);
+    QFont font = painter.font();
+    font.setPixelSize(11);
+    font.setBold(true);
+    inner.setFont(font);
+    inner.translate(0.5 * kSide, 0.5 * kSide);
+    for (const AxisEnd& end : axisEnds(camera, theme))
+        drawEnd(inner, end, theme);
+    inner.end();
+    painter.drawImage(QPointF(camera.size.width() - kSide - kCorner, kCorner), image);
+}
+
+} // namespace tactum

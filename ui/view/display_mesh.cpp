@@ -1,0 +1,94 @@
+#include "ui/view/display_mesh.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/geometry/topology.h"
+
+namespace tactum {
+
+namespace {
+
+using Normal = Eigen::Vector3f;
+using Corners = std::array<int, 3>;
+
+constexpr double kCreaseAngle = 40 * std::numbers::pi / 180;
+/// Normals closer than about a degree share a vertex.
+constexpr float kSameNormal = 0.9998f;
+
+void append(std::vector<float>& list, const Eigen::Vector3f& v) {
+    list.insert(list.end(), v.data(), v.data() + 3);
+}
+
+void addPart(DisplaySurface& surface, const Corners& c) {
+    if (c[0] == c[1] && c[1] == c[2])
+        surface.points.push_back(c[0]);
+    else if (c[1] == c[2])
+        surface.segments.insert(surface.segments.end(), c.begin(), c.begin() + 2);
+    else
+        surface.triangles.insert(surface.triangles.end(), c.begin(), c.end());
+}
+
+/// Makes vertices on demand: one for each position and normal that differ.
+class VertexSplitter {
+public:
+    VertexSplitter(const TriangleSoup& soup, DisplayMesh& mesh)
+        : soup_(soup), mesh_(mesh), first_(soup.positions.size(), -1) {}
+
+    int vertex(Index position, const Normal& normal) {
+        for (int v = first_[position]; v >= 0; v = next_[v])
+            if (Eigen::Map<const Normal>(&mesh_.normals[3 * v]).dot(normal) >= kSameNormal) return v;
+        append(mesh_.positions, soup_.positions[position].cast<float>());
+        append(mesh_.normals, normal);
+        next_.push_back(first_[position]);
+        return first_[position] = int(next_.size()) - 1;
+    }
+
+private:
+    const TriangleSoup& soup_;
+    DisplayMesh& mesh_;
+    std::vector<int> first_, next_; ///< the vertices of a position as a linked list
+};
+
+/// One corner of a segment or point keeps one vertex whatever its normals are.
+Corners split(VertexSplitter& splitter, const std::array<Index, 3>& t, const Normal* normals) {
+    Corners corners;
+    for (int i = 0; i < 3; ++i) {
+        const int repeated = i > 0 && t[i] == t[i - 1] ? i - 1 : -1;
+        corners[i] = repeated >= 0 ? corners[repeated] : splitter.vertex(t[i], normals[i]);
+    }
+    return corners;
+}
+
+DisplayMesh splitMesh(const TriangleSoup& soup, const std::vector<Normal>& normals,
+                      std::size_t surfaceCount) {
+    DisplayMesh mesh;
+    mesh.surfaces.resize(surfaceCount);
+    VertexSplitter splitter(soup, mesh);
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+        addPart(mesh.surfaces[soup.surfaceOf[f]], split(splitter, soup.triangles[f], &normals[3 * f]));
+    return mesh;
+}
+
+} // namespace
+
+DisplayMesh flatMesh(const TriangleSoup& soup, std::size_t surfaceCount) {
+    DisplayMesh mesh;
+    mesh.surfaces.resize(surfaceCount);
+    mesh.positions.reserve(3 * soup.positions.size());
+    for (const Vec3& p : soup.positions)
+        append(mesh.positions, p.cast<float>());
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+        const auto& t = soup.triangles[f];
+        addPart(mesh.surfaces[soup.surfaceOf[f]], {int(t[0]), int(t[1]), int(t[2])});
+    }
+    return mesh;
+}
+
+DisplayMesh smoothMesh(const TriangleSoup& soup, std::size_t surfaceCount, const Progress& progress) {
+    if (!soup.cornerNormals.empty()) return splitMesh(soup, soup.cornerNormals, surfaceCount);
+    const auto normals = cornerNormalsOf(soup, kCreaseAngle, progress);
+    return normals ? splitMesh(soup, *normals, surfaceCount) : flatMesh(soup, surfaceCount);
+}
+
+} // namespace tactum

@@ -1,0 +1,32 @@
+// A soup as a graphics card likes it: indexed vertices with normals, triangles sorted by surface.
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/geometry/triangle_soup.h"
+
+namespace tactum {
+
+/// Corners of one surface's parts, as vertex numbers.
+struct DisplaySurface {
+    std::vector<int> triangles; ///< three each
+    std::vector<int> segments;  ///< two each
+    std::vector<int> points;    ///< one each
+};
+
+struct DisplayMesh {
+    std::vector<float> positions; ///< x, y, z of each vertex; metre, body frame
+    std::vector<float> normals;   ///< as positions; empty: shade each triangle flat
+    std::vector<DisplaySurface> surfaces;
+};
+
+/// Vertices are the soup's positions; no normals. Quick. Thread: any but real time.
+DisplayMesh flatMesh(const TriangleSoup& soup, std::size_t surfaceCount);
+
+/// A vertex for each normal at a position: the file's normals, or, where it has none, normals that are
+/// smooth over edges that bend less than 40 degrees. Seconds for a million triangles. Cancelled work gives
+/// a flat mesh. Thread: any but real time.
+DisplayMesh smoothMesh(const TriangleSoup& soup, std::size_t surfaceCount, const Progress& progress = {});
+
+} // namespace tactum

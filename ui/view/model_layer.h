@@ -1,0 +1,67 @@
+// The objects of a scene as VTK actors. Private to this folder.
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+
+#include "core/scene/scene.h"
+#include "core/scene/surface_ref.h"
+#include "ui/theme.h"
+#include "ui/view/display_mesh.h"
+
+class vtkRenderer;
+
+namespace tactum {
+
+/// One actor for each surface; those of an object share their vertices. Thread: ui.
+class ModelLayer {
+public:
+    explicit ModelLayer(vtkRenderer& renderer) : renderer_(renderer) {}
+
+    /// Keeps what was made of geometry that is still there, and drops the rest.
+    void setScene(const Scene& scene);
+    void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);
+    /// Normals of large meshes come from another thread; shows those that are finished. True if any was.
+    bool takeFinished();
+    bool pending() const;
+
+    /// The actor of a surface, if it exists and is visible.
+    vtkActor* actorOf(const SurfaceRef& surface) const;
+
+private:
+    struct Part {
+        vtkNew<vtkPolyDataMapper> mapper;
+        vtkNew<vtkActor> actor;
+    };
+    struct Model {
+        ~Model() { cancelled = true; } // the future's destructor waits
+
+        std::shared_ptr<const TriangleSoup> soup;
+        std::vector<std::unique_ptr<Part>> parts;
+        std::atomic<bool> cancelled = false;
+        std::future<DisplayMesh> smooth; ///< valid while it is being made
+        bool visible = true;
+    };
+
+    std::unique_ptr<Model> build(const SceneObject& object);
+    void show(Model& model, const DisplayMesh& mesh);
+    void update(Model& model, const SceneObject& object);
+    void drop(Model& model);
+
+    vtkRenderer& renderer_;
+    std::map<ObjectId, std::unique_ptr<Model>> models_;
+    vtkActor* highlighted_ = nullptr;
+};
+
+} // namespace tactum

@@ -1,0 +1,248 @@
+#include <cmath>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "ui/view/scene_view_impl.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kGrabPixels = 24, kClickPixels = 4;
+constexpr double kZoomPerNotch = 0.87;
+constexpr double kFineStep = 0.2;
+/// Added in linear light to the surface under the cursor.
+const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
+
+double length(QPointF p) {
+    return std::hypot(p.x(), p.y());
+}
+
+} // namespace
+
+bool SceneView::Impl::isNearFinger(QPointF cursor) const {
+    if (!showsTouch()) return false;
+    const auto seen = camera.project(touch->finger);
+    return seen && length(*seen - cursor) <= kGrabPixels;
+}
+
+std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patience patience) const {
+    return picker.cast(camera.ray(cursor), patience);
+}
+
+void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
+    drag = ViewDrag::Orbit;
+    if (alt || tool != ViewTool::Touch) return;
+    const auto hit = pick(cursor, ScenePicker::Patience::Wait);
+    if (hit || isNearFinger(cursor)) takeHold(cursor, hit);
+}
+
+void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
+    drag = ViewDrag::Hand;
+    if (isNearFinger(cursor)) return setGrip(Grip::Drag, cursor);
+    hand.beginStroke(cursor, hit->point, camera, picker.bounds(),
+                     [this](const Vec3& from, const Vec3& to) { return picker.isFree(from, to); });
+    glideClock.start();
+    glideTimer.start();
+    emit view.handGrabbed(true);
+}
+
+void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
+    hand.beginMove(grip, cursor);
+    emit view.handGrabbed(true);
+}
+
+void SceneView::Impl::letGo() {
+    drag = ViewDrag::None;
+    if (hand.grip() == Grip::None) return;
+    hand.end();
+    emit view.handGrabbed(false);
+}
+
+void SceneView::Impl::goalMoved() {
+    emit view.handGoalMoved(hand.goal());
+}
+
+void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    const QPointF step = cursor - cursorAt;
+    if (drag == ViewDrag::Orbit) camera.orbit(step);
+    if (drag == ViewDrag::Pan) camera.pan(step);
+    if (hand.grip() == Grip::None) return view.changed();
+    std::optional<Vec3> touched;
+    if (hand.grip() == Grip::Stroke)
+        if (const auto hit = pick(cursor, ScenePicker::Patience::Wait)) touched = hit->point;
+    hand.moveTo(cursor, camera, touched, modifiers & Qt::ControlModifier);
+    if (!hand.gliding()) goalMoved();
+}
+
+/// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
+void SceneView::Impl::release(QPointF cursor) {
+    const bool clicked = !moved && (drag == ViewDrag::Hand || drag == ViewDrag::Orbit);
+    letGo();
+    showCursor(cursor);
+    if (!clicked) return;
+    const auto hit = pick(cursor, ScenePicker::Patience::Wait);
+    emit view.surfacePicked(hit ? std::optional(hit->surface) : std::nullopt);
+}
+
+void SceneView::Impl::hoverAt(QPointF cursor) {
+    const auto hit = pick(cursor, ScenePicker::Patience::Now);
+    setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    showCursor(cursor);
+}
+
+void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
+    if (surface == hovered) return;
+    hovered = surface;
+    model.setHighlight(surface, kHoverGlow);
+    view.changed();
+    emit view.surfaceHovered(surface);
+}
+
+void SceneView::Impl::showCursor(QPointF cursor) {
+    if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
+    if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
+    if (!hovered) return view.setCursor(Qt::ArrowCursor);
+    view.setCursor(tool == ViewTool::Touch ? Qt::CrossCursor : Qt::PointingHandCursor);
+}
+
+void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
+    const auto hit = pick(cursor, ScenePicker::Patience::Now);
+    const Vec3 anchor = hit ? hit->point : camera.pointAtDepthOf(camera.focus, cursor);
+    const double size = std::max(picker.bounds().diagonal(), 1e-6);
+    const double wanted = std::pow(kZoomPerNotch, notches);
+    const double distance = std::clamp(camera.distance * wanted, 0.01 * size, 50 * size);
+    camera.zoomTo(anchor, distance / camera.distance);
+    view.changed();
+}
+
+bool SceneView::Impl::handKey(int key, QPointF cursor) {
+    if (key == Qt::Key_Escape && hand.grip() != Grip::None) {
+        letGo();
+    } else if (key == Qt::Key_G && tool == ViewTool::Touch) {
+        if (hand.grip() == Grip::Follow)
+            letGo();
+        else
+            setGrip(Grip::Follow, cursor);
+    } else {
+        return false;
+    }
+    showCursor(cursor);
+    return true;
+}
+
+bool SceneView::Impl::cameraKey(int key) {
+    switch (key) {
+    case Qt::Key_1:
+        view.showStandardView(StandardView::Front);
+        return true;
+    case Qt::Key_3:
+        view.showStandardView(StandardView::Right);
+        return true;
+    case Qt::Key_7:
+        view.showStandardView(StandardView::Top);
+        return true;
+    case Qt::Key_0:
+        view.showStandardView(StandardView::Isometric);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool SceneView::Impl::nudgeKey(int key, double scale) {
+    if (tool != ViewTool::Touch) return false;
+    Vec3 steps = Vec3::Zero();
+    switch (key) {
+    case Qt::Key_Left:
+        steps.x() = -1;
+        break;
+    case Qt::Key_Right:
+        steps.x() = 1;
+        break;
+    case Qt::Key_Down:
+        steps.y() = -1;
+        break;
+    case Qt::Key_Up:
+        steps.y() = 1;
+        break;
+    case Qt::Key_PageDown:
+        steps.z() = -1;
+        break;
+    case Qt::Key_PageUp:
+        steps.z() = 1;
+        break;
+    default:
+        return false;
+    }
+    hand.nudge(scale * steps, camera);
+    goalMoved();
+    return true;
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+    const QPointF cursor = event->position();
+    impl_->pressedAt = impl_->cursorAt = cursor;
+    impl_->moved = false;
+    if (impl_->hand.grip() == Grip::Follow) {
+        impl_->letGo();
+    } else if (event->button() == Qt::LeftButton) {
+        impl_->pressLeft(cursor, event->modifiers() & Qt::AltModifier);
+    } else if (event->button() == Qt::MiddleButton) {
+        impl_->drag = event->modifiers() & Qt::ShiftModifier ? ViewDrag::Pan : ViewDrag::Orbit;
+        impl_->moved = true; // never a click that chooses
+    } else {
+        return event->ignore(); // the window's context menu
+    }
+    impl_->showCursor(cursor);
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF cursor = event->position();
+    if (length(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
+    if (impl_->drag != ViewDrag::None || impl_->hand.grip() == Grip::Follow)
+        impl_->dragTo(cursor, event->modifiers());
+    else
+        impl_->hoverAt(cursor);
+    impl_->cursorAt = cursor;
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    if (impl_->drag == ViewDrag::None) return event->ignore();
+    impl_->release(event->position());
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+    const QPointF cursor = event->position();
+    const bool onFinger = impl_->tool == ViewTool::Touch && impl_->isNearFinger(cursor);
+    if (event->button() != Qt::LeftButton || !onFinger) return mousePressEvent(event);
+    impl_->cursorAt = cursor;
+    impl_->setGrip(Grip::Follow, cursor);
+    impl_->showCursor(cursor);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    if (impl_->hand.grip() == Grip::None) return impl_->zoomAt(event->position(), notches);
+    impl_->hand.push(notches, impl_->camera);
+    if (!impl_->hand.gliding()) impl_->goalMoved();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+    const bool pad = event->modifiers() & Qt::KeypadModifier;
+    const double scale = event->modifiers() & Qt::ShiftModifier ? kFineStep : 1;
+    if (event->key() == Qt::Key_Home) return fit();
+    if (pad && impl_->cameraKey(event->key())) return;
+    if (impl_->handKey(event->key(), mapFromGlobal(QCursor::pos())) || impl_->nudgeKey(event->key(), scale))
+        return;
+    VtkWidget::keyPressEvent(event);
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+    impl_->setHovered(std::nullopt);
+    VtkWidget::leaveEvent(event);
+}
+
+} // namespace tactum

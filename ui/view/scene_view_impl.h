@@ -1,0 +1,75 @@
+// What scene_view.cpp and scene_view_events.cpp share. Private to this folder.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include "ui/view/hand_tool.h"
+#include "ui/view/model_layer.h"
+#include "ui/view/outline_pass.h"
+#include "ui/view/scene_picker.h"
+#include "ui/view/scene_view.h"
+#include "ui/view/touch_overlay.h"
+
+namespace tactum {
+
+/// What a mouse button that is down does.
+enum class ViewDrag { None, Orbit, Pan, Hand };
+
+struct SceneView::Impl {
+    explicit Impl(SceneView& view);
+
+    const Theme& theme() const { return themeFor(dark); }
+    bool showsTouch() const { return touch.has_value() && overlayVisible; }
+
+    void setClippingRange();
+    void refreshSelection();
+    void applyTheme();
+
+    bool isNearFinger(QPointF cursor) const;
+    std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;
+    void pressLeft(QPointF cursor, bool alt);
+    void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
+    void release(QPointF cursor);
+    void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    void letGo();
+    void setGrip(Grip grip, QPointF cursor);
+    void startGlide();
+    void hoverAt(QPointF cursor);
+    void setHovered(std::optional<SurfaceRef> surface);
+    void showCursor(QPointF cursor);
+    void zoomAt(QPointF cursor, double notches);
+    void goalMoved();
+    bool handKey(int key, QPointF cursor);
+    bool cameraKey(int key);
+    bool nudgeKey(int key, double scale);
+
+    SceneView& view;
+    vtkNew<vtkRenderer> solid, outline, ghost; ///< layers 0, 1 and 2
+    vtkNew<OutlinePass> outlinePass;
+    ModelLayer model;
+    TouchOverlay overlay;
+    ScenePicker picker;
+    ViewCamera camera;
+    HandTool hand;
+
+    std::optional<TouchState> touch;
+    double proxyRadius = kProxyRadius.initial;
+    bool overlayVisible = true;
+    bool dark = true;
+    bool fitted = false;
+    vtkActor* outlined = nullptr;
+    std::optional<SurfaceRef> selection, hovered;
+
+    ViewTool tool = ViewTool::Touch;
+    ViewDrag drag = ViewDrag::None;
+    QPointF pressedAt, cursorAt;
+    bool moved = false;
+    QTimer glideTimer, meshTimer;
+    QElapsedTimer glideClock;
+};
+
+} // namespace tactum

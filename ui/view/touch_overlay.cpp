@@ -1,0 +1,263 @@
+#include "ui/view/touch_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <vtkCellArray.h>
+#include <vtkConeSource.h>
+#include <vtkCylinderSource.h>
+#include <vtkDiskSource.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+#include <vtkTrivialProducer.h>
+#include <vtkTubeFilter.h>
+
+#include "ui/view/touch_shape.h"
+
+namespace tactum {
+
+namespace {
+
+// Sizes in logical pixels.
+constexpr double kProxyLeast = 5.5, kFingerLeast = 4.5, kHalo = 13;
+constexpr double kCoil = 4, kWire = 1.1, kCoilPitch = 7;
+constexpr double kShaft = 2, kHead = 6.5, kHeadLength = 17, kArrowAtLimit = 240, kArrowLeast = 22;
+constexpr double kDisc = 30, kNormalLength = 42, kNormalShaft = 1, kNormalHead = 4, kNormalHeadLength = 10;
+constexpr int kCoilSteps = 14; ///< points of a turn
+
+/// A disc or ring of outer radius 1 across Y.
+vtkNew<vtkTransformPolyDataFilter> disc(double inner) {
+    vtkNew<vtkDiskSource> source;
+    source->SetInnerRadius(inner);
+    source->SetOuterRadius(1);
+    source->SetCircumferentialResolution(64);
+    vtkNew<vtkTransform> lie;
+    lie->RotateX(90);
+    vtkNew<vtkTransformPolyDataFilter> filter;
+    filter->SetTransform(lie);
+    filter->SetInputConnection(source->GetOutputPort());
+    return filter;
+}
+
+vtkNew<vtkSphereSource> ball() {
+    vtkNew<vtkSphereSource> source;
+    source->SetRadius(1);
+    source->SetThetaResolution(32);
+    source->SetPhiResolution(24);
+    return source;
+}
+
+/// From the origin to Y = 1, radius 1.
+vtkNew<vtkCylinderSource> rod() {
+    vtkNew<vtkCylinderSource> source;
+    source->SetRadius(1);
+    source->SetHeight(1);
+    source->SetCenter(0, 0.5, 0);
+    source->SetResolution(20);
+    return source;
+}
+
+/// The same as a cone with its tip at Y = 1.
+vtkNew<vtkConeSource> cone() {
+    vtkNew<vtkConeSource> source;
+    source->SetRadius(1);
+    source->SetHeight(1);
+    source->SetDirection(0, 1, 0);
+    source->SetCenter(0, 0.5, 0);
+    source->SetResolution(28);
+    return source;
+}
+
+/// A rod with a head, along any direction.
+class Arrow {
+public:
+    Arrow(vtkRenderer& solid, vtkRenderer& ghost)
+        : shaft_(solid, ghost, *rod()), head_(solid, ghost, *cone()) {}
+
+    void setColour(const QColor& colour, double opacity = 1) {
+        shaft_.setColour(colour, opacity);
+        head_.setColour(colour, opacity);
+    }
+    void setVisible(bool visible) {
+        shaft_.setVisible(visible);
+        head_.setVisible(visible);
+    }
+    void place(const Vec3& from, const Vec3& to, double shaft, double head, double headLength) {
+        const double length = (to - from).norm();
+        const Vec3 axis = (to - from) / length;
+        headLength = std::min(headLength, length);
+        shaft_.place(from, axis, shaft, length - 0.9 * headLength);
+        head_.place(to - headLength * axis, axis, head, headLength);
+    }
+
+private:
+    TouchShape shaft_, head_;
+};
+
+/// The tangent plane of one contact and its normal.
+struct ContactMark {
+    ContactMark(vtkRenderer& solid, vtkRenderer& ghost)
+        : plane(solid, ghost, *disc(0)), rim(solid, ghost, *disc(0.93)), normal(solid, ghost) {}
+
+    void setVisible(bool visible) {
+        plane.setVisible(visible);
+        rim.setVisible(visible);
+        normal.setVisible(visible);
+    }
+
+    TouchShape plane, rim;
+    Arrow normal;
+};
+
+/// A coil between two points as a polyline; straight where there is no room for a turn.
+void coil(vtkPolyData& line, const Vec3& from, const Vec3& to, double radius, double pitch) {
+    const double length = (to - from).norm();
+    const Vec3 axis = length > 0 ? Vec3((to - from) / length) : Vec3::UnitY();
+    const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+    const int turns = std::clamp(int(length / pitch), 1, 60);
+    const int steps = turns * kCoilSteps;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> cell;
+    cell->InsertNextCell(steps + 1);
+    for (int i = 0; i <= steps; ++i) {
+        const double part = double(i) / steps, angle = 2 * std::numbers::pi * turns * part;
+        // Full radius in the middle, none at the ends.
+        const double reach = radius * std::min(1.0, 6 * std::min(part, 1 - part));
+        const Vec3 p = from + part * (to - from) + reach * (std::cos(angle) * u + std::sin(angle) * v);
+        cell->InsertCellPoint(points->InsertNextPoint(p.data()));
+    }
+    line.SetPoints(points);
+    line.SetLines(cell);
+    line.Modified();
+}
+
+} // namespace
+
+TouchState touchState(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
+                      bool armed) {
+    TouchState state;
+    state.finger = servo.ticks > 0 ? servo.finger : proxy.finger;
+    state.proxy = proxy.updates > 0 ? proxy.output.proxy : state.finger;
+    state.force = armed && servo.ticks > 0 ? servo.force : proxy.output.force;
+    state.forceLimit = forceLimit > 0 ? forceLimit : 1;
+    state.armed = armed;
+    state.contacts = std::clamp(proxy.output.contacts, 0, kMaxModelPlanes);
+    state.contact = proxy.output.contact;
+    return state;
+}
+
+bool TouchState::sameAs(const TouchState& other) const {
+    if (contacts != other.contacts || armed != other.armed || forceLimit != other.forceLimit) return false;
+    for (int i = 0; i < contacts; ++i)
+        if (contact[i].point != other.contact[i].point || contact[i].slipping != other.contact[i].slipping)
+            return false;
+    return finger == other.finger && proxy == other.proxy && force == other.force;
+}
+
+Vec3 arrowTip(const TouchState& state, const ViewCamera& camera) {
+    const double pixels = std::max(kArrowLeast, kArrowAtLimit * std::min(1.0, state.load()));
+    return state.proxy + pixels * camera.pixelSize(state.proxy) * state.force.normalized();
+}
+
+struct TouchOverlay::Impl {
+    Impl(vtkRenderer& solid, vtkRenderer& ghost)
+        : spring(solid, ghost, *tube), proxy(solid, ghost, *ball()), finger(solid, ghost, *ball()),
+          halo(solid, ghost, *disc(0.84)), arrow(solid, ghost) {
+        for (int i = 0; i < kMaxModelPlanes; ++i)
+            contacts.push_back(std::make_unique<ContactMark>(solid, ghost));
+        tube->SetInputData(line);
+        tube->SetNumberOfSides(8);
+        tube->CappingOn();
+    }
+
+    void placeSpring(const TouchState& state, double pixel);
+    void placeArrow(const TouchState& state, const ViewCamera& camera, double pixel);
+    void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
+
+    const Theme* theme = &kDarkTheme;
+    bool visible = true;
+    vtkNew<vtkPolyData> line;
+    vtkNew<vtkTubeFilter> tube;
+    std::vector<std::unique_ptr<ContactMark>> contacts;
+    TouchShape spring, proxy, finger, halo;
+    Arrow arrow;
+};
+
+TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)
+    : impl_(std::make_unique<Impl>(solid, ghost)) {
+    setTheme(kDarkTheme);
+    setVisible(false);
+}
+
+TouchOverlay::~TouchOverlay() = default;
+
+void TouchOverlay::setTheme(const Theme& theme) {
+    impl_->theme = &theme;
+    impl_->finger.setColour(theme.finger);
+    impl_->halo.setColour(theme.finger, 0.55);
+    impl_->proxy.setColour(theme.proxy);
+    impl_->spring.setColour(theme.dark ? QColor(0xd6, 0xda, 0xe0) : QColor(0x5a, 0x62, 0x6d));
+}
+
+void TouchOverlay::setVisible(bool visible) {
+    impl_->visible = visible;
+    for (TouchShape* shape : {&impl_->spring, &impl_->proxy, &impl_->finger, &impl_->halo})
+        shape->setVisible(visible);
+    if (visible) return;
+    impl_->arrow.setVisible(false);
+    for (auto& mark : impl_->contacts)
+        mark->setVisible(false);
+}
+
+void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, double proxyRadius) {
+    if (!impl_->visible) return;
+    const double pixel = camera.pixelSize(state.proxy), atFinger = camera.pixelSize(state.finger);
+    const double radius = std::max(proxyRadius, kProxyLeast * pixel);
+    const double fingerRadius = std::max(0.6 * proxyRadius, kFingerLeast * atFinger);
+    impl_->proxy.place(state.proxy, Vec3::UnitY(), radius, radius);
+    impl_->finger.place(state.finger, Vec3::UnitY(), fingerRadius, fingerRadius);
+    impl_->halo.place(state.finger, -camera.forward(), std::max(kHalo * atFinger, 1.8 * fingerRadius), 1);
+    impl_->placeSpring(state, pixel);
+    impl_->placeArrow(state, camera, pixel);
+    for (int i = 0; i < kMaxModelPlanes; ++i) {
+        impl_->contacts[i]->setVisible(i < state.contacts);
+        if (i < state.contacts)
+            impl_->placeContact(*impl_->contacts[i], state.contact[i], pixel, proxyRadius);
+    }
+}
+
+void TouchOverlay::Impl::placeSpring(const TouchState& state, double pixel) {
+    const bool apart = (state.finger - state.proxy).norm() > 2 * pixel;
+    spring.setVisible(apart);
+    if (!apart) return;
+    coil(*line, state.proxy, state.finger, kCoil * pixel, kCoilPitch * pixel);
+    tube->SetRadius(kWire * pixel);
+}
+
+void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& camera, double pixel) {
+    arrow.setVisible(state.pushes());
+    if (!state.pushes()) return;
+    arrow.setColour(state.atLimit() ? theme->fault : theme->proxy, state.armed ? 1 : 0.35);
+    arrow.place(state.proxy, arrowTip(state, camera), kShaft * pixel, kHead * pixel, kHeadLength * pixel);
+}
+
+void TouchOverlay::Impl::placeContact(ContactMark& mark, const ContactReport& contact, double pixel,
+                                      double proxyRadius) {
+    const double radius = std::max(kDisc * pixel, 3 * proxyRadius);
+    const Vec3 p = contact.point + 0.5 * pixel * contact.normal; // clear of the surface
+    mark.plane.setColour(theme->contact, 0.3);
+    mark.rim.setColour(contact.slipping ? theme->slip : theme->stick, 0.95);
+    mark.normal.setColour(theme->contact);
+    mark.plane.place(p, contact.normal, radius, 1);
+    mark.rim.place(p + 0.2 * pixel * contact.normal, contact.normal, radius, 1);
+    mark.normal.place(contact.point, contact.point + kNormalLength * pixel * contact.normal,
+                      kNormalShaft * pixel, kNormalHead * pixel, kNormalHeadLength * pixel);
+}
+
+} // namespace tactum

@@ -1,0 +1,114 @@
+#include "ui/view/view_labels.h"
+
+#include <QFontMetricsF>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace tactum {
+
+namespace {
+
+enum class Badge { Dot, Ring, Bar, Waves };
+
+/// A stroke or a shape in front of a word: never the colour alone.
+void drawBadge(QPainter& painter, const QRectF& box, Badge badge, const QColor& colour) {
+    painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(badge == Badge::Dot ? QBrush(colour) : QBrush(Qt::NoBrush));
+    const QPointF c = box.center();
+    switch (badge) {
+    case Badge::Dot:
+        painter.drawEllipse(c, 3, 3);
+        break;
+    case Badge::Ring:
+        painter.drawEllipse(c, 3.5, 3.5);
+        break;
+    case Badge::Bar:
+        painter.drawLine(c - QPointF(0, 4), c + QPointF(0, 4));
+        break;
+    case Badge::Waves:
+        for (double y : {-2.5, 2.5}) {
+            QPainterPath wave(c + QPointF(-5, y));
+            wave.cubicTo(c + QPointF(-2, y - 4), c + QPointF(2, y + 4), c + QPointF(5, y));
+            painter.drawPath(wave);
+        }
+    }
+}
+
+/// One label as a picture: drawn by the processor, so that its edges are smooth on every context.
+QImage labelImage(const QFont& font, const QString& text, Badge badge, const QColor& colour,
+                  const Theme& theme, double ratio) {
+    const QFontMetricsF metrics(font);
+    const double height = std::ceil(metrics.height()) + 6, mark = 18;
+    const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + mark + 12, height);
+    QImage image((size * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.label);
+    painter.drawRoundedRect(QRectF({0, 0}, size), 0.5 * height, 0.5 * height);
+    drawBadge(painter, QRectF(4, 0, mark, height), badge, colour);
+    painter.setPen(theme.labelText);
+    painter.setFont(font);
+    painter.drawText(QRectF(mark + 4, 0, size.width() - mark - 4, height), Qt::AlignVCenter | Qt::AlignLeft,
+                     text);
+    return image;
+}
+
+QString forceText(const TouchState& state) {
+    QString text = QString::number(state.force.norm(), 'f', 2) + " N";
+    if (!state.armed) return text + " · forces off";
+    return state.atLimit() ? text + " · limit" : text;
+}
+
+/// Puts labels where they do not cover each other.
+class LabelBoard {
+public:
+    LabelBoard(QPainter& painter, const Theme& theme, QSizeF view)
+        : painter_(painter), theme_(theme), view_({0, 0}, view) {}
+
+    /// Beside `anchor`, on the side that `away` points to; lower where another label is already.
+    void put(QPointF anchor, QPointF away, const QString& text, Badge badge, const QColor& colour) {
+        const double ratio = painter_.device()->devicePixelRatioF();
+        const QImage image = labelImage(painter_.font(), text, badge, colour, theme_, ratio);
+        QRectF box({0, 0}, image.deviceIndependentSize());
+        const double side = away.x() < 0 ? -1 : 1;
+        box.moveCenter(anchor + QPointF(side * (0.5 * box.width() + 12), away.y() < 0 ? -6 : 6));
+        for (const QRectF& other : taken_)
+            if (box.intersects(other)) box.moveTop(other.bottom() + 3);
+        if (!view_.contains(box)) return;
+        taken_.push_back(box);
+        painter_.drawImage(QPointF(box.topLeft().toPoint()), image);
+    }
+
+private:
+    QPainter& painter_;
+    const Theme& theme_;
+    QRectF view_;
+    std::vector<QRectF> taken_;
+};
+
+} // namespace
+
+void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera,
+                     const Theme& theme) {
+    const auto proxy = camera.project(state.proxy), finger = camera.project(state.finger);
+    if (!proxy || !finger) return;
+    LabelBoard board(painter, theme, camera.size);
+    const QPointF apart = *finger - *proxy;
+    if (state.pushes()) {
+        if (const auto tip = camera.project(arrowTip(state, camera)))
+            board.put(*tip, *tip - *proxy, forceText(state), Badge::Dot,
+                      state.atLimit() ? theme.fault : theme.proxy);
+    }
+    if (state.contacts > 0) {
+        const bool slips = state.contact[0].slipping;
+        board.put(*proxy - QPointF(26, 0), QPointF(-1, 0), slips ? "slip" : "stick",
+                  slips ? Badge::Waves : Badge::Bar, slips ? theme.slip : theme.stick);
+    }
+    if (std::hypot(apart.x(), apart.y()) > 26) board.put(*finger, apart, "finger", Badge::Ring, theme.finger);
+}
+
+} // namespace tactum

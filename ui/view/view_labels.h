@@ -1,0 +1,18 @@
+// Words in the view: the force, stick or slip, and which sphere is which. Private to this folder.
+#pragma once
+
+#include <QFont>
+
+#include "ui/theme.h"
+#include "ui/view/touch_overlay.h"
+#include "ui/view/view_camera.h"
+
+class QPainter;
+
+namespace tactum {
+
+/// Draws the labels of a touch beside what they name, in logical pixels.
+void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera,
+                     const Theme& theme);
+
+} // namespace tactum
