@@ -1,0 +1,258 @@
+#include "core/scene/gltf_model.h"
+
+#include <cstring>
+
+#include <nlohmann/json.hpp>
+
+#include "core/scene/text.h"
+
+namespace tactum {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::size_t kDeepestJson = 128;
+constexpr std::uint64_t kLargestBuffer = std::uint64_t(1) << 32;
+
+struct Parts {
+    std::string_view json;
+    std::string_view binary; ///< the second chunk of a glb
+    bool isBinary = false;
+};
+
+std::uint32_t word(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | std::uint8_t(bytes[at + i]);
+    return value;
+}
+
+/// Takes a glb apart; its lengths must add up to the length of the file.
+Parts partsOf(const Source& source) {
+    constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBinary = 0x004E4942;
+    const std::string_view bytes = source.bytes();
+    if (bytes.size() < 4 || word(bytes, 0) != kMagic) return {bytes, {}, false};
+    if (bytes.size() < 20 || word(bytes, 8) != bytes.size())
+        source.fail("the length in its header is not that of the file; it was cut short, copy it again");
+    if (word(bytes, 4) != 2)
+        source.fail("is glb version " + std::to_string(word(bytes, 4)) +
+                    "; only version 2 is read, export it again");
+    Parts parts{{}, {}, true};
+    for (std::size_t at = 12; at < bytes.size();) {
+        if (bytes.size() - at < 8 || word(bytes, at) > bytes.size() - at - 8)
+            source.failAtByte(at, "a chunk reaches beyond the end; the file was cut short, copy it again");
+        const std::string_view chunk = bytes.substr(at + 8, word(bytes, at));
+        if ((at == 12) != (word(bytes, at + 4) == kJson))
+            source.failAtByte(at, "the first chunk, and only that, must be JSON; re-export the file");
+        if (at == 12)
+            parts.json = chunk;
+        else if (word(bytes, at + 4) == kBinary && parts.binary.empty())
+            parts.binary = chunk;
+        at += 8 + chunk.size();
+    }
+    return parts;
+}
+
+/// Parsers and printers of JSON call themselves for every level.
+void demandShallow(const Source& source, std::string_view json) {
+    std::size_t depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString && c == '\\')
+            ++i;
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '[')) {
+            if (++depth > kDeepestJson) source.fail("nests deeper than 128 levels; re-export the file");
+        } else if (!inString && (c == '}' || c == ']') && depth > 0)
+            --depth;
+    }
+}
+
+Json parseJson(const Source& source, std::string_view text) {
+    demandShallow(source, text);
+    Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) source.fail("its JSON cannot be parsed; re-export the file");
+    for (const char* unused : {"images", "textures", "samplers", "animations", "skins", "cameras", "extras"})
+        json.erase(unused);
+    return json;
+}
+
+/// tinygltf reads external files through these; they end at the folder of the asset.
+struct AssetFolder {
+    fs::path folder;
+    std::string refused; ///< the first file that was asked for and is not there
+};
+
+tinygltf::FsCallbacks callbacksFor(AssetFolder& assets) {
+    tinygltf::FsCallbacks callbacks{};
+    callbacks.FileExists = [](const std::string& name, void* user) {
+        auto& home = *static_cast<AssetFolder*>(user);
+        const bool exists = !insideFolder(home.folder, name).empty();
+        if (!exists && home.refused.empty()) home.refused = name;
+        return exists;
+    };
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name,
+                                 void* user) {
+        const fs::path file = insideFolder(static_cast<AssetFolder*>(user)->folder, name);
+        if (file.empty()) return false;
+        const Source source = Source::open(file, kLargestBuffer);
+        out->assign(source.bytes().begin(), source.bytes().end());
+        return true;
+    };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    callbacks.user_data = &assets;
+    return callbacks;
+}
+
+bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                 void*) {
+    return true;
+}
+
+std::string repacked(const Json& json, std::string_view binary) {
+    std::string text = json.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const auto put = [](std::string& to, std::size_t value) {
+        for (int shift = 0; shift < 32; shift += 8)
+            to += char(value >> shift & 0xFF);
+    };
+    const std::size_t padded = (binary.size() + 3) / 4 * 4;
+    std::string glb = "glTF";
+    glb.reserve(28 + text.size() + padded);
+    put(glb, 2);
+    put(glb, 20 + text.size() + (padded ? 8 + padded : 0));
+    put(glb, text.size());
+    glb += "JSON" + text;
+    if (padded == 0) return glb;
+    put(glb, padded);
+    glb.append("BIN\0", 4).append(binary).resize(glb.size() + padded - binary.size());
+    return glb;
+}
+
+void demandReadable(const Source& source, const tinygltf::Model& model) {
+    for (const std::string& extension : model.extensionsRequired)
+        if (extension != "KHR_mesh_quantization" && !extension.starts_with("KHR_materials_") &&
+            extension != "KHR_texture_transform" && extension != "KHR_texture_basisu")
+            source.fail("needs the extension " + inQuotes(extension) +
+                        ", which is not read; export it without");
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+        const tinygltf::BufferView& view = model.bufferViews[i];
+        const bool known = view.buffer >= 0 && std::size_t(view.buffer) < model.buffers.size();
+        const std::size_t size = known ? model.buffers[std::size_t(view.buffer)].data.size() : 0;
+        if (!known || view.byteOffset > size || view.byteLength > size - view.byteOffset)
+            source.fail("bufferViews[" + std::to_string(i) +
+                        "] reaches beyond its buffer; re-export the file");
+    }
+}
+
+} // namespace
+
+tinygltf::Model parseGltf(const Source& source) {
+    const Parts parts = partsOf(source);
+    const Json json = parseJson(source, parts.json);
+    const std::string text = parts.isBinary ? repacked(json, parts.binary) : json.dump();
+    AssetFolder assets{source.path().parent_path(), {}};
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(callbacksFor(assets));
+    parser.SetImageLoader(ignoreImage, nullptr);
+    tinygltf::Model model;
+    std::string error, warning;
+    bool parsed = false;
+    try {
+        const auto size = unsigned(text.size());
+        const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
+        parsed =
+            text.size() < kLargestBuffer &&
+            (parts.isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, "")
+                            : parser.LoadASCIIFromString(&model, &error, &warning, text.data(), size, ""));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& fault) { // of the JSON library, where a value has a type nobody expects
+        error = fault.what();
+    }
+    if (!assets.refused.empty())
+        source.fail("its buffer " + inQuotes(assets.refused) +
+                    " is not in its folder; copy it beside the file");
+    if (!parsed)
+        source.fail("cannot be parsed (" + printable(error.substr(0, error.find('\n')), 160) +
+                    "); re-export it");
+    demandReadable(source, model);
+    return model;
+}
+
+GltfAccessor::GltfAccessor(const Source& source, const tinygltf::Model& model, int index,
+                           std::size_t components) {
+    const auto fail = [&](const char* what) {
+        source.fail("accessors[" + std::to_string(index) + "] " + what + "; re-export the file");
+    };
+    if (index < 0 || std::size_t(index) >= model.accessors.size()) fail("is used but not there");
+    const tinygltf::Accessor& accessor = model.accessors[std::size_t(index)];
+    if (accessor.sparse.isSparse) fail("is sparse, which is not read");
+    if (accessor.bufferView < 0 || std::size_t(accessor.bufferView) >= model.bufferViews.size())
+        fail("has no buffer view");
+    const int componentSize = tinygltf::GetComponentSizeInBytes(std::uint32_t(accessor.componentType));
+    if (componentSize <= 0 ||
+        tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type)) != int(components))
+        fail("has a type that does not fit its use");
+    const tinygltf::BufferView& view = model.bufferViews[std::size_t(accessor.bufferView)];
+    const std::size_t size = std::size_t(componentSize) * components;
+    count_ = accessor.count;
+    stride_ = view.byteStride ? view.byteStride : size;
+    if (stride_ < size && count_ > 1) fail("has elements that overlap");
+    const std::size_t room = view.byteLength - std::min(view.byteLength, accessor.byteOffset);
+    if (count_ > 0 && (size > room || (count_ - 1) > (room - size) / stride_))
+        fail("reaches beyond its buffer view");
+    data_ = model.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset + accessor.byteOffset;
+    type_ = accessor.componentType;
+    normalized_ = accessor.normalized;
+}
+
+template <class T> T GltfAccessor::at(std::size_t element, std::size_t component) const {
+    T value;
+    std::memcpy(&value, data_ + element * stride_ + component * sizeof(T), sizeof(T));
+    return value;
+}
+
+template <class T> double GltfAccessor::scaled(std::size_t element, std::size_t component) const {
+    const double value = at<T>(element, component);
+    return normalized_ ? std::max(value / std::numeric_limits<T>::max(), -1.0) : value;
+}
+
+double GltfAccessor::number(std::size_t element, std::size_t component) const {
+    switch (type_) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return scaled<std::int8_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return scaled<std::uint8_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return scaled<std::int16_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return scaled<std::uint16_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_INT:
+        return scaled<std::int32_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return scaled<std::uint32_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return at<float>(element, component);
+    default:
+        return at<double>(element, component);
+    }
+}
+
+bool GltfAccessor::isUnsigned() const {
+    return type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT || type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+std::uint32_t GltfAccessor::integer(std::size_t element) const {
+    if (type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return at<std::uint8_t>(element, 0);
+    if (type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return at<std::uint16_t>(element, 0);
+    return at<std::uint32_t>(element, 0);
+}
+
+} // namespace tactum

@@ -1,0 +1,86 @@
+#include "core/scene/load_scene.h"
+
+#include <algorithm>
+#include <new>
+
+#include "core/geometry/mesh_health.h"
+#include "core/scene/readers.h"
+#include "core/scene/text.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::uint64_t kLargestFile = std::uint64_t(8) << 30;
+
+struct Format {
+    std::string_view ending;
+    LoadedScene (*read)(const Source&, const Progress&);
+};
+constexpr Format kFormats[] = {{"obj", readObj}, {"ply", readPly},   {"stl", readStl},
+                               {"off", readOff}, {"gltf", readGltf}, {"glb", readGltf}};
+
+const Format* formatOf(const std::filesystem::path& file) {
+    const std::string ending = lowerCase(file.extension().string());
+    for (const Format& format : kFormats)
+        if (ending == "." + std::string(format.ending)) return &format;
+    return nullptr;
+}
+
+std::string allEndings() {
+    std::string text;
+    for (const Format& format : kFormats)
+        text += (text.empty() ? "" : ", ") + std::string(format.ending);
+    return text;
+}
+
+LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
+    const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
+    const Format* format = formatOf(file);
+    if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
+    LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
+    if (loaded.scene.objects.empty())
+        source.fail("has no faces, lines or points; export the mesh with its faces");
+    if (progress.report) progress.report(1.0);
+    return loaded;
+}
+
+} // namespace
+
+const std::vector<std::string>& readableEndings() {
+    static const std::vector<std::string> endings = [] {
+        std::vector<std::string> all;
+        for (const Format& format : kFormats)
+            all.emplace_back(format.ending);
+        return all;
+    }();
+    return endings;
+}
+
+Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress) {
+    try {
+        return load(file, progress);
+    } catch (const ReadFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    } catch (const std::bad_alloc&) {
+        return machineError(printable(file.filename().string()) +
+                            ": not enough memory to open it; close other programs");
+    }
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+    const bool vertices = noun == "vertex";
+    const std::string plural = vertices ? "vertices" : std::string(noun) + "s";
+    return std::to_string(count) + " " + (count == 1 ? std::string(noun) : plural);
+}
+
+Surface namedSurface(std::string name) {
+    Surface surface;
+    surface.name = std::move(name);
+    return surface;
+}
+
+std::string stemOf(const Source& source) {
+    return printable(source.path().stem().string());
+}
+
+} // namespace tactum

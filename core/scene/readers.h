@@ -1,0 +1,33 @@
+// The reader of each format, and what they share. For this folder only: others call loadScene().
+#pragma once
+
+#include "core/geometry/mesh_health.h"
+#include "core/scene/load_scene.h"
+#include "core/scene/soup_builder.h"
+#include "core/scene/source.h"
+
+namespace tactum {
+
+/// One reader: the scene of a file. Throws ReadFault at the first fault.
+LoadedScene readObj(const Source& source, const Progress& progress);
+LoadedScene readPly(const Source& source, const Progress& progress);
+LoadedScene readStl(const Source& source, const Progress& progress);
+LoadedScene readOff(const Source& source, const Progress& progress);
+LoadedScene readGltf(const Source& source, const Progress& progress); ///< glb as well
+
+/// Adds an object: makes its soup fit for touching, and says in the findings what was done or is doubtful.
+/// Surface names and the object's are made printable. Throws ReadFault when cancelled.
+void addObject(LoadedScene& loaded, std::string name, const BuildReport& report, TriangleSoup soup,
+               std::vector<Surface> surfaces, const Progress& progress);
+
+/// What the health of a mesh lets a person expect, in sentences.
+void appendHealth(std::vector<Finding>& findings, const std::string& object, const MeshHealth& health);
+
+/// A surface with the initial material.
+Surface namedSurface(std::string name);
+/// "1 triangle", "7 triangles".
+std::string counted(std::size_t count, std::string_view noun);
+/// The name for an object that has none: that of the file without its ending.
+std::string stemOf(const Source& source);
+
+} // namespace tactum
