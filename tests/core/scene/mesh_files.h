@@ -1,0 +1,51 @@
+// One mesh written in every format that loadScene() reads, and a folder to put files into.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <QTemporaryDir>
+
+#include "core/geometry/triangle_soup.h"
+#include "core/scene/load_scene.h"
+
+namespace tactum {
+
+/// Files that vanish with the test.
+class FileFolder {
+public:
+    std::filesystem::path write(const std::string& name, const std::string& content) const {
+        const std::filesystem::path file = path() / name;
+        std::ofstream(file, std::ios::binary) << content;
+        return file;
+    }
+    Result<LoadedScene> load(const std::string& name, const std::string& content) const {
+        return loadScene(write(name, content));
+    }
+    std::filesystem::path path() const { return folder_.path().toStdString(); }
+
+private:
+    QTemporaryDir folder_;
+};
+
+enum class PlyForm { Text, LittleEndian, BigEndian };
+
+/// Coordinates must be such that float holds them exactly: the binary formats have no more.
+std::string asObj(const TriangleSoup& soup);
+std::string asPly(const TriangleSoup& soup, PlyForm form);
+std::string asStlText(const TriangleSoup& soup);
+std::string asStlBinary(const TriangleSoup& soup);
+std::string asOff(const TriangleSoup& soup);
+/// `head`: what else the JSON says; empty for one node with the mesh.
+std::string asGltf(const TriangleSoup& soup, const std::string& nodes = "");
+std::string asGlb(const TriangleSoup& soup, const std::string& nodes = "");
+
+struct WrittenMesh {
+    std::string name; ///< with its ending
+    std::string content;
+};
+/// The mesh in each of the formats.
+std::vector<WrittenMesh> inEveryFormat(const TriangleSoup& soup);
+
+} // namespace tactum
