@@ -42,7 +42,10 @@ inline const std::vector<Library> kLibraries{
     {"nlohmann/", {"core/scene/", "app/"}},
     {"CLI/", {"app/"}},
     {"Q", {"ui/", "app/"}},
+    {"qopengl.h", {"ui/view/"}},
     {"vtk", {"ui/view/"}},
+    // Vector instructions of the processor.
+    {"immintrin.h", {"core/collision/sphere_tree_sweep.cpp"}},
     // The operating system: threads, clocks and memory.
     {"pthread.h", {"core/runtime/"}},
     {"sched.h", {"core/runtime/"}},
