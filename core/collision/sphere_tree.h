@@ -22,7 +22,7 @@ struct BoundingSphere {
 struct SweepHit {
     double t = kNoContact; ///< in [0, 1]
     Index triangle = 0;    ///< index into the soup
-    Index leaf = 0;        ///< index into SphereTree::leaves(): the hint for the next sweep nearby
+    Index leaf = 0;        ///< the leaf node it was found in: the hint for the next sweep nearby
 };
 
 /// The moving sphere of a sweep: its centre goes from `from` to `from + motion`. Body frame, metre.
@@ -37,17 +37,15 @@ public:
     static constexpr int kWidth = 8;
     using Lane = Eigen::Array<float, kWidth, 1>;
 
-    /// Eight child spheres in structure-of-arrays, single precision, rounded outward.
+    /// Eight children in structure-of-arrays, single precision, rounded outward. Each is a sphere; a flat one
+    /// also lies between two planes, |n . (p - centre) - offset| <= thickness, so that together they are a
+    /// coin. n = 0 where there is no such pair.
     struct Node {
-        Lane x, y, z;
-        Lane radius;                ///< -1e30 for an unused child: nothing is ever near it
-        std::int32_t child[kWidth]; ///< an index into nodes(), or ~index into leaves()
-    };
-    /// Up to eight leaf spheres, each over a primitive or a part of a long one, and the primitives' planes.
-    struct Leaf {
-        Lane x, y, z, radius;
-        Lane nx, ny, nz, offset; ///< n . (p - sphere centre) = offset; n = 0 where there is no plane
-        Index triangle[kWidth];
+        Lane x, y, z, radius; ///< radius -1e30 for an unused child: nothing is ever near it
+        Lane nx, ny, nz, offset, thickness;
+        /// Inner nodes: >= 0 an inner node, < 0 the complement of a leaf node. Leaf nodes: the primitive that
+        /// the leaf sphere covers, or covers a part of.
+        std::int32_t child[kWidth];
     };
 
     SphereTree() = default;
@@ -63,14 +61,14 @@ public:
                    Index hint = 0) const noexcept;
 
     const std::vector<Node>& nodes() const { return nodes_; }
-    const std::vector<Leaf>& leaves() const { return leaves_; }
-    std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
+    const std::vector<Node>& leaves() const { return leaves_; }
+    std::size_t bytes() const { return (nodes_.size() + leaves_.size()) * sizeof(Node); }
     /// The spheres at one depth below the root's children (0), for display.
     std::vector<BoundingSphere> spheresAt(int depth) const;
 
 private:
     std::vector<Node> nodes_; ///< the root is the first; empty when there are no triangles
-    std::vector<Leaf> leaves_;
+    std::vector<Node> leaves_;
 };
 
 } // namespace tactum

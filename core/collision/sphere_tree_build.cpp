@@ -1,11 +1,13 @@
 // Building: leaf spheres, a binary tree by halving the longest axis (section 5), folded into wide nodes.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <future>
 #include <limits>
 
+#include "core/base/parallel.h"
 #include "core/collision/leaf_cover.h"
 #include "core/collision/sphere_tree.h"
 
@@ -134,26 +136,35 @@ private:
     std::atomic<std::int32_t> next_{0};
 };
 
+struct Range {
+    std::uint32_t begin = 0, end = 0;
+};
+
+// Which leaf spheres lie below each child of each node.
+using ChildRanges = std::vector<std::array<Range, SphereTree::kWidth>>;
+
 // Folds the binary tree into wide nodes: the child with the largest sphere is opened until eight are there.
 class Folder {
 public:
-    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup,
-           std::vector<SphereTree::Node>& nodes, std::vector<SphereTree::Leaf>& leaves)
-        : tree_(tree), leafSpheres_(leafSpheres), soup_(soup), nodes_(nodes), leaves_(leaves) {}
+    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres)
+        : tree_(tree), leafSpheres_(leafSpheres) {}
+
+    std::vector<SphereTree::Node> nodes, leaves;
+    ChildRanges nodeRanges, leafRanges;
 
     void fold(std::int32_t binary) {
         std::int32_t open[SphereTree::kWidth] = {binary};
         const int count = openChildren(open);
-        const std::size_t index = nodes_.size();
-        nodes_.push_back(emptyNode());
+        const std::size_t index = append(nodes, nodeRanges);
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.node(open[i]);
-            place(nodes_[index], i, child.sphere);
+            place(nodes[index], i, child.sphere);
+            nodeRanges[index][i] = {child.begin, child.end};
             if (child.left < 0) {
-                nodes_[index].child[i] = ~std::int32_t(leaves_.size());
-                leaves_.push_back(leafOf(child));
+                nodes[index].child[i] = ~std::int32_t(leaves.size());
+                foldLeaf(child);
             } else {
-                nodes_[index].child[i] = std::int32_t(nodes_.size());
+                nodes[index].child[i] = std::int32_t(nodes.size());
                 fold(open[i]);
             }
         }
@@ -177,54 +188,93 @@ private:
         return count;
     }
 
-    static SphereTree::Node emptyNode() {
-        SphereTree::Node node;
-        node.x = node.y = node.z = SphereTree::Lane::Zero();
-        node.radius = SphereTree::Lane::Constant(-1e30f);
-        std::fill(std::begin(node.child), std::end(node.child), 0);
-        return node;
+    void foldLeaf(const BinaryNode& binary) {
+        const std::size_t index = append(leaves, leafRanges);
+        for (std::uint32_t k = binary.begin; k < binary.end; ++k) {
+            const int i = int(k - binary.begin);
+            place(leaves[index], i, {leafSpheres_[k].centre, leafSpheres_[k].radius});
+            leaves[index].child[i] = std::int32_t(leafSpheres_[k].triangle);
+            leafRanges[index][i] = {k, k + 1};
+        }
     }
 
-    template <class Spheres> static void place(Spheres& node, int i, const Sphere& sphere) {
+    static std::size_t append(std::vector<SphereTree::Node>& nodes, ChildRanges& ranges) {
+        SphereTree::Node node;
+        node.x = node.y = node.z = node.nx = node.ny = node.nz = node.offset = node.thickness =
+            SphereTree::Lane::Zero();
+        node.radius = SphereTree::Lane::Constant(-1e30f);
+        std::fill(std::begin(node.child), std::end(node.child), 0);
+        nodes.push_back(node);
+        ranges.emplace_back();
+        return nodes.size() - 1;
+    }
+
+    static void place(SphereTree::Node& node, int i, const Sphere& sphere) {
         node.x[i] = sphere.centre.x();
         node.y[i] = sphere.centre.y();
         node.z[i] = sphere.centre.z();
         node.radius[i] = sphere.radius;
     }
 
-    SphereTree::Leaf leafOf(const BinaryNode& binary) const {
-        SphereTree::Leaf leaf;
-        leaf.x = leaf.y = leaf.z = leaf.nx = leaf.ny = leaf.nz = leaf.offset = SphereTree::Lane::Zero();
-        leaf.radius = SphereTree::Lane::Constant(-1e30f);
-        std::fill(std::begin(leaf.triangle), std::end(leaf.triangle), 0);
-        for (std::uint32_t k = binary.begin; k < binary.end; ++k) {
-            const int i = int(k - binary.begin);
-            place(leaf, i, {leafSpheres_[k].centre, leafSpheres_[k].radius});
-            placePlane(leaf, i, leafSpheres_[k]);
-        }
-        return leaf;
-    }
-
-    void placePlane(SphereTree::Leaf& leaf, int i, const LeafSphere& sphere) const {
-        leaf.triangle[i] = sphere.triangle;
-        const auto& corner = soup_.triangles[sphere.triangle];
-        const Vec3& a = soup_.positions[corner[0]];
-        const Vec3 ab = soup_.positions[corner[1]] - a, ac = soup_.positions[corner[2]] - a;
-        const Vec3 normal = ab.cross(ac);
-        const double area = normal.norm();
-        // The normal of a sliver is rounding noise, and that of a segment or a point does not exist.
-        if (!(area > 1e-6 * ab.norm() * ac.norm())) return;
-        leaf.nx[i] = float(normal.x() / area);
-        leaf.ny[i] = float(normal.y() / area);
-        leaf.nz[i] = float(normal.z() / area);
-        leaf.offset[i] = float(normal.dot(a - sphere.centre.cast<double>()) / area);
-    }
-
     const Builder& tree_;
     const std::vector<LeafSphere>& leafSpheres_;
+};
+
+// The pair of planes around what a child holds, where that is flat.
+class Flattener {
+public:
+    Flattener(const TriangleSoup& soup, const std::vector<LeafSphere>& leafSpheres)
+        : soup_(soup), leafSpheres_(leafSpheres) {}
+
+    void flatten(std::vector<SphereTree::Node>& nodes, const ChildRanges& ranges) const {
+        parallelFor(nodes.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                for (int i = 0; i < SphereTree::kWidth; ++i)
+                    flatten(nodes[k], i, ranges[k][i]);
+        });
+    }
+
+private:
+    // Larger patches are rarely flat, and looking at all their corners at every level would cost the build.
+    static constexpr std::uint32_t kLargestPatch = 1024;
+    // A patch is worth its planes when they lie this much closer together than its sphere is wide.
+    static constexpr double kFlat = 0.3;
+
+    std::array<const Vec3*, 3> corners(std::uint32_t k) const {
+        const auto& corner = soup_.triangles[leafSpheres_[k].triangle];
+        return {&soup_.positions[corner[0]], &soup_.positions[corner[1]], &soup_.positions[corner[2]]};
+    }
+
+    void flatten(SphereTree::Node& node, int i, Range range) const {
+        if (range.begin == range.end || range.end - range.begin > kLargestPatch) return;
+        Vec3 sum = Vec3::Zero();
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const auto [a, b, c] = corners(k);
+            sum += (*b - *a).cross(*c - *a);
+        }
+        if (!(sum.squaredNorm() > 0)) return;
+        // The planes are exact for the rounded normal: that it is not quite of unit length is covered by the
+        // query's own margin.
+        const Vec3f normal = sum.normalized().cast<float>();
+        const Vec3 centre(node.x[i], node.y[i], node.z[i]);
+        double low = 1e300, high = -1e300;
+        for (std::uint32_t k = range.begin; k < range.end; ++k)
+            for (const Vec3* corner : corners(k)) {
+                const double height = normal.cast<double>().dot(*corner - centre);
+                low = std::min(low, height);
+                high = std::max(high, height);
+            }
+        if (high - low > 2 * kFlat * double(node.radius[i])) return;
+        node.nx[i] = normal.x();
+        node.ny[i] = normal.y();
+        node.nz[i] = normal.z();
+        node.offset[i] = float(0.5 * (low + high));
+        const double thickness = std::max(high - double(node.offset[i]), double(node.offset[i]) - low);
+        node.thickness[i] = std::nextafter(float(thickness), std::numeric_limits<float>::infinity());
+    }
+
     const TriangleSoup& soup_;
-    std::vector<SphereTree::Node>& nodes_;
-    std::vector<SphereTree::Leaf>& leaves_;
+    const std::vector<LeafSphere>& leafSpheres_;
 };
 
 } // namespace
@@ -234,10 +284,13 @@ SphereTree::SphereTree(const TriangleSoup& soup) {
     std::vector<LeafSphere> leafSpheres = coverWithSpheres(soup);
     Builder builder(leafSpheres);
     const std::int32_t root = builder.build(0, leafSpheres.size());
-    const std::size_t expected = leafSpheres.size() / 4 + 1;
-    leaves_.reserve(expected);
-    nodes_.reserve(expected / 4 + 1);
-    Folder(builder, leafSpheres, soup, nodes_, leaves_).fold(root);
+    Folder folder(builder, leafSpheres);
+    folder.fold(root);
+    const Flattener flattener(soup, leafSpheres);
+    flattener.flatten(folder.nodes, folder.nodeRanges);
+    flattener.flatten(folder.leaves, folder.leafRanges);
+    nodes_ = std::move(folder.nodes);
+    leaves_ = std::move(folder.leaves);
     nodes_.shrink_to_fit();
     leaves_.shrink_to_fit();
 }

@@ -27,49 +27,36 @@ constexpr int kStackSize = (64 + 32) * (SphereTree::kWidth - 1) + SphereTree::kW
 struct PruningPath {
     static constexpr float kRounding = 1e-6f;
     Eigen::Vector3f from, motion;
-    float inverseLength2, slack, radius;
+    float slack, radius;
 
     explicit PruningPath(const SpherePath& path)
         : from(path.from.cast<float>()), motion(path.motion.cast<float>()) {
-        const float length2 = motion.squaredNorm();
-        inverseLength2 = length2 > 1e-30f ? 1 / length2 : 0;
         // The start is rounded by half an ulp in each coordinate; differences and products lose a few more of
         // what is left after the subtraction.
-        slack = 2e-7f * from.cwiseAbs().maxCoeff() + kRounding * (float(path.radius) + std::sqrt(length2));
+        slack = 2e-7f * from.cwiseAbs().maxCoeff() + kRounding * (float(path.radius) + motion.norm());
         radius = float(path.radius) + slack;
     }
 
-    // Squared distance of each sphere's centre from the path until `until`; kFar where the moving sphere does
-    // not come near the sphere.
-    Lane distance2(const Lane& x, const Lane& y, const Lane& z, const Lane& r, float until) const {
-        const Lane mx = x - from.x(), my = y - from.y(), mz = z - from.z();
-        const Lane along =
-            ((mx * motion.x() + my * motion.y() + mz * motion.z()) * inverseLength2).max(0.0f).min(until);
-        const Lane dx = mx - along * motion.x(), dy = my - along * motion.y(), dz = mz - along * motion.z();
-        const Lane reach = (r * (1 + kRounding) + radius).max(0.0f);
-        const Lane squared = dx * dx + dy * dy + dz * dz;
-        return (squared <= reach * reach).select(squared, kFar);
-    }
-
-    // A lower bound of the time at which the moving sphere touches what lies in each leaf sphere and its
-    // plane: the disc in which they meet. The distance to a disc is convex along the path, so it stays above
-    // its tangent at the start. kFar where there is no approach.
-    Lane contactTime(const SphereTree::Leaf& leaf) const {
-        const Lane mx = from.x() - leaf.x, my = from.y() - leaf.y, mz = from.z() - leaf.z;
-        const Lane height = leaf.nx * mx + leaf.ny * my + leaf.nz * mz - leaf.offset;
-        const Lane across = (mx * mx + my * my + mz * mz - height * height).max(1e-30f).sqrt();
-        const Lane beside = (across - leaf.radius).max(0.0f);
-        const Lane distance = (height * height + beside * beside).sqrt();
-        const Lane gap = distance - (leaf.radius.abs() * kRounding + radius);
-        const Lane rise = leaf.nx * motion.x() + leaf.ny * motion.y() + leaf.nz * motion.z();
+    // A lower bound of the time at which the moving sphere touches what each child holds. The distance to a
+    // coin is convex along the path, so it stays above its tangent at the start. kFar where there is no
+    // approach.
+    Lane contactTime(const SphereTree::Node& node) const {
+        const Lane mx = from.x() - node.x, my = from.y() - node.y, mz = from.z() - node.z;
+        const Lane lift = node.nx * mx + node.ny * my + node.nz * mz;
+        const Lane height = lift - node.offset;
+        const Lane above = (height.abs() - node.thickness).max(0.0f);
+        const Lane across = (mx * mx + my * my + mz * mz - lift * lift).max(1e-30f).sqrt();
+        const Lane beside = (across - node.radius).max(0.0f);
+        const Lane distance = (above * above + beside * beside).sqrt();
+        const Lane gap = distance - (node.radius.abs() * kRounding + radius);
+        const Lane rise = node.nx * motion.x() + node.ny * motion.y() + node.nz * motion.z();
         const Lane along = mx * motion.x() + my * motion.y() + mz * motion.z();
-        const Lane approach = slack - (height * rise + beside / across * (along - height * rise)) / distance;
+        const Lane climb = (height > 0.0f).select(above * rise, -above * rise);
+        const Lane approach = slack - (climb + beside / across * (along - lift * rise)) / distance;
         const Lane time = (approach > 0.0f).select(gap / approach, kFar);
         return (gap <= 0.0f).select(0.0f, time);
     }
 };
-
-constexpr int kWidth = SphereTree::kWidth;
 
 // One bit for each lane that is below the limit.
 unsigned below(const Lane& value, float limit) noexcept {
@@ -90,17 +77,17 @@ struct Sweep {
     const TriangleSoup& soup;
     const SpherePath& path;
     std::span<const Index> excluded;
-    const std::vector<SphereTree::Leaf>& leaves;
+    const std::vector<SphereTree::Node>& leaves;
     PruningPath pruning{path};
     SweepHit hit{};
     float until = 1;
 
     void testLeaf(Index leafIndex) noexcept {
-        const SphereTree::Leaf& leaf = leaves[leafIndex];
+        const SphereTree::Node& leaf = leaves[leafIndex];
         const Lane time = pruning.contactTime(leaf);
         for (unsigned bits = below(time, std::nextafter(until, kFar)); bits != 0; bits &= bits - 1) {
             const int lane = std::countr_zero(bits);
-            if (time[lane] <= until) testTriangle(leaf.triangle[lane], leafIndex);
+            if (time[lane] <= until) testTriangle(Index(leaf.child[lane]), leafIndex);
         }
     }
 
@@ -133,8 +120,8 @@ SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path, std
             continue;
         }
         const Node& node = nodes_[std::size_t(top)];
-        const Lane near = sweep.pruning.distance2(node.x, node.y, node.z, node.radius, sweep.until);
-        for (unsigned bits = below(near, kFar); bits != 0; bits &= bits - 1)
+        const Lane time = sweep.pruning.contactTime(node);
+        for (unsigned bits = below(time, std::nextafter(sweep.until, kFar)); bits != 0; bits &= bits - 1)
             stack[size++] = node.child[std::countr_zero(bits)];
     }
     return sweep.hit;

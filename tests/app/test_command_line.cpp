@@ -1,0 +1,270 @@
+// The command line is a contract: verbs, options, columns, keys and exit codes, driven from outside.
+
+#include <cmath>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+struct Ended {
+    int code = -1;
+    QByteArray out, error;
+};
+
+// No display, and a locale with a decimal comma: neither may matter to a verb.
+Ended tactum(const QStringList& arguments) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove("DISPLAY");
+    environment.remove("WAYLAND_DISPLAY");
+    environment.insert("LC_ALL", "de_DE.UTF-8");
+    process.setProcessEnvironment(environment);
+    process.start(TACTUM_PROGRAM, arguments);
+    if (!process.waitForFinished(120000)) return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+using Row = QList<double>;
+
+QList<Row> rowsOf(const QString& file) {
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly)) return {};
+    QList<Row> rows;
+    in.readLine();
+    while (!in.atEnd()) {
+        Row row;
+        for (const QByteArray& cell : in.readLine().trimmed().split(','))
+            row.append(cell.toDouble());
+        rows.append(row);
+    }
+    return rows;
+}
+
+enum Column {
+    T,
+    FingerX,
+    FingerY,
+    FingerZ,
+    ProxyX,
+    ProxyY,
+    ProxyZ,
+    ForceX,
+    ForceY,
+    ForceZ,
+    Contacts,
+    UpdateNs
+};
+
+} // namespace
+
+class TestCommandLine : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    QString file(const QString& name) const { return folder_.filePath(name); }
+
+    QString write(const QString& name, const QByteArray& text) const {
+        QFile out(file(name));
+        if (!out.open(QIODevice::WriteOnly)) return {};
+        out.write(text);
+        return file(name);
+    }
+
+    // A square plate of two triangles in the plane z = 0, 0.2 m wide.
+    QString plate() const {
+        return write("plate.obj", "v -0.1 -0.1 0\nv 0.1 -0.1 0\nv 0.1 0.1 0\nv -0.1 0.1 0\nf 1 2 3 4\n");
+    }
+
+    // Straight down onto the plate to `depth`, then along x by `along`, at 1 kHz.
+    QString pressAndSlide(double depth, double along) const {
+        QByteArray text = "t,x,y,z\n";
+        int row = 0;
+        auto add = [&](double x, double z) {
+            text += QByteArray::number(row++ * 1e-3, 'g', 17) + ',' + QByteArray::number(x, 'g', 17) +
+                    ",0.003," + QByteArray::number(z, 'g', 17) + '\n';
+        };
+        for (int i = 0; i <= 200; ++i)
+            add(0.01, 0.01 - (0.01 + depth) * i / 200.0);
+        for (int i = 1; i <= 400; ++i)
+            add(0.01 + along * i / 400.0, -depth);
+        return write("path.csv", text);
+    }
+
+    static QByteArray oneLine(const QByteArray& text) {
+        return text.count('\n') == 1 ? text.trimmed() : QByteArray();
+    }
+
+private slots:
+    void touchWritesTheColumnsOfTheContract() {
+        const QString path = pressAndSlide(0.004, 0.01);
+        const Ended ended = tactum({"touch", plate(), "--path", path, "--out", file("touch.csv"), "--summary",
+                                    file("touch.json"), "--proxy-radius", "0.001", "--stiffness", "500"});
+        QVERIFY2(ended.code == 0, ended.error);
+        QFile out(file("touch.csv"));
+        QVERIFY(out.open(QIODevice::ReadOnly));
+        QCOMPARE(out.readLine().trimmed(),
+                 QByteArray("t,finger_x,finger_y,finger_z,proxy_x,proxy_y,proxy_z,force_x,"
+                            "force_y,force_z,contacts,update_ns"));
+        const QList<Row> rows = rowsOf(file("touch.csv"));
+        QCOMPARE(rows.size(), 601);
+        const Row& last = rows.last();
+        QCOMPARE(last.size(), 12);
+        // The proxy stays a radius above the plate; the spring pushes the finger up by k times the distance.
+        QVERIFY(std::abs(last[ProxyZ] - 0.001) < 1e-8);
+        QVERIFY(std::abs(last[ForceZ] - 500 * 0.005) < 1e-5);
+        QCOMPARE(int(last[Contacts]), 1);
+        QCOMPARE(last[FingerY], 0.003); // full precision: reads back as the same double
+    }
+
+    void touchPrintsTheSummary() {
+        const QString path = pressAndSlide(0.002, 0);
+        const Ended ended = tactum({"touch", plate(), "--path", path, "--summary", file("s.json")});
+        QCOMPARE(ended.code, 0);
+        const QJsonObject printed = QJsonDocument::fromJson(ended.out).object();
+        QFile saved(file("s.json"));
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QCOMPARE(QJsonDocument::fromJson(saved.readAll()).object(), printed);
+        QCOMPARE(printed["triangles"].toInt(), 2);
+        QCOMPARE(printed["updates"].toInt(), 601);
+        for (const char* key : {"load_s", "build_s", "peak_rss_bytes", "hierarchy_bytes"})
+            QVERIFY2(printed[key].toDouble() > 0, key);
+        const QJsonObject times = printed["update_ns"].toObject();
+        for (const char* key : {"mean", "median", "p99", "p999", "max"})
+            QVERIFY2(times[key].toDouble() > 0, key);
+        QVERIFY(times["median"].toDouble() <= times["p99"].toDouble());
+        QVERIFY(times["p999"].toDouble() <= times["max"].toDouble());
+    }
+
+    void touchIsDeterministicToTheBit() {
+        const QString path = pressAndSlide(0.004, 0.03);
+        QList<QList<Row>> runs;
+        for (const char* name : {"a.csv", "b.csv"}) {
+            QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file(name), "--static-friction",
+                             "0.5", "--dynamic-friction", "0.3", "--viscosity", "2"})
+                         .code,
+                     0);
+            runs.append(rowsOf(file(name)));
+            for (Row& row : runs.last())
+                row[UpdateNs] = 0;
+        }
+        QVERIFY(!runs[0].isEmpty());
+        QCOMPARE(runs[0], runs[1]);
+    }
+
+    void frictionHoldsAndSlidesAsGiven() {
+        const QString path = pressAndSlide(0.004, 0.02);
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("f.csv"), "--proxy-radius", "0.001",
+                         "--stiffness", "1000", "--static-friction", "0.6", "--dynamic-friction", "0.4"})
+                     .code,
+                 0);
+        double most = 0;
+        const QList<Row> rows = rowsOf(file("f.csv"));
+        for (const Row& row : rows)
+            if (row[ForceZ] > 4) most = std::max(most, -row[ForceX] / row[ForceZ]);
+        QVERIFY2(std::abs(most - 0.6) < 0.02, qPrintable(QString::number(most))); // a step of 50 um over 5 mm
+        QVERIFY(std::abs(-rows.last()[ForceX] / rows.last()[ForceZ] - 0.4) < 1e-6);
+    }
+
+    void fitDiagonalScalesAboutTheBoxCentre() {
+        const QString big =
+            write("big.obj", "v 1000 1000 7\nv 1020 1000 7\nv 1020 1020 7\nv 1000 1020 7\nf 1 2 3 4\n");
+        const QString path = pressAndSlide(0.002, 0);
+        QCOMPARE(tactum({"touch", big, "--path", path, "--out", file("fit.csv"), "--fit-diagonal", "0.2",
+                         "--proxy-radius", "0.001"})
+                     .code,
+                 0);
+        QVERIFY(std::abs(rowsOf(file("fit.csv")).last()[ProxyZ] - 0.001) < 1e-8);
+    }
+
+    void wrongUsageIsTwo_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no path") << QStringList{"touch", "x.obj"};
+        QTest::newRow("no scene") << QStringList{"info"};
+        QTest::newRow("unknown option") << QStringList{"check", "x.obj", "--nonsense"};
+        QTest::newRow("unknown flag without verb") << QStringList{"--nonsense"};
+        QTest::newRow("not a number") << QStringList{"touch", "x", "--path", "y", "--stiffness", "1,5"};
+        QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};
+        QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
+        QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
+        QTest::newRow("contradicting friction") << QStringList{
+            "touch", "x", "--path", "y", "--static-friction", "0.2", "--dynamic-friction", "0.5"};
+    }
+    void wrongUsageIsTwo() {
+        QFETCH(QStringList, arguments);
+        const Ended ended = tactum(arguments);
+        QCOMPARE(ended.code, 2);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        QVERIFY(ended.out.isEmpty());
+    }
+
+    void badInputIsOne() {
+        const QString path = pressAndSlide(0.002, 0);
+        const QString broken = write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
+        for (const QStringList& arguments :
+             {QStringList{"touch", broken, "--path", path}, QStringList{"info", broken},
+              QStringList{"check", broken}, QStringList{"info", file("missing.obj")},
+              QStringList{"touch", plate(), "--path", file("missing.csv")}}) {
+            const Ended ended = tactum(arguments);
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QVERIFY(tactum({"info", broken}).error.contains("broken.obj:3")); // where
+    }
+
+    void unwritableOutputIsThree() {
+        const QString path = pressAndSlide(0.002, 0);
+        const Ended ended = tactum({"touch", plate(), "--path", path, "--out", file("no/such/folder.csv")});
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--picture", file("p.png")}).code,
+                 3); // no display
+    }
+
+    void infoNamesEverything() {
+        const Ended text = tactum({"info", plate()});
+        QCOMPARE(text.code, 0);
+        QVERIFY(text.out.contains("stiffness") && text.out.contains("N/m") &&
+                text.out.contains("2 triangles"));
+        const Ended json = tactum({"info", plate(), "--json"});
+        QCOMPARE(json.code, 0);
+        const QJsonObject scene = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(scene["triangles"].toInt(), 2);
+        const QJsonObject object = scene["objects"].toArray().at(0).toObject();
+        const QJsonObject surface = object["surfaces"].toArray().at(0).toObject();
+        const QJsonObject parameters = surface["parameters"].toObject();
+        for (const char* key : {"stiffness", "damping", "static-friction", "dynamic-friction", "viscosity"})
+            QVERIFY2(parameters[key].toObject().contains("value") &&
+                         parameters[key].toObject().contains("unit"),
+                     key);
+        QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
+    }
+
+    void checkAndDevicesAnswer() {
+        const Ended check = tactum({"check", plate()});
+        QCOMPARE(check.code, 0);
+        QVERIFY(!check.out.isEmpty());
+        const Ended devices = tactum({"devices"});
+        QCOMPARE(devices.code, 0);
+        QVERIFY(devices.out.contains("Simulated hand: ready"));
+    }
+
+    void helpIsZero() {
+        QCOMPARE(tactum({"--help"}).code, 0);
+        const Ended help = tactum({"touch", "--help"});
+        QCOMPARE(help.code, 0);
+        QVERIFY(help.out.contains("--static-friction") && help.out.contains("--fit-diagonal"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "test_command_line.moc"
