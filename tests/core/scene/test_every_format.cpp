@@ -53,7 +53,7 @@ bool isOneLine(const std::string& text) {
 
 } // namespace
 
-class EveryFormatTest : public QObject {
+class TestEveryFormat : public QObject {
     Q_OBJECT
 
 private slots:
@@ -243,5 +243,5 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(EveryFormatTest)
-#include "every_format_test.moc"
+QTEST_GUILESS_MAIN(TestEveryFormat)
+#include "test_every_format.moc"
