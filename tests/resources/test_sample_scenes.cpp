@@ -103,7 +103,7 @@ private slots:
         QVERIFY(distanceTo(loaded->scene, path->back().position) > 0.02);
         QVERIFY(distanceTo(loaded->scene, (*path)[1000].position) > 0.0035); // pressed 4 mm in
         for (std::size_t i = 0; i < path->size(); ++i) {
-            if (i % 50 == 0 && i >= 700 && i <= 3000)
+            if (i % 50 == 0 && i >= 700 && i <= 2800)
                 QVERIFY(distanceTo(loaded->scene, (*path)[i].position) < 0.0045);
             if (i == 0) continue;
             const Vec3 step = (*path)[i].position - (*path)[i - 1].position;
