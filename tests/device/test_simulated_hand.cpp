@@ -153,13 +153,15 @@ private slots:
     }
 
     void nonsenseLeavesTheHandWhereItIs() {
+        const Vec3 place(0.02, 0, 0), nonsense = Vec3::Constant(std::nan(""));
         Hand hand;
-        hand.leadTo({0.02, 0, 0});
+        hand.leadTo(place);
         hand.go(2);
-        hand.leadTo(Vec3::Constant(std::nan("")));
-        const DeviceSample sample = hand.device.exchange({Vec3::Constant(std::nan(""))}, 1e-3);
-        QVERIFY(sample.valid);
-        QVERIFY((sample.position - Vec3(0.02, 0, 0)).norm() < 1e-9);
+        QVERIFY((hand.device.exchange({nonsense}, 1e-3).position - place).norm() < 1e-9);
+        hand.leadTo(nonsense);
+        QVERIFY((hand.device.exchange({}, 1e-3).position - place).norm() < 1e-9);
+        hand.teleportTo(nonsense, 1);
+        QVERIFY((hand.device.exchange({}, 1e-3).position - place).norm() < 1e-9);
     }
 };
 
