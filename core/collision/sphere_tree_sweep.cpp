@@ -121,8 +121,16 @@ SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path, std
         }
         const Node& node = nodes_[std::size_t(top)];
         const Lane time = sweep.pruning.contactTime(node);
-        for (unsigned bits = below(time, std::nextafter(sweep.until, kFar)); bits != 0; bits &= bits - 1)
-            stack[size++] = node.child[std::countr_zero(bits)];
+        // The child that can be reached first is looked into first, so that a contact shortens the path
+        // early.
+        int first = size;
+        float soonest = kFar;
+        for (unsigned bits = below(time, std::nextafter(sweep.until, kFar)); bits != 0; bits &= bits - 1) {
+            const int lane = std::countr_zero(bits);
+            if (time[lane] < soonest) soonest = time[lane], first = size;
+            stack[size++] = node.child[lane];
+        }
+        if (first < size) std::swap(stack[first], stack[size - 1]);
     }
     return sweep.hit;
 }

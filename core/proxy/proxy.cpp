@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "core/surface/friction.h"
 
 namespace tactum {
@@ -42,12 +44,13 @@ public:
         ProxyReport report;
         refreshContacts();
         report.boundHit = true;
-        for (report.rounds = 1; report.rounds <= kMaxRounds; ++report.rounds) {
+        for (rounds_ = 1; rounds_ <= kMaxRounds; ++rounds_) {
             if (!round()) {
                 report.boundHit = false;
                 break;
             }
         }
+        report.rounds = std::min(rounds_, kMaxRounds);
         finish();
         return report;
     }
@@ -62,12 +65,14 @@ private:
         if (excess <= kRest * radius_) return false;
         const double slide = frictionAllows(wish, excess);
         if (slide <= 0) return false;
-        const Vec3 motion = wish * (slide / excess);
+        // Friction that lets go entirely is none; the last rounds take no risks.
+        const bool free = slide == excess && rounds_ < kMaxRounds - 2;
+        const Vec3 motion = free ? alongCurvature(wish) : Vec3(wish * (slide / excess));
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(motion, body);
         const double part = std::min(hit.t, 1.0);
         state_.position += part * motion;
-        if (part * slide > kRest * radius_) forgetInactive();
+        if (part * motion.norm() > kRest * radius_) forgetInactive();
         const bool planesTurned = refreshContacts();
         if (body != kNoBody) return meet(body, hit.triangle, part);
         if (state_.contactCount > 0 && slide < excess && isViscous()) return false;
@@ -79,11 +84,38 @@ private:
         std::array<ConstraintPlane, kMaxPlanes> planes;
         for (int i = 0; i < state_.contactCount; ++i)
             planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const NearestPoint nearest =
-            nearestPoint(finger_ - state_.position, {planes.data(), std::size_t(state_.contactCount)});
+        const std::span<const ConstraintPlane> used(planes.data(), std::size_t(state_.contactCount));
+        const NearestPoint nearest = nearestPoint(finger_ - state_.position, used);
         for (int i = 0; i < state_.contactCount; ++i)
             state_.contacts[i].lambda = nearest.lambda[i];
         return nearest.x;
+    }
+
+    // The same on curved constraints. Around an edge or a vertex the C-obstacle is a cylinder or a sphere,
+    // and going to the foot on its tangent plane again and again only halves the error; with the curvature in
+    // the Hessian of the Lagrangian (4), I - sum lambda_i Hess(distance_i), the rounds converge like Newton's
+    // method. Where that is not safely positive the proxy is rolling off, and it is only led to roll faster.
+    Vec3 alongCurvature(const Vec3& flat) noexcept {
+        constexpr double kMostCurved = 0.5;
+        Mat3 bend = Mat3::Zero();
+        double most = 0;
+        for (const Contact& contact : contacts()) {
+            bend += contact.lambda * contact.bend * contact.bent;
+            most += contact.lambda * contact.bend;
+        }
+        if (!(most > 0)) return flat;
+        bend *= std::min(1.0, kMostCurved / most);
+        const Eigen::LLT<Mat3> root(Mat3::Identity() - bend);
+        const auto lower = root.matrixL();
+        std::array<ConstraintPlane, kMaxPlanes> planes;
+        for (int i = 0; i < state_.contactCount; ++i) {
+            const Vec3 normal = lower.solve(state_.contacts[i].normal);
+            const double length = normal.norm();
+            planes[i] = {normal / length, -state_.contacts[i].gap / length};
+        }
+        const NearestPoint nearest = nearestPoint(lower.solve(finger_ - state_.position),
+                                                  {planes.data(), std::size_t(state_.contactCount)});
+        return nearest.feasible ? Vec3(root.matrixU().solve(nearest.x)) : flat;
     }
 
     // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.
@@ -128,8 +160,8 @@ private:
                 if (contact.body == i) touched[count++] = contact.triangle;
             const SpherePath path{obstacle.pose.applyInverse(state_.position),
                                   obstacle.pose.rotateInverse(motion), radius_ * (1 - kSkin)};
-            const SweepHit hit =
-                obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path, {touched.data(), count}, state_.leafHint);
+            const SweepHit hit = obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path,
+                                                           {touched.data(), count}, state_.leafHint);
             if (hit.t < first.t) first = hit, body = i;
         }
         if (body != kNoBody) state_.leafHint = first.leaf;
@@ -159,6 +191,23 @@ private:
         contact.point = obstacle.pose.apply(closest.point);
         if (distance > 0) contact.normal = obstacle.pose.rotate(away / distance);
         contact.gap = distance - radius_;
+        contact.bend = closest.feature == Feature::Face ? 0 : 1 / std::max(distance, 0.5 * radius_);
+        contact.bent = bentDirections(closest, obstacle, contact);
+    }
+
+    // The projector onto the directions in which the C-obstacle bends: none over a face, across an edge, all
+    // around a vertex.
+    static Mat3 bentDirections(const ClosestPoint& closest, const Obstacle& obstacle,
+                               const Contact& contact) noexcept {
+        if (closest.feature == Feature::Face) return Mat3::Zero();
+        Mat3 across = Mat3::Identity() - contact.normal * contact.normal.transpose();
+        if (closest.feature == Feature::Vertex) return across;
+        const Triangle t = obstacle.triangle(contact.triangle);
+        const std::array<Vec3, 3> opposite{t.c - t.b, t.a - t.c, t.b - t.a};
+        int off = 0;
+        closest.weights.cwiseAbs().minCoeff(&off);
+        const Vec3 edge = obstacle.pose.rotate(opposite[off].normalized());
+        return across - edge * edge.transpose();
     }
 
     // Recomputes every plane, drops what is no longer touched; says whether any plane turned or went.
@@ -204,6 +253,7 @@ private:
     double timeLeft_;
     Vec3 fingerVelocity_;
     Vec3 start_ = state_.position;
+    int rounds_ = 0;
 };
 
 } // namespace

@@ -37,6 +37,8 @@ struct Contact {
     Vec3 point = Vec3::Zero();   ///< on the surface
     Vec3 normal = Vec3::UnitZ(); ///< out of the surface toward the proxy
     double gap = 0;              ///< from the proxy's surface to `point`, m; as low as -kSkin r
+    double bend = 0;             ///< curvature of the C-obstacle, 1/m: 0 over a face
+    Mat3 bent = Mat3::Zero();    ///< projector onto the directions in which it bends
     double lambda = 0;           ///< multiplier of the plane, m: its force is k lambda normal (19)
 };
 
