@@ -69,7 +69,7 @@ bool PolygonCutter::project(std::span<const Vec3> corners) {
         normal += a.cross(corners[ring_[next_[i]]] - origin);
         reach = std::max(reach, a.squaredNorm());
     }
-    flatness_ = 1e-14 * reach;
+    flatness_ = 1e-15 * reach;
     if (!(normal.norm() > flatness_)) return false;
     const Vec3 u = normal.unitOrthogonal(), v = normal.normalized().cross(u);
     for (std::size_t i = 0; i < n; ++i) {

@@ -63,6 +63,12 @@ std::string gltfJson(const TriangleSoup& soup, const std::string& nodes, const s
 
 } // namespace
 
+bool said(const LoadedScene& loaded, const std::string& part) {
+    return std::any_of(loaded.findings.begin(), loaded.findings.end(), [&](const Finding& finding) {
+        return finding.sentence.find(part) != std::string::npos;
+    });
+}
+
 std::string asObj(const TriangleSoup& soup) {
     std::string out = "# a mesh\n";
     for (const Vec3& p : soup.positions)

@@ -31,13 +31,16 @@ private:
 
 enum class PlyForm { Text, LittleEndian, BigEndian };
 
+/// Whether a finding of the loader contains this.
+bool said(const LoadedScene& loaded, const std::string& part);
+
 /// Coordinates must be such that float holds them exactly: the binary formats have no more.
 std::string asObj(const TriangleSoup& soup);
 std::string asPly(const TriangleSoup& soup, PlyForm form);
 std::string asStlText(const TriangleSoup& soup);
 std::string asStlBinary(const TriangleSoup& soup);
 std::string asOff(const TriangleSoup& soup);
-/// `head`: what else the JSON says; empty for one node with the mesh.
+/// `nodes`: the members "scenes", "nodes" and more of the JSON; empty for one node with mesh 0.
 std::string asGltf(const TriangleSoup& soup, const std::string& nodes = "");
 std::string asGlb(const TriangleSoup& soup, const std::string& nodes = "");
 

@@ -1,0 +1,123 @@
+// Corner normals for display, also on meshes that a half-edge structure cannot hold.
+#include <cmath>
+#include <random>
+
+#include <QTest>
+
+#include "core/geometry/topology.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kRightAngle = M_PI / 2;
+
+TriangleSoup cube() {
+    TriangleSoup soup;
+    for (int i = 0; i < 8; ++i)
+        soup.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+    soup.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return soup;
+}
+
+Vec3 faceNormal(const TriangleSoup& soup, std::size_t f) {
+    const auto& t = soup.triangles[f];
+    const Vec3& a = soup.positions[t[0]];
+    return (soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a).normalized();
+}
+
+std::vector<Eigen::Vector3f> normals(const TriangleSoup& soup, double crease) {
+    return cornerNormalsOf(soup, crease).value();
+}
+
+bool near(const Eigen::Vector3f& a, const Vec3& b) {
+    return (a.cast<double>() - b).norm() < 1e-6;
+}
+
+} // namespace
+
+class TestTopology : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSharpCubeHasFlatFaces() {
+        const TriangleSoup soup = cube();
+        const auto found = normals(soup, 0.5 * kRightAngle);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            QVERIFY(near(found[i], faceNormal(soup, i / 3)));
+    }
+
+    /// Weighted by angle, so that how a side is cut into triangles does not show.
+    void aSmoothCubePointsAlongItsDiagonals() {
+        const TriangleSoup soup = cube();
+        const auto found = normals(soup, 1.5 * kRightAngle);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const Vec3 corner = soup.positions[soup.triangles[i / 3][i % 3]];
+            QVERIFY(near(found[i], (corner - Vec3::Constant(0.5)).normalized()));
+        }
+    }
+
+    void seamsOfSplitVerticesDoNotShow() {
+        const TriangleSoup whole = cube();
+        TriangleSoup split;
+        for (const auto& t : whole.triangles) {
+            const Index first = Index(split.positions.size());
+            for (Index corner : t)
+                split.positions.push_back(whole.positions[corner]);
+            split.triangles.push_back({first, first + 1, first + 2});
+        }
+        const auto expected = normals(whole, M_PI), found = normals(split, M_PI);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            QVERIFY(near(found[i], expected[i].cast<double>()));
+    }
+
+    void eachTriangleAtANonManifoldEdgeKeepsItsOwn() {
+        TriangleSoup soup;
+        soup.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
+        soup.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+        const auto found = normals(soup, M_PI);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            QVERIFY(near(found[i], faceNormal(soup, i / 3)));
+    }
+
+    void segmentsGetSomeNormal() {
+        TriangleSoup soup = cube();
+        soup.triangles.push_back({0, 7, 7});
+        const auto found = normals(soup, 1);
+        QCOMPARE(found.size(), std::size_t(39));
+        QVERIFY(near(found[36], {0, 0, 1}));
+    }
+
+    /// Any soup: an answer of unit length for every corner, on the front side of triangles that stand alone.
+    void randomSoupsGetANormalForEveryCorner() {
+        std::mt19937 random(11);
+        for (int round = 0; round < 200; ++round) {
+            TriangleSoup soup;
+            for (int i = 0; i < 9; ++i) {
+                const double x = random() % 100, y = random() % 100;
+                soup.positions.emplace_back(x, y, random() % 100);
+            }
+            for (int i = 0; i < 40; ++i) {
+                const Index a = random() % 9, b = random() % 9;
+                soup.triangles.push_back({a, b, Index(random() % 9)});
+            }
+            const auto found = normals(soup, 0);
+            QCOMPARE(found.size(), 3 * soup.triangles.size());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                QVERIFY(std::abs(found[i].norm() - 1) < 1e-4);
+                const auto& t = soup.triangles[i / 3];
+                const bool flat = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+                QVERIFY(flat || near(found[i], faceNormal(soup, i / 3))); // every edge is a crease at angle 0
+            }
+        }
+    }
+
+    void cancellingStops() {
+        const std::atomic<bool> cancelled = true;
+        QVERIFY(!cornerNormalsOf(cube(), 1, Progress{{}, &cancelled}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTopology)
+#include "test_topology.moc"
