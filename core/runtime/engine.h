@@ -21,14 +21,17 @@ public:
 
     /// Opens the device and starts both loops, forces off.
     Result<void> start();
-    /// Zero force, both loops ended, device closed. Safe to call twice.
+    /// Zero force, both loops ended, device closed. Safe to call twice. The newest World stays for a later
+    /// start(); all others are released.
     void stop();
     bool running() const;
 
     /// Hands over a World; the proxy loop takes it at its next update. The old one is destroyed here, at a
-    /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched.
+    /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched; a
+    /// null pointer is ignored.
     void publish(std::shared_ptr<const World> world);
-    /// Forces on or off. Off is also the state after start().
+    /// Forces on or off. Off is also the state after start(). On, the force comes within a quarter of a
+    /// second (kForceReturn): a finger that is deep inside is not thrown out.
     void setArmed(bool armed);
     bool armed() const;
     /// Puts the proxy onto the finger: a new model, a jump of the hand.
