@@ -1,6 +1,7 @@
 #include "core/runtime/compile.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/base/realtime.h"
 
@@ -58,9 +59,10 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
         world->obstacles[i].mesh = world->bodies[i].mesh.get();
         world->obstacles[i].materials = world->bodies[i].materials;
     }
-    world->revision = previous ? previous->revision + 1 : 1;
-    world->shapeRevision = 1;
-    if (previous) world->shapeRevision = previous->shapeRevision + (sameShape(*world, *previous) ? 0 : 1);
+    // Numbers of the whole program, so that the contacts of one shape are never taken for those of another.
+    static std::atomic<std::uint64_t> revisions{0}, shapes{0};
+    world->revision = ++revisions;
+    world->shapeRevision = previous && sameShape(*world, *previous) ? previous->shapeRevision : ++shapes;
     return std::shared_ptr<const World>(std::move(world));
 }
 

@@ -24,8 +24,8 @@ struct World {
     std::vector<Obstacle> obstacles; ///< one for each body, in the same order
     double proxyRadius = 0;          ///< m
     std::uint64_t revision = 0;      ///< rises with every compile
-    std::uint64_t shapeRevision =
-        0; ///< rises when a mesh, a pose or the proxy radius changed: contacts are void
+    /// Another number when a mesh, a pose or the proxy radius changed: contacts are void.
+    std::uint64_t shapeRevision = 0;
 };
 
 } // namespace tactum

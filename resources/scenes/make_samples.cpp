@@ -1,8 +1,9 @@
 // Writes the sample scene and a finger that touches it: make-samples FOLDER.
 //
 // The teapot is ours, from formulas: body, lid and table are B-spline profiles turned about the z axis, spout
-// and handle are circles swept along B-splines. Every part is a closed surface of its own. Unit: metre, z up,
-// the top of the table at z = 0. The files in this folder are what this program writes; a test compares them.
+// and handle are circles swept along B-splines. Every part is a closed surface of its own. Unit: metre, z up
+// in the formulas, the top of the table at z = 0. The files in this folder are what this program writes; a
+// test compares them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -167,11 +168,16 @@ std::string fixed(const Vec3& p, int decimals, const char* separator) {
     return fixed(p.x(), decimals) + separator + fixed(p.y(), decimals) + separator + fixed(p.z(), decimals);
 }
 
+// The formulas stand on z; files and the view stand on y, as glTF does.
+Vec3 yUp(const Vec3& p) {
+    return {p.x(), p.z(), -p.y()};
+}
+
 class ObjWriter {
 public:
     explicit ObjWriter(const std::filesystem::path& folder)
         : obj_(folder / "teapot.obj", std::ios::binary), mtl_(folder / "teapot.mtl", std::ios::binary) {
-        obj_ << "# A teapot on a table: metres, z up. Written by make-samples.\nmtllib teapot.mtl\n";
+        obj_ << "# A teapot on a table: metres, y up. Written by make-samples.\nmtllib teapot.mtl\n";
         mtl_ << "# The colours of teapot.obj. Written by make-samples.\n";
     }
 
@@ -185,8 +191,8 @@ public:
                 const double u = double(i) / double(part.rings), v = double(k) / double(part.segments);
                 const bool pole = pointsOf(part, i) == 1;
                 const double inside = std::clamp(u, 1e-3, 1 - 1e-3); // where a normal can be found
-                obj_ << "v " << fixed(part.point(u, v), 6, " ") << "\nvn "
-                     << fixed(pole ? poleNormal(part, inside) : part.normal(u, v), 4, " ") << "\n";
+                obj_ << "v " << fixed(yUp(part.point(u, v)), 6, " ") << "\nvn "
+                     << fixed(yUp(pole ? poleNormal(part, inside) : part.normal(u, v)), 4, " ") << "\n";
             }
         for (std::size_t i = 0; i < part.rings; ++i)
             writeBand(part, i);
@@ -265,7 +271,7 @@ bool writeFinger(const std::filesystem::path& file) {
     out << "t,x,y,z\n";
     for (int row = 0; row <= 8000; ++row) {
         const double t = row * 1e-3;
-        out << fixed(t, 3) << "," << fixed(finger(keys, t), 7, ",") << "\n";
+        out << fixed(t, 3) << "," << fixed(yUp(finger(keys, t)), 7, ",") << "\n";
     }
     return out.flush().good();
 }

@@ -69,8 +69,8 @@ private slots:
         }
         const Bounds box = boundsOf(*teapot.geometry), top = boundsOf(*table.geometry);
         QVERIFY(std::abs((box.high - box.low).x() - 0.125) < 0.01);
-        QVERIFY(box.low.z() > 0 && box.low.z() < 0.001); // stands just above the table
-        QVERIFY(std::abs(top.high.z()) < 1e-6 && std::abs((top.high - top.low).x() - 0.2) < 0.002);
+        QVERIFY(box.low.y() > 0 && box.low.y() < 0.001); // stands just above the table
+        QVERIFY(std::abs(top.high.y()) < 1e-6 && std::abs((top.high - top.low).x() - 0.2) < 0.002);
         QVERIFY(triangleCount(loaded->scene) > 8000 && triangleCount(loaded->scene) < 12000);
     }
 
