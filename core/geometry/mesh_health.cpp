@@ -65,22 +65,27 @@ Kind kindOf(const Corners& t) {
 class Examination {
 public:
     Examination(const TriangleSoup& soup, const Progress& progress)
-        : soup_(soup), meter_(progress, 4 * soup.triangles.size()), weld_(weldMap(soup.positions)) {}
+        : soup_(soup), progress_(progress),
+          meter_(progress, 4 * soup.triangles.size() + 2 * soup.positions.size()),
+          weld_(weldMap(soup.positions, Progress{{}, progress.cancelled})) {}
 
     Result<MeshHealth> run() {
         health_.hasNormals = !soup_.cornerNormals.empty();
         health_.hasUvs = !soup_.cornerUvs.empty();
-        if (!countKinds() || !countParts() || !countEdges() || !countDuplicates()) return cancelledError();
+        const bool whole = countKinds() && countParts() && countEdges() && countDuplicates();
+        if (!whole || progress_.isCancelled()) return cancelledError();
         return health_;
     }
 
 private:
     Corners welded(const Corners& t) const { return {weld_[t[0]], weld_[t[1]], weld_[t[2]]}; }
 
+    bool goesOn() { return meter_.goesOn(++done_); }
+
     /// Calls f with the welded corners of every triangle; false when cancelled.
     template <class F> bool eachTriangle(F f) {
         for (const Corners& t : soup_.triangles) {
-            if (!meter_.goesOn(++done_)) return false;
+            if (!goesOn()) return false;
             f(welded(t));
         }
         return true;
@@ -142,7 +147,7 @@ private:
             });
         });
         UnionFind rims(weld_.size());
-        for (Index v = 0; v < edges.vertices(); ++v)
+        for (Index v = 0; whole && v < edges.vertices() && goesOn(); ++v)
             judgeEdges(v, edges.begin(v), edges.end(v), rims);
         return whole;
     }
@@ -180,7 +185,7 @@ private:
             std::sort(t.begin(), t.end());
             faces.place(t[0], {t[1], t[2]});
         });
-        for (Index v = 0; v < faces.vertices(); ++v) {
+        for (Index v = 0; whole && v < faces.vertices() && goesOn(); ++v) {
             std::sort(faces.begin(v), faces.end(v));
             const auto* distinct = std::unique(faces.begin(v), faces.end(v));
             health_.duplicateFaces += std::size_t(faces.end(v) - distinct);
@@ -189,6 +194,7 @@ private:
     }
 
     const TriangleSoup& soup_;
+    const Progress& progress_;
     ProgressMeter meter_;
     std::size_t done_ = 0;
     std::vector<Index> weld_;
@@ -225,9 +231,10 @@ Result<MeshHealth> healthOf(const TriangleSoup& soup, const Progress& progress) 
     return Examination(soup, progress).run();
 }
 
-CollapsedTriangles collapseFlatTriangles(TriangleSoup& soup) {
+CollapsedTriangles collapseFlatTriangles(TriangleSoup& soup, const Progress& progress) {
     CollapsedTriangles collapsed;
-    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    ProgressMeter meter(progress, soup.triangles.size());
+    for (std::size_t f = 0; f < soup.triangles.size() && meter.goesOn(f); ++f) {
         const auto sources = collapsedCorners(soup, soup.triangles[f]);
         if (!sources) continue;
         const Corners before = soup.triangles[f];

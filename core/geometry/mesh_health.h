@@ -45,6 +45,7 @@ struct CollapsedTriangles {
 /// Turns triangles whose corners lie on one line (height below 1e-12 of the longest side) into the segment
 /// they cover, and those whose corners lie at one place into a point: what the closed forms of triangle.h
 /// can divide by. The shape stays, no triangle is removed; slivers are left alone.
-CollapsedTriangles collapseFlatTriangles(TriangleSoup& soup);
+/// Stops where it is when cancelled.
+CollapsedTriangles collapseFlatTriangles(TriangleSoup& soup, const Progress& progress = {});
 
 } // namespace tactum

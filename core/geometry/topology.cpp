@@ -29,7 +29,7 @@ bool hasArea(const Corners& t) {
 /// only when they are linked by such edges, all others are vertices of their own at the same place.
 class HalfEdges {
 public:
-    explicit HalfEdges(const TriangleSoup& soup);
+    HalfEdges(const TriangleSoup& soup, const Progress& progress);
 
     HalfEdgeMesh mesh;
     std::vector<OpenMesh::FaceHandle> faceOf; ///< of each triangle; invalid for those without an area
@@ -43,20 +43,21 @@ private:
     static OpenMesh::Vec3d point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
     const TriangleSoup& soup_;
+    const Progress& progress_;
     std::vector<Corners> welded_;
     std::vector<Index> fan_; ///< union-find over corners (3 * triangle + corner)
 };
 
-HalfEdges::HalfEdges(const TriangleSoup& soup) : soup_(soup) {
-    omerr().disable();
-    const std::vector<Index> weld = weldMap(soup.positions);
+HalfEdges::HalfEdges(const TriangleSoup& soup, const Progress& progress) : soup_(soup), progress_(progress) {
+    [[maybe_unused]] static const bool quiet = (omerr().disable(), true); // it reports every complex edge
+    const std::vector<Index> weld = weldMap(soup.positions, Progress{{}, progress.cancelled});
     welded_.reserve(soup.triangles.size());
     for (const Corners& t : soup.triangles)
         welded_.push_back({weld[t[0]], weld[t[1]], weld[t[2]]});
     fan_.resize(3 * welded_.size());
     std::iota(fan_.begin(), fan_.end(), Index{0});
-    linkCorners();
-    addFaces();
+    if (!progress.isCancelled()) linkCorners();
+    if (!progress.isCancelled()) addFaces();
 }
 
 std::size_t HalfEdges::fanOf(std::size_t corner) {
@@ -103,7 +104,8 @@ void HalfEdges::addFaces() {
     mesh.reserve(welded_.size() / 2 + 3, welded_.size() * 3 / 2 + 3, welded_.size());
     std::vector<OpenMesh::VertexHandle> vertexOf(fan_.size());
     faceOf.resize(welded_.size());
-    for (std::size_t f = 0; f < welded_.size(); ++f) {
+    ProgressMeter meter(progress_, welded_.size(), 1 << 14);
+    for (std::size_t f = 0; f < welded_.size() && meter.goesOn(f); ++f) {
         if (!hasArea(welded_[f])) continue;
         std::array<OpenMesh::VertexHandle, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -182,10 +184,12 @@ private:
 Result<std::vector<Eigen::Vector3f>> cornerNormalsOf(const TriangleSoup& soup, double creaseAngle,
                                                      const Progress& progress) {
     if (progress.isCancelled()) return cancelledError();
-    HalfEdges edges(soup);
+    const Progress build = partOf(progress, 0, 0.6), smoothing = partOf(progress, 0.6, 1);
+    HalfEdges edges(soup, build);
+    if (progress.isCancelled()) return cancelledError();
     const CornerNormals normals(edges.mesh, creaseAngle);
     std::vector<Eigen::Vector3f> result(3 * soup.triangles.size(), Eigen::Vector3f::UnitZ());
-    ProgressMeter meter(progress, soup.triangles.size(), 1 << 14);
+    ProgressMeter meter(smoothing, soup.triangles.size(), 1 << 14);
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
         if (!meter.goesOn(f)) return cancelledError();
         if (!edges.faceOf[f].is_valid()) continue;

@@ -56,12 +56,13 @@ void PlaceTable::grow() {
     }
 }
 
-std::vector<Index> weldMap(const std::vector<Vec3>& positions) {
+std::vector<Index> weldMap(const std::vector<Vec3>& positions, const Progress& progress) {
     PlaceTable table(positions.size());
     std::vector<Index> firstOf; // of each place
     firstOf.reserve(positions.size());
     std::vector<Index> map(positions.size());
-    for (Index i = 0; i < positions.size(); ++i) {
+    ProgressMeter meter(progress, positions.size());
+    for (Index i = 0; i < positions.size() && meter.goesOn(i); ++i) {
         const Index place = table.numberOf(positions[i]);
         if (place == firstOf.size()) firstOf.push_back(i);
         map[i] = firstOf[place];

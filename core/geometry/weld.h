@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
@@ -32,6 +33,7 @@ private:
 
 /// For each position the number of the first equal one: numbers below positions.size(), first ones keep
 /// theirs.
-std::vector<Index> weldMap(const std::vector<Vec3>& positions);
+/// When cancelled the rest of the map is 0: ask `progress` before using it.
+std::vector<Index> weldMap(const std::vector<Vec3>& positions, const Progress& progress = {});
 
 } // namespace tactum

@@ -72,7 +72,8 @@ void addObject(LoadedScene& loaded, std::string name, const BuildReport& report,
     object.surfaces = std::move(surfaces);
     for (Surface& surface : object.surfaces)
         surface.name = printable(surface.name);
-    appendReport(loaded.findings, object.name, report, collapseFlatTriangles(soup));
+    appendReport(loaded.findings, object.name, report,
+                 collapseFlatTriangles(soup, Progress{{}, progress.cancelled}));
     const Result<MeshHealth> health = healthOf(soup, progress);
     if (!health) throw ReadFault{health.error()};
     appendHealth(loaded.findings, object.name, *health);

@@ -20,10 +20,19 @@ struct RawMesh {
     BuildReport report;
 };
 
+/// About how many vertices and indices there are to read.
+std::size_t elementsOf(const tinygltf::Model& model) {
+    std::size_t count = 0;
+    for (const tinygltf::Accessor& accessor : model.accessors)
+        count += std::min(accessor.count, kMostTriangles);
+    return count;
+}
+
 class GltfReader {
 public:
     GltfReader(const Source& source, const Progress& progress)
-        : source_(source), progress_(progress), model_(parseGltf(source)), meter_(progress, kMostTriangles) {}
+        : source_(source), progress_(progress), model_(parseGltf(source)),
+          meter_(progress, elementsOf(model_)) {}
 
     LoadedScene read();
 
@@ -44,7 +53,7 @@ private:
     const Progress& progress_;
     tinygltf::Model model_;
     ProgressMeter meter_;
-    std::size_t triangles_ = 0;
+    std::size_t done_ = 0, triangles_ = 0;
     VertexPools pools_; ///< of the mesh being read
     std::map<int, Index> surfaceOf_;
     SoupBuilder* builder_ = nullptr;
@@ -92,7 +101,6 @@ void GltfReader::countTriangles(std::size_t more) {
     triangles_ += more;
     if (triangles_ > kMostTriangles)
         source_.fail("has more than 67 million triangles with all its copies; split or simplify it");
-    demandGoingOn(meter_, triangles_);
 }
 
 void GltfReader::place(LoadedScene& loaded, const PlacedMesh& placed, const RawMesh& raw) {
@@ -138,12 +146,12 @@ Index GltfReader::readVertices(const tinygltf::Primitive& primitive) {
     const auto normals = attribute("NORMAL", 3);
     const auto uvs = attribute("TEXCOORD_0", 2);
     const std::size_t first = pools_.positions.size(), count = positions->size();
-    countTriangles(0);
     if (first + count > kMostTriangles)
         source_.fail("has more than 67 million vertices; split or simplify it");
     hasNormals_ = normals && normals->size() >= count;
     hasUvs_ = uvs && uvs->size() >= count;
     for (std::size_t i = 0; i < count; ++i) {
+        demandGoingOn(meter_, ++done_);
         const Vec3 p(positions->number(i, 0), positions->number(i, 1), positions->number(i, 2));
         if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
             source_.fail("coordinate of vertex " + std::to_string(i) +
@@ -188,6 +196,7 @@ std::vector<Index> GltfReader::indicesOf(const tinygltf::Primitive& primitive, I
 void GltfReader::addElements(SoupBuilder& builder, int mode, const std::vector<Index>& v, Index surface) {
     const std::size_t n = v.size();
     const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
+        demandGoingOn(meter_, done_ += 3);
         builder.add(std::array{corner(v[a]), corner(v[b]), corner(v[c])}, surface);
     };
     const auto segment = [&](std::size_t a, std::size_t b) {

@@ -130,11 +130,10 @@ public:
     }
 
 private:
-    /// Where the single values of an element go: three numbers each, in the order of the targets.
+    /// Which property holds each of the values that we keep.
     using Places = std::array<std::optional<std::size_t>, 8>; // x y z nx ny nz u v
 
     void readVertices(const PlyElement& element);
-    void keepVertex(const std::array<double, 8>& values, bool hasNormals, bool hasUvs);
     void readFaces(const PlyElement& element);
     void readStrips(const PlyElement& element);
     void readEdges(const PlyElement& element);

@@ -17,6 +17,7 @@ class FileFolder {
 public:
     std::filesystem::path write(const std::string& name, const std::string& content) const {
         const std::filesystem::path file = path() / name;
+        std::filesystem::remove(file); // a new file is not flushed to the disk, one written over is
         std::ofstream(file, std::ios::binary) << content;
         return file;
     }
