@@ -1,0 +1,105 @@
+// The open scene as the window sees it: values, history, file, selection, and the one way to edit.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include "core/scene/load_scene.h"
+#include "core/scene/scene.h"
+#include "core/scene/surface_ref.h"
+#include "ui/background_job.h"
+
+namespace tactum {
+
+/// What an edit, an undo or a click has changed.
+struct SceneChange {
+    enum class What {
+        Everything, ///< another scene
+        Objects,    ///< objects came, went, appeared or disappeared
+        Names,
+        Material,    ///< of `surface`
+        ProxyRadius,
+        Selection, ///< not a part of the scene, and not undoable
+    };
+    What what = What::Everything;
+    SurfaceRef surface{}; ///< only for Material
+
+    /// Whether a World compiled before has other shapes than one compiled now.
+    bool touchesShape() const;
+    /// Whether the loops notice it at all.
+    bool touchesFeel() const { return what == What::Material || touchesShape(); }
+    bool operator==(const SceneChange&) const = default;
+};
+
+/// Edits of one gesture (a drag, a run of the wheel) become one step of the history. 0 is no gesture.
+using Gesture = int;
+Gesture newGesture();
+
+/// Thread: ui. Whoever shows the scene listens to changed(); whoever edits it calls a setter here. Setters
+/// ignore references to what does not exist and values that change nothing.
+class Document : public QObject {
+    Q_OBJECT
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    const Scene& scene() const { return scene_; }
+    bool empty() const { return scene_.objects.empty(); }
+    /// File of the scene; empty before the first open().
+    const std::filesystem::path& path() const { return path_; }
+    /// What the reader had to say about the file.
+    const std::vector<Finding>& findings() const { return findings_; }
+    QUndoStack& history() { return history_; }
+
+    /// nullptr for a reference to nothing.
+    const Surface* surface(SurfaceRef ref) const;
+    std::optional<SurfaceRef> selection() const { return selection_; }
+    void select(std::optional<SurfaceRef> ref);
+
+    void setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture = 0);
+    void setProxyRadius(double metres, Gesture gesture = 0);
+    void renameObject(ObjectId id, const QString& name);
+    void renameSurface(SurfaceRef ref, const QString& name);
+    void setVisible(ObjectId id, bool visible);
+    void showAll();
+    void removeObject(ObjectId id);
+
+    /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
+    /// A mesh that does not fit a hand is scaled as the first, undoable step of the new history.
+    void open(const std::filesystem::path& file);
+    void cancelOpen() { job_.cancel(); }
+    bool opening() const { return job_.running(); }
+
+signals:
+    void changed(const tactum::SceneChange& change);
+    void opened();
+    /// One line for the person.
+    void openFailed(const QString& sentence);
+    void openProgressed(double fraction, double secondsLeft);
+    /// Something done on the person's behalf, and how to take it back.
+    void noted(const QString& sentence);
+
+private:
+    /// Finds the value that an edit exchanges; nullptr when it is gone.
+    template <class T> using Place = std::function<T*(Scene&)>;
+    template <class T> class Exchange;
+    template <class T>
+    void edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture = 0);
+    void adopt(LoadedScene loaded, const std::filesystem::path& file);
+    void fit(const Scene& fitted);
+    void announce(const SceneChange& change);
+
+    Scene scene_;
+    std::filesystem::path path_;
+    std::vector<Finding> findings_;
+    std::optional<SurfaceRef> selection_;
+    QUndoStack history_;
+    BackgroundJob job_;
+};
+
+} // namespace tactum

@@ -1,0 +1,44 @@
+#include "ui/numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace tactum {
+
+QString numberText(double value, int decimals) {
+    if (!std::isfinite(value)) return QStringLiteral("-");
+    const QString text = QString::number(value, 'f', decimals);
+    const bool minusZero = text.startsWith(u'-') && std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    return minusZero ? text.mid(1) : text;
+}
+
+QString lengthText(double metres) {
+    if (metres < 0.01) return numberText(1e3 * metres, 2) + QStringLiteral(" mm");
+    if (metres < 1) return numberText(1e3 * metres, 0) + QStringLiteral(" mm");
+    return numberText(metres, metres < 10 ? 1 : 0) + QStringLiteral(" m");
+}
+
+QString durationText(double seconds) {
+    if (seconds < 90) return numberText(std::max(1.0, seconds), 0) + QStringLiteral(" s");
+    return numberText(seconds / 60, 0) + QStringLiteral(" min");
+}
+
+DisplayUnit displayUnit(const Parameter& parameter) {
+    if (parameter.unit == "m") return {1e3, QStringLiteral("mm"), std::max(0, parameter.decimals - 3)};
+    return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())), parameter.decimals};
+}
+
+std::optional<double> readNumber(const QString& typed, const QString& unit) {
+    QString text = typed.trimmed();
+    if (!unit.isEmpty() && text.endsWith(unit)) text = text.chopped(unit.size()).trimmed();
+    text.replace(u',', u'.');
+    if (text.startsWith(u'+')) text.remove(0, 1);
+    const std::string plain = text.toStdString();
+    double value = 0;
+    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+    if (error != std::errc() || end != plain.data() + plain.size() || !std::isfinite(value)) return {};
+    return value;
+}
+
+} // namespace tactum

@@ -1,0 +1,31 @@
+// Numbers on the screen: always with a decimal point, whatever the user's locale, and in handy units.
+#pragma once
+
+#include <optional>
+
+#include <QString>
+
+#include "core/surface/parameter.h"
+
+namespace tactum {
+
+/// "0.60": fixed point in the C locale.
+QString numberText(double value, int decimals);
+/// A length of any size in the unit that suits it: "0.30 mm", "200 mm", "4.2 m".
+QString lengthText(double metres);
+/// A time left: "3 s", "2 min".
+QString durationText(double seconds);
+
+/// How a parameter is shown: metres appear as millimetres, everything else in its own unit.
+struct DisplayUnit {
+    double factor = 1; ///< shown = factor x value
+    QString name;
+    int decimals = 0;
+};
+DisplayUnit displayUnit(const Parameter& parameter);
+
+/// Reads what a person typed: a number in the C locale, a comma taken as the point, an optional unit after
+/// it. Empty when it is no finite number.
+std::optional<double> readNumber(const QString& typed, const QString& unit = {});
+
+} // namespace tactum

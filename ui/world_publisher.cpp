@@ -1,0 +1,44 @@
+#include "ui/world_publisher.h"
+
+#include "core/runtime/compile.h"
+
+namespace tactum {
+
+WorldPublisher::WorldPublisher(Document& document, Engine& engine, QObject* parent)
+    : QObject(parent), document_(document), engine_(engine) {
+    connect(&document_, &Document::changed, this, &WorldPublisher::follow);
+    connect(&job_, &BackgroundJob::progressed, this, &WorldPublisher::progressed);
+}
+
+void WorldPublisher::follow(const SceneChange& change) {
+    if (change.touchesShape()) compileShapes();
+    else if (!change.touchesFeel()) return;
+    else if (job_.running()) materialsChanged_ = true;
+    else compileMaterials();
+}
+
+void WorldPublisher::compileShapes() {
+    materialsChanged_ = false;
+    // A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
+    job_.start([this, scene = document_.scene(), previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
+        auto compiled = compile(scene, previous.get(), progress);
+        if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
+        return [this, world = std::move(*compiled)] {
+            publish(world);
+            if (materialsChanged_) compileMaterials();
+            emit shapesPublished();
+        };
+    });
+}
+
+void WorldPublisher::compileMaterials() {
+    materialsChanged_ = false;
+    if (auto compiled = compile(document_.scene(), world_.get())) publish(std::move(*compiled));
+}
+
+void WorldPublisher::publish(std::shared_ptr<const World> world) {
+    world_ = world;
+    engine_.publish(std::move(world));
+}
+
+} // namespace tactum

@@ -1,0 +1,44 @@
+// Makes every edit felt: compiles the scene and hands the World to the engine.
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+
+#include "core/runtime/engine.h"
+#include "core/runtime/world.h"
+#include "ui/background_job.h"
+#include "ui/document.h"
+
+namespace tactum {
+
+/// Thread: ui. A change of materials compiles at once, in microseconds, because every hierarchy is reused; a
+/// change of shapes compiles on a worker. Edits that come while it works are caught up when it is done.
+class WorldPublisher : public QObject {
+    Q_OBJECT
+public:
+    WorldPublisher(Document& document, Engine& engine, QObject* parent = nullptr);
+
+    bool working() const { return job_.running(); }
+    /// The newest World that the engine was given; nullptr before the first.
+    const std::shared_ptr<const World>& world() const { return world_; }
+
+signals:
+    void progressed(double fraction, double secondsLeft);
+    /// The engine has a World with other shapes than before.
+    void shapesPublished();
+
+private:
+    void follow(const SceneChange& change);
+    void compileShapes();
+    void compileMaterials();
+    void publish(std::shared_ptr<const World> world);
+
+    Document& document_;
+    Engine& engine_;
+    std::shared_ptr<const World> world_;
+    BackgroundJob job_;
+    bool materialsChanged_ = false; ///< while the worker was compiling an older copy
+};
+
+} // namespace tactum
