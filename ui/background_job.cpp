@@ -11,7 +11,9 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
     connect(&ticker_, &QTimer::timeout, this, &BackgroundJob::report);
 }
 
-BackgroundJob::~BackgroundJob() { cancel(); }
+BackgroundJob::~BackgroundJob() {
+    cancel();
+}
 
 void BackgroundJob::start(std::function<Delivery(const Progress&)> work) {
     cancel();

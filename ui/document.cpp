@@ -12,14 +12,18 @@ namespace {
 // What a hand at a desktop device can go around, in metres; and what a mesh outside of it is scaled to.
 constexpr double kSmallest = 0.02, kLargest = 0.5, kFitted = 0.2;
 
-bool fitsHand(double diagonal) { return diagonal >= kSmallest && diagonal <= kLargest; }
+bool fitsHand(double diagonal) {
+    return diagonal >= kSmallest && diagonal <= kLargest;
+}
 
 Surface* find(Scene& scene, SurfaceRef ref) {
     SceneObject* object = scene.find(ref.object);
     return object && ref.surface < object->surfaces.size() ? &object->surfaces[ref.surface] : nullptr;
 }
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
 
 } // namespace
 
@@ -35,7 +39,8 @@ Gesture newGesture() {
 /// The one command: undo and redo are the same exchange of values.
 template <class T> class Document::Exchange final : public QUndoCommand {
 public:
-    Exchange(Document& document, const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture)
+    Exchange(Document& document, const QString& text, Place<T> place, T value, SceneChange change,
+             Gesture gesture)
         : QUndoCommand(text), document_(document), place_(std::move(place)), value_(std::move(value)),
           change_(change), gesture_(gesture) {}
 
@@ -76,7 +81,9 @@ void Document::edit(const QString& text, Place<T> place, T value, SceneChange ch
     history_.push(new Exchange<T>(*this, text, std::move(place), std::move(value), change, gesture));
 }
 
-const Surface* Document::surface(SurfaceRef ref) const { return find(const_cast<Scene&>(scene_), ref); }
+const Surface* Document::surface(SurfaceRef ref) const {
+    return find(const_cast<Scene&>(scene_), ref);
+}
 
 void Document::select(std::optional<SurfaceRef> ref) {
     if (ref && !surface(*ref)) ref.reset();
@@ -97,8 +104,9 @@ void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, doub
 }
 
 void Document::setProxyRadius(double metres, Gesture gesture) {
-    edit<double>(tr("Proxy radius"), [](Scene& scene) { return &scene.proxyRadius; },
-                 kProxyRadius.clamped(metres), {SceneChange::What::ProxyRadius}, gesture);
+    edit<double>(
+        tr("Proxy radius"), [](Scene& scene) { return &scene.proxyRadius; }, kProxyRadius.clamped(metres),
+        {SceneChange::What::ProxyRadius}, gesture);
 }
 
 void Document::renameObject(ObjectId id, const QString& name) {
@@ -130,7 +138,8 @@ void Document::setVisible(ObjectId id, bool visible) {
 
 void Document::showAll() {
     auto objects = scene_.objects;
-    for (auto& object : objects) object.visible = true;
+    for (auto& object : objects)
+        object.visible = true;
     edit<std::vector<SceneObject>>(tr("Show all"), [](Scene& scene) { return &scene.objects; },
                                    std::move(objects), {SceneChange::What::Objects});
 }

@@ -23,7 +23,7 @@ struct SceneChange {
         Everything, ///< another scene
         Objects,    ///< objects came, went, appeared or disappeared
         Names,
-        Material,    ///< of `surface`
+        Material, ///< of `surface`
         ProxyRadius,
         Selection, ///< not a part of the scene, and not undoable
     };

@@ -26,7 +26,8 @@ QString durationText(double seconds) {
 
 DisplayUnit displayUnit(const Parameter& parameter) {
     if (parameter.unit == "m") return {1e3, QStringLiteral("mm"), std::max(0, parameter.decimals - 3)};
-    return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())), parameter.decimals};
+    return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())),
+            parameter.decimals};
 }
 
 std::optional<double> readNumber(const QString& typed, const QString& unit) {

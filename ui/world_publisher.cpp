@@ -11,16 +11,21 @@ WorldPublisher::WorldPublisher(Document& document, Engine& engine, QObject* pare
 }
 
 void WorldPublisher::follow(const SceneChange& change) {
-    if (change.touchesShape()) compileShapes();
-    else if (!change.touchesFeel()) return;
-    else if (job_.running()) materialsChanged_ = true;
-    else compileMaterials();
+    if (change.touchesShape())
+        compileShapes();
+    else if (!change.touchesFeel())
+        return;
+    else if (job_.running())
+        materialsChanged_ = true;
+    else
+        compileMaterials();
 }
 
 void WorldPublisher::compileShapes() {
     materialsChanged_ = false;
     // A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
-    job_.start([this, scene = document_.scene(), previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
+    job_.start([this, scene = document_.scene(),
+                previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
         auto compiled = compile(scene, previous.get(), progress);
         if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
         return [this, world = std::move(*compiled)] {

@@ -1,0 +1,59 @@
+#include "app/window.h"
+
+#include <clocale>
+#include <memory>
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QIcon>
+#include <QLocale>
+
+#include "device/simulated_hand.h"
+#include "ui/main_window.h"
+#include "ui/view/surface_format.h"
+
+namespace tactum {
+
+namespace {
+
+/// Beside an installed program, or in the tree that it was built from; empty when in neither.
+QString sampleScene() {
+    const QString program = QCoreApplication::applicationDirPath();
+    for (const QString& folder :
+         {program + QStringLiteral("/../share/tactum"), QStringLiteral(TACTUM_RESOURCES)}) {
+        const QFileInfo file(folder + QStringLiteral("/scenes/teapot.obj"));
+        if (file.exists()) return file.canonicalFilePath();
+    }
+    return {};
+}
+
+/// Numbers have a point everywhere: on the screen, in files and in the libraries that read them.
+void useNumbersOfC() {
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
+}
+
+} // namespace
+
+int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>& scene) {
+    useViewSurfaceFormat();
+    QApplication app(argc, argv);
+    useNumbersOfC(); // after the application, which takes over the user's locale
+    QCoreApplication::setOrganizationName(QStringLiteral("Tactum"));
+    QCoreApplication::setApplicationName(QStringLiteral("Tactum"));
+
+    auto hand = std::make_shared<HandTarget>();
+    Engine engine(std::make_unique<SimulatedHand>(hand));
+    const auto started = engine.start();
+    engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
+    Document document;
+    MainWindow window(document, engine, hand, sampleScene());
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/tactum.svg")));
+    window.show();
+    if (!started) window.showFault(QString::fromStdString(started.error().text));
+    if (scene) window.open(QString::fromStdU16String(scene->u16string()));
+    return QApplication::exec();
+}
+
+} // namespace tactum

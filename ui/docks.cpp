@@ -1,0 +1,86 @@
+#include "ui/docks.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QUndoView>
+
+#include "ui/document.h"
+#include "ui/panels/force_plot.h"
+#include "ui/panels/inspector.h"
+#include "ui/panels/outliner.h"
+#include "ui/panels/problems.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+QDockWidget* addDock(QMainWindow& window, const QString& name, const QString& title, QWidget* body,
+                     Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name); // saveState() knows docks by it
+    dock->setWidget(body);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+    window.addDockWidget(area, dock);
+    return dock;
+}
+
+QWidget* withPauseButton(ForcePlot* plot) {
+    auto* pause = new QToolButton(plot);
+    pause->setObjectName(QStringLiteral("plot-pause"));
+    pause->setCheckable(true);
+    pause->setIcon(icon(QStringLiteral("pause")));
+    pause->setToolTip(QObject::tr("Hold the chart still"));
+    pause->setAccessibleName(QObject::tr("Pause the force plot"));
+    pause->setIconSize({16, 16});
+    QObject::connect(pause, &QToolButton::toggled, plot, [plot, pause](bool on) {
+        pause->setIcon(icon(on ? QStringLiteral("play") : QStringLiteral("pause")));
+        plot->setPaused(on);
+    });
+    auto* body = new QWidget;
+    body->setObjectName(QStringLiteral("dockBody"));
+    auto* row = new QHBoxLayout(body);
+    row->setContentsMargins(0, 0, kRhythm, 0);
+    row->setSpacing(0);
+    row->addWidget(plot, 1);
+    row->addWidget(pause, 0, Qt::AlignTop);
+    return body;
+}
+
+QUndoView* historyView(Document& document) {
+    auto* view = new QUndoView(&document.history());
+    view->setObjectName(QStringLiteral("history"));
+    view->setEmptyLabel(QObject::tr("As opened"));
+    view->setAccessibleName(QObject::tr("History"));
+    return view;
+}
+
+} // namespace
+
+Docks addDocks(QMainWindow& window, Document& document) {
+    Docks docks{new Outliner(document), new Inspector(document), new Problems(document), new ForcePlot};
+    auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
+                             Qt::LeftDockWidgetArea);
+    auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
+                             Qt::LeftDockWidgetArea);
+    auto* inspector = addDock(window, QStringLiteral("dock-inspector"), QObject::tr("Surface"),
+                              docks.inspector, Qt::RightDockWidgetArea);
+    auto* history = addDock(window, QStringLiteral("dock-history"), QObject::tr("History"),
+                            historyView(document), Qt::RightDockWidgetArea);
+    auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"),
+                         withPauseButton(docks.plot), Qt::BottomDockWidgetArea);
+    // The side docks reach down to the status bar; the plot stands under the view alone.
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window.resizeDocks({outliner, inspector}, {232, 288}, Qt::Horizontal);
+    window.resizeDocks({outliner, problems}, {480, 200}, Qt::Vertical);
+    window.resizeDocks({inspector, history}, {520, 180}, Qt::Vertical);
+    window.resizeDocks({plot}, {168}, Qt::Vertical);
+    QObject::connect(docks.problems, &Problems::counted, problems, [problems](int count) {
+        problems->setWindowTitle(count ? QObject::tr("Problems  %1").arg(count) : QObject::tr("Problems"));
+    });
+    return docks;
+}
+
+} // namespace tactum

@@ -1,0 +1,26 @@
+// The panels around the view and where they stand at first.
+#pragma once
+
+#include <QMainWindow>
+
+class QDockWidget;
+
+namespace tactum {
+
+class Document;
+class ForcePlot;
+class Inspector;
+class Outliner;
+class Problems;
+
+struct Docks {
+    Outliner* outliner = nullptr;
+    Inspector* inspector = nullptr;
+    Problems* problems = nullptr;
+    ForcePlot* plot = nullptr;
+};
+
+/// Adds all docks to a window; it owns them.
+Docks addDocks(QMainWindow& window, Document& document);
+
+} // namespace tactum

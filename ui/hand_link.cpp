@@ -1,0 +1,44 @@
+#include "ui/hand_link.h"
+
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+constexpr double kArrived = 1e-3; // m
+constexpr double kBeside = 0.15;  // of the model's diagonal, away from its box
+} // namespace
+
+HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)
+    : QObject(parent), view_(view), engine_(engine), target_(std::move(target)) {
+    connect(&view_, &SceneView::handGoalMoved, this, [this](const Vec3& goal_W) {
+        goal_.position = goal_W;
+        send();
+    });
+}
+
+void HandLink::placeBeside(const Bounds& model) {
+    if (!target_ || model.empty()) return;
+    goal_.position = model.centre();
+    goal_.position.x() = model.high.x() + kBeside * model.diagonal();
+    // The mark stays on in every later goal with the same number, so that a goal written before the hand has
+    // read this one does not swallow the jump.
+    goal_.teleport = true;
+    ++goal_.sequence;
+    arriving_ = true;
+    view_.setHandGoal(goal_.position);
+    send();
+}
+
+void HandLink::follow() {
+    if (!arriving_ || (engine_.servo().finger - goal_.position).norm() > kArrived) return;
+    // Only now: a proxy put onto the finger before the jump would be dragged through the new model.
+    arriving_ = false;
+    engine_.restartProxy();
+}
+
+void HandLink::send() {
+    if (target_) target_->write(goal_);
+}
+
+} // namespace tactum

@@ -1,0 +1,37 @@
+// Between the view, whose mouse leads the finger, and the simulated hand that follows.
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+
+#include "core/control/hand_target.h"
+#include "core/geometry/triangle_soup.h"
+#include "core/runtime/engine.h"
+
+namespace tactum {
+
+class SceneView;
+
+/// Thread: ui. Without a target (a real device leads itself) it does nothing.
+class HandLink : public QObject {
+    Q_OBJECT
+public:
+    HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent = nullptr);
+
+    /// Puts the finger beside a model, at rest, and the proxy onto it once it is there.
+    void placeBeside(const Bounds& model);
+    /// Once a frame.
+    void follow();
+
+private:
+    void send();
+
+    SceneView& view_;
+    Engine& engine_;
+    std::shared_ptr<HandTarget> target_;
+    HandGoal goal_;
+    bool arriving_ = false;
+};
+
+} // namespace tactum

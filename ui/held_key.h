@@ -1,0 +1,26 @@
+// Notices a key that is held down, wherever the focus is.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+namespace tactum {
+
+/// Emits held() once when `key` has been down for `milliseconds`. Never swallows the key. Thread: ui.
+class HeldKey : public QObject {
+    Q_OBJECT
+public:
+    HeldKey(Qt::Key key, int milliseconds, QObject* parent = nullptr);
+
+signals:
+    void held();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    Qt::Key key_;
+    QTimer timer_;
+};
+
+} // namespace tactum

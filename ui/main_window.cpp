@@ -1,0 +1,179 @@
+#include "ui/main_window.h"
+
+#include <filesystem>
+
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QSettings>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "ui/hand_link.h"
+#include "ui/panels/force_plot.h"
+#include "ui/panels/inspector.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_strip.h"
+#include "ui/recent_files.h"
+#include "ui/touch_hint.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kFrame = 16; // ms
+constexpr int kQuiet = 60; // frames without a failed exchange after which the device counts as well again
+
+QString firstFile(const QMimeData& data) {
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile()) return url.toLocalFile();
+    return {};
+}
+
+} // namespace
+
+MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
+                       const QString& sample, QWidget* parent)
+    : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
+      view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
+      start_(new StartPage(sample)), status_(new StatusStrip), hint_(new TouchHint(view_)),
+      hand_(new HandLink(*view_, engine, std::move(hand), this)) {
+    setCentralWidget(makeCentre());
+    docks_ = addDocks(*this, document);
+    docks_.inspector->setDevice(engine.device());
+    makeToolBar();
+    makeMenus();
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(status_, 1);
+    connectFile();
+    connectEdit();
+    connectView();
+    connectDevice();
+    connectDocument();
+    setAcceptDrops(true);
+    restore();
+    follow({});
+    connect(&frames_, &QTimer::timeout, this, &MainWindow::frame);
+    frames_.start(kFrame);
+}
+
+MainWindow::~MainWindow() = default;
+
+QWidget* MainWindow::makeCentre() {
+    auto* body = new QWidget;
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(notice_);
+    column->addWidget(centre_, 1);
+    centre_->addWidget(start_);
+    centre_->addWidget(view_);
+    start_->setRecent(recentFiles());
+    view_->setFocusPolicy(Qt::StrongFocus);
+    return body;
+}
+
+void MainWindow::open(const QString& file) {
+    document_.open(std::filesystem::path(file.toStdU16String()));
+}
+
+void MainWindow::showFault(const QString& sentence) {
+    notice_->showError(sentence);
+}
+
+void MainWindow::follow(const SceneChange& change) {
+    using What = SceneChange::What;
+    if (change.what == What::Selection) return view_->setSelection(document_.selection());
+    if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
+    if (change.touchesShape()) {
+        view_->setScene(document_.scene());
+        view_->setProxyRadius(document_.scene().proxyRadius);
+    }
+    if (change.what == What::Everything) {
+        view_->fit();
+        hand_->placeBeside(boundsOf(document_.scene()));
+    }
+    actions_["save-picture"].setEnabled(!document_.empty());
+    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+}
+
+void MainWindow::showOpened() {
+    const QFileInfo file(QString::fromStdU16String(document_.path().u16string()));
+    setWindowTitle(tr("%1 - Tactum").arg(file.fileName()));
+    rememberFile(file.absoluteFilePath());
+    start_->setRecent(recentFiles());
+    view_->setFocus();
+    hint_->offer();
+}
+
+void MainWindow::hidePanels(bool hidden) {
+    if (hidden) {
+        shownPanels_ = saveState();
+        for (auto* dock : findChildren<QDockWidget*>())
+            dock->hide();
+    } else if (!shownPanels_.isEmpty()) {
+        restoreState(shownPanels_);
+        shownPanels_.clear();
+    }
+}
+
+void MainWindow::setArmed(bool armed) {
+    engine_.setArmed(armed);
+    actions_["armed"].setChecked(armed);
+    actions_["stop"].setEnabled(armed);
+    if (!armed)
+        notice_->showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
+    else if (notice_->property("severity") == QLatin1String("note"))
+        notice_->hide();
+}
+
+void MainWindow::frame() {
+    engine_.poll();
+    hand_->follow();
+    if (view_->isVisible())
+        view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
+    docks_.plot->take(engine_);
+    watchDevice();
+    status_->display(engine_);
+}
+
+void MainWindow::watchDevice() {
+    const std::uint64_t failed = engine_.servo().invalidSamples;
+    quietFrames_ = failed == invalidSamples_ ? quietFrames_ + 1 : 0;
+    invalidSamples_ = failed;
+    const bool fault = failed > 0 && quietFrames_ < kQuiet;
+    status_->setFault(fault ? tr("The device does not answer. It gets no force until it does. Look at its "
+                                 "cable and its power.")
+                            : QString());
+}
+
+void MainWindow::restore() {
+    resize(1440, 900);
+    QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+    setWindowTitle(tr("Tactum"));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
+    engine_.setArmed(false);
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!firstFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    open(firstFile(*event->mimeData()));
+}
+
+} // namespace tactum

@@ -1,0 +1,91 @@
+// The window: puts view, panels and commands together around a document and an engine.
+#pragma once
+
+#include <memory>
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include "core/control/hand_target.h"
+#include "core/runtime/engine.h"
+#include "ui/docks.h"
+#include "ui/document.h"
+#include "ui/shortcuts.h"
+#include "ui/style.h"
+#include "ui/world_publisher.h"
+
+class QMenu;
+class QStackedWidget;
+
+namespace tactum {
+
+class HandLink;
+class NoticeBar;
+class SceneView;
+class StartPage;
+class StatusStrip;
+class TouchHint;
+
+/// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    /// Document and engine outlive the window. `sample`: a file for the start page, may be empty.
+    MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
+               const QString& sample = {}, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void open(const QString& file);
+    /// One line above the view: what happened and how to go on.
+    void showFault(const QString& sentence);
+    SceneView& view() { return *view_; }
+    Document& document() { return document_; }
+    const WorldPublisher& publisher() const { return publisher_; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    QWidget* makeCentre();
+    void makeToolBar();
+    void makeMenus();
+    void fillRecent(QMenu* menu);
+    void fillTheme(QMenu* menu);
+    void connectFile();
+    void connectEdit();
+    void connectView();
+    void connectDevice();
+    void connectDocument();
+    void restore();
+    void setTheme(ThemeChoice choice);
+
+    void follow(const SceneChange& change);
+    void showOpened();
+    void askForFile();
+    void savePicture();
+    void hidePanels(bool hidden);
+    void setArmed(bool armed);
+    void frame();
+    void watchDevice();
+
+    Document& document_;
+    Engine& engine_;
+    WorldPublisher publisher_;
+    Actions actions_;
+    SceneView* view_;
+    NoticeBar* notice_;
+    QStackedWidget* centre_;
+    StartPage* start_;
+    StatusStrip* status_;
+    TouchHint* hint_;
+    HandLink* hand_;
+    Docks docks_;
+    QByteArray shownPanels_; ///< the layout to come back to while all panels are hidden
+    std::uint64_t invalidSamples_ = 0;
+    int quietFrames_ = 0; ///< since the device last failed to answer
+    QTimer frames_;
+};
+
+} // namespace tactum

@@ -1,0 +1,219 @@
+// The commands of the window: menus, tool bar, and what each command does.
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QShortcut>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/held_key.h"
+#include "ui/keyboard_sheet.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_strip.h"
+#include "ui/recent_files.h"
+#include "ui/style.h"
+#include "ui/touch_hint.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kHoldToStop = 500; // ms
+const auto kThemeKey = QStringLiteral("theme");
+
+QString readableFilter() {
+    QStringList patterns;
+    for (const std::string& ending : readableEndings())
+        patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+    return QObject::tr("Models (%1)").arg(patterns.join(u' '));
+}
+
+void aboutTactum(QWidget* parent) {
+    QMessageBox::about(
+        parent, QObject::tr("About Tactum"),
+        QObject::tr(
+            "<h3>Tactum</h3><p>Gives the surfaces of 3-D models a feel, and lets you touch them. After "
+            "Ruspini and Khatib, <i>Haptic Display for Human Interaction with Virtual Dynamic "
+            "Environments</i>, 2001.</p><p>BSD-3-Clause licence.</p>"));
+}
+
+} // namespace
+
+void MainWindow::makeToolBar() {
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize({24, 24});
+    for (const char* id : {"open", "", "undo", "redo", "", "touch", "select", "", "fit", "view-front",
+                           "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"})
+        *id ? bar->addAction(&actions_[id]) : bar->addSeparator();
+    for (const char* id : {"open", "touch", "select", "armed"})
+        static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
+            ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+void MainWindow::makeMenus() {
+    actions_.fill(*menuBar());
+    auto* file = menuBar()->findChild<QMenu*>(QStringLiteral("File"));
+    auto* recent = new QMenu(tr("Open &recent"), file);
+    file->insertMenu(&actions_["save-picture"], recent);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    auto* view = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
+    QMenu* panels = createPopupMenu();
+    panels->setTitle(tr("&Panels"));
+    view->addMenu(panels);
+    fillTheme(view->addMenu(tr("The&me")));
+}
+
+void MainWindow::fillRecent(QMenu* menu) {
+    menu->clear();
+    const QStringList files = recentFiles();
+    for (const QString& file : files)
+        menu->addAction(QFileInfo(file).fileName(), this, [this, file] { open(file); })->setToolTip(file);
+    if (files.isEmpty())
+        menu->addAction(tr("No file was opened yet"))->setEnabled(false);
+    else
+        menu->addSeparator();
+    if (!files.isEmpty())
+        menu->addAction(tr("Forget them"), this, [this] {
+            forgetRecentFiles();
+            start_->setRecent({});
+        });
+}
+
+void MainWindow::fillTheme(QMenu* menu) {
+    auto* group = new QActionGroup(menu);
+    const auto chosen = ThemeChoice(QSettings().value(kThemeKey, int(ThemeChoice::Dark)).toInt());
+    const std::pair<QString, ThemeChoice> choices[] = {{tr("&Dark"), ThemeChoice::Dark},
+                                                       {tr("&Light"), ThemeChoice::Light},
+                                                       {tr("&Like the system"), ThemeChoice::System}};
+    for (const auto& [text, choice] : choices) {
+        QAction* action = group->addAction(menu->addAction(text));
+        action->setCheckable(true);
+        action->setChecked(choice == chosen);
+        connect(action, &QAction::triggered, this, [this, choice = choice] { setTheme(choice); });
+    }
+    setTheme(chosen);
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+    QSettings().setValue(kThemeKey, int(choice));
+    applyTheme(choice);
+    actions_.refreshIcons();
+    start_->setRecent(recentFiles());
+    view_->setTheme(theme().dark);
+}
+
+void MainWindow::connectFile() {
+    connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
+    connect(&actions_["save-picture"], &QAction::triggered, this, &MainWindow::savePicture);
+    connect(&actions_["quit"], &QAction::triggered, this, &QWidget::close);
+    connect(&actions_["keyboard"], &QAction::triggered, this, [this] { showKeyboardSheet(this); });
+    connect(&actions_["about"], &QAction::triggered, this, [this] { aboutTactum(this); });
+    connect(start_, &StartPage::openRequested, this, &MainWindow::askForFile);
+    connect(start_, &StartPage::fileChosen, this, &MainWindow::open);
+}
+
+void MainWindow::connectEdit() {
+    QUndoStack& history = document_.history();
+    QAction &undo = actions_["undo"], &redo = actions_["redo"];
+    undo.setEnabled(false);
+    redo.setEnabled(false);
+    connect(&undo, &QAction::triggered, &history, &QUndoStack::undo);
+    connect(&redo, &QAction::triggered, &history, &QUndoStack::redo);
+    connect(&history, &QUndoStack::canUndoChanged, &undo, &QAction::setEnabled);
+    connect(&history, &QUndoStack::canRedoChanged, &redo, &QAction::setEnabled);
+    connect(&history, &QUndoStack::undoTextChanged, &undo,
+            [&undo](const QString& text) { undo.setText(tr("&Undo %1").arg(text)); });
+    connect(&history, &QUndoStack::redoTextChanged, &redo,
+            [&redo](const QString& text) { redo.setText(tr("&Redo %1").arg(text)); });
+    connect(&actions_["show-all"], &QAction::triggered, &document_, &Document::showAll);
+    connect(&actions_["hide"], &QAction::triggered, this, [this] {
+        if (const auto chosen = document_.selection()) document_.setVisible(chosen->object, false);
+    });
+    connect(&actions_["remove"], &QAction::triggered, this, [this] {
+        if (const auto chosen = document_.selection()) document_.removeObject(chosen->object);
+    });
+}
+
+void MainWindow::connectView() {
+    auto* tools = new QActionGroup(this);
+    for (const char* id : {"touch", "select"})
+        tools->addAction(&actions_[id]);
+    connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
+    connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
+    actions_["touch"].trigger();
+    connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);
+    const std::pair<const char*, StandardView> views[] = {{"view-front", StandardView::Front},
+                                                          {"view-right", StandardView::Right},
+                                                          {"view-top", StandardView::Top},
+                                                          {"view-isometric", StandardView::Isometric}};
+    for (const auto& [id, standard] : views)
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, standard = standard] { view_->showStandardView(standard); });
+    connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
+    actions_["overlay"].setChecked(true);
+    connect(&actions_["panels"], &QAction::toggled, this, &MainWindow::hidePanels);
+    // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
+    auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
+    connect(view_, &SceneView::surfacePicked, &document_, &Document::select);
+    connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
+        if (grabbed) hint_->followed();
+    });
+}
+
+void MainWindow::connectDevice() {
+    connect(&actions_["armed"], &QAction::triggered, this, &MainWindow::setArmed);
+    connect(&actions_["stop"], &QAction::triggered, this, [this] { setArmed(false); });
+    connect(&actions_["restart-proxy"], &QAction::triggered, this, [this] { engine_.restartProxy(); });
+    connect(status_, &StatusStrip::stopPressed, this, [this] { setArmed(false); });
+    auto* escape = new HeldKey(Qt::Key_Escape, kHoldToStop, this);
+    connect(escape, &HeldKey::held, this, [this] { setArmed(false); });
+    actions_["armed"].setChecked(engine_.armed());
+    actions_["stop"].setEnabled(engine_.armed());
+}
+
+void MainWindow::connectDocument() {
+    connect(&document_, &Document::changed, this, &MainWindow::follow);
+    connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+    connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
+    connect(&document_, &Document::noted, notice_, &NoticeBar::showNote);
+    connect(&document_, &Document::openProgressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Opening"), fraction, secondsLeft, true);
+    });
+    connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelOpen);
+    connect(&publisher_, &WorldPublisher::progressed, this, [this](double fraction, double secondsLeft) {
+        if (!document_.opening())
+            notice_->showProgress(tr("Preparing the surfaces for touch"), fraction, secondsLeft, false);
+    });
+    connect(&publisher_, &WorldPublisher::shapesPublished, notice_, &NoticeBar::endProgress);
+}
+
+void MainWindow::askForFile() {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a model"), recentFiles().value(0), readableFilter());
+    if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::savePicture() {
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save the view"), QStringLiteral("touch.png"),
+                                                      tr("Pictures (*.png)"));
+    if (file.isEmpty()) return;
+    if (view_->grabPicture().save(file, "PNG"))
+        notice_->showNote(tr("The view was written to %1.").arg(file));
+    else
+        notice_->showError(
+            tr("%1 cannot be written. Choose another folder, or make room on the disk.").arg(file));
+}
+
+} // namespace tactum

@@ -1,0 +1,165 @@
+#include "ui/panels/force_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/numbers.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kSpan = 6;          // s, width of the chart
+constexpr double kSampleTime = 0.01; // s, ticks of this long are one sample
+
+/// The part of a force along the surfaces that push: what is left without the normals' share.
+double tangentialPart(const Vec3& force, const HapticOutput& out) {
+    Vec3 rest = force;
+    for (int i = 0; i < std::min(out.contacts, kMaxModelPlanes); ++i)
+        rest -=
+            out.contact[std::size_t(i)].normal * std::max(0.0, rest.dot(out.contact[std::size_t(i)].normal));
+    return out.contacts > 0 ? rest.norm() : 0;
+}
+
+bool slips(const HapticOutput& out) {
+    const int n = std::min(out.contacts, kMaxModelPlanes);
+    return n > 0 && std::all_of(out.contact.begin(), out.contact.begin() + n,
+                                [](const auto& c) { return c.slipping; });
+}
+
+double gridStep(double top) {
+    return top > 12 ? 5 : top > 4 ? 2 : 1;
+}
+
+} // namespace
+
+ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("force-plot"));
+    setAccessibleName(tr("Force over time"));
+}
+
+void ForcePlot::take(Engine& engine) {
+    limit_ = std::max(engine.device().maxForce, 0.1);
+    const HapticOutput contacts = engine.proxy().output;
+    TracePoint point;
+    while (engine.popTrace(point))
+        if (!paused_) add(point, contacts);
+    if (!paused_) update();
+}
+
+void ForcePlot::setPaused(bool paused) {
+    paused_ = paused;
+    update();
+}
+
+void ForcePlot::add(const TracePoint& point, const HapticOutput& contacts) {
+    const double force = point.force.norm();
+    if (ticks_++ == 0) building_ = {point.t};
+    building_.force = std::max(building_.force, force);
+    building_.tangential =
+        std::max(building_.tangential, std::min(force, tangentialPart(point.force, contacts)));
+    building_.slipping = slips(contacts);
+    building_.touching = contacts.contacts > 0;
+    if (point.t - building_.t < kSampleTime) return;
+    samples_.push_back(building_);
+    ticks_ = 0;
+    while (samples_.back().t - samples_.front().t > kSpan)
+        samples_.pop_front();
+}
+
+QRectF ForcePlot::area() const {
+    return QRectF(rect()).adjusted(44, 28, -16, -12);
+}
+
+QPointF ForcePlot::at(double t, double newton) const {
+    const QRectF a = area();
+    const double end = samples_.empty() ? 0 : samples_.back().t;
+    return {a.right() - (end - t) / kSpan * a.width(), a.bottom() - newton / (1.1 * limit_) * a.height()};
+}
+
+void ForcePlot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), theme().panel);
+    paintGrid(painter);
+    paintLimit(painter);
+    paintForce(painter);
+    paintTangential(painter);
+    paintLegend(painter);
+}
+
+void ForcePlot::paintGrid(QPainter& painter) const {
+    const QRectF a = area();
+    painter.setFont(figureFont(-1));
+    for (double newton = 0; newton < limit_; newton += gridStep(limit_)) {
+        const double y = at(0, newton).y();
+        painter.setPen(QPen(theme().plotGrid, 1));
+        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+        painter.setPen(theme().textDimmed);
+        const QString label = numberText(newton, 0) + (newton == 0 ? tr(" N") : QString());
+        painter.drawText(QRectF(0, y - 8, a.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, label);
+    }
+}
+
+void ForcePlot::paintLimit(QPainter& painter) const {
+    const QRectF a = area();
+    const double y = at(0, limit_).y();
+    painter.setPen(QPen(theme().fault, 1.25, Qt::DashLine));
+    painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+    painter.setPen(theme().fault);
+    painter.drawText(QRectF(0, y - 8, a.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
+                     numberText(limit_, 1));
+}
+
+void ForcePlot::paintForce(QPainter& painter) const {
+    QPolygonF line;
+    for (const Sample& s : samples_)
+        line << at(s.t, s.force);
+    if (line.size() < 2) return;
+    QPolygonF filled = line;
+    filled << QPointF(line.back().x(), area().bottom()) << QPointF(line.front().x(), area().bottom());
+    QColor shade = theme().proxy;
+    shade.setAlphaF(0.12f);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(shade);
+    painter.drawPolygon(filled);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme().proxy, 1.75));
+    painter.drawPolyline(line);
+}
+
+void ForcePlot::paintTangential(QPainter& painter) const {
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+        const Sample &from = samples_[i - 1], &to = samples_[i];
+        if (!from.touching && !to.touching) continue;
+        // Slipping is thicker as well: colour is never the only sign.
+        painter.setPen(to.slipping ? QPen(theme().slip, 2.5, Qt::SolidLine) : QPen(theme().stick, 1.5));
+        painter.drawLine(at(from.t, from.tangential), at(to.t, to.tangential));
+    }
+}
+
+void ForcePlot::paintLegend(QPainter& painter) const {
+    const std::pair<QString, QColor> entries[] = {
+        {tr("force"), theme().proxy},
+        {tr("along the surface: sticking"), theme().stick},
+        {tr("slipping"), theme().slip},
+        {tr("device limit"), theme().fault},
+    };
+    double x = area().left();
+    for (const auto& [word, colour] : entries) {
+        painter.setPen(QPen(colour, 2.5));
+        painter.drawLine(QPointF(x, 12), QPointF(x + 14, 12));
+        painter.setPen(theme().textDimmed);
+        painter.drawText(QPointF(x + 20, 16), word);
+        x += 20 + painter.fontMetrics().horizontalAdvance(word) + 2 * kRhythm;
+    }
+    painter.setPen(paused_ ? theme().accent : theme().textDimmed);
+    painter.drawText(QRectF(0, 4, width() - 16, 16), Qt::AlignRight | Qt::AlignVCenter,
+                     paused_ ? tr("paused") : tr("last %1 s").arg(kSpan, 0, 'f', 0));
+}
+
+} // namespace tactum

@@ -1,0 +1,51 @@
+// The force of the last seconds as a strip chart.
+#pragma once
+
+#include <deque>
+
+#include <QWidget>
+
+#include "core/runtime/engine.h"
+
+namespace tactum {
+
+/// Magnitude of the force on the finger, and the part of it along the surface: coloured like sticking or
+/// slipping. The axis ends above the device's limit, which is a line. Thread: ui.
+class ForcePlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit ForcePlot(QWidget* parent = nullptr);
+
+    /// Takes what the servo loop recorded since the last frame.
+    void take(Engine& engine);
+    bool paused() const { return paused_; }
+    void setPaused(bool paused);
+    QSize sizeHint() const override { return {480, 150}; }
+    QSize minimumSizeHint() const override { return {240, 96}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    /// The largest of a few servo ticks: what one column of pixels can show.
+    struct Sample {
+        double t = 0, force = 0, tangential = 0;
+        bool slipping = false, touching = false;
+    };
+    void add(const TracePoint& point, const HapticOutput& contacts);
+    QRectF area() const;
+    QPointF at(double t, double newton) const;
+    void paintGrid(QPainter& painter) const;
+    void paintLimit(QPainter& painter) const;
+    void paintForce(QPainter& painter) const;
+    void paintTangential(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
+
+    std::deque<Sample> samples_;
+    Sample building_;
+    int ticks_ = 0; ///< in building_
+    double limit_ = 1;
+    bool paused_ = false;
+};
+
+} // namespace tactum

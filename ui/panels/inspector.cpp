@@ -1,0 +1,116 @@
+#include "ui/panels/inspector.h"
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "ui/panels/parameter_field.h"
+#include "ui/panels/swatch.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+QVBoxLayout* column(QWidget* of, int spacing) {
+    auto* layout = new QVBoxLayout(of);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(spacing);
+    return layout;
+}
+
+QLabel* dimmed(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("dimmed", true);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+    auto* body = new QWidget;
+    auto* sections = column(body, 3 * kRhythm);
+    sections->setContentsMargins(12, kRhythm / 2, 12, kRhythm);
+    sections->addWidget(makeSurfaceSection());
+    sections->addWidget(makeSceneSection());
+    sections->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(body);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column(this, 0)->addWidget(scroll);
+    connect(&document_, &Document::changed, this, &Inspector::refresh);
+    refresh({});
+}
+
+QWidget* Inspector::makeSurfaceSection() {
+    auto* section = new QWidget;
+    auto* rows = column(section, kRhythm);
+    auto* title = new QHBoxLayout;
+    swatch_ = new QLabel;
+    heading_ = new QLabel;
+    heading_->setProperty("heading", true);
+    title->addWidget(swatch_);
+    title->addWidget(heading_, 1);
+    rows->addLayout(title);
+    hint_ = dimmed(tr("Click a surface in the view (Q) or in the outliner to see and set how it feels."));
+    rows->addWidget(hint_);
+    surfaceFields_ = new QWidget;
+    auto* list = column(surfaceFields_, kRhythm);
+    for (const MaterialField& field : kMaterialFields) {
+        auto* row = new ParameterField(*field.parameter);
+        connect(row, &ParameterField::edited, this, [this, &field](double value, Gesture gesture) {
+            if (auto surface = document_.selection())
+                document_.setMaterialValue(*surface, field, value, gesture);
+            refresh({SceneChange::What::Selection}); // what was typed may have been brought into range
+        });
+        fields_.push_back(row);
+        list->addWidget(row);
+    }
+    rows->addWidget(surfaceFields_);
+    return section;
+}
+
+QWidget* Inspector::makeSceneSection() {
+    auto* section = new QWidget;
+    auto* rows = column(section, kRhythm);
+    auto* title = new QLabel(tr("Scene"));
+    title->setProperty("heading", true);
+    rows->addWidget(title);
+    proxyRadius_ = new ParameterField(kProxyRadius);
+    connect(proxyRadius_, &ParameterField::edited, &document_, &Document::setProxyRadius);
+    rows->addWidget(proxyRadius_);
+    return section;
+}
+
+void Inspector::setDevice(const DeviceInfo& device) {
+    const QString name = QString::fromStdString(device.name);
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (kMaterialFields[i].parameter == &kStiffness && device.maxStiffness > 0)
+            fields_[i]->setCeiling(device.maxStiffness, tr("Ceiling of the device (%1): %2 N/m, the red tick")
+                                                            .arg(name.toHtmlEscaped())
+                                                            .arg(device.maxStiffness, 0, 'f', 0));
+}
+
+void Inspector::refresh(const SceneChange&) {
+    refreshHeading();
+    proxyRadius_->setValue(document_.scene().proxyRadius);
+    const auto selection = document_.selection();
+    const Surface* surface = selection ? document_.surface(*selection) : nullptr;
+    if (!surface) return;
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        fields_[i]->setValue(surface->material.*kMaterialFields[i].value);
+}
+
+void Inspector::refreshHeading() {
+    const auto selection = document_.selection();
+    const Surface* surface = selection ? document_.surface(*selection) : nullptr;
+    surfaceFields_->setVisible(surface);
+    swatch_->setVisible(surface);
+    hint_->setVisible(!surface);
+    heading_->setText(surface ? QString::fromStdString(surface->name) : tr("No surface selected"));
+    if (surface) swatch_->setPixmap(swatch(surface->colour));
+}
+
+} // namespace tactum

@@ -1,0 +1,41 @@
+// What can be set on the selected surface, and on the scene as a whole.
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "core/control/haptic_device.h"
+#include "ui/document.h"
+
+class QLabel;
+
+namespace tactum {
+
+class ParameterField;
+
+/// Generated from kMaterialFields; every edit goes through the document and can be undone.
+class Inspector : public QWidget {
+    Q_OBJECT
+public:
+    explicit Inspector(Document& document, QWidget* parent = nullptr);
+
+    /// Shows what the device can do as ticks on the sliders.
+    void setDevice(const DeviceInfo& device);
+
+private:
+    QWidget* makeSurfaceSection();
+    QWidget* makeSceneSection();
+    void refresh(const SceneChange& change);
+    void refreshHeading();
+
+    Document& document_;
+    QLabel* heading_;
+    QLabel* swatch_;
+    QWidget* surfaceFields_;
+    QLabel* hint_;
+    std::vector<ParameterField*> fields_; ///< in the order of kMaterialFields
+    ParameterField* proxyRadius_;
+};
+
+} // namespace tactum

@@ -1,0 +1,79 @@
+#include "ui/panels/notice_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+
+#include "ui/numbers.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QWidget(parent), icon_(new QLabel), text_(new QLabel), bar_(new QProgressBar),
+      cancel_(new QPushButton(tr("Cancel"))), close_(new QToolButton) {
+    setObjectName(QStringLiteral("notice"));
+    setAttribute(Qt::WA_StyledBackground);
+    text_->setObjectName(QStringLiteral("notice-text"));
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setFixedWidth(20 * kRhythm);
+    cancel_->setObjectName(QStringLiteral("notice-cancel"));
+    close_->setIcon(icon(QStringLiteral("close")));
+    close_->setIconSize({16, 16});
+    close_->setAccessibleName(tr("Close this message"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 6, kRhythm, 6);
+    row->setSpacing(kRhythm);
+    row->addWidget(icon_);
+    row->addWidget(text_, 1);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_), static_cast<QWidget*>(close_)})
+        row->addWidget(widget);
+    connect(close_, &QToolButton::clicked, this, &QWidget::hide);
+    connect(cancel_, &QPushButton::clicked, this, &NoticeBar::cancelled);
+    hide();
+}
+
+QString NoticeBar::text() const {
+    return isVisible() ? text_->text() : QString();
+}
+
+void NoticeBar::setSeverity(const QString& severity) {
+    setProperty("severity", severity);
+    style()->unpolish(this);
+    style()->polish(this);
+    const bool progress = severity == QLatin1String("progress");
+    bar_->setVisible(progress);
+    close_->setVisible(!progress);
+    icon_->setVisible(!progress);
+}
+
+void NoticeBar::showMessage(const QString& sentence, const QString& severity) {
+    const bool error = severity == QLatin1String("error");
+    icon_->setPixmap(icon(severity, error ? theme().fault : theme().accent).pixmap(16, 16));
+    text_->setText(sentence);
+    cancel_->hide();
+    setSeverity(severity);
+    setAccessibleName(sentence);
+    show();
+}
+
+void NoticeBar::showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable) {
+    text_->setText(secondsLeft < 0 ? what : tr("%1 - about %2 left").arg(what, durationText(secondsLeft)));
+    bar_->setValue(int(1000 * fraction));
+    cancel_->setVisible(cancellable);
+    setSeverity(QStringLiteral("progress"));
+    show();
+}
+
+void NoticeBar::endProgress() {
+    if (property("severity").toString() == QLatin1String("progress")) hide();
+}
+
+} // namespace tactum

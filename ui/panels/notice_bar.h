@@ -1,0 +1,41 @@
+// One line above the view for what just happened or is under way. Never modal.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace tactum {
+
+/// Shows either a message, until it is closed or replaced, or the progress of work with a cancel button.
+class NoticeBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit NoticeBar(QWidget* parent = nullptr);
+
+    void showError(const QString& sentence) { showMessage(sentence, QStringLiteral("error")); }
+    void showNote(const QString& sentence) { showMessage(sentence, QStringLiteral("note")); }
+    /// secondsLeft < 0: not known yet.
+    void showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable);
+    /// Ends the progress, if that is what is shown; a message stays.
+    void endProgress();
+    QString text() const;
+
+signals:
+    void cancelled();
+
+private:
+    void showMessage(const QString& sentence, const QString& severity);
+    void setSeverity(const QString& severity);
+
+    QLabel* icon_;
+    QLabel* text_;
+    QProgressBar* bar_;
+    QPushButton* cancel_;
+    QToolButton* close_;
+};
+
+} // namespace tactum

@@ -1,0 +1,56 @@
+#include "ui/panels/number_box.h"
+
+#include <QLineEdit>
+#include <QTimer>
+
+#include "ui/numbers.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+NumberBox::NumberBox(const QString& unit, QWidget* parent) : QDoubleSpinBox(parent), unit_(unit) {
+    setLocale(QLocale::c());
+    setButtonSymbols(NoButtons);
+    setAlignment(Qt::AlignRight);
+    setKeyboardTracking(false);
+    setCorrectionMode(CorrectToNearestValue);
+    setFont(figureFont());
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (stepping_)
+            emit stepped(value);
+        else
+            emit typed(value);
+    });
+}
+
+void NumberBox::stepBy(int steps) {
+    stepping_ = true;
+    QDoubleSpinBox::stepBy(steps);
+    stepping_ = false;
+}
+
+QString NumberBox::textFromValue(double value) const {
+    return numberText(value, decimals());
+}
+
+double NumberBox::valueFromText(const QString& text) const {
+    const double number = readNumber(text, unit_).value_or(value());
+    return std::clamp(number, minimum(), maximum());
+}
+
+QValidator::State NumberBox::validate(QString& text, int&) const {
+    if (readNumber(text, unit_)) return QValidator::Acceptable;
+    // On the way to a number: digits, a sign, a point, an exponent, the beginning of the unit.
+    for (QChar c : text)
+        if (!c.isDigit() && !QStringLiteral("+-.,eE ").contains(c) && !unit_.contains(c))
+            return QValidator::Invalid;
+    return QValidator::Intermediate;
+}
+
+void NumberBox::focusInEvent(QFocusEvent* event) {
+    QDoubleSpinBox::focusInEvent(event);
+    // After the click that gave the focus has placed its cursor.
+    QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);
+}
+
+} // namespace tactum

@@ -1,0 +1,33 @@
+// A field for one number: typed, stepped and wheeled, always in the C locale.
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace tactum {
+
+/// Right-aligned figures without arrows. A typed comma counts as the decimal point; the unit may be typed
+/// after the number. Values out of range are brought into it when the entry ends.
+class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit NumberBox(const QString& unit, QWidget* parent = nullptr);
+
+    void stepBy(int steps) override;
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+
+signals:
+    void typed(double value);
+    /// By an arrow key or the wheel.
+    void stepped(double value);
+
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+
+private:
+    QString unit_;
+    bool stepping_ = false;
+};
+
+} // namespace tactum

@@ -1,0 +1,122 @@
+#include "ui/panels/parameter_field.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include "ui/panels/number_box.h"
+#include "ui/panels/value_slider.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+// Steps of the wheel or of an arrow key that follow each other this fast are one edit.
+constexpr int kRunOfSteps = 800; // ms
+
+QString text(std::string_view view) {
+    return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
+
+} // namespace
+
+ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
+    : QWidget(parent), parameter_(parameter), unit_(displayUnit(parameter)), box_(new NumberBox(unit_.name)),
+      slider_(new ValueSlider(parameter)), reset_(new QToolButton) {
+    auto* label = new QLabel(text(parameter.label));
+    label->setBuddy(box_);
+    label->installEventFilter(this);
+    box_->setDecimals(unit_.decimals);
+    box_->setRange(unit_.factor * parameter.minimum, unit_.factor * parameter.maximum);
+    box_->setSingleStep(unit_.factor * parameter.step);
+    reset_->setIcon(icon(QStringLiteral("reset")));
+    reset_->setIconSize({12, 12});
+    layOut(label);
+    describe();
+    wire();
+    setValue(parameter.initial);
+}
+
+void ParameterField::layOut(QLabel* label) {
+    auto* unit = new QLabel(unit_.name);
+    unit->setProperty("dimmed", true);
+    unit->setMinimumWidth(5 * kRhythm);
+    box_->setFixedWidth(9 * kRhythm);
+    QSizePolicy keepsPlace = reset_->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    reset_->setSizePolicy(keepsPlace);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kRhythm / 2);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(reset_, 0, 1);
+    grid->addWidget(box_, 0, 2);
+    grid->addWidget(unit, 0, 3);
+    grid->addWidget(slider_, 1, 0, 1, 4);
+    grid->setColumnStretch(0, 1);
+}
+
+void ParameterField::wire() {
+    connect(box_, &NumberBox::typed, this, [this](double shown) { emit edited(shown / unit_.factor, 0); });
+    connect(box_, &NumberBox::stepped, this,
+            [this](double shown) { emit edited(shown / unit_.factor, stepGesture()); });
+    connect(slider_, &ValueSlider::notched, box_, &NumberBox::stepBy);
+    connect(slider_, &QSlider::sliderPressed, this, [this] { gesture_ = newGesture(); });
+    connect(slider_, &QSlider::valueChanged, this, &ParameterField::followSlider);
+    connect(reset_, &QToolButton::clicked, this, [this] { emit edited(parameter_.initial, 0); });
+}
+
+void ParameterField::describe() {
+    const QString range =
+        tr("%1 to %2 %3, default %4")
+            .arg(numberText(box_->minimum(), unit_.decimals), numberText(box_->maximum(), unit_.decimals),
+                 unit_.name, numberText(unit_.factor * parameter_.initial, unit_.decimals));
+    // Rich text, so that long sentences wrap.
+    setToolTip(QStringLiteral("<p><b>%1</b><br>%2</p><p>%3%4</p>")
+                   .arg(text(parameter_.label).toHtmlEscaped(), text(parameter_.sentence).toHtmlEscaped(),
+                        range, ceilingText_.isEmpty() ? QString() : QStringLiteral("<br>") + ceilingText_));
+    const QString key = text(parameter_.key);
+    box_->setObjectName(key);
+    slider_->setObjectName(key + QStringLiteral("-slider"));
+    reset_->setObjectName(key + QStringLiteral("-reset"));
+    box_->setAccessibleName(text(parameter_.label));
+    box_->setAccessibleDescription(text(parameter_.sentence));
+    slider_->setAccessibleName(tr("%1, slider").arg(text(parameter_.label)));
+    reset_->setAccessibleName(tr("Reset %1").arg(text(parameter_.label)));
+    reset_->setToolTip(tr("Back to the default, %1 %2")
+                           .arg(numberText(unit_.factor * parameter_.initial, unit_.decimals), unit_.name));
+}
+
+void ParameterField::setValue(double value) {
+    const QSignalBlocker quiet(box_);
+    box_->setValue(unit_.factor * value);
+    slider_->display(value);
+    reset_->setVisible(value != parameter_.initial);
+}
+
+void ParameterField::setCeiling(std::optional<double> ceiling, const QString& meaning) {
+    ceilingText_ = ceiling ? meaning : QString();
+    slider_->setCeiling(ceiling);
+    describe();
+}
+
+bool ParameterField::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonDblClick) emit edited(parameter_.initial, 0);
+    return QWidget::eventFilter(watched, event);
+}
+
+void ParameterField::followSlider() {
+    const Gesture gesture = slider_->isSliderDown() ? gesture_ : stepGesture();
+    emit edited(slider_->current(), gesture);
+}
+
+Gesture ParameterField::stepGesture() {
+    if (!sinceStep_.isValid() || sinceStep_.elapsed() > kRunOfSteps) gesture_ = newGesture();
+    sinceStep_.start();
+    return gesture_;
+}
+
+} // namespace tactum

@@ -1,0 +1,58 @@
+// One row of an inspector, made from one row of a parameter table.
+#pragma once
+
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include "core/surface/parameter.h"
+#include "ui/document.h"
+#include "ui/numbers.h"
+
+class QLabel;
+class QToolButton;
+
+namespace tactum {
+
+class NumberBox;
+class ValueSlider;
+
+/// Label, value with its unit, slider, and a button back to the default. The value's widget has the
+/// parameter's key for its object name, the slider "<key>-slider", the button "<key>-reset".
+class ParameterField : public QWidget {
+    Q_OBJECT
+public:
+    /// `parameter` must outlive the field; the tables are constants.
+    explicit ParameterField(const Parameter& parameter, QWidget* parent = nullptr);
+
+    /// Shows a value in the parameter's own unit, without telling anybody.
+    void setValue(double value);
+    /// A tick on the slider, and a line in the tooltip.
+    void setCeiling(std::optional<double> ceiling, const QString& meaning);
+
+signals:
+    /// A person set the value, in the parameter's own unit.
+    void edited(double value, tactum::Gesture gesture);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void layOut(QLabel* label);
+    void wire();
+    void describe();
+    void followSlider();
+    Gesture stepGesture();
+
+    const Parameter& parameter_;
+    DisplayUnit unit_;
+    NumberBox* box_;
+    ValueSlider* slider_;
+    QToolButton* reset_;
+    QString ceilingText_;
+    QElapsedTimer sinceStep_;
+    Gesture gesture_ = 0;
+};
+
+} // namespace tactum

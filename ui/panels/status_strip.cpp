@@ -1,0 +1,117 @@
+#include "ui/panels/status_strip.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+
+#include "ui/numbers.h"
+#include "ui/panels/force_meter.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+QString kilohertz(double hertz) {
+    return hertz < 9950 ? numberText(hertz, 0) + QStringLiteral(" Hz")
+                        : numberText(1e-3 * hertz, 1) + QStringLiteral(" kHz");
+}
+
+/// What the contacts do, in words: a contact either holds or slides.
+QString touchText(const HapticOutput& out) {
+    if (out.contacts == 0) return StatusStrip::tr("free");
+    const int known = std::min(out.contacts, kMaxModelPlanes);
+    const bool slips = std::all_of(out.contact.begin(), out.contact.begin() + known,
+                                   [](const auto& c) { return c.slipping; });
+    const QString state = slips ? StatusStrip::tr("slip") : StatusStrip::tr("stick");
+    return StatusStrip::tr("%1 %2 \u00b7 %3")
+        .arg(out.contacts)
+        .arg(out.contacts == 1 ? StatusStrip::tr("contact") : StatusStrip::tr("contacts"), state);
+}
+
+} // namespace
+
+StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("statusStrip"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
+    row->setSpacing(2 * kRhythm);
+    device_ = addReading(QStringLiteral("status-device"), tr("The device, and whether it may push"),
+                         tr("Simulated hand \u00b7 forces off"));
+    servo_ = addReading(
+        QStringLiteral("status-servo"),
+        tr("Servo loop: ticks a second, and the largest deviation of a period over the last half second"),
+        QStringLiteral("servo 1000 Hz \u00b19999 \u00b5s"));
+    proxy_ = addReading(QStringLiteral("status-proxy"),
+                        tr("Proxy loop: updates a second, and the mean time of one"),
+                        QStringLiteral("proxy 99.9 kHz  99.9 \u00b5s"));
+    contacts_ = addReading(QStringLiteral("status-contacts"),
+                           tr("How many surfaces push, and whether friction holds or slides"),
+                           QStringLiteral("2 contacts \u00b7 stick"));
+    force_ = new ForceMeter;
+    row->addWidget(force_);
+    note_ = new QLabel;
+    note_->setObjectName(QStringLiteral("status-note"));
+    note_->setProperty("dimmed", true);
+    note_->setMinimumWidth(1); // gives way before the figures do; its tooltip has it all
+    row->addWidget(note_, 1);
+    stop_ = new QPushButton(tr("STOP"));
+    stop_->setObjectName(QStringLiteral("stop"));
+    stop_->setToolTip(tr("Forces off at once. Also: hold Esc for half a second."));
+    stop_->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(stop_);
+    connect(stop_, &QPushButton::clicked, this, &StatusStrip::stopPressed);
+}
+
+QLabel* StatusStrip::addReading(const QString& name, const QString& meaning, const QString& widest) {
+    auto* label = new QLabel;
+    label->setObjectName(name);
+    label->setToolTip(meaning);
+    label->setFont(figureFont());
+    // Wide enough for its longest text, so that nothing moves when figures change.
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest));
+    layout()->addWidget(label);
+    return label;
+}
+
+void StatusStrip::display(const Engine& engine) {
+    const bool on = engine.running() && engine.armed();
+    device_->setText(QStringLiteral("%1 \u00b7 %2")
+                         .arg(QString::fromStdString(engine.device().name), !engine.running()
+                                                                                ? tr("not running")
+                                                                            : on ? tr("forces on")
+                                                                                 : tr("forces off")));
+    stop_->setEnabled(on);
+    showRates(engine);
+    showTouch(engine);
+    const QString note = fault_.isEmpty() ? QString::fromStdString(engine.priorityNote()) : fault_;
+    note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
+    note_->setToolTip(note);
+}
+
+void StatusStrip::showRates(const Engine& engine) {
+    const ServoTelemetry& servo = engine.servo();
+    const ProxyTelemetry& proxy = engine.proxy();
+    servo_->setText(
+        tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
+    proxy_->setText(tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
+}
+
+void StatusStrip::showTouch(const Engine& engine) {
+    contacts_->setText(touchText(engine.proxy().output));
+    force_->setForce(engine.servo().force.norm(), std::max(0.1, engine.device().maxForce));
+}
+
+void StatusStrip::setFault(const QString& sentence) {
+    if (sentence == fault_) return;
+    fault_ = sentence;
+    setProperty("fault", !fault_.isEmpty());
+    style()->unpolish(this);
+    style()->polish(this);
+}
+
+} // namespace tactum

@@ -1,0 +1,45 @@
+// The state of the haptics in one line, always visible, with the button that ends all force.
+#pragma once
+
+#include <QWidget>
+
+#include "core/runtime/engine.h"
+
+class QLabel;
+class QPushButton;
+
+namespace tactum {
+
+class ForceMeter;
+
+/// Device and whether forces are on, rates, jitter, update time, contacts, force against the limit, STOP.
+/// A fault colours the strip and says what happened, what was done and how to go on.
+class StatusStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit StatusStrip(QWidget* parent = nullptr);
+
+    /// Thread: ui, once a frame.
+    void display(const Engine& engine);
+    /// One line instead of the priority note, until cleared with an empty one.
+    void setFault(const QString& sentence);
+
+signals:
+    void stopPressed();
+
+private:
+    QLabel* addReading(const QString& name, const QString& meaning, const QString& widest);
+    void showRates(const Engine& engine);
+    void showTouch(const Engine& engine);
+
+    QLabel* device_;
+    QLabel* servo_;
+    QLabel* proxy_;
+    QLabel* contacts_;
+    ForceMeter* force_;
+    QLabel* note_;
+    QPushButton* stop_;
+    QString fault_;
+};
+
+} // namespace tactum

@@ -1,0 +1,13 @@
+// The colour of a surface as a small square.
+#pragma once
+
+#include <QPixmap>
+
+#include "core/base/vec.h"
+
+namespace tactum {
+
+/// `linear`: RGB as scenes store it, 0 to 1.
+QPixmap swatch(const Eigen::Vector3f& linear);
+
+} // namespace tactum

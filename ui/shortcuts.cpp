@@ -1,0 +1,114 @@
+#include "ui/shortcuts.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr Command kCommands[] = {
+    {"open", "File", "&Open...", "Ctrl+O", "open", "Open a model: OBJ, PLY, STL, OFF or glTF"},
+    {"save-picture", "File", "Save &picture...", "", "picture", "Write the view as a PNG file", false, true},
+    {"quit", "File", "&Quit", "Ctrl+Q", "", "Forces off, and out", false, true},
+    {"undo", "Edit", "&Undo", "Ctrl+Z", "undo", "Take the last edit back"},
+    {"redo", "Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "redo", "Do the last undone edit again"},
+    {"hide", "Edit", "&Hide object", "H", "eye-off", "Neither seen nor felt until it is shown again", false,
+     true},
+    {"show-all", "Edit", "&Show all", "Alt+H", "eye", "Show every object"},
+    {"remove", "Edit", "Re&move object", "Ctrl+Del", "remove", "Take the object out of the scene"},
+    {"touch", "Tools", "&Touch", "W", "touch", "Touch: drag on the model to lead the finger", true},
+    {"select", "Tools", "&Select", "Q", "select", "Select: click a surface to see and set how it feels",
+     true},
+    {"fit", "View", "&Frame all", "Home; F", "fit", "Show the whole scene"},
+    {"view-front", "View", "F&ront", "Num+1; Ctrl+1", "view-front", "Look from the front"},
+    {"view-right", "View", "R&ight", "Num+3; Ctrl+3", "view-right", "Look from the right"},
+    {"view-top", "View", "&Top", "Num+7; Ctrl+7", "view-top", "Look from above"},
+    {"view-isometric", "View", "Is&ometric", "Num+0; Ctrl+0", "view-isometric",
+     "Look from the corner between them"},
+    {"overlay", "View", "Finger and f&orces", "Ctrl+T", "overlay", "Show finger, proxy, force and contacts",
+     true, true},
+    {"panels", "View", "&Hide all panels", "F9", "",
+     "The view alone; Tab does the same while the view has the focus", true},
+    {"armed", "Device", "&Forces on", "Ctrl+Return", "power",
+     "Let the device push. It starts without force and follows", true},
+    {"stop", "Device", "&Stop", "", "stop", "Forces off at once; also hold Esc for half a second"},
+    {"restart-proxy", "Device", "&Put the proxy on the finger", "Ctrl+R", "",
+     "Frees a proxy that is on the wrong side of a surface", false, true},
+    {"keyboard", "Help", "&Keyboard", "F1", "keyboard", "All keys on one page"},
+    {"about", "Help", "&About Tactum", "", "", "Version and licence"},
+};
+
+constexpr Manner kManners[] = {
+    {"Drag on the model", "press the finger into the surface and stroke it (touch tool)"},
+    {"Drag the finger", "move it in the plane of the camera"},
+    {"Wheel, Ctrl+drag while touching", "move the finger along the view"},
+    {"G", "the finger follows the mouse until a click or Esc"},
+    {"Arrows, Page Up, Page Down", "nudge the finger"},
+    {"Middle drag, Alt+drag", "orbit; with Shift pan"},
+    {"Wheel", "zoom to the cursor"},
+    {"Tab in the view", "hide or show all panels"},
+    {"Hold Esc for half a second", "forces off"},
+};
+
+QList<QKeySequence> keysOf(const Command& command) {
+    QList<QKeySequence> keys;
+    for (const QString& part :
+         QString::fromLatin1(command.keys).split(QStringLiteral("; "), Qt::SkipEmptyParts))
+        keys << QKeySequence::fromString(part, QKeySequence::PortableText);
+    return keys;
+}
+
+QString tooltipOf(const Command& command) {
+    const QList<QKeySequence> keys = keysOf(command);
+    const QString sentence = QObject::tr(command.sentence);
+    return keys.isEmpty()
+               ? sentence
+               : QStringLiteral("%1 (%2)").arg(sentence, keys.front().toString(QKeySequence::NativeText));
+}
+
+} // namespace
+
+std::span<const Command> commands() {
+    return kCommands;
+}
+std::span<const Manner> viewManners() {
+    return kManners;
+}
+
+Actions::Actions(QObject* parent) : QObject(parent) {
+    for (const Command& command : kCommands) {
+        auto* action = new QAction(tr(command.text), this);
+        action->setObjectName(QString::fromLatin1(command.id));
+        action->setShortcuts(keysOf(command));
+        action->setToolTip(tooltipOf(command));
+        action->setCheckable(command.checkable);
+        actions_[command.id] = action;
+    }
+    refreshIcons();
+}
+
+QAction& Actions::operator[](const char* id) const {
+    return *actions_.at(id);
+}
+
+void Actions::fill(QMenuBar& bar) const {
+    QMenu* menu = nullptr;
+    for (const Command& command : kCommands) {
+        if (!menu || menu->objectName() != QLatin1String(command.menu)) {
+            menu = bar.addMenu(tr(command.menu));
+            menu->setObjectName(QString::fromLatin1(command.menu));
+        }
+        if (command.separatorBefore) menu->addSeparator();
+        menu->addAction(actions_.at(command.id));
+    }
+}
+
+void Actions::refreshIcons() const {
+    for (const Command& command : kCommands)
+        if (*command.icon) actions_.at(command.id)->setIcon(icon(QString::fromLatin1(command.icon)));
+}
+
+} // namespace tactum

@@ -1,0 +1,52 @@
+// Every command of the window and every key, in one table: menus, tool bar and the keyboard sheet read it.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+
+#include <QAction>
+#include <QObject>
+
+class QMenuBar;
+class QToolBar;
+
+namespace tactum {
+
+/// One command. Rows stand in the order of their menu.
+struct Command {
+    const char* id;
+    const char* menu;     ///< title of its menu
+    const char* text;     ///< in the menu
+    const char* keys;     ///< portable key sequences separated by "; "; may be empty
+    const char* icon;     ///< name in resources/icons, may be empty
+    const char* sentence; ///< tooltip
+    bool checkable = false;
+    bool separatorBefore = false;
+};
+std::span<const Command> commands();
+
+/// A key or a mouse gesture that is no command: what the view does by itself.
+struct Manner {
+    const char* keys;
+    const char* text;
+};
+std::span<const Manner> viewManners();
+
+/// The actions of the table. Thread: ui.
+class Actions : public QObject {
+    Q_OBJECT
+public:
+    explicit Actions(QObject* parent = nullptr);
+
+    /// By the row's id, which must exist.
+    QAction& operator[](const char* id) const;
+    /// All actions under their menus, in the order of the table.
+    void fill(QMenuBar& bar) const;
+    /// The icons in the colours of the theme that is on.
+    void refreshIcons() const;
+
+private:
+    std::unordered_map<std::string, QAction*> actions_;
+};
+
+} // namespace tactum

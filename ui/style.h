@@ -1,0 +1,29 @@
+// How everything looks: one theme at a time, one style sheet made from it, icons in its colours.
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+#include "ui/theme.h"
+
+namespace tactum {
+
+/// The unit of the layout, in pixels; half of it inside controls.
+inline constexpr int kRhythm = 8;
+
+enum class ThemeChoice { Dark, Light, System };
+
+/// Palette, font and style sheet of the whole application. Thread: ui.
+void applyTheme(ThemeChoice choice);
+/// The theme that is on.
+const Theme& theme();
+
+/// An icon of resources/icons in the colours of the theme: dimmed when disabled, accented when checked.
+QIcon icon(const QString& name);
+/// The same stroke in a colour of its own.
+QIcon icon(const QString& name, const QColor& colour);
+
+/// A font whose figures all have one width, `points` larger than the application's.
+QFont figureFont(int points = 0);
+
+} // namespace tactum
