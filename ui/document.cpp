@@ -99,7 +99,7 @@ void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, doub
         Surface* found = find(scene, ref);
         return found ? &found->material : nullptr;
     };
-    edit<Material>(tr("%1 of %2").arg(tr(field.parameter->label.data()), text(now->name)), place,
+    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)), place,
                    withValue(now->material, field, value), {SceneChange::What::Material, ref}, gesture);
 }
 

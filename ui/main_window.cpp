@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QMimeData>
 #include <QSettings>

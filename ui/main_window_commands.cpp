@@ -54,8 +54,12 @@ void MainWindow::makeToolBar() {
     bar->setMovable(false);
     bar->setIconSize({24, 24});
     for (const char* id : {"open", "", "undo", "redo", "", "touch", "select", "", "fit", "view-front",
-                           "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"})
-        *id ? bar->addAction(&actions_[id]) : bar->addSeparator();
+                           "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"}) {
+        if (*id)
+            bar->addAction(&actions_[id]);
+        else
+            bar->addSeparator();
+    }
     for (const char* id : {"open", "touch", "select", "armed"})
         static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
             ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -1,8 +1,9 @@
 #include "ui/numbers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "core/base/numbers.h"
 
 namespace tactum {
 
@@ -34,12 +35,7 @@ std::optional<double> readNumber(const QString& typed, const QString& unit) {
     QString text = typed.trimmed();
     if (!unit.isEmpty() && text.endsWith(unit)) text = text.chopped(unit.size()).trimmed();
     text.replace(u',', u'.');
-    if (text.startsWith(u'+')) text.remove(0, 1);
-    const std::string plain = text.toStdString();
-    double value = 0;
-    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    if (error != std::errc() || end != plain.data() + plain.size() || !std::isfinite(value)) return {};
-    return value;
+    return parseNumber(text.toStdString());
 }
 
 } // namespace tactum

@@ -1,5 +1,6 @@
 #include "ui/panels/notice_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -42,6 +43,11 @@ NoticeBar::NoticeBar(QWidget* parent)
 
 QString NoticeBar::text() const {
     return isVisible() ? text_->text() : QString();
+}
+
+void NoticeBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) close_->setIcon(icon(QStringLiteral("close")));
+    QWidget::changeEvent(event);
 }
 
 void NoticeBar::setSeverity(const QString& severity) {

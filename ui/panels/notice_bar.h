@@ -27,6 +27,9 @@ public:
 signals:
     void cancelled();
 
+protected:
+    void changeEvent(QEvent* event) override; ///< another theme
+
 private:
     void showMessage(const QString& sentence, const QString& severity);
     void setSeverity(const QString& severity);

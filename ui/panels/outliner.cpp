@@ -1,9 +1,7 @@
 #include "ui/panels/outliner.h"
 
-#include <cmath>
-
+#include <QEvent>
 #include <QHeaderView>
-#include <QPainter>
 #include <QScopedValueRollback>
 
 #include "ui/panels/swatch.h"
@@ -59,6 +57,11 @@ void Outliner::follow(const SceneChange& change) {
         showSelection();
     else if (change.what == What::Everything || change.what == What::Objects || change.what == What::Names)
         rebuild();
+}
+
+void Outliner::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) rebuild();
+    HintedTree::changeEvent(event);
 }
 
 void Outliner::rebuild() {

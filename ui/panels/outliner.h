@@ -13,6 +13,9 @@ class Outliner : public HintedTree {
 public:
     explicit Outliner(Document& document, QWidget* parent = nullptr);
 
+protected:
+    void changeEvent(QEvent* event) override; ///< another theme
+
 private:
     void follow(const SceneChange& change);
     void rebuild();

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_field.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -106,6 +107,11 @@ void ParameterField::setCeiling(std::optional<double> ceiling, const QString& me
 bool ParameterField::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonDblClick) emit edited(parameter_.initial, 0);
     return QWidget::eventFilter(watched, event);
+}
+
+void ParameterField::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) reset_->setIcon(icon(QStringLiteral("reset")));
+    QWidget::changeEvent(event);
 }
 
 void ParameterField::followSlider() {

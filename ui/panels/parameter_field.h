@@ -37,6 +37,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override; ///< another theme
 
 private:
     void layOut(QLabel* label);
