@@ -5,7 +5,7 @@
 namespace tactum {
 
 namespace {
-constexpr double kArrived = 1e-3; // m
+constexpr std::uint64_t kArrival = 50; // servo ticks, of which the jump takes one
 constexpr double kBeside = 0.15;  // of the model's diagonal, away from its box
 } // namespace
 
@@ -25,15 +25,15 @@ void HandLink::placeBeside(const Bounds& model) {
     // read this one does not swallow the jump.
     goal_.teleport = true;
     ++goal_.sequence;
-    arriving_ = true;
+    arrival_ = engine_.servo().ticks + kArrival;
     view_.setHandGoal(goal_.position);
     send();
 }
 
 void HandLink::follow() {
-    if (!arriving_ || (engine_.servo().finger - goal_.position).norm() > kArrived) return;
+    if (arrival_ == 0 || engine_.servo().ticks < arrival_) return;
     // Only now: a proxy put onto the finger before the jump would be dragged through the new model.
-    arriving_ = false;
+    arrival_ = 0;
     engine_.restartProxy();
 }
 

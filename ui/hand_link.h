@@ -31,7 +31,7 @@ private:
     Engine& engine_;
     std::shared_ptr<HandTarget> target_;
     HandGoal goal_;
-    bool arriving_ = false;
+    std::uint64_t arrival_ = 0; ///< servo tick at which a jump is surely over; 0: none under way
 };
 
 } // namespace tactum
