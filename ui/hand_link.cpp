@@ -6,7 +6,7 @@ namespace tactum {
 
 namespace {
 constexpr std::uint64_t kArrival = 50; // servo ticks, of which the jump takes one
-constexpr double kBeside = 0.15;  // of the model's diagonal, away from its box
+constexpr double kBeside = 0.15;       // of the model's diagonal, away from its box
 } // namespace
 
 HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)

@@ -1,5 +1,6 @@
 #include "ui/panels/number_box.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QTimer>
 
@@ -45,6 +46,15 @@ QValidator::State NumberBox::validate(QString& text, int&) const {
         if (!c.isDigit() && !QStringLiteral("+-.,eE ").contains(c) && !unit_.contains(c))
             return QValidator::Invalid;
     return QValidator::Intermediate;
+}
+
+bool NumberBox::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+        // Nothing typed that the line could take back: undo and redo are the document's.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) return false;
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 void NumberBox::focusInEvent(QFocusEvent* event) {

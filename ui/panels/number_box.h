@@ -23,6 +23,7 @@ signals:
     void stepped(double value);
 
 protected:
+    bool event(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
 private:

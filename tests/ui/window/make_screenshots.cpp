@@ -1,0 +1,65 @@
+// Writes the pictures of the guide: drives the real window through a first touch.
+#include <QApplication>
+#include <QDir>
+#include <QTest>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr QSize kSize(1440, 900);
+
+void save(TouchedWindow& program, const QDir& folder, const QString& name) {
+    program.frames(20);
+    const QString file = folder.filePath(name);
+    if (!program.window->grab().save(file)) qFatal("%s cannot be written", qPrintable(file));
+    qInfo("%s", qPrintable(file));
+}
+
+void strokeTo(TouchedWindow& program, QPoint& at, QPoint to, int steps) {
+    const QPointF from = at;
+    for (int i = 1; i <= steps; ++i) {
+        at = (from + (QPointF(to) - from) * i / steps).toPoint();
+        program.moveTo(at);
+        program.frames(2);
+    }
+}
+
+void takeFirstTouch(TouchedWindow& program, const QDir& folder) {
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.60"));
+    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.45"));
+    QPoint at = program.centre() + QPoint(-40, 20);
+    program.press(at);
+    program.frames(90);
+    strokeTo(program, at, at + QPoint(60, -30), 30);
+    program.frames(60);
+    strokeTo(program, at, at + QPoint(8, -4), 8);
+    save(program, folder, QStringLiteral("first-touch.png"));
+    strokeTo(program, at, at + QPoint(90, 30), 60);
+    program.frames(0);
+    save(program, folder, QStringLiteral("friction-slip.png"));
+    program.release(at);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    prepareProcess();
+    QApplication app(argc, argv);
+    QTemporaryDir settings;
+    useSettingsIn(settings.path());
+    const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("."));
+    const QString sample =
+        argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");
+    if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
+
+    TouchedWindow program(kSize, sample);
+    save(program, folder, QStringLiteral("start-page.png"));
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    save(program, folder, QStringLiteral("opened.png"));
+    takeFirstTouch(program, folder);
+    return 0;
+}

@@ -1,0 +1,162 @@
+// The document: opening, the one way to edit, undo, and files that are not what they should be.
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/ui/window/window_fixture.h"
+
+using namespace tactum;
+
+class TestDocument : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Document> document_;
+
+    bool open(const QString& file);
+    SurfaceRef front() const { return {document_->scene().objects.front().id, 4}; }
+    const Material& frontMaterial() const { return document_->surface(front())->material; }
+
+private slots:
+    void init();
+
+    void surfacesComeFromGroups();
+    void aDragIsOneStepAndTwoDragsAreTwo();
+    void aDragBackToItsBeginningIsNoStep();
+    void everyEditCanBeUndone();
+    void editsOfNothingAreIgnored();
+    void aModelThatDoesNotFitTheHandIsScaledAndSaysSo();
+    void aBrokenFileLeavesTheSceneAndSaysOneLine_data();
+    void aBrokenFileLeavesTheSceneAndSaysOneLine();
+    void anOpeningCanBeCancelled();
+};
+
+void TestDocument::init() {
+    document_ = std::make_unique<Document>();
+    QVERIFY(open(writeCube(folder_)));
+}
+
+bool TestDocument::open(const QString& file) {
+    document_->open(file.toStdString());
+    return QTest::qWaitFor([this] { return !document_->opening(); }, kPatience);
+}
+
+void TestDocument::surfacesComeFromGroups() {
+    QCOMPARE(document_->scene().objects.size(), std::size_t(1));
+    QCOMPARE(document_->scene().objects[0].surfaces.size(), std::size_t(6));
+    QCOMPARE(document_->surface(front())->name, std::string("front"));
+    QCOMPARE(document_->history().count(), 0);
+}
+
+void TestDocument::aDragIsOneStepAndTwoDragsAreTwo() {
+    const MaterialField& friction = kMaterialFields[2];
+    for (int drag = 0; drag < 2; ++drag) {
+        const Gesture gesture = newGesture();
+        for (int i = 1; i <= 5; ++i)
+            document_->setMaterialValue(front(), friction, 0.5 * drag + 0.1 * i, gesture);
+    }
+    QCOMPARE(document_->history().count(), 2);
+    QCOMPARE(frontMaterial().staticFriction, 1.0);
+    document_->history().undo();
+    QCOMPARE(frontMaterial().staticFriction, 0.5);
+    document_->history().undo();
+    QCOMPARE(frontMaterial().staticFriction, kStaticFriction.initial);
+    document_->history().redo();
+    QCOMPARE(frontMaterial().staticFriction, 0.5);
+}
+
+void TestDocument::aDragBackToItsBeginningIsNoStep() {
+    const Gesture gesture = newGesture();
+    document_->setMaterialValue(front(), kMaterialFields[0], 900, gesture);
+    document_->setMaterialValue(front(), kMaterialFields[0], kStiffness.initial, gesture);
+    QCOMPARE(document_->history().count(), 0);
+}
+
+void TestDocument::everyEditCanBeUndone() {
+    const Scene before = document_->scene();
+    const ObjectId cube = before.objects.front().id;
+    document_->setMaterialValue(front(), kMaterialFields[4], 3);
+    document_->setProxyRadius(0.002);
+    document_->renameObject(cube, QStringLiteral("dice"));
+    document_->renameSurface(front(), QStringLiteral("six"));
+    document_->setVisible(cube, false);
+    document_->showAll();
+    document_->removeObject(cube);
+    QCOMPARE(document_->history().count(), 7);
+    QVERIFY(document_->scene().objects.empty());
+    while (document_->history().canUndo())
+        document_->history().undo();
+    QVERIFY(document_->scene() == before);
+    while (document_->history().canRedo())
+        document_->history().redo();
+    QVERIFY(document_->scene().objects.empty());
+    QVERIFY(!document_->selection());
+}
+
+void TestDocument::editsOfNothingAreIgnored() {
+    document_->setMaterialValue({99, 0}, kMaterialFields[0], 5);
+    document_->setMaterialValue({front().object, 77}, kMaterialFields[0], 5);
+    document_->renameObject(99, QStringLiteral("ghost"));
+    document_->removeObject(99);
+    document_->setMaterialValue(front(), kMaterialFields[0], kStiffness.initial);
+    QCOMPARE(document_->history().count(), 0);
+}
+
+void TestDocument::aModelThatDoesNotFitTheHandIsScaledAndSaysSo() {
+    QSignalSpy noted(document_.get(), &Document::noted);
+    QVERIFY(open(writeCube(folder_, 100)));
+    QVERIFY(std::abs(boundsOf(document_->scene()).diagonal() - 0.2) < 1e-9);
+    QCOMPARE(noted.size(), 1);
+    QVERIFY(noted[0][0].toString().contains(QStringLiteral("17 m")));
+    document_->history().undo();
+    QVERIFY(std::abs(boundsOf(document_->scene()).diagonal() - 10 * std::sqrt(3.0)) < 1e-6);
+}
+
+void TestDocument::aBrokenFileLeavesTheSceneAndSaysOneLine_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("no PLY") << "broken.ply" << QByteArray("this is not a ply file\n");
+    QTest::newRow("truncated STL") << "broken.stl"
+                                   << QByteArray(80, ' ') + QByteArray("\x40\x42\x0f\x00", 4) +
+                                          QByteArray(50, 'x');
+    QTest::newRow("index out of range")
+        << "broken.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999\n");
+    QTest::newRow("unknown ending") << "broken.xyz" << QByteArray("0 0 0\n");
+    QTest::newRow("missing") << "" << QByteArray();
+}
+
+void TestDocument::aBrokenFileLeavesTheSceneAndSaysOneLine() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    document_->setProxyRadius(0.003);
+    const Scene before = document_->scene();
+    const auto path = document_->path();
+    QSignalSpy failed(document_.get(), &Document::openFailed), changed(document_.get(), &Document::changed);
+    open(name.isEmpty() ? folder_.filePath(QStringLiteral("nowhere.obj"))
+                        : writeFile(folder_, name, content));
+    QCOMPARE(failed.size(), 1);
+    const QString sentence = failed[0][0].toString();
+    QVERIFY2(!sentence.isEmpty() && !sentence.contains(u'\n'), qPrintable(sentence));
+    QVERIFY(document_->scene() == before);
+    QVERIFY(document_->path() == path);
+    QCOMPARE(changed.size(), 0);
+    QCOMPARE(document_->history().count(), 1);
+}
+
+void TestDocument::anOpeningCanBeCancelled() {
+    QByteArray large;
+    for (int i = 0; i < 200000; ++i)
+        large += "v " + QByteArray::number(i * 1e-6) + " 0 0\nv 0 " + QByteArray::number(i * 1e-6) +
+                 " 1\nv 0 1 0\nf -1 -2 -3\n";
+    const QString file = writeFile(folder_, QStringLiteral("large-soup.obj"), large);
+    const Scene before = document_->scene();
+    QSignalSpy failed(document_.get(), &Document::openFailed), opened(document_.get(), &Document::opened);
+    document_->open(file.toStdString());
+    QTest::qWait(50);
+    document_->cancelOpen();
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QCOMPARE(opened.size(), 0);
+    QVERIFY(document_->scene() == before);
+}
+
+QTEST_MAIN(TestDocument)
+#include "test_document.moc"

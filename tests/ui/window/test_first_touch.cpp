@@ -1,0 +1,125 @@
+// The first touch from end to end: open a model, press into it with the mouse, feel its friction, change it,
+// feel the difference, take it back.
+#include <QTest>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kHalf = 0.05; // m, half an edge of the cube
+
+double tangentialRatio(const HapticOutput& touch) {
+    const Vec3 normal = touch.contact[0].normal;
+    const double pressing = touch.force.dot(normal);
+    return (touch.force - pressing * normal).norm() / pressing;
+}
+
+} // namespace
+
+class TestFirstTouch : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    std::unique_ptr<TouchedWindow> program_;
+
+    void pressIntoTheFront();
+    void breakAway(double& ratio);
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init();
+    void cleanup() { program_.reset(); }
+
+    void proxyStaysOutsideWhileFingerIsInside();
+    void frictionTypedIntoTheInspectorIsFeltAndUndone();
+    void stopEndsTheForce();
+};
+
+void TestFirstTouch::init() {
+    useSettingsIn(folder_.path());
+    program_ = std::make_unique<TouchedWindow>();
+    QVERIFY(program_->open(writeCube(folder_)));
+    program_->window->view().showStandardView(StandardView::Front);
+    program_->frames(5);
+}
+
+/// A real press in the middle of the view, and time for the finger to arrive and come to rest.
+void TestFirstTouch::pressIntoTheFront() {
+    program_->press(program_->centre());
+    QTRY_VERIFY_WITH_TIMEOUT(
+        program_->touch().contacts == 1 && program_->touch().contact[0].normalForce > 0.1, kPatience);
+    program_->frames(60);
+}
+
+/// Strokes sideways, a pixel at a time, until the proxy gives way; the largest ratio until then.
+void TestFirstTouch::breakAway(double& ratio) {
+    pressIntoTheFront();
+    const Vec3 start = program_->touch().proxy;
+    QPoint at = program_->centre();
+    ratio = 0;
+    while ((program_->touch().proxy - start).norm() < 2e-4) {
+        QVERIFY2(program_->touch().contacts == 1, "the finger has left the cube without breaking away");
+        ratio = std::max(ratio, tangentialRatio(program_->touch()));
+        program_->moveTo(at += QPoint(1, 0));
+        program_->frames(4);
+    }
+    program_->release(at);
+    // Back to where nothing is touched, so that the next press starts anew.
+    program_->window->view().showStandardView(StandardView::Front);
+    program_->frames(20);
+}
+
+void TestFirstTouch::proxyStaysOutsideWhileFingerIsInside() {
+    pressIntoTheFront();
+    const double radius = program_->document.scene().proxyRadius;
+    QVERIFY2(program_->finger().z() < kHalf - 2 * radius, "the finger is inside");
+    QVERIFY(std::abs(program_->finger().x()) < kHalf && std::abs(program_->finger().y()) < kHalf);
+    QVERIFY2(program_->touch().proxy.z() >= kHalf + radius * (1 - 2e-6), "the proxy is outside");
+    // The spring between them is the force: K times their distance, outward.
+    const double distance = program_->touch().proxy.z() - program_->engine.proxy().finger.z();
+    QVERIFY(std::abs(program_->touch().force.z() - kStiffness.initial * distance) < 0.05);
+    const auto picked = program_->document.selection();
+    QVERIFY(picked.has_value());
+}
+
+void TestFirstTouch::frictionTypedIntoTheInspectorIsFeltAndUndone() {
+    const ObjectId cube = program_->document.scene().objects.front().id;
+    program_->document.select(SurfaceRef{cube, 4}); // front
+    program_->type(QStringLiteral("static-friction"), QStringLiteral("0.3"));
+    QCOMPARE(program_->document.scene().objects[0].surfaces[4].material.staticFriction, 0.3);
+    double ratio = 0;
+    breakAway(ratio);
+    QVERIFY2(ratio > 0.2 && ratio < 0.31, qPrintable(QString::number(ratio)));
+
+    program_->type(QStringLiteral("static-friction"), QStringLiteral("0.9"));
+    QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
+    breakAway(ratio);
+    QVERIFY2(ratio > 0.75 && ratio < 0.91, qPrintable(QString::number(ratio)));
+
+    QTest::keyClick(program_->window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
+    QCOMPARE(program_->box(QStringLiteral("static-friction")).text(), QStringLiteral("0.30"));
+    breakAway(ratio);
+    QVERIFY2(ratio > 0.2 && ratio < 0.31, qPrintable(QString::number(ratio)));
+}
+
+void TestFirstTouch::stopEndsTheForce() {
+    pressIntoTheFront();
+    QVERIFY(program_->engine.servo().force.norm() > 0.1);
+    QTest::mouseClick(program_->window->findChild<QWidget*>(QStringLiteral("stop")), Qt::LeftButton);
+    QVERIFY(!program_->engine.armed());
+    QTRY_COMPARE_WITH_TIMEOUT(program_->engine.servo().force.norm(), 0.0, kPatience);
+    QTest::keyClick(program_->window.get(), Qt::Key_Return, Qt::ControlModifier);
+    QVERIFY(program_->engine.armed());
+    // Esc, held: nothing at once, everything off after half a second.
+    QTest::keyPress(program_->window.get(), Qt::Key_Escape);
+    QVERIFY(program_->engine.armed());
+    QTRY_VERIFY_WITH_TIMEOUT(!program_->engine.armed(), kPatience);
+    QTest::keyRelease(program_->window.get(), Qt::Key_Escape);
+}
+
+QTEST_MAIN(TestFirstTouch)
+#include "test_first_touch.moc"

@@ -1,0 +1,221 @@
+// The window around the touch: panels, files that are dropped, what is remembered, numbers in any locale.
+#include <QApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QSlider>
+#include <QStackedWidget>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/numbers.h"
+#include "ui/recent_files.h"
+#include "ui/shortcuts.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+class TestWindow : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static const Material& materialOf(const TouchedWindow& program, Index surface) {
+        return program.document.scene().objects.front().surfaces[surface].material;
+    }
+    static QString noticeOf(const TouchedWindow& program) {
+        const auto* label = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+        return label->isVisible() ? label->text() : QString();
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+    void cleanup() { QLocale::setDefault(QLocale::c()); }
+
+    void aDroppedModelIsOpened();
+    void aBrokenFileIsOneLineAndNoHarm();
+    void selectionGoesBothWays();
+    void theEyeHidesWhatIsFelt();
+    void theInspectorIsMadeFromTheTable();
+    void aSliderDragIsOneStep();
+    void ctrlZInAFieldUndoesTheLastEdit();
+    void numbersHaveAPointInEveryLocale();
+    void layoutAndRecentFilesAreRemembered();
+    void tabHidesThePanelsOfTheView();
+    void everyKeyIsGivenOnce();
+};
+
+void TestWindow::aDroppedModelIsOpened() {
+    TouchedWindow program;
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(writeCube(folder_))});
+    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(program.window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(program.window.get(), &drop);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+    QCOMPARE(program.document.scene().objects.size(), std::size_t(1));
+    QVERIFY(program.window->view().isVisible());
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+}
+
+void TestWindow::aBrokenFileIsOneLineAndNoHarm() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.window->open(writeFile(folder_, QStringLiteral("torn.ply"), "ply\nformat"));
+    QTRY_VERIFY_WITH_TIMEOUT(noticeOf(program).contains(QStringLiteral("torn.ply")), kPatience);
+    QVERIFY(!noticeOf(program).contains(u'\n'));
+    QCOMPARE(program.document.scene().objects[0].surfaces.size(), std::size_t(6));
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+}
+
+void TestWindow::selectionGoesBothWays() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.window->view().showStandardView(StandardView::Front);
+    program.frames(10);
+    auto* outliner = program.window->findChild<QTreeWidget*>(QStringLiteral("outliner"));
+    outliner->setCurrentItem(outliner->topLevelItem(0)->child(2));
+    QCOMPARE(program.document.selection()->surface, Index(2));
+    // A click in the view: the front side, with the tool that touches nothing.
+    QTest::keyClick(program.window.get(), Qt::Key_Q);
+    program.press(program.centre());
+    program.release(program.centre());
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selection()->surface, Index(4), kPatience);
+    QCOMPARE(outliner->currentItem()->text(0), QStringLiteral("front"));
+}
+
+void TestWindow::theEyeHidesWhatIsFelt() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QCOMPARE(program.window->publisher().world()->bodies.size(), std::size_t(1));
+    QTest::keyClick(program.window.get(), Qt::Key_H);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && program.window->publisher().world()->bodies.empty(),
+                             kPatience);
+    QTest::keyClick(program.window.get(), Qt::Key_H, Qt::AltModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && program.window->publisher().world()->bodies.size() == 1,
+                             kPatience);
+}
+
+void TestWindow::theInspectorIsMadeFromTheTable() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    for (const MaterialField& field : kMaterialFields) {
+        const QString key =
+            QString::fromUtf8(field.parameter->key.data(), qsizetype(field.parameter->key.size()));
+        QDoubleSpinBox& box = program.box(key);
+        QCOMPARE(box.minimum(), field.parameter->minimum);
+        QCOMPARE(box.maximum(), field.parameter->maximum);
+        QVERIFY(!box.accessibleName().isEmpty());
+        QVERIFY(box.parentWidget()->toolTip().contains(QString::fromUtf8(field.parameter->label.data())));
+        program.type(key, numberText(0.5 * field.parameter->maximum, field.parameter->decimals));
+        QCOMPARE(materialOf(program, 0).*field.value, 0.5 * field.parameter->maximum);
+        QTest::mouseClick(program.window->findChild<QWidget*>(key + QStringLiteral("-reset")),
+                          Qt::LeftButton);
+        QCOMPARE(materialOf(program, 0).*field.value, field.parameter->initial);
+    }
+    // Out of range: brought into it, and shown so.
+    program.type(QStringLiteral("static-friction"), QStringLiteral("99"));
+    QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.maximum);
+    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("2.00"));
+    // Metres are millimetres on the screen.
+    program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
+    QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
+}
+
+void TestWindow::aSliderDragIsOneStep() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* slider = program.window->findChild<QSlider*>(QStringLiteral("static-friction-slider"));
+    const int y = slider->height() / 2;
+    QTest::mousePress(slider, Qt::LeftButton, {}, {20, y});
+    for (int x = 30; x <= 100; x += 10) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(x, y), slider->mapToGlobal(QPointF(x, y)), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(slider, &move);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {100, y});
+    QVERIFY(materialOf(program, 0).staticFriction > 0.3);
+    QCOMPARE(program.document.history().count(), 1);
+    QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.initial);
+}
+
+void TestWindow::ctrlZInAFieldUndoesTheLastEdit() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("viscosity"), QStringLiteral("5"));
+    QCOMPARE(materialOf(program, 0).viscosity, 5.0);
+    QTest::keyClick(&program.box(QStringLiteral("viscosity")), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(materialOf(program, 0).viscosity, 0.0);
+    QTest::keyClick(&program.box(QStringLiteral("viscosity")), Qt::Key_Z,
+                    Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(materialOf(program, 0).viscosity, 5.0);
+}
+
+void TestWindow::numbersHaveAPointInEveryLocale() {
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0,35"));
+    QCOMPARE(materialOf(program, 0).staticFriction, 0.35);
+    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("0.35"));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("1250"));
+    QCOMPARE(program.box(QStringLiteral("stiffness")).text(), QStringLiteral("1250"));
+    QCOMPARE(numberText(-0.001, 2), QStringLiteral("0.00"));
+    QCOMPARE(lengthText(0.2), QStringLiteral("200 mm"));
+    QVERIFY(!readNumber(QStringLiteral("nan")) && !readNumber(QStringLiteral("1e999")) &&
+            !readNumber(QStringLiteral("1 2")));
+    for (const auto* label : program.window->findChildren<QLabel*>())
+        QVERIFY2(!label->text().contains(QRegularExpression(QStringLiteral("\\d,\\d"))),
+                 qPrintable(label->text()));
+}
+
+void TestWindow::layoutAndRecentFilesAreRemembered() {
+    const QString cube = writeCube(folder_);
+    {
+        TouchedWindow program;
+        QVERIFY(program.open(cube));
+        program.window->findChild<QDockWidget*>(QStringLiteral("dock-history"))->hide();
+        program.window->resize(1000, 700);
+        program.window->close();
+    }
+    QCOMPARE(recentFiles().value(0), cube);
+    TouchedWindow again({1200, 800});
+    QVERIFY(!again.window->findChild<QDockWidget*>(QStringLiteral("dock-history"))->isVisible());
+    QVERIFY(again.window->findChild<QDockWidget*>(QStringLiteral("dock-inspector"))->isVisible());
+    forgetRecentFiles();
+    QVERIFY(recentFiles().isEmpty());
+}
+
+void TestWindow::tabHidesThePanelsOfTheView() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-inspector"));
+    QVERIFY(dock->isVisible());
+    program.window->activateWindow();
+    program.window->view().setFocus();
+    QTest::keyClick(&program.window->view(), Qt::Key_Tab);
+    QVERIFY(!dock->isVisible());
+    QTest::keyClick(&program.window->view(), Qt::Key_Tab);
+    QVERIFY(dock->isVisible());
+}
+
+void TestWindow::everyKeyIsGivenOnce() {
+    QStringList keys;
+    for (const Command& command : commands())
+        for (const QString& key :
+             QString::fromLatin1(command.keys).split(QStringLiteral("; "), Qt::SkipEmptyParts)) {
+            QVERIFY2(!QKeySequence::fromString(key).isEmpty(), qPrintable(key));
+            QVERIFY2(!keys.contains(key), qPrintable(key));
+            keys << key;
+        }
+}
+
+QTEST_MAIN(TestWindow)
+#include "test_window.moc"

@@ -1,0 +1,113 @@
+#include "tests/ui/window/window_fixture.h"
+
+#include <clocale>
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QSettings>
+#include <QTest>
+#include <QWindow>
+
+#include "device/simulated_hand.h"
+#include "ui/view/scene_view.h"
+#include "ui/view/surface_format.h"
+
+namespace tactum {
+
+void prepareProcess() {
+    useViewSurfaceFormat();
+    QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
+    QCoreApplication::setApplicationName(QStringLiteral("TactumTest"));
+}
+
+void useSettingsIn(const QString& folder) {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
+}
+
+QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) return {};
+    return path;
+}
+
+QString writeCube(const QTemporaryDir& folder, double scale) {
+    QByteArray text;
+    for (int i = 0; i < 8; ++i)
+        text += QStringLiteral("v %1 %2 %3\n")
+                    .arg((i & 1 ? 0.05 : -0.05) * scale)
+                    .arg((i & 2 ? 0.05 : -0.05) * scale)
+                    .arg((i & 4 ? 0.05 : -0.05) * scale)
+                    .toLatin1();
+    text += "g right\nf 2 4 8 6\ng left\nf 1 5 7 3\ng top\nf 3 7 8 4\ng bottom\nf 1 2 6 5\n"
+            "g front\nf 5 6 8 7\ng back\nf 1 3 4 2\n";
+    return writeFile(folder, scale == 1 ? QStringLiteral("cube.obj") : QStringLiteral("large.obj"), text);
+}
+
+TouchedWindow::TouchedWindow(QSize size, const QString& sample)
+    : hand(std::make_shared<HandTarget>()), engine(std::make_unique<SimulatedHand>(hand)) {
+    std::setlocale(LC_NUMERIC, "C");
+    const auto started = engine.start();
+    if (!started) qFatal("%s", started.error().text.c_str());
+    engine.setArmed(true);
+    window = std::make_unique<MainWindow>(document, engine, hand, sample);
+    window->resize(size);
+    window->show();
+    if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
+}
+
+TouchedWindow::~TouchedWindow() {
+    window.reset();
+    engine.stop();
+}
+
+bool TouchedWindow::open(const QString& file) {
+    window->open(file);
+    const bool opened = QTest::qWaitFor([this] { return !document.opening() && caughtUp(); }, kPatience);
+    frames(30); // the jump of the hand, and what the view prepares
+    return opened;
+}
+
+bool TouchedWindow::caughtUp() {
+    const auto& world = window->publisher().world();
+    return world && !window->publisher().working() && engine.proxy().worldRevision == world->revision;
+}
+
+QPoint TouchedWindow::centre() const {
+    return window->view().rect().center();
+}
+
+void TouchedWindow::press(QPoint at) {
+    QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
+}
+
+void TouchedWindow::moveTo(QPoint at) {
+    QTest::mouseMove(window->windowHandle(), window->view().mapTo(window.get(), at));
+}
+
+void TouchedWindow::release(QPoint at) {
+    QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
+}
+
+void TouchedWindow::frames(int count) {
+    QTest::qWait(count * 16);
+}
+
+QDoubleSpinBox& TouchedWindow::box(const QString& key) {
+    auto* found = window->findChild<QDoubleSpinBox*>(key);
+    if (!found) qFatal("no field %s", qPrintable(key));
+    return *found;
+}
+
+void TouchedWindow::type(const QString& key, const QString& value) {
+    QDoubleSpinBox& field = box(key);
+    QTest::mouseClick(&field, Qt::LeftButton);
+    QTest::qWait(50);
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, value);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
+} // namespace tactum

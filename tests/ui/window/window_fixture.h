@@ -1,0 +1,62 @@
+// The whole program in a test: engine with a simulated hand, document and window, led by real events.
+#pragma once
+
+#include <memory>
+
+#include <QPoint>
+#include <QString>
+#include <QTemporaryDir>
+
+#include "core/control/hand_target.h"
+#include "core/runtime/engine.h"
+#include "ui/document.h"
+#include "ui/main_window.h"
+
+class QDoubleSpinBox;
+
+namespace tactum {
+
+/// What a program must do once before its first window: surface format, C numbers, settings in `folder`.
+void prepareProcess();
+void useSettingsIn(const QString& folder);
+
+/// Generous: a test fails by what it sees, not by how long that takes.
+inline constexpr int kPatience = 60000; // ms
+
+/// A cube of 0.1 m about the origin with a surface for each of its six sides, in the order of their names:
+/// right, left, top, bottom, front, back. Returns the file.
+QString writeCube(const QTemporaryDir& folder, double scale = 1);
+QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content);
+
+class TouchedWindow {
+public:
+    explicit TouchedWindow(QSize size = {1200, 800}, const QString& sample = {});
+    ~TouchedWindow();
+
+    /// Opens a file and waits until it can be felt.
+    bool open(const QString& file);
+    /// True once the loops use the newest World that was published.
+    bool caughtUp();
+
+    // Real mouse events at the window, positions in the view.
+    QPoint centre() const;
+    void press(QPoint at);
+    void moveTo(QPoint at);
+    void release(QPoint at);
+    /// Lets the loops and the window run for so many frames.
+    void frames(int count);
+
+    /// Types a value into the inspector, as a person does: click, digits, Enter.
+    void type(const QString& key, const QString& value);
+    QDoubleSpinBox& box(const QString& key);
+
+    const HapticOutput& touch() { return engine.proxy().output; }
+    const Vec3& finger() { return engine.servo().finger; }
+
+    std::shared_ptr<HandTarget> hand;
+    Engine engine;
+    Document document;
+    std::unique_ptr<MainWindow> window;
+};
+
+} // namespace tactum
