@@ -11,6 +11,7 @@
 
 #include "device/simulated_hand.h"
 #include "ui/main_window.h"
+#include "ui/style.h"
 #include "ui/view/surface_format.h"
 
 namespace tactum {
@@ -42,6 +43,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     useNumbersOfC(); // after the application, which takes over the user's locale
     QCoreApplication::setOrganizationName(QStringLiteral("Tactum"));
     QCoreApplication::setApplicationName(QStringLiteral("Tactum"));
+    applyTheme(rememberedTheme());
 
     auto hand = std::make_shared<HandTarget>();
     Engine engine(std::make_unique<SimulatedHand>(hand));

@@ -43,6 +43,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
       start_(new StartPage(sample)), status_(new StatusStrip), hint_(new TouchHint(view_)),
       hand_(new HandLink(*view_, engine, std::move(hand), this)) {
+    view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
     docks_.inspector->setDevice(engine.device());

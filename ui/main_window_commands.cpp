@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSettings>
 #include <QShortcut>
 #include <QToolBar>
 #include <QToolButton>
@@ -28,7 +27,6 @@ namespace tactum {
 namespace {
 
 constexpr int kHoldToStop = 500; // ms
-const auto kThemeKey = QStringLiteral("theme");
 
 QString readableFilter() {
     QStringList patterns;
@@ -96,7 +94,7 @@ void MainWindow::fillRecent(QMenu* menu) {
 
 void MainWindow::fillTheme(QMenu* menu) {
     auto* group = new QActionGroup(menu);
-    const auto chosen = ThemeChoice(QSettings().value(kThemeKey, int(ThemeChoice::Dark)).toInt());
+    const ThemeChoice chosen = rememberedTheme();
     const std::pair<QString, ThemeChoice> choices[] = {{tr("&Dark"), ThemeChoice::Dark},
                                                        {tr("&Light"), ThemeChoice::Light},
                                                        {tr("&Like the system"), ThemeChoice::System}};
@@ -106,11 +104,9 @@ void MainWindow::fillTheme(QMenu* menu) {
         action->setChecked(choice == chosen);
         connect(action, &QAction::triggered, this, [this, choice = choice] { setTheme(choice); });
     }
-    setTheme(chosen);
 }
 
 void MainWindow::setTheme(ThemeChoice choice) {
-    QSettings().setValue(kThemeKey, int(choice));
     applyTheme(choice);
     actions_.refreshIcons();
     start_->setRecent(recentFiles());

@@ -1,10 +1,13 @@
 #include "ui/style.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QFile>
 #include <QFontDatabase>
 #include <QPainter>
 #include <QPalette>
+#include <QSettings>
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
@@ -18,6 +21,7 @@ namespace tactum {
 namespace {
 
 bool isDark = true;
+const auto kThemeKey = QStringLiteral("theme");
 
 bool systemIsDark() {
     static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
@@ -91,7 +95,13 @@ QByteArray source(const QString& name) {
 
 } // namespace
 
+ThemeChoice rememberedTheme() {
+    const int stored = QSettings().value(kThemeKey, int(ThemeChoice::Dark)).toInt();
+    return ThemeChoice(std::clamp(stored, int(ThemeChoice::Dark), int(ThemeChoice::System)));
+}
+
 void applyTheme(ThemeChoice choice) {
+    QSettings().setValue(kThemeKey, int(choice));
     initIcons();
     const bool systemDark = systemIsDark(); // asked first of all, before our palette hides the answer
     isDark = choice == ThemeChoice::System ? systemDark : choice == ThemeChoice::Dark;

@@ -13,7 +13,10 @@ inline constexpr int kRhythm = 8;
 
 enum class ThemeChoice { Dark, Light, System };
 
-/// Palette, font and style sheet of the whole application. Thread: ui.
+/// What the person chose last; dark at first.
+ThemeChoice rememberedTheme();
+/// Palette, font and style sheet of the whole application, remembered for the next session. Call it before
+/// the first widget is made, and whenever the person chooses. Thread: ui.
 void applyTheme(ThemeChoice choice);
 /// The theme that is on.
 const Theme& theme();

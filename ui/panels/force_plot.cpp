@@ -31,8 +31,16 @@ bool slips(const HapticOutput& out) {
                                 [](const auto& c) { return c.slipping; });
 }
 
-double gridStep(double top) {
-    return top > 12 ? 5 : top > 4 ? 2 : 1;
+/// Ends of the axis, in N; a grid line at each `step`.
+struct Axis {
+    double top, step;
+};
+constexpr Axis kAxes[] = {{1, 0.25}, {2, 0.5}, {3, 1}, {5, 1}, {8, 2}, {12, 4}, {20, 5}, {40, 10}};
+
+Axis axisFor(double newton) {
+    for (const Axis& axis : kAxes)
+        if (newton <= axis.top) return axis;
+    return {newton, newton / 4};
 }
 
 } // namespace
@@ -48,7 +56,9 @@ void ForcePlot::take(Engine& engine) {
     TracePoint point;
     while (engine.popTrace(point))
         if (!paused_) add(point, contacts);
-    if (!paused_) update();
+    if (paused_) return;
+    fitAxis();
+    update();
 }
 
 void ForcePlot::setPaused(bool paused) {
@@ -71,6 +81,14 @@ void ForcePlot::add(const TracePoint& point, const HapticOutput& contacts) {
         samples_.pop_front();
 }
 
+void ForcePlot::fitAxis() {
+    double peak = 0;
+    for (const Sample& s : samples_)
+        peak = std::max(peak, s.force);
+    // Near the limit the axis reaches beyond it, so that the distance to it can be seen.
+    top_ = peak > 0.6 * limit_ ? 1.1 * limit_ : std::min(axisFor(1.1 * peak).top, 1.1 * limit_);
+}
+
 QRectF ForcePlot::area() const {
     return QRectF(rect()).adjusted(44, 28, -16, -12);
 }
@@ -78,7 +96,7 @@ QRectF ForcePlot::area() const {
 QPointF ForcePlot::at(double t, double newton) const {
     const QRectF a = area();
     const double end = samples_.empty() ? 0 : samples_.back().t;
-    return {a.right() - (end - t) / kSpan * a.width(), a.bottom() - newton / (1.1 * limit_) * a.height()};
+    return {a.right() - (end - t) / kSpan * a.width(), a.bottom() - newton / top_ * a.height()};
 }
 
 void ForcePlot::paintEvent(QPaintEvent*) {
@@ -95,17 +113,23 @@ void ForcePlot::paintEvent(QPaintEvent*) {
 void ForcePlot::paintGrid(QPainter& painter) const {
     const QRectF a = area();
     painter.setFont(figureFont(-1));
-    for (double newton = 0; newton < limit_; newton += gridStep(limit_)) {
+    const double step = axisFor(top_).step;
+    const bool limitShown = limit_ <= top_;
+    for (double newton = 0; newton <= top_ && (!limitShown || newton < limit_ - 0.5 * step); newton += step) {
         const double y = at(0, newton).y();
         painter.setPen(QPen(theme().plotGrid, 1));
         painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
         painter.setPen(theme().textDimmed);
-        const QString label = numberText(newton, 0) + (newton == 0 ? tr(" N") : QString());
+        const QString label = numberText(newton, step < 0.5 ? 2
+                                                 : step < 1 ? 1
+                                                            : 0) +
+                              (newton == 0 ? tr(" N") : QString());
         painter.drawText(QRectF(0, y - 8, a.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, label);
     }
 }
 
 void ForcePlot::paintLimit(QPainter& painter) const {
+    if (limit_ > top_) return; // the legend says where it is
     const QRectF a = area();
     const double y = at(0, limit_).y();
     painter.setPen(QPen(theme().fault, 1.25, Qt::DashLine));
@@ -147,7 +171,9 @@ void ForcePlot::paintLegend(QPainter& painter) const {
         {tr("force"), theme().proxy},
         {tr("along the surface: sticking"), theme().stick},
         {tr("slipping"), theme().slip},
-        {tr("device limit"), theme().fault},
+        {limit_ > top_ ? tr("device limit %1 N, above \u2191").arg(numberText(limit_, 1))
+                       : tr("device limit"),
+         theme().fault},
     };
     double x = area().left();
     for (const auto& [word, colour] : entries) {

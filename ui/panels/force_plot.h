@@ -10,7 +10,7 @@
 namespace tactum {
 
 /// Magnitude of the force on the finger, and the part of it along the surface: coloured like sticking or
-/// slipping. The axis ends above the device's limit, which is a line. Thread: ui.
+/// slipping. The axis fits what is shown; the device's limit is a line, or said to lie above. Thread: ui.
 class ForcePlot : public QWidget {
     Q_OBJECT
 public:
@@ -33,6 +33,7 @@ private:
         bool slipping = false, touching = false;
     };
     void add(const TracePoint& point, const HapticOutput& contacts);
+    void fitAxis();
     QRectF area() const;
     QPointF at(double t, double newton) const;
     void paintGrid(QPainter& painter) const;
@@ -43,8 +44,9 @@ private:
 
     std::deque<Sample> samples_;
     Sample building_;
-    int ticks_ = 0; ///< in building_
-    double limit_ = 1;
+    int ticks_ = 0;    ///< in building_
+    double limit_ = 1; ///< N, of the device
+    double top_ = 1;   ///< N, end of the axis
     bool paused_ = false;
 };
 

@@ -44,6 +44,12 @@ QColor colourOf(Finding::Severity severity) {
     return theme().textDimmed;
 }
 
+QString lineOf(const Finding& finding) {
+    const QString sentence = QString::fromStdString(finding.sentence);
+    if (finding.object.empty()) return sentence;
+    return Problems::tr("%1: %2").arg(QString::fromStdString(finding.object), sentence);
+}
+
 } // namespace
 
 Problems::Problems(Document& document, QWidget* parent)
@@ -53,6 +59,9 @@ Problems::Problems(Document& document, QWidget* parent)
     setObjectName(QStringLiteral("problems"));
     setAccessibleName(tr("Problems"));
     setRootIsDecorated(false);
+    setUniformRowHeights(false);
+    setWordWrap(true);
+    setTextElideMode(Qt::ElideNone);
     setColumnCount(1);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     connect(this, &QTreeWidget::itemActivated, this, &Problems::selectObjectOf);
@@ -72,21 +81,23 @@ void Problems::fill(const std::vector<Finding>& health) {
     clear();
     for (const Finding& finding : document_.findings())
         add(finding);
-    for (const Finding& finding : health)
-        add(finding);
+    for (const Finding& finding : health) // the reader has said some of it already
+        if (!has(finding)) add(finding);
     emit counted(topLevelItemCount());
 }
 
+bool Problems::has(const Finding& finding) const {
+    return !findItems(lineOf(finding), Qt::MatchExactly).isEmpty();
+}
+
 void Problems::add(const Finding& finding) {
-    const QString object = QString::fromStdString(finding.object);
-    const QString sentence = QString::fromStdString(finding.sentence);
     const QString remedy = QString::fromStdString(finding.remedy);
-    auto* item =
-        new QTreeWidgetItem(this, {object.isEmpty() ? sentence : tr("%1: %2").arg(object, sentence)});
+    auto* item = new QTreeWidgetItem(this, {lineOf(finding)});
     item->setIcon(0, icon(iconOf(finding.severity), colourOf(finding.severity)));
-    item->setData(0, Qt::UserRole, object);
-    item->setToolTip(0, QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>")
-                            .arg(wordOf(finding.severity), sentence.toHtmlEscaped(), remedy.toHtmlEscaped()));
+    item->setData(0, Qt::UserRole, QString::fromStdString(finding.object));
+    item->setToolTip(
+        0, QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>")
+               .arg(wordOf(finding.severity), lineOf(finding).toHtmlEscaped(), remedy.toHtmlEscaped()));
 }
 
 void Problems::selectObjectOf(const QTreeWidgetItem* item) {

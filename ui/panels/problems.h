@@ -23,6 +23,7 @@ private:
     void check();
     void fill(const std::vector<Finding>& health);
     void add(const Finding& finding);
+    bool has(const Finding& finding) const;
     void selectObjectOf(const QTreeWidgetItem* item);
 
     Document& document_;

@@ -1,5 +1,6 @@
 // The first touch from end to end: open a model, press into it with the mouse, feel its friction, change it,
 // feel the difference, take it back.
+#include <QDoubleSpinBox>
 #include <QTest>
 
 #include "tests/ui/window/window_fixture.h"

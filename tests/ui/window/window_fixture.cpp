@@ -7,9 +7,11 @@
 #include <QFile>
 #include <QSettings>
 #include <QTest>
+#include <QWheelEvent>
 #include <QWindow>
 
 #include "device/simulated_hand.h"
+#include "ui/style.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
 
@@ -52,10 +54,14 @@ TouchedWindow::TouchedWindow(QSize size, const QString& sample)
     const auto started = engine.start();
     if (!started) qFatal("%s", started.error().text.c_str());
     engine.setArmed(true);
+    applyTheme(rememberedTheme());
     window = std::make_unique<MainWindow>(document, engine, hand, sample);
     window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
+    // Without a window manager nobody else gives it the keyboard.
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get(), kPatience)) qFatal("the window does not get the keyboard");
 }
 
 TouchedWindow::~TouchedWindow() {
@@ -89,6 +95,17 @@ void TouchedWindow::moveTo(QPoint at) {
 
 void TouchedWindow::release(QPoint at) {
     QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
+}
+
+void TouchedWindow::push(int notches) {
+    SceneView& view = window->view();
+    for (int i = 0; i < notches; ++i) {
+        const QPointF at = view.mapFromGlobal(QCursor::pos());
+        QWheelEvent event(at, view.mapToGlobal(at), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(&view, &event);
+        frames(4);
+    }
 }
 
 void TouchedWindow::frames(int count) {

@@ -43,6 +43,8 @@ public:
     void press(QPoint at);
     void moveTo(QPoint at);
     void release(QPoint at);
+    /// Turns the wheel while the finger is held: deeper along the view.
+    void push(int notches);
     /// Lets the loops and the window run for so many frames.
     void frames(int count);
 
