@@ -122,7 +122,7 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
     // Out of range: brought into it, and shown so.
     program.type(QStringLiteral("static-friction"), QStringLiteral("99"));
     QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.maximum);
-    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("2.00"));
+    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("2.000"));
     // Metres are millimetres on the screen.
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
     QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
@@ -164,7 +164,7 @@ void TestWindow::numbersHaveAPointInEveryLocale() {
     QVERIFY(program.open(writeCube(folder_)));
     program.type(QStringLiteral("static-friction"), QStringLiteral("0,35"));
     QCOMPARE(materialOf(program, 0).staticFriction, 0.35);
-    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("0.35"));
+    QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("0.350"));
     program.type(QStringLiteral("stiffness"), QStringLiteral("1250"));
     QCOMPARE(program.box(QStringLiteral("stiffness")).text(), QStringLiteral("1250"));
     QCOMPARE(numberText(-0.001, 2), QStringLiteral("0.00"));
