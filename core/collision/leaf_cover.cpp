@@ -30,7 +30,13 @@ Vec3 smallestSphereCentre(const Triangle& t) {
 
 LeafSphere around(const Triangle& t, Index index) {
     LeafSphere sphere;
-    sphere.centre = smallestSphereCentre(t).cast<float>();
+    const Vec3 exact = smallestSphereCentre(t);
+    // The radius has to hold about the rounded centre. GCC 12's vectoriser drops a rounding to float and back
+    // (seen at -O2: spheres 7 um too small 1 km from the origin); volatile keeps it.
+    for (int axis = 0; axis < 3; ++axis) {
+        const volatile float rounded = float(exact[axis]);
+        sphere.centre[axis] = rounded;
+    }
     const Vec3 centre = sphere.centre.cast<double>();
     const double radius = std::sqrt(
         std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));

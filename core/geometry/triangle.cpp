@@ -83,6 +83,22 @@ double sweepSegment(const Vec3& from, const Vec3& to, const Vec3& p, const Vec3&
     return along < 0 ? sweepPoint(m, d, r) : sweepPoint(p - to, d, r);
 }
 
+// Below this ratio of height to length a flat triangle's normal is rounding noise, and its edges alone are
+// nearer to the truth: at 1e-6 both are wrong by 1e-10 of the length for a sphere a thousand times smaller.
+constexpr double kSliver = 1e-6;
+
+// (b - a) x (c - a), from the two shorter sides, which lose least to rounding; zero for a sliver, a segment
+// and a point.
+Vec3 faceNormal(const Triangle& t) noexcept {
+    const Vec3 ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c;
+    const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
+    const bool abLongest = ab2 >= bc2 && ab2 >= ca2, bcLongest = bc2 >= ca2;
+    const Vec3 normal = abLongest ? bc.cross(ca) : bcLongest ? ca.cross(ab) : ab.cross(bc);
+    const double shorter2 = abLongest ? bc2 * ca2 : bcLongest ? ca2 * ab2 : ab2 * bc2;
+    if (!(normal.squaredNorm() > kSliver * kSliver * shorter2)) return Vec3::Zero();
+    return normal;
+}
+
 bool insideFace(const Triangle& t, const Vec3& normal, const Vec3& q) noexcept {
     return normal.dot((t.b - t.a).cross(q - t.a)) >= 0 && normal.dot((t.c - t.b).cross(q - t.b)) >= 0 &&
            normal.dot((t.a - t.c).cross(q - t.c)) >= 0;
@@ -99,15 +115,13 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     if (d3 >= 0 && d4 <= d3) return atVertex(t.b, 1);
     const double d5 = ab.dot(cp), d6 = ac.dot(cp);
     if (d6 >= 0 && d5 <= d6) return atVertex(t.c, 2);
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return onEdge(t.a, t.b, d1 / (d1 - d3), 0, 1);
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return onEdge(t.a, t.c, d2 / (d2 - d6), 0, 2);
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 >= d3 && d5 >= d6) return onEdge(t.b, t.c, (d4 - d3) / ((d4 - d3) + (d5 - d6)), 1, 2);
-    // va + vb + vc is the squared double area; a sliver loses it to rounding and has only edges.
+    // The signed areas of the foot point, by the normal: d1 d4 - d3 d2 and its like say the same but lose
+    // twice as many digits on a thin triangle.
+    const Vec3 normal = faceNormal(t);
+    const double va = normal.dot(bp.cross(cp)), vb = normal.dot(cp.cross(ap)), vc = normal.dot(ap.cross(bp));
     const double sum = va + vb + vc;
-    if (!(sum > 1e-12 * ab.squaredNorm() * ac.squaredNorm())) return nearestOfEdges(t, p);
+    if (!(sum > 0)) return nearestOfEdges(t, p);
+    if (va <= 0 || vb <= 0 || vc <= 0) return nearestOfEdges(t, p);
     ClosestPoint result;
     const double v = vb / sum, w = vc / sum;
     result.weights = {1 - v - w, v, w};
@@ -117,7 +131,8 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
 }
 
 double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
-    const Vec3 away = p - closestPoint(t, p).point;
+    const ClosestPoint closest = closestPoint(t, p);
+    const Vec3 away = p - closest.point;
     const double distance2 = away.squaredNorm();
     const double approach = -away.dot(d);
     // The distance is convex along the path and so stays above its tangent at the start.
@@ -125,7 +140,7 @@ double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, do
     if (distance2 <= r * r) return 0;
     const double distance = std::sqrt(distance2);
     if ((distance - r) * distance > until * approach) return kNoContact;
-    const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
+    const Vec3 normal = faceNormal(t);
     const double doubleArea = normal.norm();
     if (doubleArea > 0) {
         const double height = normal.dot(p - t.a) / doubleArea;
@@ -134,6 +149,10 @@ double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, do
             const double reach = (side * height - r) * doubleArea / (-side * normal.dot(d));
             const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
             if (reach >= 0 && insideFace(t, normal, touched)) return reach <= 1 ? reach : kNoContact;
+        } else if (closest.feature == Feature::Face) {
+            // Above the face the distance is the height: a sphere that rests on the face to the last bit must
+            // not fall between the two answers, and through.
+            return 0;
         }
     }
     return std::min(

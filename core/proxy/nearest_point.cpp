@@ -61,7 +61,6 @@ public:
         for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
             const int violated = mostViolated();
             if (violated < 0) {
-                polish();
                 result.x = x_;
                 for (int k = 0; k < active_.size; ++k)
                     result.lambda[active_.plane[k]] = active_.lambda[k];
@@ -69,6 +68,7 @@ public:
                 return result;
             }
             if (!satisfy(violated)) break;
+            polish();
         }
         result.feasible = false;
         return result;
@@ -77,9 +77,14 @@ public:
 private:
     const Vec3& normal(int k) const { return planes_[active_.plane[k]].normal; }
 
+    // Of a corner so sharp that its multipliers are large, x is known no better than their rounding: a fourth
+    // plane through the corner is not to count as violated by it.
     int mostViolated() const noexcept {
         int worst = -1;
-        double most = 1e-15 * scale_;
+        double most = scale_;
+        for (int k = 0; k < active_.size; ++k)
+            most += active_.lambda[k];
+        most *= 1e-15;
         for (int i = 0; i < int(planes_.size()); ++i) {
             const double violation = planes_[i].offset - planes_[i].normal.dot(x_);
             if (violation > most && !active_.contains(i)) worst = i, most = violation;
@@ -157,12 +162,15 @@ private:
             x_ = u_ + active_.lambda[0] * normal(0);
         }
         if (active_.size == 2) {
-            const double cosine = normal(0).dot(normal(1));
-            const double sine2 = normal(0).cross(normal(1)).squaredNorm();
+            // By cross products: the Gram matrix of two nearly dependent normals loses twice the digits.
+            const Vec3 axis = normal(0).cross(normal(1));
+            const Vec3 a = normal(1).cross(axis) / axis.squaredNorm(),
+                       b = axis.cross(normal(0)) / axis.squaredNorm();
             const double s0 = offset(0) - normal(0).dot(u_), s1 = offset(1) - normal(1).dot(u_);
-            active_.lambda[0] = (s0 - cosine * s1) / sine2;
-            active_.lambda[1] = (s1 - cosine * s0) / sine2;
-            x_ = u_ + active_.lambda[0] * normal(0) + active_.lambda[1] * normal(1);
+            const Vec3 way = s0 * a + s1 * b;
+            active_.lambda[0] = way.dot(a);
+            active_.lambda[1] = way.dot(b);
+            x_ = u_ + way;
         }
         if (active_.size == 3) {
             const Mat3 n = activeNormals();

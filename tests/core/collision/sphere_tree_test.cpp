@@ -1,0 +1,225 @@
+// The hierarchy against a loop over all triangles.
+
+#include <QtTest>
+
+#include "core/collision/sphere_tree.h"
+#include "tests/support/soups.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+struct LeafSphere {
+    Vec3 centre;
+    double radius;
+    Index triangle;
+};
+
+template <class Lanes> Vec3 centreOf(const Lanes& lanes, int i) {
+    return {lanes.x[i], lanes.y[i], lanes.z[i]};
+}
+
+// Every leaf sphere below a node (or in a leaf, for a negative index), handed to see().
+template <class See> void visitLeafSpheres(const SphereTree& tree, std::int32_t index, See&& see) {
+    if (index < 0) {
+        const SphereTree::Leaf& leaf = tree.leaves()[std::size_t(~index)];
+        for (int i = 0; i < SphereTree::kWidth; ++i)
+            if (leaf.radius[i] >= 0) see(LeafSphere{centreOf(leaf, i), leaf.radius[i], leaf.triangle[i]});
+        return;
+    }
+    const SphereTree::Node& node = tree.nodes()[std::size_t(index)];
+    for (int i = 0; i < SphereTree::kWidth; ++i)
+        if (node.radius[i] >= 0) visitLeafSpheres(tree, node.child[i], see);
+}
+
+int depthOf(const SphereTree& tree, std::int32_t index = 0) {
+    if (index < 0) return 0;
+    int deepest = 0;
+    const SphereTree::Node& node = tree.nodes()[std::size_t(index)];
+    for (int i = 0; i < SphereTree::kWidth; ++i)
+        if (node.radius[i] >= 0) deepest = std::max(deepest, depthOf(tree, node.child[i]));
+    return deepest + 1;
+}
+
+// The largest distance by which a sample of the triangle lies outside every sphere that covers it.
+double uncovered(const Triangle& t, const std::vector<LeafSphere>& spheres) {
+    double worst = -1e300;
+    constexpr int grid = 12;
+    for (int v = 0; v <= grid; ++v)
+        for (int w = 0; w <= grid - v; ++w) {
+            const Vec3 p = t.a + (double(v) / grid) * (t.b - t.a) + (double(w) / grid) * (t.c - t.a);
+            double outside = 1e300;
+            for (const LeafSphere& sphere : spheres)
+                outside = std::min(outside, (p - sphere.centre).norm() - sphere.radius);
+            worst = std::max(worst, outside);
+        }
+    return worst;
+}
+
+// Triangles that crowd toward a point in a geometric series: halving space alone would peel off one at a time.
+Soup crowding(int count, double ratio) {
+    SoupBuilder builder;
+    double size = 1;
+    for (int i = 0; i < count; ++i, size *= ratio)
+        builder.triangle({size, 0, 0}, {size, 0.1 * size, 0}, {size, 0, 0.1 * size});
+    return builder.build();
+}
+
+std::vector<std::pair<QString, Soup>> manySoups() {
+    Rng rng(11);
+    std::vector<std::pair<QString, Soup>> soups{
+        {"one triangle", SoupBuilder().triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}).build()},
+        {"one segment", SoupBuilder().segment({0, 0, 0}, {1, 0.3, 0}).build()},
+        {"one point", SoupBuilder().point({0.1, 0.2, 0.3}).build()},
+        {"ball", ball(1, 2)},
+        {"egg-crate", eggCrate(1, 20, 0.1, 0.5)},
+        {"crowding", crowding(150, 0.8)},
+    };
+    SoupBuilder same, thin;
+    for (int i = 0; i < 60; ++i) {
+        same.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+        const Vec3 a = inBox(rng, 1);
+        thin.triangle(a, a + 3 * direction(rng), a + 1e-4 * direction(rng));
+    }
+    soups.emplace_back("coincident", same.build());
+    soups.emplace_back("long and thin", thin.build());
+    for (int i = 0; i < 12; ++i)
+        soups.emplace_back(QString("random %1").arg(i), randomSoup(rng, 1 << (i / 2 + 3), 1));
+    return soups;
+}
+
+double bruteSweep(const TriangleSoup& soup, const SpherePath& path, const std::vector<Index>& excluded) {
+    double first = kNoContact;
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        if (std::find(excluded.begin(), excluded.end(), Index(i)) != excluded.end()) continue;
+        first = std::min(first, sweepSphere(triangleOf(soup, i), path.from, path.motion, path.radius));
+    }
+    return first;
+}
+
+SpherePath randomPath(Rng& rng, const TriangleSoup& soup, double radius) {
+    const Vec3& aim = soup.positions[rng() % soup.positions.size()];
+    SpherePath path;
+    path.radius = radius;
+    path.from = aim + std::pow(10, uniform(rng, -3, 0.5)) * direction(rng);
+    // Toward the soup, past it, away from it, or nearly nowhere.
+    path.motion = std::pow(10, uniform(rng, rng() % 4 ? -0.3 : -7, 0.5)) * (aim + std::pow(10, uniform(rng, -4, -0.5)) * inBox(rng, 1) - path.from);
+    if (rng() % 8 == 0) path.motion = -path.motion;
+    return path;
+}
+
+// Compares to the last bit: both take the time from the same closed form, the tree may only prune.
+void compareSweeps(const Soup& soup, const QString& name, int paths, Rng& rng, int& hits) {
+    const SphereTree tree(*soup);
+    for (int i = 0; i < paths; ++i) {
+        const SpherePath path = randomPath(rng, *soup, std::pow(10, uniform(rng, -6, -1)));
+        std::vector<Index> excluded;
+        const double brute = bruteSweep(*soup, path, excluded);
+        const SweepHit hit = tree.sweep(*soup, path, excluded);
+        QVERIFY2(hit.t == brute, qPrintable(QString("%1, path %2: %3 instead of %4")
+                                                .arg(name).arg(i).arg(hit.t, 0, 'g', 17).arg(brute, 0, 'g', 17)));
+        if (hit.t > 1) continue;
+        ++hits;
+        QCOMPARE(sweepSphere(triangleOf(*soup, hit.triangle), path.from, path.motion, path.radius), hit.t);
+        excluded.push_back(hit.triangle);
+        const SweepHit next = tree.sweep(*soup, path, excluded);
+        QVERIFY2(next.t == bruteSweep(*soup, path, excluded), qPrintable(name + ": excluded"));
+        QVERIFY(next.t > 1 || next.triangle != hit.triangle);
+    }
+}
+
+} // namespace
+
+class SphereTreeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void leafSpheresCoverTheirPrimitives();
+    void nodesContainAllThatIsBelow();
+    void sweepFindsTheFirstContact();
+    void sweepIsSafeFarFromTheOrigin();
+    void depthIsBounded();
+    void emptySoupIsNeverTouched();
+    void longTrianglesGetSeveralSpheres();
+};
+
+void SphereTreeTest::leafSpheresCoverTheirPrimitives() {
+    for (const auto& [name, soup] : manySoups())
+        for (double offset : {0.0, 1000.0}) {
+            const Soup moved = transformed(*soup, {Quat::Identity(), Vec3::Constant(offset)});
+            std::vector<std::vector<LeafSphere>> of(moved->triangles.size());
+            const SphereTree tree(*moved);
+            visitLeafSpheres(tree, 0, [&](const LeafSphere& s) { of[s.triangle].push_back(s); });
+            for (std::size_t i = 0; i < of.size(); ++i)
+                QVERIFY2(uncovered(triangleOf(*moved, i), of[i]) < 1e-12 * (1 + offset),
+                         qPrintable(QString("%1: %2").arg(name).arg(uncovered(triangleOf(*moved, i), of[i]))));
+        }
+}
+
+// To within the rounding of one addition of radii, which the sweep's margin of 4e-6 of the scene covers.
+void SphereTreeTest::nodesContainAllThatIsBelow() {
+    for (const auto& [name, soup] : manySoups()) {
+        const SphereTree tree(*soup);
+        for (const SphereTree::Node& node : tree.nodes())
+            for (int i = 0; i < SphereTree::kWidth; ++i) {
+                if (node.radius[i] < 0) continue;
+                const double radius = node.radius[i];
+                visitLeafSpheres(tree, node.child[i], [&, centre = centreOf(node, i)](const LeafSphere& s) {
+                    QVERIFY2((s.centre - centre).norm() + s.radius <= radius * (1 + 1e-6), qPrintable(name));
+                });
+            }
+    }
+}
+
+void SphereTreeTest::sweepFindsTheFirstContact() {
+    Rng rng(12);
+    int hits = 0;
+    for (const auto& [name, soup] : manySoups())
+        compareSweeps(soup, name, 1500, rng, hits);
+    QVERIFY2(hits > 5000, "the paths are to touch something");
+}
+
+// At 1000 m a float resolves 0.06 mm: pruning has to let through what it cannot tell.
+void SphereTreeTest::sweepIsSafeFarFromTheOrigin() {
+    Rng rng(13);
+    int hits = 0;
+    for (const auto& [name, soup] : manySoups())
+        compareSweeps(transformed(*soup, {Quat::Identity(), {1000, -1000, 1000}}), name, 500, rng, hits);
+    QVERIFY(hits > 1500);
+}
+
+void SphereTreeTest::depthIsBounded() {
+    // 2000 triangles down to the smallest double: the sweep's stack holds 96 levels.
+    const Soup soup = crowding(2000, 0.71);
+    const SphereTree tree(*soup);
+    QVERIFY2(depthOf(tree) <= 96, qPrintable(QString::number(depthOf(tree))));
+    int covered = 0;
+    visitLeafSpheres(tree, 0, [&](const LeafSphere&) { ++covered; });
+    QVERIFY(covered >= 2000);
+    Rng rng(14);
+    int hits = 0;
+    compareSweeps(soup, "crowding", 200, rng, hits);
+    QVERIFY(depthOf(SphereTree(*ball(1, 4))) <= 12);
+}
+
+void SphereTreeTest::emptySoupIsNeverTouched() {
+    const TriangleSoup nothing;
+    const SphereTree tree(nothing);
+    QCOMPARE(tree.sweep(nothing, {Vec3::Zero(), Vec3::UnitX(), 1}, {}).t, kNoContact);
+    QVERIFY(tree.spheresAt(0).empty());
+}
+
+void SphereTreeTest::longTrianglesGetSeveralSpheres() {
+    auto spheres = [](const Vec3& c) {
+        int count = 0;
+        const SphereTree tree(*SoupBuilder().triangle({0, 0, 0}, {1, 0, 0}, c).build());
+        visitLeafSpheres(tree, 0, [&](const LeafSphere&) { ++count; });
+        return count;
+    };
+    QCOMPARE(spheres({0.5, 0.8, 0}), 1);
+    QVERIFY(spheres({0.5, 0.02, 0}) >= 4);
+}
+
+QTEST_APPLESS_MAIN(SphereTreeTest)
+#include "sphere_tree_test.moc"
