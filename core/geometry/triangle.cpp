@@ -36,7 +36,9 @@ ClosestPoint nearestOfEdges(const Triangle& t, const Vec3& p) noexcept {
         const double length2 = edge.squaredNorm();
         if (!(length2 > 0)) continue;
         const double s = std::clamp(edge.dot(p - *corner[i]) / length2, 0.0, 1.0);
-        const ClosestPoint candidate = onEdge(*corner[i], *corner[j], s, i, j);
+        const ClosestPoint candidate = s <= 0   ? atVertex(*corner[i], i)
+                                       : s >= 1 ? atVertex(*corner[j], j)
+                                                : onEdge(*corner[i], *corner[j], s, i, j);
         const double squared = (p - candidate.point).squaredNorm();
         if (squared < bestSquared) best = candidate, bestSquared = squared;
     }

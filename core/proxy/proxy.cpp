@@ -68,6 +68,7 @@ private:
         // Friction that lets go entirely is none; the last rounds take no risks.
         const bool free = slide == excess && rounds_ < kMaxRounds - 2;
         const Vec3 motion = free ? alongCurvature(wish) : Vec3(wish * (slide / excess));
+        const bool takesTime = slide < excess && isViscous();
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(motion, body);
         const double part = std::min(hit.t, 1.0);
@@ -75,7 +76,8 @@ private:
         if (part * motion.norm() > kRest * radius_) forgetInactive();
         const bool planesTurned = refreshContacts();
         if (body != kNoBody) return meet(body, hit.triangle, part);
-        if (state_.contactCount > 0 && slide < excess && isViscous()) return false;
+        // Whatever is met from here on in this step has no time left to be slid on against viscosity.
+        if (takesTime) timeLeft_ = 0;
         return planesTurned;
     }
 
@@ -84,8 +86,15 @@ private:
         std::array<ConstraintPlane, kMaxPlanes> planes;
         for (int i = 0; i < state_.contactCount; ++i)
             planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const std::span<const ConstraintPlane> used(planes.data(), std::size_t(state_.contactCount));
-        const NearestPoint nearest = nearestPoint(finger_ - state_.position, used);
+        const std::span<ConstraintPlane> touched{planes.data(), std::size_t(state_.contactCount)};
+        NearestPoint nearest = nearestPoint(finger_ - state_.position, touched);
+        if (!nearest.feasible) {
+            // Squeezed between surfaces that leave less room than the proxy needs: no plane lets it deeper,
+            // and none insists on its full radius, so that it can still slide and leave.
+            for (ConstraintPlane& plane : touched)
+                plane.offset = std::min(plane.offset, 0.0);
+            nearest = nearestPoint(finger_ - state_.position, touched);
+        }
         for (int i = 0; i < state_.contactCount; ++i)
             state_.contacts[i].lambda = nearest.lambda[i];
         return nearest.x;

@@ -71,7 +71,13 @@ HapticOutput reportOf(const World& world, const SimState& state) {
 } // namespace
 
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept {
-    if (!input.finger.allFinite() || !input.fingerVelocity.allFinite()) return reportOf(world, state);
+    if (!input.finger.allFinite() || !input.fingerVelocity.allFinite()) {
+        // Contacts of another shape may name bodies and triangles that this world does not have.
+        if (state.shapeRevision == world.shapeRevision) return reportOf(world, state);
+        HapticOutput output;
+        output.proxy = state.proxy.position;
+        return output;
+    }
     if (state.shapeRevision != world.shapeRevision) {
         restart(state.proxy, input.finger);
         state.shapeRevision = world.shapeRevision;

@@ -34,8 +34,9 @@ inline Material rough(double muStatic, double muDynamic, double viscosity = 0) {
 class ProxyRig {
 public:
     ProxyRig(Soup soup, double radius, const Material& material = frictionless())
-        : mesh_{soup, SphereTree(*soup)}, materials_{material},
-          obstacles_{Obstacle{&mesh_, Pose{}, materials_}}, radius_(radius) {}
+        : mesh_{soup, SphereTree(*soup)}, materials_{material}, obstacles_{Obstacle{&mesh_, Pose{},
+                                                                                    materials_}},
+          radius_(radius) {}
     ProxyRig(const ProxyRig&) = delete;
     ProxyRig& operator=(const ProxyRig&) = delete;
 

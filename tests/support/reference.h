@@ -26,8 +26,7 @@ inline Real segmentDistance(const RVec& a, const RVec& b, const RVec& p) {
 /// Distance from a point to a triangle: its edges, and its plane where the foot point lies inside.
 inline Real distance(const Triangle& triangle, const RVec& p) {
     const RVec a = triangle.a.cast<Real>(), b = triangle.b.cast<Real>(), c = triangle.c.cast<Real>();
-    Real best =
-        std::min({segmentDistance(a, b, p), segmentDistance(b, c, p), segmentDistance(c, a, p)});
+    Real best = std::min({segmentDistance(a, b, p), segmentDistance(b, c, p), segmentDistance(c, a, p)});
     const RVec n = (b - a).cross(c - a);
     if (n.norm() > 1e-15L * (b - a).norm() * (c - a).norm()) {
         const RVec q = p - n * (n.dot(p - a) / n.squaredNorm());
@@ -133,9 +132,8 @@ inline Vec3 nearestInRoom(const Vec3& u, const std::vector<ConstraintPlane>& wal
             if (violation > most) worst = &wall, most = violation;
         }
         if (!worst) return x;
-        std::erase_if(active, [&](const ConstraintPlane& wall) {
-            return wall.normal.dot(x) > wall.offset + 1e-9;
-        });
+        std::erase_if(active,
+                      [&](const ConstraintPlane& wall) { return wall.normal.dot(x) > wall.offset + 1e-9; });
         active.push_back(*worst);
         x = bruteNearestPoint(u, active, 1e-15L)->x.cast<double>();
     }

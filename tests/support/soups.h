@@ -200,11 +200,20 @@ inline Soup randomSoup(Rng& rng, int count, double half, const Vec3& centre = Ve
         const double size = half * std::pow(10, uniform(rng, -2, -0.3));
         const Vec3 a = centre + inBox(rng, half), b = a + size * direction(rng);
         switch (rng() % 8) {
-        case 0: builder.segment(a, b); continue;
-        case 1: builder.point(a); continue;
-        case 2: builder.triangle(last.b, last.c, last.a); continue;
-        case 3: last = {a, b, a + 0.4 * (b - a) + 1e-3 * size * direction(rng)}; break;
-        default: last = {a, b, a + size * direction(rng)};
+        case 0:
+            builder.segment(a, b);
+            continue;
+        case 1:
+            builder.point(a);
+            continue;
+        case 2:
+            builder.triangle(last.b, last.c, last.a);
+            continue;
+        case 3:
+            last = {a, b, a + 0.4 * (b - a) + 1e-3 * size * direction(rng)};
+            break;
+        default:
+            last = {a, b, a + size * direction(rng)};
         }
         builder.triangle(last.a, last.b, last.c);
     }

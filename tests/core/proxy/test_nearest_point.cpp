@@ -86,17 +86,20 @@ void NearestPointTest::agreesWithEverySubset() {
         const NearestPoint found = nearestPoint(u, planes);
         const auto exact = bruteNearestPoint(u, planes, 1e-15L);
         if (!exact) {
-            QVERIFY2(!found.feasible, qPrintable(describe(i, "infeasible set solved with breach", breach(u, planes, found))));
+            QVERIFY2(!found.feasible,
+                     qPrintable(describe(i, "infeasible set solved with breach", breach(u, planes, found))));
             ++infeasible;
             continue;
         }
-        QVERIFY2(found.feasible, qPrintable(describe(i, "called infeasible, condition", double(exact->volume))));
+        QVERIFY2(found.feasible,
+                 qPrintable(describe(i, "called infeasible, condition", double(exact->volume))));
         const double error = double((found.x.cast<Real>() - exact->x).norm());
         // A corner of nearly dependent planes is only as sharp as its normals are given.
-        const double allowed = 1e-12 * std::max(1.0, double(exact->x.norm())) *
-                               std::max(1.0, 1e-3 / double(exact->volume));
+        const double allowed =
+            1e-12 * std::max(1.0, double(exact->x.norm())) * std::max(1.0, 1e-3 / double(exact->volume));
         QVERIFY2(error < allowed, qPrintable(describe(i, "error", error)));
-        QVERIFY2(breach(u, planes, found) < allowed, qPrintable(describe(i, "breach", breach(u, planes, found))));
+        QVERIFY2(breach(u, planes, found) < allowed,
+                 qPrintable(describe(i, "breach", breach(u, planes, found))));
     }
     QVERIFY(infeasible > 1000);
 }
@@ -147,7 +150,8 @@ void NearestPointTest::planesThatExcludeEachOther() {
         // Two walls that overlap, and a prism turned inside out.
         const Planes walls{{n, 0.1}, {t, 0}, {-n, -0.099}};
         QVERIFY(!nearestPoint(inBox(rng, 1), walls).feasible);
-        const Planes prism{{t, 0.1}, {-0.5 * t + std::sqrt(0.75) * b, 0.1}, {-0.5 * t - std::sqrt(0.75) * b, 0.1}};
+        const Planes prism{
+            {t, 0.1}, {-0.5 * t + std::sqrt(0.75) * b, 0.1}, {-0.5 * t - std::sqrt(0.75) * b, 0.1}};
         const NearestPoint found = nearestPoint(inBox(rng, 1), prism);
         QVERIFY(!found.feasible);
         QCOMPARE(found.x, Vec3(Vec3::Zero()));
@@ -189,4 +193,4 @@ void NearestPointTest::doesNotDependOnOrder() {
 }
 
 QTEST_APPLESS_MAIN(NearestPointTest)
-#include "nearest_point_test.moc"
+#include "test_nearest_point.moc"

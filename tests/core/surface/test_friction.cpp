@@ -126,4 +126,4 @@ void FrictionTest::stickingContactObeysStaticFriction() {
 }
 
 QTEST_APPLESS_MAIN(FrictionTest)
-#include "friction_test.moc"
+#include "test_friction.moc"

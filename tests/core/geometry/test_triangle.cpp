@@ -15,11 +15,16 @@ Triangle randomTriangle(Rng& rng, Kind kind) {
     const Vec3 a = inBox(rng, 1), b = a + std::pow(10, uniform(rng, -2, 0)) * direction(rng);
     const Vec3 between = a + uniform(rng, -0.2, 1.2) * (b - a);
     switch (kind) {
-    case Kind::Compact: return {a, b, a + (b - a).norm() * uniform(rng, 0.3, 2) * direction(rng)};
-    case Kind::Sliver: return {a, b, between + std::pow(10, uniform(rng, -14, -2)) * direction(rng)};
-    case Kind::Flat: return {a, b, between};
-    case Kind::Segment: return {a, b, b};
-    case Kind::Point: break;
+    case Kind::Compact:
+        return {a, b, a + (b - a).norm() * uniform(rng, 0.3, 2) * direction(rng)};
+    case Kind::Sliver:
+        return {a, b, between + std::pow(10, uniform(rng, -14, -2)) * direction(rng)};
+    case Kind::Flat:
+        return {a, b, between};
+    case Kind::Segment:
+        return {a, b, b};
+    case Kind::Point:
+        break;
     }
     return {a, a, a};
 }
@@ -32,7 +37,12 @@ double sizeOf(const Triangle& t, const Vec3& p) {
 
 // All orders of the corners, front and back.
 std::array<Triangle, 6> permutations(const Triangle& t) {
-    return {{{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.a, t.c, t.b}, {t.c, t.b, t.a}, {t.b, t.a, t.c}}};
+    return {{{t.a, t.b, t.c},
+             {t.b, t.c, t.a},
+             {t.c, t.a, t.b},
+             {t.a, t.c, t.b},
+             {t.c, t.b, t.a},
+             {t.b, t.a, t.c}}};
 }
 
 // Where a convex function of t in [0, 1] is least.
@@ -98,6 +108,7 @@ private slots:
     void sweepAgreesWithARootFinder();
     void sweepGrazes();
     void sweepAgreesAtEveryScale();
+    void touchingSphereGoesNoDeeper();
 };
 
 void TriangleTest::weightsReproduceTheNearestPoint() {
@@ -106,8 +117,7 @@ void TriangleTest::weightsReproduceTheNearestPoint() {
         const Triangle t = randomTriangle(rng, kKinds[i % 5]);
         const Vec3 p = inBox(rng, 2);
         const ClosestPoint closest = closestPoint(t, p);
-        const Vec3 rebuilt =
-            closest.weights[0] * t.a + closest.weights[1] * t.b + closest.weights[2] * t.c;
+        const Vec3 rebuilt = closest.weights[0] * t.a + closest.weights[1] * t.b + closest.weights[2] * t.c;
         QVERIFY(std::abs(closest.weights.sum() - 1) < 1e-14);
         QVERIFY(closest.weights.minCoeff() >= -1e-9);
         QVERIFY((rebuilt - closest.point).norm() < 1e-14 * sizeOf(t, Vec3::Zero()) + 1e-14);
@@ -121,8 +131,10 @@ void TriangleTest::nothingOnTheTriangleIsNearer() {
         const Vec3 p = i % 2 ? inBox(rng, 2) : Vec3(t.a + 0.1 * direction(rng));
         const double found = (p - closestPoint(t, p).point).norm();
         const double exact = double(distance(t, p.cast<Real>()));
-        QVERIFY2(std::abs(found - exact) < 1e-12 * sizeOf(t, p),
-                 qPrintable(QString("case %1: %2 instead of %3").arg(i).arg(found, 0, 'g', 17).arg(exact, 0, 'g', 17)));
+        QVERIFY2(
+            std::abs(found - exact) < 1e-12 * sizeOf(t, p),
+            qPrintable(
+                QString("case %1: %2 instead of %3").arg(i).arg(found, 0, 'g', 17).arg(exact, 0, 'g', 17)));
     }
     // The same by dense sampling, which shares no formula with anything.
     for (int i = 0; i < 50; ++i) {
@@ -133,8 +145,9 @@ void TriangleTest::nothingOnTheTriangleIsNearer() {
         constexpr int grid = 200;
         for (int v = 0; v <= grid; ++v)
             for (int w = 0; w <= grid - v; ++w)
-                nearest = std::min(nearest, (p - (t.a + (double(v) / grid) * (t.b - t.a) +
-                                                  (double(w) / grid) * (t.c - t.a))).norm());
+                nearest = std::min(
+                    nearest,
+                    (p - (t.a + (double(v) / grid) * (t.b - t.a) + (double(w) / grid) * (t.c - t.a))).norm());
         QVERIFY(found <= nearest + 1e-14);
         QVERIFY(nearest - found < 3.0 / grid);
     }
@@ -198,12 +211,35 @@ void TriangleTest::sweepAgreesAtEveryScale() {
         for (int i = 0; i < 4000; ++i) {
             const Triangle t = randomTriangle(rng, kKinds[i % 5]);
             const Vec3 from = inBox(rng, 1.5);
-            const Sweep s{{scale * t.a, scale * t.b, scale * t.c}, scale * from,
-                          scale * uniform(rng, 0.5, 2) * (t.b - from), scale * uniform(rng, 0.01, 0.3)};
+            const Sweep s{{scale * t.a, scale * t.b, scale * t.c},
+                          scale * from,
+                          scale * uniform(rng, 0.5, 2) * (t.b - from),
+                          scale * uniform(rng, 0.01, 0.3)};
             const QString wrong = mistake(s);
-            QVERIFY2(wrong.isEmpty(), qPrintable(QString("scale %1, case %2: %3").arg(scale).arg(i).arg(wrong)));
+            QVERIFY2(wrong.isEmpty(),
+                     qPrintable(QString("scale %1, case %2: %3").arg(scale).arg(i).arg(wrong)));
         }
 }
 
+// A sphere that a sweep has just stopped at the surface, to the last bit, and that is sent on into it.
+void TriangleTest::touchingSphereGoesNoDeeper() {
+    Rng rng(7);
+    int touched = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const Triangle t = randomTriangle(rng, kKinds[i % 5]);
+        const double radius = uniform(rng, 0.01, 0.5);
+        const Vec3 from = inBox(rng, 1.5), way = 2 * (t.a + 0.4 * (t.b - t.a) + 0.3 * (t.c - t.a) - from);
+        const double time = sweepSphere(t, from, way, radius);
+        if (!(time > 0 && time <= 1)) continue;
+        const Vec3 stopped = from + time * way, away = stopped - closestPoint(t, stopped).point;
+        const Vec3 on = (direction(rng) - away.normalized()).normalized();
+        if (on.dot(away) > -0.1 * radius) continue;
+        ++touched;
+        const double next = sweepSphere(t, stopped, on, radius);
+        QVERIFY2(next < 1e-9, qPrintable(QString("case %1: goes on for %2").arg(i).arg(next)));
+    }
+    QVERIFY(touched > 50000);
+}
+
 QTEST_APPLESS_MAIN(TriangleTest)
-#include "triangle_test.moc"
+#include "test_triangle.moc"

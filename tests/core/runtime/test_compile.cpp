@@ -1,0 +1,115 @@
+// Scene to World: what is shared, what is left out, what is made safe.
+
+#include <limits>
+
+#include <QtTest>
+
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+class CompileTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void materialEditRebuildsNothing();
+    void poseAndRadiusChangeTheShape();
+    void objectsThatShareASoupShareTheMesh();
+    void invisibleObjectsAreNotTouched();
+    void materialsAreMadeSafe();
+    void cancelledCompileSaysSo();
+    void emptySceneIsAWorld();
+};
+
+void CompileTest::materialEditRebuildsNothing() {
+    Scene scene = sceneOf(ball(0.01, 2), frictionless());
+    const auto first = compile(scene).value();
+    scene.objects[0].surfaces[0].material = rough(0.5, 0.4);
+    const auto second = compile(scene, first.get()).value();
+    QCOMPARE(second->bodies[0].mesh.get(), first->bodies[0].mesh.get());
+    QCOMPARE(second->obstacles[0].mesh, first->obstacles[0].mesh);
+    QCOMPARE(second->obstacles[0].materials[0].staticFriction, 0.5);
+    QVERIFY(second->revision > first->revision);
+    QCOMPARE(second->shapeRevision, first->shapeRevision);
+}
+
+void CompileTest::poseAndRadiusChangeTheShape() {
+    Scene scene = sceneOf(ball(0.01, 1), frictionless());
+    const auto first = compile(scene).value();
+    scene.objects[0].pose.translation.z() = 0.001;
+    const auto moved = compile(scene, first.get()).value();
+    QVERIFY(moved->shapeRevision > first->shapeRevision);
+    QCOMPARE(moved->bodies[0].mesh.get(), first->bodies[0].mesh.get());
+    scene.proxyRadius *= 2;
+    const auto wider = compile(scene, moved.get()).value();
+    QVERIFY(wider->shapeRevision > moved->shapeRevision);
+    scene.objects[0].geometry = ball(0.01, 2);
+    const auto other = compile(scene, wider.get()).value();
+    QVERIFY(other->shapeRevision > wider->shapeRevision);
+    QVERIFY(other->bodies[0].mesh != first->bodies[0].mesh);
+    QCOMPARE(compile(scene, other.get()).value()->shapeRevision, other->shapeRevision);
+}
+
+void CompileTest::objectsThatShareASoupShareTheMesh() {
+    Scene scene = sceneOf(ball(0.01, 1), frictionless());
+    SceneObject twin = scene.objects[0];
+    twin.pose.translation.x() = 0.1;
+    scene.add(twin);
+    const auto world = compile(scene).value();
+    QCOMPARE(world->bodies.size(), std::size_t(2));
+    QCOMPARE(world->bodies[0].mesh.get(), world->bodies[1].mesh.get());
+    QVERIFY(world->bodies[0].object != world->bodies[1].object);
+    // Both are touched where they are.
+    for (double x : {0.0, 0.1}) {
+        Hand hand(world);
+        hand.to({x, 0, 0.02});
+        hand.go({x, 0, 0.008}, 0.05);
+        QVERIFY(hand.output().force.z() > 0.1);
+    }
+}
+
+void CompileTest::invisibleObjectsAreNotTouched() {
+    Scene scene = sceneOf(sheet(0.05), frictionless());
+    scene.objects[0].visible = false;
+    const auto world = compile(scene).value();
+    QVERIFY(world->bodies.empty());
+    Hand hand(world);
+    hand.to({0, 0, 0.003});
+    hand.go({0, 0, -0.003}, 0.05);
+    QCOMPARE(hand.output().force, Vec3(Vec3::Zero()));
+    QCOMPARE(hand.output().proxy, hand.finger());
+}
+
+void CompileTest::materialsAreMadeSafe() {
+    Material wild;
+    wild.stiffness = -5;
+    wild.damping = 1e9;
+    wild.staticFriction = 0.3;
+    wild.dynamicFriction = 0.9;
+    wild.viscosity = std::numeric_limits<double>::quiet_NaN();
+    const auto world = worldOf(sheet(0.05), wild, 1e9);
+    const Material& safe = world->obstacles[0].materials[0];
+    QCOMPARE(safe.stiffness, kStiffness.minimum);
+    QCOMPARE(safe.damping, kDamping.maximum);
+    QCOMPARE(safe.staticFriction, 0.3);
+    QCOMPARE(safe.dynamicFriction, 0.3);
+    QCOMPARE(safe.viscosity, kViscosity.initial);
+    QCOMPARE(world->proxyRadius, kProxyRadius.maximum);
+}
+
+void CompileTest::cancelledCompileSaysSo() {
+    const std::atomic<bool> cancelled{true};
+    const auto result = compile(sceneOf(sheet(0.05), frictionless()), nullptr, Progress{{}, &cancelled});
+    QVERIFY(!result);
+    QVERIFY(!result.error().text.empty());
+}
+
+void CompileTest::emptySceneIsAWorld() {
+    const auto world = compile(Scene{}).value();
+    Hand hand(world);
+    QCOMPARE(hand.to({0.01, 0.02, 0.03}).force, Vec3(Vec3::Zero()));
+}
+
+QTEST_APPLESS_MAIN(CompileTest)
+#include "test_compile.moc"
