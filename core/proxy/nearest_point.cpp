@@ -84,7 +84,7 @@ private:
         double most = scale_;
         for (int k = 0; k < active_.size; ++k)
             most += active_.lambda[k];
-        most *= 1e-15;
+        most *= 4e-15;
         for (int i = 0; i < int(planes_.size()); ++i) {
             const double violation = planes_[i].offset - planes_[i].normal.dot(x_);
             if (violation > most && !active_.contains(i)) worst = i, most = violation;
