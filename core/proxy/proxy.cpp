@@ -69,6 +69,9 @@ private:
         const bool free = slide == excess && rounds_ < kMaxRounds - 2;
         const Vec3 motion = free ? alongCurvature(wish) : Vec3(wish * (slide / excess));
         const bool takesTime = slide < excess && isViscous();
+        // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
+        // so.
+        const bool guessed = free && motion != wish;
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(motion, body);
         const double part = std::min(hit.t, 1.0);
@@ -78,7 +81,7 @@ private:
         if (body != kNoBody) return meet(body, hit.triangle, part);
         // Whatever is met from here on in this step has no time left to be slid on against viscosity.
         if (takesTime) timeLeft_ = 0;
-        return planesTurned;
+        return planesTurned || guessed;
     }
 
     // The update stage: where the proxy would go if nothing but the planes held it, relative to it.
