@@ -155,6 +155,11 @@ bool ModelLayer::pending() const {
     return false;
 }
 
+void ModelLayer::finish() {
+    for (auto& [id, model] : models_)
+        if (model->smooth.valid()) show(*model, model->smooth.get());
+}
+
 vtkActor* ModelLayer::actorOf(const SurfaceRef& surface) const {
     const auto model = models_.find(surface.object);
     if (model == models_.end() || !model->second->visible) return nullptr;

@@ -35,6 +35,8 @@ public:
     /// Normals of large meshes come from another thread; shows those that are finished. True if any was.
     bool takeFinished();
     bool pending() const;
+    /// Waits for them.
+    void finish();
 
     /// The actor of a surface, if it exists and is visible.
     vtkActor* actorOf(const SurfaceRef& surface) const;

@@ -1,5 +1,7 @@
 #include "ui/view/outline_pass.h"
 
+#include <algorithm>
+
 #include <qopengl.h>
 
 #include <vtkCameraPass.h>
@@ -22,29 +24,50 @@ vtkStandardNewMacro(OutlinePass);
 namespace {
 
 // The share of covered samples on two rings around a pixel outside the mask: it falls off softly, which
-// smooths the line where nothing is multisampled.
+// smooths the line where nothing is multisampled. The loop has no turns inside the mask, because a processor
+// that draws runs both sides of an if, but leaves a loop.
 constexpr const char* kEdgeShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D mask;
-uniform vec2 pixel;
-uniform float width;
+uniform vec2 reach;
 uniform vec3 colour;
 //VTK::Output::Dec
 void main() {
-    float inside = texture2D(mask, texCoord).a;
-    if (inside > 0.99) discard;
+    int turns = texture2D(mask, texCoord).a > 0.99 ? 0 : 8;
+    vec2 direction = vec2(1.0, 0.0);
     float near = 0.0, far = 0.0;
-    for (int i = 0; i < 12; ++i) {
-        float angle = float(i) * 0.5235988;
-        vec2 direction = pixel * vec2(cos(angle), sin(angle));
-        near += texture2D(mask, texCoord + 0.5 * width * direction).a;
-        far += texture2D(mask, texCoord + width * direction).a;
+    for (int i = 0; i < turns; ++i) {
+        vec2 offset = direction * reach;
+        near += texture2D(mask, texCoord + 0.5 * offset).a;
+        far += texture2D(mask, texCoord + offset).a;
+        direction = vec2(0.70710678 * (direction.x - direction.y), 0.70710678 * (direction.x + direction.y));
     }
-    float alpha = clamp(near / 3.0, 0.0, 1.0) * 0.55 + clamp(far / 4.5, 0.0, 1.0) * 0.45;
-    if (alpha < 0.02) discard;
+    float alpha = clamp(near / 2.0, 0.0, 1.0) * 0.55 + clamp(far / 3.0, 0.0, 1.0) * 0.45;
     gl_FragData[0] = vec4(colour, alpha);
 }
 )";
+
+/// The rectangle of the screen that holds the visible actors, grown by a margin; pixels, from the lower left.
+std::array<int, 4> screenBox(vtkRenderer& renderer, std::array<int, 2> size, int margin) {
+    std::array<double, 6> bounds{};
+    renderer.ComputeVisiblePropBounds(bounds.data());
+    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+    for (int corner = 0; corner < 8; ++corner) {
+        renderer.SetWorldPoint(bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+                               bounds[4 + ((corner >> 2) & 1)], 1);
+        renderer.WorldToDisplay();
+        for (int i = 0; i < 2; ++i) {
+            low[i] = std::min(low[i], renderer.GetDisplayPoint()[i] - margin);
+            high[i] = std::max(high[i], renderer.GetDisplayPoint()[i] + margin);
+        }
+    }
+    std::array<int, 4> box{};
+    for (int i = 0; i < 2; ++i) {
+        box[i] = int(std::clamp<double>(low[i], 0, size[i]));
+        box[2 + i] = int(std::clamp<double>(high[i] + 1, 0, size[i])) - box[i];
+    }
+    return box;
+}
 
 } // namespace
 
@@ -64,7 +87,7 @@ void OutlinePass::Render(const vtkRenderState* state) {
     renderer->GetTiledSize(&size_[0], &size_[1]);
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     renderMask(state, window);
-    drawEdge(window);
+    drawEdge(window, screenBox(*renderer, size_, int(width_) + 2));
 }
 
 void OutlinePass::renderMask(const vtkRenderState* state, vtkOpenGLRenderWindow* window) {
@@ -83,22 +106,21 @@ void OutlinePass::renderMask(const vtkRenderState* state, vtkOpenGLRenderWindow*
     window->GetState()->PopFramebufferBindings();
 }
 
-void OutlinePass::drawEdge(vtkOpenGLRenderWindow* window) {
+void OutlinePass::drawEdge(vtkOpenGLRenderWindow* window, const std::array<int, 4>& box) {
     auto* state = window->GetState();
     vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
     vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglViewport(0, 0, size_[0], size_[1]);
-    state->vtkglScissor(0, 0, size_[0], size_[1]);
+    state->vtkglScissor(box[0], box[1], box[2], box[3]);
     if (!quad_) quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kEdgeShader, nullptr);
     window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
     mask_->Activate();
-    const float pixel[2] = {1.0f / float(size_[0]), 1.0f / float(size_[1])};
+    const float reach[2] = {width_ / float(size_[0]), width_ / float(size_[1])};
     const float colour[3] = {float(colour_.redF()), float(colour_.greenF()), float(colour_.blueF())};
     quad_->Program->SetUniformi("mask", mask_->GetTextureUnit());
-    quad_->Program->SetUniform2f("pixel", pixel);
-    quad_->Program->SetUniformf("width", width_);
+    quad_->Program->SetUniform2f("reach", reach);
     quad_->Program->SetUniform3f("colour", colour);
     quad_->Render();
     mask_->Deactivate();

@@ -38,7 +38,7 @@ protected:
 
 private:
     void renderMask(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
-    void drawEdge(vtkOpenGLRenderWindow* window);
+    void drawEdge(vtkOpenGLRenderWindow* window, const std::array<int, 4>& box);
 
     std::array<int, 2> size_{};
     QColor colour_;

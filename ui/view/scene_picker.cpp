@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 namespace tactum {
 
@@ -10,11 +12,39 @@ namespace {
 /// A ray is the sweep of a sphere this small, as a part of the scene's size.
 constexpr double kRayThickness = 1e-6;
 
+constexpr int kPieces = 96;
+
+/// Where a ray enters and leaves a slightly larger box; an empty span if it misses it.
+std::pair<double, double> spanIn(const Bounds& box, const Ray& ray) {
+    const Vec3 margin = Vec3::Constant(1e-3 * box.diagonal());
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const double a = (box.low[i] - margin[i] - ray.origin[i]) / ray.direction[i];
+        const double b = (box.high[i] + margin[i] - ray.origin[i]) / ray.direction[i];
+        enter = std::fmax(enter, std::fmin(a, b)); // fmin and fmax pass over 0 / 0
+        leave = std::fmin(leave, std::fmax(a, b));
+    }
+    return {enter, leave};
+}
+
 bool isReady(const auto& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+constexpr std::size_t kSpanningPoints = 20000;
+
 } // namespace
+
+std::vector<Vec3> spanningPoints(const Scene& scene) {
+    std::vector<Vec3> points;
+    const std::size_t stride = 1 + 3 * triangleCount(scene) / kSpanningPoints;
+    for (const SceneObject& object : scene.objects) {
+        const TriangleSoup& soup = *object.geometry;
+        for (std::size_t i = 0; i < 3 * soup.triangles.size(); i += stride)
+            points.push_back(object.pose.apply(soup.positions[soup.triangles[i / 3][i % 3]]));
+    }
+    return points;
+}
 
 void ScenePicker::setScene(const Scene& scene) {
     std::vector<Target> targets;
@@ -38,20 +68,28 @@ std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) cons
     std::optional<PickHit> nearest;
     for (const Target& target : targets_) {
         if (!target.visible || (patience == Patience::Now && !isReady(target.tree))) continue;
-        const double reach = nearest ? nearest->distance : reachOf(ray);
+        const double reach = nearest ? nearest->distance : std::numeric_limits<double>::infinity();
         if (auto hit = castAt(target, ray, reach)) nearest = hit;
     }
     return nearest;
 }
 
+// The hierarchy is made for the short moves of a proxy: it looks at everything within a move's length. So the
+// ray goes through the scene's box in short pieces.
 std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray, double reach) const {
-    const SpherePath path{target.pose.applyInverse(ray.origin),
-                          reach * target.pose.rotateInverse(ray.direction),
-                          kRayThickness * bounds_.diagonal()};
-    const SweepHit hit = target.tree.get()->sweep(*target.soup, path, {});
-    if (hit.t > 1) return std::nullopt;
-    return PickHit{
-        {target.object, target.soup->surfaceOf[hit.triangle]}, ray.at(hit.t * reach), hit.t * reach};
+    if (!(bounds_.diagonal() > 0)) return std::nullopt;
+    const auto [enter, leave] = spanIn(bounds_, ray);
+    const double piece = bounds_.diagonal() / kPieces, last = std::min(leave, reach);
+    const Vec3 motion = piece * target.pose.rotateInverse(ray.direction);
+    for (double d = enter; d < last; d += piece) {
+        const SpherePath path{target.pose.applyInverse(ray.at(d)), motion,
+                              kRayThickness * bounds_.diagonal()};
+        const SweepHit hit = target.tree.get()->sweep(*target.soup, path, {});
+        const double distance = d + hit.t * piece;
+        if (hit.t <= 1 && distance <= reach)
+            return PickHit{{target.object, target.soup->surfaceOf[hit.triangle]}, ray.at(distance), distance};
+    }
+    return std::nullopt;
 }
 
 bool ScenePicker::isFree(const Vec3& from, const Vec3& to) const {
@@ -59,11 +97,6 @@ bool ScenePicker::isFree(const Vec3& from, const Vec3& to) const {
     if (!(length > 0)) return true;
     const auto hit = cast({from, (to - from) / length}, Patience::Wait);
     return !hit || hit->distance > length;
-}
-
-/// Far enough to leave the scene on its far side.
-double ScenePicker::reachOf(const Ray& ray) const {
-    return bounds_.empty() ? 0 : (bounds_.centre() - ray.origin).norm() + bounds_.diagonal();
 }
 
 } // namespace tactum

@@ -19,6 +19,9 @@ struct PickHit {
     double distance = 0;       ///< from the ray's origin, m
 };
 
+/// Points that span a scene in the world frame: enough to fit a view to it, few enough to do so at once.
+std::vector<Vec3> spanningPoints(const Scene& scene);
+
 /// Keeps a hierarchy for each geometry of a scene, built aside on other threads. Thread: ui.
 class ScenePicker {
 public:
@@ -46,7 +49,6 @@ private:
 
     Tree treeOf(const std::shared_ptr<const TriangleSoup>& soup) const;
     std::optional<PickHit> castAt(const Target& target, const Ray& ray, double reach) const;
-    double reachOf(const Ray& ray) const;
 
     std::vector<Target> targets_;
     Bounds bounds_;

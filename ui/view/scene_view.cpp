@@ -5,14 +5,9 @@
 
 #include <QPainter>
 
-#include <vtkRenderWindow.h>
-#include <vtkRendererCollection.h>
-
 #include "ui/view/axes_gizmo.h"
 #include "ui/view/scene_view_impl.h"
-#include "ui/view/studio_light.h"
 #include "ui/view/view_labels.h"
-#include "ui/view/vtk_camera.h"
 
 namespace tactum {
 
@@ -21,63 +16,32 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kOutlinePixels = 2.6;
 
-void addLayer(vtkRenderWindow& window, vtkRenderer& renderer, vtkCamera* camera) {
-    const int layer = window.GetRenderers()->GetNumberOfItems();
-    window.SetNumberOfLayers(layer + 1);
-    renderer.SetLayer(layer);
-    renderer.SetActiveCamera(camera);
-    window.AddRenderer(&renderer);
-}
-
-void setBackground(vtkRenderer& renderer, const Theme& theme) {
-    renderer.GradientBackgroundOn();
-    renderer.SetBackground(theme.skyBottom.redF(), theme.skyBottom.greenF(), theme.skyBottom.blueF());
-    renderer.SetBackground2(theme.skyTop.redF(), theme.skyTop.greenF(), theme.skyTop.blueF());
-}
-
 } // namespace
 
-SceneView::Impl::Impl(SceneView& owner) : view(owner), model(*solid), overlay(*solid, *ghost) {
-    vtkNew<vtkCamera> shared;
-    for (vtkRenderer* renderer : {solid.Get(), outline.Get(), ghost.Get()})
-        addLayer(view.renderWindow(), *renderer, shared);
-    outline->SetPass(outlinePass);
-    outline->SetPreserveColorBuffer(false); // the mask starts empty; the picture beneath is not cleared
-    outline->SetBackgroundAlpha(0);
-    camera.fieldOfView = 30 * kDegree;
-    camera.yaw = 30 * kDegree;
-    camera.pitch = 22 * kDegree;
+SceneView::Impl::Impl(SceneView& owner)
+    : view(owner), stage(owner.renderWindow()), model(*stage.solid), overlay(*stage.solid, *stage.ghost),
+      camera(defaultCamera()) {
     applyTheme();
 }
 
 void SceneView::Impl::applyTheme() {
-    setBackground(*solid, theme());
-    outlinePass->setColour(theme().accent);
+    stage.setBackground(theme());
     overlay.setTheme(theme());
 }
 
-/// Holds all that is shown, with as much depth resolution as that allows.
-void SceneView::Impl::setClippingRange() {
-    Bounds box = picker.bounds();
-    if (touch) box.add(touch->finger);
-    if (touch) box.add(touch->proxy);
-    if (box.empty()) return;
-    const double middle = camera.depth(box.centre()), reach = 0.6 * box.diagonal() + 4 * proxyRadius;
-    const double far = std::max(middle + reach, 1e-6);
-    solid->GetActiveCamera()->SetClippingRange(std::max(middle - reach, 2e-3 * far), far);
+void SceneView::Impl::refreshSelection() {
+    stage.setOutlined(selection ? model.actorOf(*selection) : nullptr);
 }
 
-void SceneView::Impl::refreshSelection() {
-    vtkActor* actor = selection ? model.actorOf(*selection) : nullptr;
-    outline->RemoveAllViewProps();
-    outlined = nullptr;
-    if (!actor) return;
-    vtkNew<vtkActor> copy;
-    copy->SetMapper(actor->GetMapper());
-    copy->SetUserMatrix(actor->GetUserMatrix());
-    useNoLight(*copy);
-    outline->AddActor(copy);
-    outlined = actor;
+Bounds SceneView::Impl::shown() const {
+    Bounds box = picker.bounds();
+    if (!touch) return box;
+    const Vec3 reach = Vec3::Constant(4 * proxyRadius);
+    for (const Vec3& p : {touch->finger, touch->proxy}) {
+        box.add(p - reach);
+        box.add(p + reach);
+    }
+    return box;
 }
 
 SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_unique<Impl>(*this)) {
@@ -99,8 +63,6 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
 // VTK's objects must go while the window and its context are still there.
 SceneView::~SceneView() {
     makeCurrent();
-    for (vtkRenderer* renderer : {impl_->ghost.Get(), impl_->outline.Get(), impl_->solid.Get()})
-        renderWindow().RemoveRenderer(renderer);
     impl_.reset();
     doneCurrent();
 }
@@ -109,6 +71,7 @@ void SceneView::setScene(const Scene& scene) {
     impl_->setHovered(std::nullopt);
     impl_->model.setScene(scene);
     impl_->picker.setScene(scene);
+    impl_->spanning = spanningPoints(scene);
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());
     if (impl_->model.pending()) impl_->meshTimer.start();
     impl_->refreshSelection();
@@ -144,7 +107,7 @@ void SceneView::setProxyRadius(double metres) {
 
 void SceneView::fit() {
     impl_->camera.size = size();
-    impl_->camera.fit(impl_->picker.bounds());
+    impl_->camera.fit(impl_->spanning);
     impl_->fitted = isVisible() && impl_->picker.bounds().diagonal() > 0; // else again once the size is known
     changed();
 }
@@ -187,12 +150,11 @@ QImage SceneView::grabPicture() {
 void SceneView::prepareFrame() {
     impl_->camera.size = size();
     if (!impl_->fitted && impl_->picker.bounds().diagonal() > 0) {
-        impl_->camera.fit(impl_->picker.bounds());
+        impl_->camera.fit(impl_->spanning);
         impl_->fitted = true;
     }
-    applyCamera(impl_->camera, *impl_->solid->GetActiveCamera());
-    impl_->setClippingRange();
-    impl_->outlinePass->setWidth(float(kOutlinePixels * devicePixelRatioF()));
+    impl_->stage.look(impl_->camera, impl_->shown());
+    impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
 }
 

@@ -4,15 +4,12 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include <vtkNew.h>
-#include <vtkRenderer.h>
-
 #include "ui/view/hand_tool.h"
 #include "ui/view/model_layer.h"
-#include "ui/view/outline_pass.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/touch_overlay.h"
+#include "ui/view/view_stage.h"
 
 namespace tactum {
 
@@ -25,7 +22,8 @@ struct SceneView::Impl {
     const Theme& theme() const { return themeFor(dark); }
     bool showsTouch() const { return touch.has_value() && overlayVisible; }
 
-    void setClippingRange();
+    /// All that must not be clipped away.
+    Bounds shown() const;
     void refreshSelection();
     void applyTheme();
 
@@ -48,11 +46,11 @@ struct SceneView::Impl {
     bool nudgeKey(int key, double scale);
 
     SceneView& view;
-    vtkNew<vtkRenderer> solid, outline, ghost; ///< layers 0, 1 and 2
-    vtkNew<OutlinePass> outlinePass;
+    ViewStage stage;
     ModelLayer model;
     TouchOverlay overlay;
     ScenePicker picker;
+    std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
     HandTool hand;
 
@@ -61,7 +59,6 @@ struct SceneView::Impl {
     bool overlayVisible = true;
     bool dark = true;
     bool fitted = false;
-    vtkActor* outlined = nullptr;
     std::optional<SurfaceRef> selection, hovered;
 
     ViewTool tool = ViewTool::Touch;

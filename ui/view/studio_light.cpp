@@ -23,8 +23,8 @@ constexpr const char* kLight = R"(
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
     float fill = max(0.0, (dot(n, toFill) + 0.3) / 1.3);
     float facing = clamp(dot(n, toEye), 0.0, 1.0);
-    vec3 light = mix(vec3(0.085, 0.08, 0.075), vec3(0.19, 0.21, 0.24), 0.5 + 0.5 * n.y)
-               + 0.78 * key * vec3(1.0, 0.965, 0.91) + 0.16 * fill * vec3(0.78, 0.88, 1.0);
+    vec3 light = mix(vec3(0.085, 0.08, 0.075), vec3(0.18, 0.2, 0.23), 0.5 + 0.5 * n.y)
+               + 0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0);
     float gloss = pow(max(0.0, dot(n, normalize(toKey + toEye))), 42.0);
     float rim = pow(1.0 - facing, 4.0) * (0.55 + 0.45 * n.y);
     vec3 linear = diffuseColor * light + vec3(0.13 * gloss) + vec3(0.11, 0.12, 0.14) * rim + ambientColor;

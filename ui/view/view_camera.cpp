@@ -8,17 +8,12 @@ namespace tactum {
 
 namespace {
 
-constexpr double kMargin = 1.15;
+constexpr double kMargin = 1.2;
 
-/// How far from the centre of the box the eye must be for a corner to lie inside the view's pyramid.
-double distanceFor(const ViewCamera& camera, const Vec3& corner, double tanX, double tanY) {
-    const double x = std::abs(corner.dot(camera.right())), y = std::abs(corner.dot(camera.up()));
-    return std::max(x / tanX, y / tanY) - corner.dot(camera.forward());
-}
-
-Vec3 cornerOf(const Bounds& box, int i) {
-    return {(i & 1 ? box.high : box.low).x(), (i & 2 ? box.high : box.low).y(),
-            (i & 4 ? box.high : box.low).z()};
+/// How far from the focus the eye must be for a point, given from the focus, to lie inside the view.
+double distanceFor(const ViewCamera& camera, const Vec3& p, double tanX, double tanY) {
+    const double x = std::abs(p.dot(camera.right())), y = std::abs(p.dot(camera.up()));
+    return std::max(x / tanX, y / tanY) - p.dot(camera.forward());
 }
 
 } // namespace
@@ -73,15 +68,18 @@ void ViewCamera::zoomTo(const Vec3& anchor_W, double factor) {
     distance *= factor;
 }
 
-void ViewCamera::fit(const Bounds& box_W) {
-    if (box_W.empty()) return;
-    focus = box_W.centre();
-    if (!(box_W.diagonal() > 0)) return;
+void ViewCamera::fit(std::span<const Vec3> points_W) {
+    Bounds box;
+    for (const Vec3& p : points_W)
+        box.add(p);
+    if (box.empty()) return;
+    focus = box.centre();
+    if (!(box.diagonal() > 0)) return;
     const double tanY = std::tan(0.5 * fieldOfView) / kMargin;
     const double tanX = tanY * size.width() / size.height();
-    distance = 0.5 * box_W.diagonal();
-    for (int i = 0; i < 8; ++i)
-        distance = std::max(distance, distanceFor(*this, cornerOf(box_W, i) - focus, tanX, tanY));
+    distance = 0.1 * box.diagonal();
+    for (const Vec3& p : points_W)
+        distance = std::max(distance, distanceFor(*this, p - focus, tanX, tanY));
 }
 
 } // namespace tactum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <QPointF>
 #include <QSizeF>
@@ -53,8 +54,9 @@ struct ViewCamera {
     void pan(QPointF pixels);
     /// Scales the distance to `anchor`, which keeps its pixel, by `factor` (< 1 comes nearer).
     void zoomTo(const Vec3& anchor_W, double factor);
-    /// Stands so that the box fills the view with a margin, looking as before. Ignores an empty box.
-    void fit(const Bounds& box_W);
+    /// Stands so that the points fill the view with a margin, looking as before, and turns about the centre
+    /// of their box from now on. Ignores an empty list.
+    void fit(std::span<const Vec3> points_W);
 };
 
 } // namespace tactum

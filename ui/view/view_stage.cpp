@@ -1,0 +1,80 @@
+#include "ui/view/view_stage.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRendererCollection.h>
+
+#include "ui/view/studio_light.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+void addLayer(vtkRenderWindow& window, vtkRenderer& renderer, vtkCamera* camera) {
+    const int layer = window.GetRenderers()->GetNumberOfItems();
+    window.SetNumberOfLayers(layer + 1);
+    renderer.SetLayer(layer);
+    renderer.SetActiveCamera(camera);
+    window.AddRenderer(&renderer);
+}
+
+} // namespace
+
+ViewCamera defaultCamera() {
+    ViewCamera camera;
+    camera.fieldOfView = 30 * kDegree;
+    camera.yaw = 30 * kDegree;
+    camera.pitch = 22 * kDegree;
+    return camera;
+}
+
+ViewStage::ViewStage(vtkRenderWindow& window) : window_(window) {
+    vtkNew<vtkCamera> shared;
+    for (vtkRenderer* renderer : {solid.Get(), outline_.Get(), ghost.Get()})
+        addLayer(window, *renderer, shared);
+    outline_->SetPass(outlinePass_);
+    outline_->SetPreserveColorBuffer(false); // the mask starts empty; the picture beneath is not cleared
+    outline_->SetBackgroundAlpha(0);
+}
+
+ViewStage::~ViewStage() {
+    for (vtkRenderer* renderer : {ghost.Get(), outline_.Get(), solid.Get()})
+        window_.RemoveRenderer(renderer);
+}
+
+void ViewStage::setBackground(const Theme& theme) {
+    solid->GradientBackgroundOn();
+    solid->SetBackground(theme.skyBottom.redF(), theme.skyBottom.greenF(), theme.skyBottom.blueF());
+    solid->SetBackground2(theme.skyTop.redF(), theme.skyTop.greenF(), theme.skyTop.blueF());
+    outlinePass_->setColour(theme.accent);
+}
+
+void ViewStage::setOutlined(vtkActor* actor) {
+    outline_->RemoveAllViewProps();
+    if (!actor) return;
+    vtkNew<vtkActor> copy;
+    copy->SetMapper(actor->GetMapper());
+    copy->SetUserMatrix(actor->GetUserMatrix());
+    useNoLight(*copy);
+    outline_->AddActor(copy);
+}
+
+void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
+    vtkCamera& to = *solid->GetActiveCamera();
+    to.SetFocalPoint(camera.focus.data());
+    to.SetPosition(camera.eye().data());
+    to.SetViewUp(camera.up().data());
+    to.SetViewAngle(camera.fieldOfView / kDegree);
+    if (shown.empty()) return;
+    const double middle = camera.depth(shown.centre()), reach = 0.6 * shown.diagonal() + 1e-6;
+    const double far = std::max(middle + reach, 1e-6);
+    to.SetClippingRange(std::max(middle - reach, 2e-3 * far), far);
+}
+
+} // namespace tactum

@@ -1,0 +1,45 @@
+// The layers that every picture of a scene is made of, and the light they stand in. Private to this folder.
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include "core/geometry/triangle_soup.h"
+#include "ui/theme.h"
+#include "ui/view/outline_pass.h"
+#include "ui/view/view_camera.h"
+
+class vtkActor;
+class vtkRenderWindow;
+
+namespace tactum {
+
+/// Looks at the origin from the front, the right and above.
+ViewCamera defaultCamera();
+
+/// Three renderers of one camera in a window: the model and what stands among it; outlines over it; and the
+/// dimmed copies of what may be inside it. Takes them out of the window again. Thread: ui.
+class ViewStage {
+public:
+    explicit ViewStage(vtkRenderWindow& window);
+    ~ViewStage();
+    ViewStage(const ViewStage&) = delete;
+    ViewStage& operator=(const ViewStage&) = delete;
+
+    /// The background and the outline's colour.
+    void setBackground(const Theme& theme);
+    void setOutlineWidth(double devicePixels) { outlinePass_->setWidth(float(devicePixels)); }
+    /// Draws the outline of this actor; of none for null.
+    void setOutlined(vtkActor* actor);
+    /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
+    void look(const ViewCamera& camera, const Bounds& shown);
+
+    vtkNew<vtkRenderer> solid, ghost;
+
+private:
+    vtkRenderWindow& window_;
+    vtkNew<vtkRenderer> outline_;
+    vtkNew<OutlinePass> outlinePass_;
+};
+
+} // namespace tactum
