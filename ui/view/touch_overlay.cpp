@@ -5,8 +5,6 @@
 #include <numbers>
 
 #include <vtkCellArray.h>
-#include <vtkConeSource.h>
-#include <vtkCylinderSource.h>
 #include <vtkDiskSource.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -52,53 +50,6 @@ vtkNew<vtkSphereSource> ball() {
     return source;
 }
 
-/// From the origin to Y = 1, radius 1.
-vtkNew<vtkCylinderSource> rod() {
-    vtkNew<vtkCylinderSource> source;
-    source->SetRadius(1);
-    source->SetHeight(1);
-    source->SetCenter(0, 0.5, 0);
-    source->SetResolution(20);
-    return source;
-}
-
-/// The same as a cone with its tip at Y = 1.
-vtkNew<vtkConeSource> cone() {
-    vtkNew<vtkConeSource> source;
-    source->SetRadius(1);
-    source->SetHeight(1);
-    source->SetDirection(0, 1, 0);
-    source->SetCenter(0, 0.5, 0);
-    source->SetResolution(28);
-    return source;
-}
-
-/// A rod with a head, along any direction.
-class Arrow {
-public:
-    Arrow(vtkRenderer& solid, vtkRenderer& ghost)
-        : shaft_(solid, ghost, *rod()), head_(solid, ghost, *cone()) {}
-
-    void setColour(const QColor& colour, double opacity = 1) {
-        shaft_.setColour(colour, opacity);
-        head_.setColour(colour, opacity);
-    }
-    void setVisible(bool visible) {
-        shaft_.setVisible(visible);
-        head_.setVisible(visible);
-    }
-    void place(const Vec3& from, const Vec3& to, double shaft, double head, double headLength) {
-        const double length = (to - from).norm();
-        const Vec3 axis = (to - from) / length;
-        headLength = std::min(headLength, length);
-        shaft_.place(from, axis, shaft, length - 0.9 * headLength);
-        head_.place(to - headLength * axis, axis, head, headLength);
-    }
-
-private:
-    TouchShape shaft_, head_;
-};
-
 /// The tangent plane of one contact and its normal.
 struct ContactMark {
     ContactMark(vtkRenderer& solid, vtkRenderer& ghost)
@@ -111,7 +62,7 @@ struct ContactMark {
     }
 
     TouchShape plane, rim;
-    Arrow normal;
+    TouchArrow normal;
 };
 
 /// A coil between two points as a polyline; straight where there is no room for a turn.
@@ -186,7 +137,7 @@ struct TouchOverlay::Impl {
     vtkNew<vtkTubeFilter> tube;
     std::vector<std::unique_ptr<ContactMark>> contacts;
     TouchShape spring, proxy, finger, halo;
-    Arrow arrow;
+    TouchArrow arrow;
 };
 
 TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)

@@ -1,6 +1,10 @@
 #include "ui/view/touch_shape.h"
 
+#include <algorithm>
+
 #include <vtkAlgorithm.h>
+#include <vtkConeSource.h>
+#include <vtkCylinderSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -10,8 +14,31 @@
 namespace tactum {
 
 namespace {
-constexpr double kGhostOpacity = 0.42;
+
+constexpr double kGhostOpacity = 0.5;
+
+/// From the origin to Y = 1, radius 1.
+vtkNew<vtkCylinderSource> rod() {
+    vtkNew<vtkCylinderSource> source;
+    source->SetRadius(1);
+    source->SetHeight(1);
+    source->SetCenter(0, 0.5, 0);
+    source->SetResolution(20);
+    return source;
 }
+
+/// The same as a cone with its tip at Y = 1.
+vtkNew<vtkConeSource> cone() {
+    vtkNew<vtkConeSource> source;
+    source->SetRadius(1);
+    source->SetHeight(1);
+    source->SetDirection(0, 1, 0);
+    source->SetCenter(0, 0.5, 0);
+    source->SetResolution(28);
+    return source;
+}
+
+} // namespace
 
 TouchShape::TouchShape(vtkRenderer& solid, vtkRenderer& ghost, vtkAlgorithm& source) {
     mapper_->SetInputConnection(source.GetOutputPort());
@@ -52,6 +79,28 @@ void TouchShape::place(const Vec3& p, const Vec3& axis, double across, double al
     }
     solid_->SetUserMatrix(matrix);
     ghost_->SetUserMatrix(matrix);
+}
+
+TouchArrow::TouchArrow(vtkRenderer& solid, vtkRenderer& ghost)
+    : shaft_(solid, ghost, *rod()), head_(solid, ghost, *cone()) {}
+
+void TouchArrow::setColour(const QColor& colour, double opacity) {
+    shaft_.setColour(colour, opacity);
+    head_.setColour(colour, opacity);
+}
+
+void TouchArrow::setVisible(bool visible) {
+    shaft_.setVisible(visible);
+    head_.setVisible(visible);
+}
+
+void TouchArrow::place(const Vec3& from, const Vec3& to, double shaftRadius, double headRadius,
+                       double headLength) {
+    const double length = (to - from).norm();
+    const Vec3 axis = (to - from) / length;
+    headLength = std::min(headLength, length);
+    shaft_.place(from, axis, shaftRadius, length - 0.9 * headLength);
+    head_.place(to - headLength * axis, axis, headRadius, headLength);
 }
 
 } // namespace tactum

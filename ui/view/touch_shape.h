@@ -1,4 +1,4 @@
-// One thing of the overlay, drawn solid and as a ghost. Private to this folder.
+// Things of the overlay, drawn solid and as a ghost. Private to this folder.
 #pragma once
 
 #include <vtkActor.h>
@@ -27,6 +27,19 @@ public:
 private:
     vtkNew<vtkPolyDataMapper> mapper_;
     vtkNew<vtkActor> solid_, ghost_;
+};
+
+/// A rod with a head. Sizes in m.
+class TouchArrow {
+public:
+    TouchArrow(vtkRenderer& solid, vtkRenderer& ghost);
+
+    void setColour(const QColor& colour, double opacity = 1);
+    void setVisible(bool visible);
+    void place(const Vec3& from, const Vec3& to, double shaftRadius, double headRadius, double headLength);
+
+private:
+    TouchShape shaft_, head_;
 };
 
 } // namespace tactum
