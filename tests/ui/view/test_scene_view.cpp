@@ -1,0 +1,397 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "tests/ui/view/ball_scene.h"
+#include "ui/theme.h"
+#include "ui/view/scene_picker.h"
+#include "ui/view/scene_view.h"
+#include "ui/view/surface_format.h"
+
+using namespace tactum;
+using namespace tactum::testing;
+
+namespace {
+
+using Picked = std::optional<SurfaceRef>;
+constexpr QSize kSize(640, 480);
+const QPoint kCentre(320, 240);
+
+/// A view of the ball from the front, on the screen.
+struct Shown {
+    Shown() : scene(ballScene()) {
+        view.resize(kSize);
+        view.setScene(scene);
+        view.show();
+        if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
+        view.showStandardView(StandardView::Front);
+    }
+
+    /// The camera that the view must have now: the same fit from the front.
+    ViewCamera camera() const {
+        ViewCamera camera;
+        camera.fieldOfView = EIGEN_PI / 6;
+        camera.size = kSize;
+        camera.fit(spanningPoints(scene));
+        return camera;
+    }
+    QPoint pixelOf(const Vec3& p) const { return camera().project(p)->toPoint(); }
+
+    void touch(const Vec3& finger, const Vec3& proxy, const Vec3& force = Vec3::Zero()) {
+        ProxyTelemetry out;
+        out.updates = 1;
+        out.finger = finger;
+        out.output.proxy = proxy;
+        out.output.force = force;
+        out.output.contacts = force.norm() > 0;
+        out.output.contact[0].point = proxy;
+        out.output.contact[0].normal = Vec3::UnitZ();
+        ServoTelemetry servo;
+        servo.ticks = 1;
+        servo.finger = finger;
+        servo.force = force;
+        view.setHandGoal(finger);
+        view.setHaptics(out, servo, 8, true);
+    }
+
+    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers keys = {}) {
+        QTest::mousePress(&view, button, keys, from);
+        move(0.5 * (from + to), button, keys);
+        move(to, button, keys);
+        QTest::mouseRelease(&view, button, keys, to);
+    }
+    void move(QPoint to, Qt::MouseButtons buttons, Qt::KeyboardModifiers keys = {}) {
+        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(QPointF(to)), Qt::NoButton, buttons, keys);
+        QApplication::sendEvent(&view, &event);
+    }
+    void wheel(QPoint at, int notches) {
+        QWheelEvent event(at, view.mapToGlobal(QPointF(at)), {}, {0, 120 * notches}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view, &event);
+    }
+    QColor colourAt(QPoint pixel) {
+        const QImage picture = view.grabPicture();
+        return picture.pixelColor((QPointF(pixel) * picture.devicePixelRatio()).toPoint());
+    }
+
+    Scene scene;
+    SceneView view;
+};
+
+double difference(const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
+std::vector<Vec3> goals(const QSignalSpy& spy) {
+    std::vector<Vec3> list;
+    for (const auto& signal : spy)
+        list.push_back(signal[0].value<Vec3>());
+    return list;
+}
+
+} // namespace
+
+class TestSceneView : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { useViewSurfaceFormat(); }
+
+private slots:
+    void showsTheModelBeforeABackground() {
+        Shown shown;
+        const QImage picture = shown.view.grabPicture();
+        QCOMPARE(picture.size(), kSize * shown.view.devicePixelRatioF());
+        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
+        QVERIFY(difference(shown.colourAt({12, 240}), shown.colourAt({12, 236})) < 12);
+    }
+
+    void itsColourIsTheSurfaces() {
+        Shown shown;
+        shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
+        shown.view.setScene(shown.scene);
+        QVERIFY(shown.colourAt({320, 180}).red() > 2 * shown.colourAt({320, 180}).green());
+        QVERIFY(shown.colourAt({320, 300}).red() < 1.3 * shown.colourAt({320, 300}).green());
+    }
+
+    void themesDiffer() {
+        Shown shown;
+        shown.view.setTheme(false);
+        const int light = shown.colourAt({12, 12}).lightness();
+        shown.view.setTheme(true);
+        QVERIFY(light > shown.colourAt({12, 12}).lightness() + 100);
+    }
+
+    void aClickChoosesTheSurfaceThatIsThere() {
+        Shown shown;
+        shown.view.setTool(ViewTool::Select);
+        const ObjectId ball = shown.scene.objects[0].id;
+        QSignalSpy picked(&shown.view, &SceneView::surfacePicked);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre - QPoint(0, 60));
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(40, 60));
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, QPoint(10, 10));
+        QCOMPARE(picked.size(), 3);
+        QVERIFY(picked[0][0].value<Picked>() == (SurfaceRef{ball, kUpper}));
+        QVERIFY(picked[1][0].value<Picked>() == (SurfaceRef{ball, kLower}));
+        QVERIFY(!picked[2][0].value<Picked>());
+    }
+
+    void aDragChoosesNothing() {
+        Shown shown;
+        shown.view.setTool(ViewTool::Select);
+        QSignalSpy picked(&shown.view, &SceneView::surfacePicked);
+        shown.drag(kCentre, kCentre + QPoint(50, 20));
+        QVERIFY(picked.isEmpty());
+    }
+
+    void hoverNamesAndBrightensTheSurface() {
+        Shown shown;
+        shown.view.grabPicture(); // time for the hierarchy
+        QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
+        const QPoint upper = kCentre - QPoint(0, 60);
+        const int before = shown.colourAt(upper).lightness();
+        QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
+        QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
+        QVERIFY(shown.colourAt(upper).lightness() > before + 4);
+        shown.move({5, 5}, Qt::NoButton);
+        QVERIFY(!hovered.last()[0].value<Picked>());
+        QCOMPARE(shown.colourAt(upper).lightness(), before);
+    }
+
+    void selectionIsOutlinedInTheAccent() {
+        Shown shown;
+        const QPoint rim = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 1);
+        const QColor before = shown.colourAt(rim);
+        shown.view.setSelection(SurfaceRef{shown.scene.objects[0].id, kUpper});
+        double nearest = 1e3;
+        for (int dy = -6; dy <= 6; ++dy)
+            nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
+        QVERIFY2(nearest < 60, qPrintable(QString::number(nearest)));
+        shown.view.setSelection(std::nullopt);
+        QVERIFY(difference(shown.colourAt(rim), before) < 3);
+    }
+
+    void draggingTheFingerMovesItInTheCamerasPlane() {
+        Shown shown;
+        const Vec3 start(0, 0, 0.09);
+        shown.touch(start, start);
+        QSignalSpy moved(&shown.view, &SceneView::handGoalMoved),
+            grabbed(&shown.view, &SceneView::handGrabbed);
+        shown.drag(kCentre + QPoint(5, 5), kCentre + QPoint(65, -25));
+        QVERIFY(!moved.isEmpty());
+        const Vec3 goal = goals(moved).back();
+        QCOMPARE(shown.view.handGoal().x(), goal.x());
+        QVERIFY((goal - start - shown.camera().pixelSize(start) * Vec3(60, 30, 0)).norm() < 1e-9);
+        QCOMPARE(grabbed.size(), 2);
+        QVERIFY(grabbed[0][0].toBool() && !grabbed[1][0].toBool());
+    }
+
+    void wheelAndControlDragMoveTheHeldFingerInDepth() {
+        Shown shown;
+        const Vec3 start(0, 0, 0.09);
+        shown.touch(start, start);
+        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
+        shown.wheel(kCentre, 3);
+        const double notch = 0.005 * boundsOf(shown.scene).diagonal();
+        QVERIFY((shown.view.handGoal() - Vec3(0, 0, 0.09 - 3 * notch)).norm() < 1e-9);
+        const Vec3 before = shown.view.handGoal();
+        shown.move(kCentre - QPoint(0, 20), Qt::LeftButton, Qt::ControlModifier);
+        const double pixel = shown.camera().pixelSize(before);
+        QVERIFY((shown.view.handGoal() - before + 20 * pixel * Vec3::UnitZ()).norm() < 1e-9);
+        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre);
+    }
+
+    void aPressOnTheModelTouchesItAndADragStrokesIt() {
+        Shown shown;
+        const double depth = 0.015 * boundsOf(shown.scene).diagonal();
+        shown.touch({0.09, 0.05, 0.1}, {0.09, 0.05, 0.1});
+        QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
+        QTRY_VERIFY((shown.view.handGoal() - Vec3(0, 0, kBallRadius - depth)).norm() < 1e-4);
+        shown.move(kCentre + QPoint(60, 0), Qt::LeftButton);
+        const Vec3 goal = shown.view.handGoal();
+        QVERIFY(goal.x() > 0.01 && goal.norm() < kBallRadius && goal.z() > 0);
+        const auto seen = shown.camera().project(goal);
+        QVERIFY(std::abs(seen->x() - 380) < 1 && std::abs(seen->y() - 240) < 1);
+        QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(60, 0));
+        QVERIFY((shown.view.handGoal() - goal).norm() < 1e-12); // it stays where it was put
+    }
+
+    void aFingerBehindTheModelComesAroundIt() {
+        Shown shown;
+        shown.touch({0, 0, -0.08}, {0, 0, -0.08});
+        QSignalSpy moved(&shown.view, &SceneView::handGoalMoved);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(0, 40));
+        QTRY_VERIFY(shown.view.handGoal().z() > 0.03 && shown.view.handGoal().norm() < kBallRadius);
+        for (const Vec3& goal : goals(moved))
+            QVERIFY(goal.norm() > kBallRadius || goal.z() > 0.03);
+    }
+
+    void gLetsTheFingerFollowUntilAClickOrEsc() {
+        Shown shown;
+        shown.touch({0, 0, 0.09}, {0, 0, 0.09});
+        QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
+        QTest::mouseMove(&shown.view, kCentre);
+        QTest::keyClick(&shown.view, Qt::Key_G);
+        shown.move(kCentre, Qt::NoButton);
+        const Vec3 before = shown.view.handGoal();
+        shown.move(kCentre + QPoint(40, 0), Qt::NoButton);
+        const double pixel = shown.camera().pixelSize(before);
+        QVERIFY((shown.view.handGoal() - before - 40 * pixel * Vec3::UnitX()).norm() < 1e-9);
+        QTest::keyClick(&shown.view, Qt::Key_Escape);
+        shown.move(kCentre, Qt::NoButton);
+        QVERIFY((shown.view.handGoal() - before - 40 * pixel * Vec3::UnitX()).norm() < 1e-9);
+        QCOMPARE(grabbed.size(), 2);
+        QTest::keyClick(&shown.view, Qt::Key_G);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+        QCOMPARE(grabbed.size(), 4);
+        QVERIFY(!grabbed.last()[0].toBool());
+    }
+
+    void arrowKeysNudgeTheFinger() {
+        Shown shown;
+        shown.touch({0, 0, 0.09}, {0, 0, 0.09});
+        QTest::keyClick(&shown.view, Qt::Key_Right);
+        QTest::keyClick(&shown.view, Qt::Key_PageUp);
+        const double step = 0.005 * boundsOf(shown.scene).diagonal();
+        QVERIFY((shown.view.handGoal() - Vec3(step, 0, 0.09 - step)).norm() < 1e-9);
+    }
+
+    void theSelectToolLeavesTheFingerAlone() {
+        Shown shown;
+        shown.view.setTool(ViewTool::Select);
+        shown.touch({0, 0, 0.09}, {0, 0, 0.09});
+        shown.drag(kCentre, kCentre + QPoint(80, 0));
+        QVERIFY((shown.view.handGoal() - Vec3(0, 0, 0.09)).norm() < 1e-12);
+    }
+
+    void wheelZoomsToTheCursorAndHomeFits() {
+        Shown shown;
+        const QPoint edge = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 14);
+        const QColor sky = shown.colourAt(edge);
+        shown.wheel(kCentre, 4);
+        QVERIFY(difference(shown.colourAt(edge), sky) > 60); // the ball has grown over it
+        QTest::keyClick(&shown.view, Qt::Key_Home);
+        QVERIFY(difference(shown.colourAt(edge), sky) < 3);
+    }
+
+    void orbitAndPanTurnAndMoveThePicture() {
+        Shown shown;
+        shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
+        shown.view.setScene(shown.scene);
+        const QPoint low = kCentre + QPoint(0, 50);
+        QVERIFY(shown.colourAt(low).red() < 1.3 * shown.colourAt(low).green());
+        shown.drag(kCentre, kCentre + QPoint(0, 150), Qt::MiddleButton); // look from above
+        QVERIFY(shown.colourAt(low).red() > 2 * shown.colourAt(low).green());
+        shown.view.showStandardView(StandardView::Front);
+        shown.drag(kCentre, kCentre + QPoint(0, 120), Qt::MiddleButton, Qt::ShiftModifier);
+        QVERIFY(shown.colourAt(low).red() > 2 * shown.colourAt(low).green());
+    }
+
+    void theProxyIsShownAndCanBeHidden() {
+        Shown shown;
+        const Vec3 proxy(0, 0.02, 0.06);
+        const QPoint pixel = shown.pixelOf(proxy);
+        const QColor without = shown.colourAt(pixel);
+        shown.touch({0.02, 0.03, 0.06}, proxy);
+        const QColor with = shown.colourAt(pixel);
+        QVERIFY(with.red() > 1.5 * with.blue() && difference(with, without) > 60);
+        shown.view.setOverlayVisible(false);
+        QVERIFY(difference(shown.colourAt(pixel), without) < 3);
+    }
+
+    void aFingerInsideTheModelIsSeenThroughIt() {
+        Shown shown;
+        const QPoint pixel = shown.pixelOf({0.01, 0.01, 0.03});
+        const QColor without = shown.colourAt(pixel);
+        shown.touch({0.01, 0.01, 0.03}, {0.03, 0.04, 0.05});
+        const QColor with = shown.colourAt(pixel);
+        QVERIFY(with.blue() > with.red() + 30 && difference(with, without) > 40);
+    }
+
+    void theForceIsWrittenBesideItsArrow() {
+        Shown shown;
+        shown.touch({0, 0, 0.045}, {0, 0, 0.051}, {1.5, 0, 0});
+        const QImage with = shown.view.grabPicture();
+        shown.touch({0, 0, 0.045}, {0, 0, 0.051}, {0, 0, 0});
+        const QImage without = shown.view.grabPicture();
+        int changed = 0;
+        const double ratio = with.devicePixelRatio();
+        for (int x = 340; x < 460; ++x)
+            for (int y = 225; y < 260; ++y)
+                changed += difference(with.pixelColor(int(x * ratio), int(y * ratio)),
+                                      without.pixelColor(int(x * ratio), int(y * ratio))) > 30;
+        QVERIFY2(changed > 400, qPrintable(QString::number(changed)));
+    }
+
+    void survivesAFloatingDock() {
+        QMainWindow window;
+        auto* dock = new QDockWidget(&window);
+        auto* view = new SceneView;
+        dock->setWidget(view);
+        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        view->setScene(ballScene());
+        window.resize(900, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        view->setSelection(SurfaceRef{1, kUpper});
+        for (bool floating : {true, false, true}) {
+            dock->setFloating(floating);
+            QTest::qWait(150);
+            const QImage picture = view->grabPicture();
+            const QColor middle = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+            QVERIFY2(difference(middle, picture.pixelColor(4, picture.height() / 2)) > 100,
+                     qPrintable(middle.name()));
+        }
+    }
+
+    void followsItsSize() {
+        Shown shown;
+        shown.view.resize(300, 500);
+        QTest::qWait(50);
+        const QImage picture = shown.view.grabPicture();
+        QCOMPARE(picture.size(), QSize(300, 500) * shown.view.devicePixelRatioF());
+        shown.view.fit();
+        QVERIFY(difference(shown.colourAt({150, 250}), shown.colourAt({4, 250})) > 100);
+    }
+
+    void goesInAnyOrder() {
+        { SceneView never; }
+        {
+            SceneView hidden;
+            hidden.setScene(ballScene());
+            hidden.setSelection(SurfaceRef{1, kUpper});
+        }
+        auto window = std::make_unique<QWidget>();
+        auto* child = new SceneView(window.get());
+        child->setScene(ballScene());
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+        window.reset();
+        auto shown = std::make_unique<Shown>();
+        shown->touch({0, 0, 0.045}, {0, 0, 0.051}, {0, 0, 1});
+        shown->view.grabPicture();
+        shown.reset();
+    }
+
+    void anEmptySceneIsShown() {
+        Shown shown;
+        shown.view.setScene(Scene{});
+        shown.view.fit();
+        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) < 12);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+    }
+
+    void largeModelsGetTheirNormalsLater() {
+        Shown shown;
+        shown.view.setScene(ballScene(300, 150)); // 90 000 triangles
+        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
+        QTest::qWait(600);
+        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
+    }
+};
+
+QTEST_MAIN(TestSceneView)
+#include "test_scene_view.moc"

@@ -1,0 +1,62 @@
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+
+#include "ui/view/trace_plot.h"
+
+using namespace tactum;
+
+namespace {
+
+int rowsOfColour(const QImage& image, int x, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        count += image.pixelColor(x, y).rgb() == colour.rgb();
+    return count;
+}
+
+} // namespace
+
+class TestTracePlot : public QObject {
+    Q_OBJECT
+private slots:
+    void stepsAreRound() {
+        QCOMPARE(tickStep(10, 5), 2.0);
+        QCOMPARE(tickStep(10, 10), 1.0);
+        QCOMPARE(tickStep(0.9, 4), 0.5);
+        QVERIFY(std::abs(tickStep(0.0031, 5) - 0.001) < 1e-15);
+        QCOMPARE(tickStep(9.9, 1), 10.0);
+    }
+
+    void aPeakOfOneSampleIsDrawn() {
+        TouchTrace rows(20000);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].t = 1e-3 * double(i);
+        rows[10000].force = {0, 0, 5};
+        QImage image(800, 300, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        {
+            QPainter painter(&image);
+            drawForcePlot(painter, QRectF(0, 0, 800, 300), rows, kLightTheme);
+        }
+        int tallest = 0;
+        for (int x = 0; x < image.width(); ++x)
+            tallest = std::max(tallest, rowsOfColour(image, x, kLightTheme.proxy));
+        QVERIFY(tallest > 100);
+    }
+
+    void aSingleRowIsNoTrouble() {
+        QImage image(400, 200, QImage::Format_RGB32);
+        QPainter painter(&image);
+        drawForcePlot(painter, QRectF(0, 0, 400, 200), TouchTrace(1), kLightTheme);
+    }
+};
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // draws into memory only
+    QGuiApplication application(argc, argv);
+    TestTracePlot test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_trace_plot.moc"
