@@ -18,6 +18,7 @@ struct Traits : OpenMesh::DefaultTraits {
     using Normal = OpenMesh::Vec3d;
 };
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+using Halfedge = OpenMesh::HalfedgeHandle;
 using Corners = std::array<Index, 3>;
 
 bool hasArea(const Corners& t) {
@@ -129,41 +130,41 @@ OpenMesh::FaceHandle HalfEdges::addApart(const Corners& t) {
 /// The smoothed normal of one corner after the other.
 class CornerNormals {
 public:
-    CornerNormals(HalfEdgeMesh& mesh, double creaseAngle) : mesh_(mesh), leastCosine_(std::cos(creaseAngle)) {
+    CornerNormals(HalfEdgeMesh& mesh, double creaseAngle)
+        : mesh_(mesh), weighted_(mesh.n_halfedges(), OpenMesh::Vec3d(0.0)), smooth_(mesh.n_edges(), 0) {
         mesh_.request_face_normals();
         mesh_.update_face_normals();
+        for (Halfedge h : mesh_.halfedges())
+            if (!mesh_.is_boundary(h))
+                weighted_[std::size_t(h.idx())] =
+                    mesh_.calc_sector_angle(h) * mesh_.normal(mesh_.face_handle(h));
+        const double leastCosine = std::cos(creaseAngle);
+        for (OpenMesh::EdgeHandle e : mesh_.edges())
+            smooth_[std::size_t(e.idx())] = !mesh_.is_boundary(e) && cosineAcross(e) >= leastCosine;
     }
 
     /// `into`: the half-edge of the triangle that ends in the corner.
-    Eigen::Vector3f at(OpenMesh::HalfedgeHandle into) const {
+    Eigen::Vector3f at(Halfedge into) const {
         OpenMesh::Vec3d sum = weighted(into);
-        bool wholeRound = false;
-        for (auto h = forward(into); h.is_valid(); h = forward(h)) {
-            if ((wholeRound = h == into)) break;
+        Halfedge h = forward(into);
+        for (; h.is_valid() && h != into; h = forward(h))
             sum += weighted(h);
-        }
-        if (!wholeRound)
-            for (auto h = backward(into); h.is_valid(); h = backward(h))
+        if (!h.is_valid()) // a crease stopped us: the other way round as well
+            for (h = backward(into); h.is_valid(); h = backward(h))
                 sum += weighted(h);
         const double length = sum.norm();
-        if (!(length > 0))
-            sum = mesh_.normal(mesh_.face_handle(into));
-        else
-            sum /= length;
+        sum = length > 0 ? sum / length : mesh_.normal(mesh_.face_handle(into));
         return {float(sum[0]), float(sum[1]), float(sum[2])};
     }
 
 private:
-    using Halfedge = OpenMesh::HalfedgeHandle;
-
-    OpenMesh::Vec3d weighted(Halfedge into) const {
-        return mesh_.calc_sector_angle(into) * mesh_.normal(mesh_.face_handle(into));
-    }
-    bool smooth(Halfedge h) const {
-        const Halfedge other = mesh_.opposite_halfedge_handle(h);
-        if (mesh_.is_boundary(h) || mesh_.is_boundary(other)) return false;
-        return dot(mesh_.normal(mesh_.face_handle(h)), mesh_.normal(mesh_.face_handle(other))) >=
-               leastCosine_;
+    const OpenMesh::Vec3d& weighted(Halfedge into) const { return weighted_[std::size_t(into.idx())]; }
+    bool smooth(Halfedge h) const { return smooth_[std::size_t(h.idx() / 2)]; }
+    double cosineAcross(OpenMesh::EdgeHandle e) const {
+        const auto normal = [&](unsigned side) {
+            return mesh_.normal(mesh_.face_handle(mesh_.halfedge_handle(e, side)));
+        };
+        return dot(normal(0), normal(1));
     }
     /// The neighbour across the edge that leaves the corner, or nothing at a crease.
     Halfedge forward(Halfedge into) const {
@@ -176,7 +177,9 @@ private:
     }
 
     HalfEdgeMesh& mesh_;
-    double leastCosine_;
+    std::vector<OpenMesh::Vec3d>
+        weighted_;             ///< of each half-edge: its triangle's normal times the angle where it ends
+    std::vector<char> smooth_; ///< of each edge
 };
 
 } // namespace

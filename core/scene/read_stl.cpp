@@ -22,9 +22,9 @@ std::uint64_t promisedSize(std::string_view bytes) {
     return kHeader + kFacet * std::uint64_t(littleEndian32(bytes.data() + 80));
 }
 
-/// Many programs begin the header of a binary file with "solid": its length tells the two apart.
+/// Many programs begin the header of a binary file with "solid"; but text has no zero bytes, and a count of
+/// triangles that can be loaded has some.
 bool isBinary(std::string_view bytes) {
-    if (bytes.size() >= kHeader && promisedSize(bytes) == bytes.size()) return true;
     return lowerCase(trimmed(bytes.substr(0, 64)).substr(0, 5)) != "solid" ||
            bytes.substr(0, 1024).find('\0') != std::string_view::npos;
 }
