@@ -94,7 +94,7 @@ condense_ninja() {
             now=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
             if [ $now -gt $tenth ]; then say "  ${BASH_REMATCH[0]}"; fi
             tenth=$now
-        elif [[ $line != "ninja: Entering"* && $line != "ninja: no work"* ]]; then
+        elif [[ ! $line =~ ^(--|ninja: Entering|ninja: no work) ]]; then
             say "$line"
         fi
     done
