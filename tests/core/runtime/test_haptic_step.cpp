@@ -74,7 +74,8 @@ void HapticStepTest::dampingOnlyPushes() {
     const Hand hand = onSheet(material);
     for (const double speed : {-0.2, 0.0, 0.2}) {
         SimState state = hand.state;
-        const HapticOutput output = hapticStep(hand.world(), state, {Vec3::Zero(), {0, 0, speed}}, kMillisecond);
+        const HapticOutput output =
+            hapticStep(hand.world(), state, {Vec3::Zero(), {0, 0, speed}}, kMillisecond);
         const double expected = 800 * kRadius + 10 * std::max(0.0, -speed);
         QVERIFY(std::abs(output.force.z() - expected) < 1e-6);
         QVERIFY(output.force.head<2>().norm() < 1e-9);
