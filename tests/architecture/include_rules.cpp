@@ -182,24 +182,6 @@ Faults wrongLinks(const SourceFile& cmakeLists) {
     return faults;
 }
 
-Faults librariesSeenTwice(const std::vector<SourceFile>& files) {
-    Faults faults;
-    for (std::string_view library : kSeenOnce) {
-        std::string seenBy;
-        for (const auto& file : files) {
-            const auto includes = includesOf(file.text);
-            const bool sees = std::any_of(includes.begin(), includes.end(),
-                                          [&](const auto& include) { return include.starts_with(library); });
-            if (!sees) continue;
-            if (!seenBy.empty())
-                faults.push_back(file.path + ": only one file may see " + std::string(library) + ", and " +
-                                 seenBy + " does");
-            seenBy = file.path;
-        }
-    }
-    return faults;
-}
-
 Faults formFaults(const SourceFile& file) {
     Faults faults;
     if (!isHeader(file.path)) return faults;

@@ -35,9 +35,6 @@ Faults wrongIncludes(const SourceFile& file);
 /// Rooms that the USES of a tactum_room() in a CMakeLists.txt names without an arrow.
 Faults wrongLinks(const SourceFile& cmakeLists);
 
-/// Libraries that should be behind one file and are seen by several.
-Faults librariesSeenTwice(const std::vector<SourceFile>& files);
-
 /// Headers without #pragma once, files without a comment in their first line, core headers with <iostream>.
 Faults formFaults(const SourceFile& file);
 
