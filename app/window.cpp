@@ -51,7 +51,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;
     MainWindow window(document, engine, hand, sampleScene());
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/tactum.svg")));
+    QApplication::setWindowIcon(logo(128));
     window.show();
     if (!started) window.showFault(QString::fromStdString(started.error().text));
     if (scene) window.open(QString::fromStdU16String(scene->u16string()));

@@ -75,7 +75,7 @@ QFont applicationFont() {
 
 QPixmap drawn(const QByteArray& svg, const QColor& colour, int size) {
     QByteArray tinted = svg;
-    tinted.replace("#000000", colour.name().toUtf8());
+    if (colour.isValid()) tinted.replace("#000000", colour.name().toUtf8());
     QSvgRenderer renderer(tinted);
     const qreal ratio = qApp->devicePixelRatio();
     QPixmap pixmap(QSize(size, size) * ratio);
@@ -132,6 +132,10 @@ QIcon icon(const QString& name, const QColor& colour) {
     for (int size : {16, 24})
         result.addPixmap(drawn(svg, colour, size));
     return result;
+}
+
+QPixmap logo(int size) {
+    return drawn(source(QStringLiteral("tactum")), QColor(), size);
 }
 
 QFont figureFont(int points) {

@@ -26,6 +26,9 @@ QIcon icon(const QString& name);
 /// The same stroke in a colour of its own.
 QIcon icon(const QString& name, const QColor& colour);
 
+/// The program's own picture, `size` pixels square.
+QPixmap logo(int size);
+
 /// A font whose figures all have one width, `points` larger than the application's.
 QFont figureFont(int points = 0);
 

@@ -75,8 +75,8 @@ void Outliner::rebuild() {
 
 QTreeWidgetItem* Outliner::addObject(const SceneObject& object) {
     auto* item = makeItem(object.name, {object.id, 0});
-    item->setIcon(kName, icon(QStringLiteral("object")));
-    item->setIcon(kEye, object.visible ? icon(QStringLiteral("eye"))
+    item->setIcon(kName, icon(QStringLiteral("object"), theme().textDimmed));
+    item->setIcon(kEye, object.visible ? icon(QStringLiteral("eye"), theme().text)
                                        : icon(QStringLiteral("eye-off"), theme().textDimmed));
     item->setToolTip(kEye, object.visible ? tr("Hide: it is neither seen nor felt (H)")
                                           : tr("Show (Alt+H shows all)"));

@@ -62,6 +62,7 @@ Problems::Problems(Document& document, QWidget* parent)
     setUniformRowHeights(false);
     setWordWrap(true);
     setTextElideMode(Qt::ElideNone);
+    setIconSize({16, 16});
     setColumnCount(1);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     connect(this, &QTreeWidget::itemActivated, this, &Problems::selectObjectOf);
@@ -83,7 +84,23 @@ void Problems::fill(const std::vector<Finding>& health) {
         add(finding);
     for (const Finding& finding : health) // the reader has said some of it already
         if (!has(finding)) add(finding);
+    wrap();
     emit counted(topLevelItemCount());
+}
+
+void Problems::resizeEvent(QResizeEvent* event) {
+    HintedTree::resizeEvent(event);
+    wrap();
+}
+
+/// A tree leaves the height of wrapped rows to whoever fills it.
+void Problems::wrap() {
+    const int width = viewport()->width() - iconSize().width() - 3 * kRhythm;
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const QRect text =
+            fontMetrics().boundingRect(0, 0, width, 10000, Qt::TextWordWrap, topLevelItem(i)->text(0));
+        topLevelItem(i)->setSizeHint(0, QSize(width, text.height() + kRhythm));
+    }
 }
 
 bool Problems::has(const Finding& finding) const {

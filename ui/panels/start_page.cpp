@@ -47,9 +47,10 @@ StartPage::StartPage(const QString& sample, QWidget* parent) : QWidget(parent), 
 }
 
 void StartPage::addHeading() {
-    auto* logo = new QLabel;
-    logo->setPixmap(QIcon(QStringLiteral(":/icons/tactum.svg")).pixmap(64, 64));
-    column_->addWidget(logo);
+    auto* picture = new QLabel;
+    picture->setPixmap(logo(64));
+    picture->setFixedSize(64, 64);
+    column_->addWidget(picture);
     column_->addSpacing(kRhythm);
     column_->addWidget(line(tr("Touch a model"), 11, false));
     auto* what = line(tr("Open a 3-D model, give each of its surfaces a feel, and touch it: with a "

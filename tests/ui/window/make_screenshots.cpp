@@ -28,18 +28,23 @@ void strokeTo(TouchedWindow& program, QPoint& at, QPoint to, int steps) {
     }
 }
 
+/// Presses into the belly of the teapot, deep enough to see finger and proxy apart, and strokes it until
+/// static friction is about to give way, and then beyond.
 void takeFirstTouch(TouchedWindow& program, const QDir& folder) {
-    program.type(QStringLiteral("static-friction"), QStringLiteral("0.60"));
-    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.45"));
-    QPoint at = program.centre() + QPoint(-40, 20);
+    program.type(QStringLiteral("stiffness"), QStringLiteral("350"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
+    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.4"));
+    program.type(QStringLiteral("proxy-radius"), QStringLiteral("2"));
+    QPoint at = program.centre() + QPoint(30, 0);
+    program.wheel(program.centre() - QPoint(0, 10), 4);
     program.press(at);
-    program.frames(90);
-    strokeTo(program, at, at + QPoint(60, -30), 30);
     program.frames(60);
-    strokeTo(program, at, at + QPoint(8, -4), 8);
+    program.wheel(at, 9);
+    program.frames(90);
+    strokeTo(program, at, at + QPoint(22, -6), 22);
+    program.frames(40);
     save(program, folder, QStringLiteral("first-touch.png"));
-    strokeTo(program, at, at + QPoint(90, 30), 60);
-    program.frames(0);
+    strokeTo(program, at, at + QPoint(70, 20), 45);
     save(program, folder, QStringLiteral("friction-slip.png"));
     program.release(at);
 }

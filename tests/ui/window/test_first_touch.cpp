@@ -52,7 +52,7 @@ void TestFirstTouch::pressIntoTheFront() {
     program_->press(program_->centre());
     QTRY_VERIFY_WITH_TIMEOUT(program_->touch().contacts == 1, kPatience);
     program_->frames(60);
-    program_->push(8);
+    program_->wheel(program_->centre(), 8);
     program_->frames(60);
     QVERIFY(program_->touch().contacts == 1);
 }

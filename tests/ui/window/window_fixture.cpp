@@ -97,12 +97,10 @@ void TouchedWindow::release(QPoint at) {
     QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
 }
 
-void TouchedWindow::push(int notches) {
+void TouchedWindow::wheel(QPoint at, int notches) {
     SceneView& view = window->view();
     for (int i = 0; i < notches; ++i) {
-        const QPointF at = view.mapFromGlobal(QCursor::pos());
-        QWheelEvent event(at, view.mapToGlobal(at), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
-                          false);
+        QWheelEvent event(at, view.mapToGlobal(at), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view, &event);
         frames(4);
     }

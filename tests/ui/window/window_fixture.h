@@ -43,8 +43,9 @@ public:
     void press(QPoint at);
     void moveTo(QPoint at);
     void release(QPoint at);
-    /// Turns the wheel while the finger is held: deeper along the view.
-    void push(int notches);
+    /// Turns the wheel at a place of the view, away from the person: zooms in there, or pushes the held
+    /// finger deeper.
+    void wheel(QPoint at, int notches);
     /// Lets the loops and the window run for so many frames.
     void frames(int count);
 
