@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSpan = 6;          // s, width of the chart
 constexpr double kSampleTime = 0.01; // s, ticks of this long are one sample
+constexpr double kSlipSpeed = 2e-3;  // m/s; a proxy that sticks to a model at rest does not move at all
 
 /// The part of a force along the surfaces that push: what is left without the normals' share.
 double tangentialPart(const Vec3& force, const HapticOutput& out) {
@@ -23,12 +24,6 @@ double tangentialPart(const Vec3& force, const HapticOutput& out) {
         rest -=
             out.contact[std::size_t(i)].normal * std::max(0.0, rest.dot(out.contact[std::size_t(i)].normal));
     return out.contacts > 0 ? rest.norm() : 0;
-}
-
-bool slips(const HapticOutput& out) {
-    const int n = std::min(out.contacts, kMaxModelPlanes);
-    return n > 0 && std::all_of(out.contact.begin(), out.contact.begin() + n,
-                                [](const auto& c) { return c.slipping; });
 }
 
 /// Ends of the axis, in N; a grid line at each `step`.
@@ -68,13 +63,18 @@ void ForcePlot::setPaused(bool paused) {
 
 void ForcePlot::add(const TracePoint& point, const HapticOutput& contacts) {
     const double force = point.force.norm();
-    if (ticks_++ == 0) building_ = {point.t};
+    if (ticks_++ == 0) {
+        building_ = {point.t};
+        building_.proxy = point.proxy;
+    }
     building_.force = std::max(building_.force, force);
     building_.tangential =
         std::max(building_.tangential, std::min(force, tangentialPart(point.force, contacts)));
-    building_.slipping = slips(contacts);
     building_.touching = contacts.contacts > 0;
-    if (point.t - building_.t < kSampleTime) return;
+    const double duration = point.t - building_.t;
+    if (duration < kSampleTime) return;
+    // From where the proxy was at each tick: a slip is often over before the next frame could see it.
+    building_.slipping = building_.touching && (point.proxy - building_.proxy).norm() > kSlipSpeed * duration;
     samples_.push_back(building_);
     ticks_ = 0;
     while (samples_.back().t - samples_.front().t > kSpan)

@@ -31,6 +31,7 @@ private:
     struct Sample {
         double t = 0, force = 0, tangential = 0;
         bool slipping = false, touching = false;
+        Vec3 proxy = Vec3::Zero(); ///< at its beginning
     };
     void add(const TracePoint& point, const HapticOutput& contacts);
     void fitAxis();

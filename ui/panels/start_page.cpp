@@ -12,6 +12,8 @@ namespace tactum {
 
 namespace {
 
+constexpr int kColumn = 60 * kRhythm; // pixels
+
 QLabel* line(const QString& text, int points, bool dimmed) {
     auto* label = new QLabel(text);
     QFont font = label->font();
@@ -32,8 +34,9 @@ StartPage::StartPage(const QString& sample, QWidget* parent) : QWidget(parent), 
     setObjectName(QStringLiteral("startPage"));
     setAttribute(Qt::WA_StyledBackground);
     auto* body = new QWidget;
-    body->setFixedWidth(60 * kRhythm);
+    body->setFixedWidth(kColumn);
     column_ = new QVBoxLayout(body);
+    column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(kRhythm);
     addHeading();
     addButtons(sample);
@@ -57,6 +60,8 @@ void StartPage::addHeading() {
                          "force-feedback device, or with the mouse as a simulated hand."),
                       1, true);
     what->setWordWrap(true);
+    what->setFixedWidth(kColumn);
+    what->setFixedHeight(what->heightForWidth(kColumn)); // layouts ask wrapped text too late
     column_->addWidget(what);
     column_->addSpacing(2 * kRhythm);
 }

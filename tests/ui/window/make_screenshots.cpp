@@ -13,18 +13,17 @@ namespace {
 constexpr QSize kSize(1440, 900);
 
 void save(TouchedWindow& program, const QDir& folder, const QString& name) {
-    program.frames(20);
     const QString file = folder.filePath(name);
     if (!program.window->grab().save(file)) qFatal("%s cannot be written", qPrintable(file));
     qInfo("%s", qPrintable(file));
 }
 
-void strokeTo(TouchedWindow& program, QPoint& at, QPoint to, int steps) {
+void strokeTo(TouchedWindow& program, QPoint& at, QPoint to, int steps, int framesEach = 2) {
     const QPointF from = at;
     for (int i = 1; i <= steps; ++i) {
         at = (from + (QPointF(to) - from) * i / steps).toPoint();
         program.moveTo(at);
-        program.frames(2);
+        program.frames(framesEach);
     }
 }
 
@@ -35,16 +34,30 @@ void takeFirstTouch(TouchedWindow& program, const QDir& folder) {
     program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
     program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.4"));
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2"));
-    QPoint at = program.centre() + QPoint(30, 0);
-    program.wheel(program.centre() - QPoint(0, 10), 4);
+    program.wheel(program.centre() + QPoint(60, -10), 5);
+    QPoint at = program.centre() + QPoint(92, -12);
     program.press(at);
     program.frames(60);
-    program.wheel(at, 9);
+    program.wheel(at, 10);
     program.frames(90);
-    strokeTo(program, at, at + QPoint(22, -6), 22);
-    program.frames(40);
+    strokeTo(program, at, at + QPoint(-100, 40), 50);
+    program.frames(60);
+    strokeTo(program, at, at + QPoint(-30, 12), 15);
     save(program, folder, QStringLiteral("first-touch.png"));
-    strokeTo(program, at, at + QPoint(70, 20), 45);
+    program.release(at);
+}
+
+/// A viscous surface lets go slowly: the picture is taken while the proxy slides.
+void takeSlip(TouchedWindow& program, const QDir& folder) {
+    program.type(QStringLiteral("viscosity"), QStringLiteral("12"));
+    QPoint at = program.centre() + QPoint(70, 20);
+    program.press(at);
+    program.frames(60);
+    program.wheel(at, 10);
+    program.frames(60);
+    strokeTo(program, at, at + QPoint(-60, 10), 20);
+    for (int i = 0; i < 80 && !program.touch().contact[0].slipping; ++i)
+        strokeTo(program, at, at + QPoint(-2, 0), 1, 1);
     save(program, folder, QStringLiteral("friction-slip.png"));
     program.release(at);
 }
@@ -62,9 +75,11 @@ int main(int argc, char** argv) {
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
     TouchedWindow program(kSize, sample);
+    program.frames(20);
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
     takeFirstTouch(program, folder);
+    takeSlip(program, folder);
     return 0;
 }
