@@ -78,13 +78,14 @@ private:
     const Vec3& normal(int k) const { return planes_[active_.plane[k]].normal; }
 
     // Of a corner so sharp that its multipliers are large, x is known no better than their rounding: a fourth
-    // plane through the corner is not to count as violated by it.
+    // plane through the corner is not to count as violated by it. Nor are two opposite walls, parallel but
+    // for the rounding of their normals, to close like a wedge.
     int mostViolated() const noexcept {
         int worst = -1;
         double most = scale_;
         for (int k = 0; k < active_.size; ++k)
             most += active_.lambda[k];
-        most *= 4e-15;
+        most *= 3e-14;
         for (int i = 0; i < int(planes_.size()); ++i) {
             const double violation = planes_[i].offset - planes_[i].normal.dot(x_);
             if (violation > most && !active_.contains(i)) worst = i, most = violation;

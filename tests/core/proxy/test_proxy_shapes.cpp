@@ -214,7 +214,7 @@ void ProxyShapesTest::cracksCarryAtTheExactHeight() {
 
 // Two walls exactly one diameter apart, to within rounding and beyond: whatever gets in comes out again.
 void ProxyShapesTest::channelAsWideAsTheProxyLetsItGo() {
-    for (double excess : {-1e-7, -1e-9, 0.0, 1e-9, 1e-7}) {
+    for (double excess : {-9e-7, -5e-7, -1e-7, -1e-9, 0.0, 1e-9, 1e-7}) {
         const Soup walls = channel(0.02, 2 * kRadius * (1 + excess));
         ProxyRig rig(walls, kRadius);
         Vec3 finger(0, 0, 0.03);
@@ -223,9 +223,11 @@ void ProxyShapesTest::channelAsWideAsTheProxyLetsItGo() {
             rig.walk(finger, target, kStride, 10);
             finger = target;
             QVERIFY(clearance(*walls, rig.position()) >= kRadius - kAtRest);
+            // Between the walls it follows as if on a rail, and outside it goes all the way.
+            const Vec3 rail(0, finger.y(), finger.z());
+            QVERIFY2((rig.position() - rail).norm() <= kAtRest,
+                     qPrintable(QString("width 2r (1 + %1): z %2").arg(excess).arg(rig.position().z())));
         }
-        QVERIFY2((rig.position() - finger).norm() <= kAtRest,
-                 qPrintable(QString("width 2r (1 + %1): z %2").arg(excess).arg(rig.position().z())));
     }
 }
 
