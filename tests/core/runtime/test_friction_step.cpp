@@ -55,6 +55,7 @@ private slots:
     void slidesAtDynamicFrictionAndViscosity_data();
     void slidesAtDynamicFrictionAndViscosity();
     void reversalSwingsTwice();
+    void sticksAgainAtRest();
     void slopeHoldsUpToItsAngle();
     void closedPathsGiveNoEnergy();
     void steadySlideDoesNotBuzz_data();
@@ -116,6 +117,20 @@ void FrictionStepTest::reversalSwingsTwice() {
     });
     QVERIFY2(about(swing, 2 * mu * kDepth), qPrintable(QString::number(swing)));
     QVERIFY(about(hand.output().force.x() / normalForce(hand), mu));
+}
+
+// A slide that comes to rest is held by static friction again, on the same face and the other way round.
+void FrictionStepTest::sticksAgainAtRest() {
+    Hand hand = pressed(sheet(0.05), rough(0.6, 0.3));
+    hand.go(hand.finger() + Vec3(0.003, 0, 0), kFine);
+    QVERIFY(slips(hand));
+    hand.to(hand.finger());
+    QVERIFY(!slips(hand));
+    for (double sign : {1.0, -1.0}) {
+        const double peak = breakAway(hand, Vec3(sign, 0, 0));
+        QVERIFY2(about(peak, 0.6), qPrintable(QString::number(peak)));
+        hand.to(hand.finger());
+    }
 }
 
 void FrictionStepTest::slopeHoldsUpToItsAngle() {
