@@ -117,9 +117,10 @@ private slots:
         QVERIFY(plate.touch(kDepth));
         plate.engine.setArmed(true);
         QVERIFY(plate.pushesWith(400 * kDepth));
-        plate.engine.publish(plateWorld(900, plate.world.get()));
+        const auto edited = plateWorld(900, plate.world.get());
+        plate.engine.publish(edited);
         QVERIFY(plate.pushesWith(900 * kDepth));
-        QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == 2; }));
+        QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == edited->revision; }));
     }
 
     void absurdStiffnessStaysWithinTheDevicesLimit() {
