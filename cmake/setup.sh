@@ -45,8 +45,10 @@ administrator() {
 
 install_missing() {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        say "This is not Debian: what Debian calls $(wanted_packages | xargs) must be here already."
-        return
+        # Said once; from then on CMake names what it cannot find.
+        [ -d "$root/build" ] ||
+            say "This is not Debian: install first what Debian calls $(wanted_packages | xargs)."
+        return 0
     fi
     local missing sudo log="$root/build/packages.log"
     missing=$(comm -23 <(wanted_packages) <(installed_packages) | xargs)
