@@ -54,7 +54,9 @@ void TestFirstTouch::pressIntoTheFront() {
     program_->frames(60);
     program_->wheel(program_->centre(), 8);
     program_->frames(60);
-    QVERIFY(program_->touch().contacts == 1);
+    // At rest a contact sticks again; on a busy machine the hand takes longer to come to rest.
+    QTRY_VERIFY_WITH_TIMEOUT(program_->touch().contacts == 1 && !program_->touch().contact[0].slipping,
+                             kPatience);
 }
 
 /// Strokes sideways, a pixel at a time, until the proxy gives way; the largest ratio until then.
@@ -93,6 +95,7 @@ void TestFirstTouch::frictionTypedIntoTheInspectorIsFeltAndUndone() {
     program_->document.select(SurfaceRef{cube, 4}); // front
     program_->type(QStringLiteral("static-friction"), QStringLiteral("0.3"));
     QCOMPARE(program_->document.scene().objects[0].surfaces[4].material.staticFriction, 0.3);
+    QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
     double ratio = 0;
     breakAway(ratio);
     QVERIFY2(ratio > 0.2 && ratio < 0.31, qPrintable(QString::number(ratio)));

@@ -107,7 +107,10 @@ void TouchedWindow::wheel(QPoint at, int notches) {
 }
 
 void TouchedWindow::frames(int count) {
+    // Milliseconds of the window and ticks of the servo: on a busy machine neither stands for the other.
+    const std::uint64_t until = engine.servo().ticks + std::uint64_t(count) * 16;
     QTest::qWait(count * 16);
+    (void)QTest::qWaitFor([&] { return !engine.running() || engine.servo().ticks >= until; }, kPatience);
 }
 
 QDoubleSpinBox& TouchedWindow::box(const QString& key) {
