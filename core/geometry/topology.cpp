@@ -1,6 +1,7 @@
 #include "core/geometry/topology.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -27,7 +28,9 @@ bool hasArea(const Corners& t) {
 
 /// Our soup as a half-edge mesh in which every triangle has its face. A half-edge mesh knows only edges with
 /// two triangles of one orientation and vertices with one fan of triangles: corners become one vertex
-/// only when they are linked by such edges, all others are vertices of their own at the same place.
+/// only when they are linked by such edges, all others are vertices of their own at the same place. A fan is
+/// cut open at every other edge, so no more than its two ends, one of each direction, can meet there: every
+/// triangle fits.
 class HalfEdges {
 public:
     HalfEdges(const TriangleSoup& soup, const Progress& progress);
@@ -40,7 +43,6 @@ private:
     void link(std::size_t corner, std::size_t other);
     std::size_t fanOf(std::size_t corner);
     void addFaces();
-    OpenMesh::FaceHandle addApart(const Corners& t);
     static OpenMesh::Vec3d point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
     const TriangleSoup& soup_;
@@ -115,16 +117,8 @@ void HalfEdges::addFaces() {
             corners[i] = vertex;
         }
         faceOf[f] = mesh.add_face(corners.data(), 3);
-        if (!faceOf[f].is_valid()) faceOf[f] = addApart(welded_[f]);
+        assert(faceOf[f].is_valid());
     }
-}
-
-/// A triangle that still does not fit gets three vertices of its own.
-OpenMesh::FaceHandle HalfEdges::addApart(const Corners& t) {
-    std::array<OpenMesh::VertexHandle, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = mesh.add_vertex(point(soup_.positions[t[i]]));
-    return mesh.add_face(corners.data(), 3);
 }
 
 /// The smoothed normal of one corner after the other.
