@@ -12,7 +12,7 @@ namespace {
 using Normal = Eigen::Vector3f;
 using Corners = std::array<int, 3>;
 
-constexpr double kCreaseAngle = 40 * std::numbers::pi / 180;
+constexpr double kCreaseAngle = 50 * std::numbers::pi / 180;
 /// Normals closer than about a degree share a vertex.
 constexpr float kSameNormal = 0.9998f;
 

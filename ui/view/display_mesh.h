@@ -25,7 +25,7 @@ struct DisplayMesh {
 DisplayMesh flatMesh(const TriangleSoup& soup, std::size_t surfaceCount);
 
 /// A vertex for each normal at a position: the file's normals, or, where it has none, normals that are
-/// smooth over edges that bend less than 40 degrees. Seconds for a million triangles. Cancelled work gives
+/// smooth over edges that bend less than 50 degrees. Seconds for a million triangles. Cancelled work gives
 /// a flat mesh. Thread: any but real time.
 DisplayMesh smoothMesh(const TriangleSoup& soup, std::size_t surfaceCount, const Progress& progress = {});
 

@@ -4,6 +4,8 @@
 
 #include <qopengl.h>
 
+#include <vtkActorCollection.h>
+#include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpaquePass.h>
@@ -24,8 +26,8 @@ vtkStandardNewMacro(OutlinePass);
 namespace {
 
 // The share of covered samples on two rings around a pixel outside the mask: it falls off softly, which
-// smooths the line where nothing is multisampled. The loop has no turns inside the mask, because a processor
-// that draws runs both sides of an if, but leaves a loop.
+// smooths the line where nothing is multisampled. Loops without turns inside and far from the mask, because a
+// processor that draws runs both sides of an if, but leaves a loop.
 constexpr const char* kEdgeShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D mask;
@@ -33,7 +35,11 @@ uniform vec2 reach;
 uniform vec3 colour;
 //VTK::Output::Dec
 void main() {
-    int turns = texture2D(mask, texCoord).a > 0.99 ? 0 : 8;
+    int looks = texture2D(mask, texCoord).a > 0.99 ? 0 : 4;
+    float about = 0.0;
+    for (int i = 0; i < looks; ++i)
+        about += texture2D(mask, texCoord + 1.5 * reach * vec2(i < 2 ? 0.71 : -0.71, i % 2 == 0 ? 0.71 : -0.71)).a;
+    int turns = about > 0.0 ? 8 : 0;
     vec2 direction = vec2(1.0, 0.0);
     float near = 0.0, far = 0.0;
     for (int i = 0; i < turns; ++i) {
@@ -69,6 +75,16 @@ std::array<int, 4> screenBox(vtkRenderer& renderer, std::array<int, 2> size, int
     return box;
 }
 
+/// When anything changed that the mask depends on, but the size.
+vtkMTimeType lastChange(vtkRenderer& renderer) {
+    vtkMTimeType last = renderer.GetActiveCamera()->GetMTime();
+    vtkActorCollection* actors = renderer.GetActors();
+    vtkCollectionSimpleIterator it;
+    for (actors->InitTraversal(it); vtkActor* actor = actors->GetNextActor(it);)
+        last = std::max(last, actor->GetRedrawMTime());
+    return last;
+}
+
 } // namespace
 
 OutlinePass::OutlinePass() {
@@ -84,9 +100,15 @@ void OutlinePass::Render(const vtkRenderState* state) {
     NumberOfRenderedProps = 0;
     auto* renderer = state->GetRenderer();
     if (renderer->VisibleActorCount() == 0) return;
-    renderer->GetTiledSize(&size_[0], &size_[1]);
+    std::array<int, 2> size{};
+    renderer->GetTiledSize(&size[0], &size[1]);
+    if (size != size_) maskTime_ = 0;
+    size_ = size;
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-    renderMask(state, window);
+    if (const vtkMTimeType now = lastChange(*renderer); now != maskTime_) {
+        renderMask(state, window);
+        maskTime_ = now;
+    }
     drawEdge(window, screenBox(*renderer, size_, int(width_) + 2));
 }
 
@@ -133,6 +155,7 @@ void OutlinePass::ReleaseGraphicsResources(vtkWindow* window) {
     if (mask_) mask_->ReleaseGraphicsResources(window);
     framebuffer_ = nullptr;
     mask_ = nullptr;
+    maskTime_ = 0;
 }
 
 } // namespace tactum

@@ -41,6 +41,7 @@ private:
     void drawEdge(vtkOpenGLRenderWindow* window, const std::array<int, 4>& box);
 
     std::array<int, 2> size_{};
+    vtkMTimeType maskTime_ = 0; ///< the mask is kept while neither camera nor actors change
     QColor colour_;
     float width_ = 2;
     vtkSmartPointer<vtkOpenGLFramebufferObject> framebuffer_;

@@ -27,6 +27,24 @@ std::pair<double, double> spanIn(const Bounds& box, const Ray& ray) {
     return {enter, leave};
 }
 
+using Tree = std::shared_future<std::shared_ptr<const SphereTree>>;
+
+Tree buildTree(const std::shared_ptr<const TriangleSoup>& soup) {
+    return std::async(
+               std::launch::async,
+               [soup] { return std::shared_ptr<const SphereTree>(std::make_shared<SphereTree>(*soup)); })
+        .share();
+}
+
+/// The box of an object in the world frame.
+Bounds boxOf(const SceneObject& object) {
+    Bounds box;
+    for (const auto& triangle : object.geometry->triangles)
+        for (Index corner : triangle)
+            box.add(object.pose.apply(object.geometry->positions[corner]));
+    return box;
+}
+
 bool isReady(const auto& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -48,20 +66,24 @@ std::vector<Vec3> spanningPoints(const Scene& scene) {
 
 void ScenePicker::setScene(const Scene& scene) {
     std::vector<Target> targets;
-    for (const SceneObject& object : scene.objects)
-        targets.push_back({object.id, object.pose, object.geometry, treeOf(object.geometry), object.visible});
+    bounds_ = Bounds();
+    for (const SceneObject& object : scene.objects) {
+        const Target& target = targets.emplace_back(targetOf(object));
+        if (target.box.empty()) continue;
+        bounds_.add(target.box.low);
+        bounds_.add(target.box.high);
+    }
     targets_ = std::move(targets);
-    bounds_ = boundsOf(scene);
 }
 
-ScenePicker::Tree ScenePicker::treeOf(const std::shared_ptr<const TriangleSoup>& soup) const {
-    const auto known =
-        std::find_if(targets_.begin(), targets_.end(), [&](const auto& t) { return t.soup == soup; });
-    if (known != targets_.end()) return known->tree;
-    return std::async(
-               std::launch::async,
-               [soup] { return std::shared_ptr<const SphereTree>(std::make_shared<SphereTree>(*soup)); })
-        .share();
+/// What is known of the same geometry, as far as it still holds.
+ScenePicker::Target ScenePicker::targetOf(const SceneObject& object) const {
+    const auto known = std::find_if(targets_.begin(), targets_.end(),
+                                    [&](const auto& t) { return t.soup == object.geometry; });
+    const bool same = known != targets_.end();
+    return {object.id,       object.pose,
+            object.geometry, same ? known->tree : buildTree(object.geometry),
+            object.visible,  same && known->pose == object.pose ? known->box : boxOf(object)};
 }
 
 std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) const {

@@ -45,9 +45,10 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         Tree tree;
         bool visible;
+        Bounds box; ///< world frame
     };
 
-    Tree treeOf(const std::shared_ptr<const TriangleSoup>& soup) const;
+    Target targetOf(const SceneObject& object) const;
     std::optional<PickHit> castAt(const Target& target, const Ray& ray, double reach) const;
 
     std::vector<Target> targets_;

@@ -68,8 +68,8 @@ SceneView::~SceneView() {
 }
 
 void SceneView::setScene(const Scene& scene) {
-    impl_->setHovered(std::nullopt);
     impl_->model.setScene(scene);
+    impl_->refreshHover();
     impl_->picker.setScene(scene);
     impl_->spanning = spanningPoints(scene);
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());

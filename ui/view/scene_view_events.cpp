@@ -101,6 +101,13 @@ void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
     emit view.surfaceHovered(surface);
 }
 
+/// After the scene has changed: its actors may be new ones.
+void SceneView::Impl::refreshHover() {
+    if (!hovered) return;
+    if (!model.actorOf(*hovered)) return setHovered(std::nullopt);
+    model.setHighlight(hovered, kHoverGlow);
+}
+
 void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);

@@ -37,6 +37,7 @@ struct SceneView::Impl {
     void setGrip(Grip grip, QPointF cursor);
     void startGlide();
     void hoverAt(QPointF cursor);
+    void refreshHover();
     void setHovered(std::optional<SurfaceRef> surface);
     void showCursor(QPointF cursor);
     void zoomAt(QPointF cursor, double notches);

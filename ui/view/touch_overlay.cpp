@@ -201,12 +201,12 @@ void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& c
 void TouchOverlay::Impl::placeContact(ContactMark& mark, const ContactReport& contact, double pixel,
                                       double proxyRadius) {
     const double radius = std::max(kDisc * pixel, 3 * proxyRadius);
-    const Vec3 p = contact.point + 0.5 * pixel * contact.normal; // clear of the surface
+    const Vec3 p = contact.point + 1.2 * pixel * contact.normal; // clear of the surface
     mark.plane.setColour(theme->contact, 0.3);
     mark.rim.setColour(contact.slipping ? theme->slip : theme->stick, 0.95);
     mark.normal.setColour(theme->contact);
     mark.plane.place(p, contact.normal, radius, 1);
-    mark.rim.place(p + 0.2 * pixel * contact.normal, contact.normal, radius, 1);
+    mark.rim.place(p + 0.6 * pixel * contact.normal, contact.normal, radius, 1);
     mark.normal.place(contact.point, contact.point + kNormalLength * pixel * contact.normal,
                       kNormalShaft * pixel, kNormalHead * pixel, kNormalHeadLength * pixel);
 }

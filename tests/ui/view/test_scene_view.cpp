@@ -161,6 +161,20 @@ private slots:
         QCOMPARE(shown.colourAt(upper).lightness(), before);
     }
 
+    void anEditLeavesTheHoverAlone() {
+        Shown shown;
+        const QPoint upper = kCentre - QPoint(0, 60);
+        QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
+        QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
+        const QColor lit = shown.colourAt(upper);
+        shown.scene.objects[0].surfaces[kUpper].material.staticFriction = 0.5;
+        shown.view.setScene(shown.scene);
+        QCOMPARE(hovered.size(), 1);
+        QVERIFY(difference(shown.colourAt(upper), lit) < 3);
+        shown.view.setScene(Scene{});
+        QCOMPARE(hovered.size(), 2);
+    }
+
     void selectionIsOutlinedInTheAccent() {
         Shown shown;
         const QPoint rim = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 1);
@@ -170,7 +184,13 @@ private slots:
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
         QVERIFY2(nearest < 60, qPrintable(QString::number(nearest)));
+        shown.wheel(kCentre, -4); // the outline goes with the model
+        nearest = 1e3;
+        for (int dy = -6; dy <= 6; ++dy)
+            nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
+        QVERIFY(nearest > 100);
         shown.view.setSelection(std::nullopt);
+        shown.view.fit();
         QVERIFY(difference(shown.colourAt(rim), before) < 3);
     }
 
