@@ -339,11 +339,11 @@ private slots:
         const QImage without = shown.view.grabPicture();
         int changed = 0;
         const double ratio = with.devicePixelRatio();
-        for (int x = 340; x < 460; ++x)
+        for (int x = 380; x < 460; ++x) // beyond the tip of the arrow
             for (int y = 225; y < 260; ++y)
                 changed += difference(with.pixelColor(int(x * ratio), int(y * ratio)),
                                       without.pixelColor(int(x * ratio), int(y * ratio))) > 30;
-        QVERIFY2(changed > 400, qPrintable(QString::number(changed)));
+        QVERIFY2(changed > 200, qPrintable(QString::number(changed)));
     }
 
     void survivesAFloatingDock() {
