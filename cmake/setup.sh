@@ -3,7 +3,7 @@
 # `root` is set by whoever sources this file; nobody changes the working directory, so that the paths on
 # the command line stay right.
 
-say() { printf '%s\n' "$*"; }
+say() { printf '%s\n' "$@"; } # a line for each argument
 
 # One line: what, where and what to do.
 die() {
