@@ -28,6 +28,8 @@ struct PruningPath {
     static constexpr float kRounding = 1e-6f;
     Eigen::Vector3f from, motion;
     float slack, radius;
+    bool isLong = false; ///< longer than the proxy's radius
+    float inverseLength2 = 0;
 
     explicit PruningPath(const SpherePath& path)
         : from(path.from.cast<float>()), motion(path.motion.cast<float>()) {
@@ -35,12 +37,15 @@ struct PruningPath {
         // what is left after the subtraction.
         slack = 2e-7f * from.cwiseAbs().maxCoeff() + kRounding * (float(path.radius) + motion.norm());
         radius = float(path.radius) + slack;
+        const float length2 = motion.squaredNorm();
+        isLong = length2 > radius * radius;
+        if (isLong) inverseLength2 = 1 / length2;
     }
 
     // A lower bound of the time at which the moving sphere touches what each child holds. The distance to a
     // coin is convex along the path, so it stays above its tangent at the start. kFar where there is no
-    // approach.
-    Lane contactTime(const SphereTree::Node& node) const {
+    // contact before `until`.
+    Lane contactTime(const SphereTree::Node& node, float until) const {
         const Lane mx = from.x() - node.x, my = from.y() - node.y, mz = from.z() - node.z;
         const Lane lift = node.nx * mx + node.ny * my + node.nz * mz;
         const Lane height = lift - node.offset;
@@ -54,7 +59,13 @@ struct PruningPath {
         const Lane climb = (height > 0.0f).select(above * rise, -above * rise);
         const Lane approach = slack - (climb + beside / across * (along - lift * rise)) / distance;
         const Lane time = (approach > 0.0f).select(gap / approach, kFar);
-        return (gap <= 0.0f).select(0.0f, time);
+        const Lane bound = (gap <= 0.0f).select(0.0f, time);
+        if (!isLong) return bound;
+        // Far from its start a path leaves the tangent behind: what lies beside all of it is left out here.
+        const Lane foot = (-along * inverseLength2).max(0.0f).min(until);
+        const Lane ex = mx + foot * motion.x(), ey = my + foot * motion.y(), ez = mz + foot * motion.z();
+        const Lane reach = (node.radius * (1 + kRounding) + radius).max(0.0f);
+        return (ex * ex + ey * ey + ez * ez <= reach * reach).select(bound, kFar);
     }
 };
 
@@ -84,7 +95,7 @@ struct Sweep {
 
     void testLeaf(Index leafIndex) noexcept {
         const SphereTree::Node& leaf = leaves[leafIndex];
-        const Lane time = pruning.contactTime(leaf);
+        const Lane time = pruning.contactTime(leaf, until);
         for (unsigned bits = below(time, std::nextafter(until, kFar)); bits != 0; bits &= bits - 1) {
             const int lane = std::countr_zero(bits);
             if (time[lane] <= until) testTriangle(Index(leaf.child[lane]), leafIndex);
@@ -120,7 +131,7 @@ SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path, std
             continue;
         }
         const Node& node = nodes_[std::size_t(top)];
-        const Lane time = sweep.pruning.contactTime(node);
+        const Lane time = sweep.pruning.contactTime(node, sweep.until);
         // The child that can be reached first is looked into first, so that a contact shortens the path
         // early.
         int first = size;
