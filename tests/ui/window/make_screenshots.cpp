@@ -1,4 +1,5 @@
 // Writes the pictures of the guide: drives the real window through a first touch.
+#include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QTest>
@@ -62,6 +63,13 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
     program.release(at);
 }
 
+void takeLightTheme(TouchedWindow& program, const QDir& folder) {
+    for (QAction* action : program.window->findChildren<QAction*>())
+        if (action->text() == QLatin1String("&Light")) action->trigger();
+    program.frames(30);
+    save(program, folder, QStringLiteral("light-theme.png"));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -81,5 +89,6 @@ int main(int argc, char** argv) {
     save(program, folder, QStringLiteral("opened.png"));
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
+    takeLightTheme(program, folder);
     return 0;
 }

@@ -66,6 +66,7 @@ void TestFirstTouch::breakAway(double& ratio) {
     QPoint at = program_->centre();
     ratio = 0;
     while ((program_->touch().proxy - start).norm() < 2e-4) {
+        QVERIFY2(at.x() < program_->window->view().width(), "the proxy never gives way");
         QVERIFY2(program_->touch().contacts == 1, "the finger has left the cube without breaking away");
         ratio = std::max(ratio, tangentialRatio(program_->touch()));
         program_->moveTo(at += QPoint(1, 0));
