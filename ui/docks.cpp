@@ -1,8 +1,6 @@
 #include "ui/docks.h"
 
 #include <QDockWidget>
-#include <QHBoxLayout>
-#include <QToolButton>
 #include <QUndoView>
 
 #include "ui/document.h"
@@ -10,7 +8,6 @@
 #include "ui/panels/inspector.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/problems.h"
-#include "ui/style.h"
 
 namespace tactum {
 
@@ -24,28 +21,6 @@ QDockWidget* addDock(QMainWindow& window, const QString& name, const QString& ti
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;
-}
-
-QWidget* withPauseButton(ForcePlot* plot) {
-    auto* pause = new QToolButton(plot);
-    pause->setObjectName(QStringLiteral("plot-pause"));
-    pause->setCheckable(true);
-    pause->setIcon(icon(QStringLiteral("pause")));
-    pause->setToolTip(QObject::tr("Hold the chart still"));
-    pause->setAccessibleName(QObject::tr("Pause the force plot"));
-    pause->setIconSize({16, 16});
-    QObject::connect(pause, &QToolButton::toggled, plot, [plot, pause](bool on) {
-        pause->setIcon(icon(on ? QStringLiteral("play") : QStringLiteral("pause")));
-        plot->setPaused(on);
-    });
-    auto* body = new QWidget;
-    body->setObjectName(QStringLiteral("dockBody"));
-    auto* row = new QHBoxLayout(body);
-    row->setContentsMargins(0, 0, kRhythm, 0);
-    row->setSpacing(0);
-    row->addWidget(plot, 1);
-    row->addWidget(pause, 0, Qt::AlignTop);
-    return body;
 }
 
 QUndoView* historyView(Document& document) {
@@ -68,8 +43,8 @@ Docks addDocks(QMainWindow& window, Document& document) {
                               docks.inspector, Qt::RightDockWidgetArea);
     auto* history = addDock(window, QStringLiteral("dock-history"), QObject::tr("History"),
                             historyView(document), Qt::RightDockWidgetArea);
-    auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"),
-                         withPauseButton(docks.plot), Qt::BottomDockWidgetArea);
+    auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"), docks.plot,
+                         Qt::BottomDockWidgetArea);
     // The side docks reach down to the status bar; the plot stands under the view alone.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

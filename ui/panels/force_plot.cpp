@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QEvent>
+#include <QHBoxLayout>
 #include <QPainter>
-#include <QPainterPath>
+#include <QToolButton>
 
 #include "ui/numbers.h"
 #include "ui/style.h"
@@ -40,9 +42,32 @@ Axis axisFor(double newton) {
 
 } // namespace
 
-ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent) {
+ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent), pause_(new QToolButton) {
     setObjectName(QStringLiteral("force-plot"));
     setAccessibleName(tr("Force over time"));
+    addPauseButton();
+}
+
+void ForcePlot::addPauseButton() {
+    pause_->setObjectName(QStringLiteral("plot-pause"));
+    pause_->setCheckable(true);
+    pause_->setToolTip(tr("Hold the chart still"));
+    pause_->setAccessibleName(tr("Pause the force plot"));
+    pause_->setIconSize({16, 16});
+    connect(pause_, &QToolButton::toggled, this, &ForcePlot::setPaused);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, kRhythm, 0);
+    row->addWidget(pause_, 0, Qt::AlignTop | Qt::AlignRight);
+    refreshIcon();
+}
+
+void ForcePlot::refreshIcon() {
+    pause_->setIcon(icon(paused_ ? QStringLiteral("play") : QStringLiteral("pause"), theme().text));
+}
+
+void ForcePlot::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) refreshIcon();
+    QWidget::changeEvent(event);
 }
 
 void ForcePlot::take(Engine& engine) {
@@ -58,6 +83,8 @@ void ForcePlot::take(Engine& engine) {
 
 void ForcePlot::setPaused(bool paused) {
     paused_ = paused;
+    pause_->setChecked(paused);
+    refreshIcon();
     update();
 }
 
@@ -90,7 +117,7 @@ void ForcePlot::fitAxis() {
 }
 
 QRectF ForcePlot::area() const {
-    return QRectF(rect()).adjusted(44, 28, -16, -12);
+    return QRectF(rect()).adjusted(44, 28, -5 * kRhythm, -12);
 }
 
 QPointF ForcePlot::at(double t, double newton) const {
@@ -184,7 +211,7 @@ void ForcePlot::paintLegend(QPainter& painter) const {
         x += 20 + painter.fontMetrics().horizontalAdvance(word) + 2 * kRhythm;
     }
     painter.setPen(paused_ ? theme().accent : theme().textDimmed);
-    painter.drawText(QRectF(0, 4, width() - 16, 16), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, 4, area().right(), 16), Qt::AlignRight | Qt::AlignVCenter,
                      paused_ ? tr("paused") : tr("last %1 s").arg(kSpan, 0, 'f', 0));
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/runtime/engine.h"
 
+class QToolButton;
+
 namespace tactum {
 
 /// Magnitude of the force on the finger, and the part of it along the surface: coloured like sticking or
@@ -25,6 +27,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override; ///< another theme
 
 private:
     /// The largest of a few servo ticks: what one column of pixels can show.
@@ -34,6 +37,8 @@ private:
         Vec3 proxy = Vec3::Zero(); ///< at its beginning
     };
     void add(const TracePoint& point, const HapticOutput& contacts);
+    void addPauseButton();
+    void refreshIcon();
     void fitAxis();
     QRectF area() const;
     QPointF at(double t, double newton) const;
@@ -43,6 +48,7 @@ private:
     void paintTangential(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
 
+    QToolButton* pause_;
     std::deque<Sample> samples_;
     Sample building_;
     int ticks_ = 0;    ///< in building_
