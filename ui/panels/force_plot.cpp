@@ -19,12 +19,13 @@ constexpr double kSpan = 6;          // s, width of the chart
 constexpr double kSampleTime = 0.01; // s, ticks of this long are one sample
 constexpr double kSlipSpeed = 2e-3;  // m/s; a proxy that sticks to a model at rest does not move at all
 
-/// The part of a force along the surfaces that push: what is left without the normals' share.
-double tangentialPart(const Vec3& force, const HapticOutput& out) {
-    Vec3 rest = force;
-    for (int i = 0; i < std::min(out.contacts, kMaxModelPlanes); ++i)
-        rest -=
-            out.contact[std::size_t(i)].normal * std::max(0.0, rest.dot(out.contact[std::size_t(i)].normal));
+/// The force along the surfaces: what is left of it without the share of the normals that push.
+double tangentialForce(const HapticOutput& out) {
+    Vec3 rest = out.force;
+    for (int i = 0; i < std::min(out.contacts, kMaxModelPlanes); ++i) {
+        const Vec3& normal = out.contact[std::size_t(i)].normal;
+        rest -= std::max(0.0, rest.dot(normal)) * normal;
+    }
     return out.contacts > 0 ? rest.norm() : 0;
 }
 
@@ -72,10 +73,18 @@ void ForcePlot::changeEvent(QEvent* event) {
 
 void ForcePlot::take(Engine& engine) {
     limit_ = std::max(engine.device().maxForce, 0.1);
-    const HapticOutput contacts = engine.proxy().output;
+    const HapticOutput& touch = engine.proxy().output;
+    fresh_.clear();
     TracePoint point;
     while (engine.popTrace(point))
-        if (!paused_) add(point, contacts);
+        if (!paused_) fresh_.push_back(point);
+    // Ticks carry no normals, and an old normal makes a wrong tangential force where the surface is bent:
+    // between the reports of two frames it is interpolated.
+    const double before = tangential_;
+    tangential_ = tangentialForce(touch);
+    for (std::size_t i = 0; i < fresh_.size(); ++i)
+        add(fresh_[i], std::lerp(before, tangential_, double(i + 1) / double(fresh_.size())),
+            touch.contacts > 0);
     if (paused_) return;
     fitAxis();
     update();
@@ -88,16 +97,11 @@ void ForcePlot::setPaused(bool paused) {
     update();
 }
 
-void ForcePlot::add(const TracePoint& point, const HapticOutput& contacts) {
-    const double force = point.force.norm();
-    if (ticks_++ == 0) {
-        building_ = {point.t};
-        building_.proxy = point.proxy;
-    }
-    building_.force = std::max(building_.force, force);
-    building_.tangential =
-        std::max(building_.tangential, std::min(force, tangentialPart(point.force, contacts)));
-    building_.touching = contacts.contacts > 0;
+void ForcePlot::add(const TracePoint& point, double tangential, bool touching) {
+    if (ticks_++ == 0) building_ = {.t = point.t, .proxy = point.proxy};
+    building_.force = std::max(building_.force, point.force.norm());
+    building_.tangential = std::max(building_.tangential, tangential);
+    building_.touching = touching;
     const double duration = point.t - building_.t;
     if (duration < kSampleTime) return;
     // From where the proxy was at each tick: a slip is often over before the next frame could see it.

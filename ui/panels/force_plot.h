@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include <QWidget>
 
@@ -32,11 +33,12 @@ protected:
 private:
     /// The largest of a few servo ticks: what one column of pixels can show.
     struct Sample {
-        double t = 0, force = 0, tangential = 0;
-        bool slipping = false, touching = false;
+        double t = 0;
         Vec3 proxy = Vec3::Zero(); ///< at its beginning
+        double force = 0, tangential = 0;
+        bool slipping = false, touching = false;
     };
-    void add(const TracePoint& point, const HapticOutput& contacts);
+    void add(const TracePoint& point, double tangential, bool touching);
     void addPauseButton();
     void refreshIcon();
     void fitAxis();
@@ -49,6 +51,8 @@ private:
     void paintLegend(QPainter& painter) const;
 
     QToolButton* pause_;
+    std::vector<TracePoint> fresh_; ///< of this frame
+    double tangential_ = 0;         ///< N, as the last frame saw it
     std::deque<Sample> samples_;
     Sample building_;
     int ticks_ = 0;    ///< in building_
