@@ -1,6 +1,8 @@
 // The one program: a verb runs without any display, a scene or nothing opens the window.
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <string_view>
 
@@ -82,6 +84,20 @@ void checkFriction(const TouchOptions& options) {
                                    "is above --static-friction; give at most that value");
 }
 
+// A result that replaced a model, a path or another result would be work lost.
+void checkOutputs(const TouchOptions& options) {
+    std::vector<std::filesystem::path> taken{std::filesystem::weakly_canonical(options.scene),
+                                             std::filesystem::weakly_canonical(options.path)};
+    for (const auto& output : {options.out, options.summary, options.picture}) {
+        if (!output) continue;
+        const auto file = std::filesystem::weakly_canonical(*output);
+        if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
+            throw CLI::ValidationError(output->string(),
+                                       "is also an input or another output; give each its own file");
+        taken.push_back(file);
+    }
+}
+
 void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
     touch
@@ -116,7 +132,10 @@ void addTouch(CLI::App& program, TouchOptions& options) {
             },
             "Force shading by interpolated normals: on or off")
         ->type_name("on|off");
-    touch->final_callback([&] { checkFriction(options); });
+    touch->final_callback([&] {
+        checkFriction(options);
+        checkOutputs(options);
+    });
 }
 
 struct Request {
@@ -159,12 +178,26 @@ int runVerb(int argc, char** argv) {
         return fail(sentence + "; see tactum " + (argc > 1 ? argv[1] : "") + " --help", kUsage);
     }
     const Result<int> code = run(program, request);
-    return code ? *code : fail(code.error().text, int(code.error().kind));
+    if (!code) return fail(code.error().text, int(code.error().kind));
+    std::cout.flush();
+    if (!std::cout) return fail("standard output: cannot be written; check where it leads", 3);
+    return *code;
 }
 
 bool isVerb(std::string_view word) {
     constexpr std::array<std::string_view, 4> verbs{"touch", "info", "check", "devices"};
     return std::ranges::find(verbs, word) != verbs.end();
+}
+
+// Qt would abort where there is none, and cannot draw in 3-D on its displays without a screen.
+bool hasDisplay() {
+    const auto given = [](const char* name) {
+        const char* value = std::getenv(name);
+        return std::string_view(value ? value : "");
+    };
+    const std::string_view platform = given("QT_QPA_PLATFORM");
+    if (platform.starts_with("offscreen") || platform.starts_with("minimal")) return false;
+    return !given("DISPLAY").empty() || !given("WAYLAND_DISPLAY").empty();
 }
 
 int runProgram(int argc, char** argv) {
@@ -175,6 +208,10 @@ int runProgram(int argc, char** argv) {
                     kUsage);
     std::optional<std::filesystem::path> scene;
     if (argc > 1) scene = argv[1];
+    if (!hasDisplay())
+        return fail(
+            "there is no display to open a window on; use a verb (tactum --help) or start it under xvfb-run",
+            3);
     return runWindow(argc, argv, scene);
 }
 

@@ -230,6 +230,30 @@ private slots:
                  3); // no display
     }
 
+    void resultsNeverReplaceTheirInputs() {
+        const QString path = pressAndSlide(0.002, 0), model = plate();
+        for (const QStringList& outputs : {QStringList{"--out", model}, QStringList{"--out", path},
+                                           QStringList{"--out", file("same"), "--summary", file("same")}}) {
+            const Ended ended = tactum(QStringList{"touch", model, "--path", path} + outputs);
+            QCOMPARE(ended.code, 2);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QCOMPARE(tactum({"info", model}).code, 0); // still a model
+    }
+
+    void theWindowNeedsADisplay() {
+        const Ended ended = tactum({plate()});
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+    }
+
+    void aFullDiskUnderStandardOutputIsThree() {
+        QProcess shell;
+        shell.start("sh", {"-c", QStringLiteral("'%1' devices > /dev/full").arg(TACTUM_PROGRAM)});
+        QVERIFY(shell.waitForFinished());
+        QCOMPARE(shell.exitCode(), 3);
+    }
+
     void infoNamesEverything() {
         const Ended text = tactum({"info", plate()});
         QCOMPARE(text.code, 0);
