@@ -125,6 +125,11 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
     setSliderPosition(int(coarse ? roundedTo(exact_, kPositions / 20.0) : exact_));
 }
 
+// QSlider lets go only of a handle that it took itself.
+void ValueSlider::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) setSliderDown(false);
+}
+
 void ValueSlider::wheelEvent(QWheelEvent* event) {
     const int notches = event->angleDelta().y() / 120;
     if (notches) emit notched(notches);
