@@ -26,6 +26,7 @@ struct TouchOptions {
     std::optional<double> fitDiagonal; ///< m
     std::optional<double> proxyRadius; ///< m
     std::vector<MaterialOverride> materials;
+    std::optional<bool> shading; ///< of every surface
 };
 
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.

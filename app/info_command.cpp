@@ -60,9 +60,19 @@ Json healthJson(const MeshHealth& health) {
     return json;
 }
 
+const char* nameOf(Sides sides) {
+    return sides == Sides::Both ? "both" : sides == Sides::Front ? "front" : "back";
+}
+
+Json motionJson(const std::optional<MotionDescription>& motion) {
+    if (!motion) return nullptr;
+    return {{"duration_s", motion->duration}, {"top_speed_m_s", motion->topSpeed}, {"jumps", motion->jumps}};
+}
+
 Json objectJson(const ObjectDescription& object) {
     Json json{{"name", object.name},
               {"visible", object.visible},
+              {"motion", motionJson(object.motion)},
               {"triangles", object.triangles},
               {"vertices", object.vertices},
               {"bounds_m", boundsJson(object.bounds_B)},
@@ -70,6 +80,7 @@ Json objectJson(const ObjectDescription& object) {
               {"surfaces", Json::array()}};
     for (const SurfaceDescription& surface : object.surfaces)
         json["surfaces"].push_back({{"name", surface.name},
+                                    {"sides", nameOf(surface.sides)},
                                     {"triangles", surface.triangles},
                                     {"parameters", parametersJson(surface.parameters)}});
     return json;
@@ -94,10 +105,19 @@ void print(const std::vector<ParameterDescription>& parameters, const std::strin
     }
 }
 
+void print(const MotionDescription& motion) {
+    std::string line = "  moves for ";
+    appendNumber(line, motion.duration);
+    line += " s, at up to ";
+    appendNumber(line, motion.topSpeed);
+    std::cout << line << " m/s" << (motion.jumps ? ", and jumps" : "") << '\n';
+}
+
 void print(const ObjectDescription& object) {
     std::cout << "object " << object.name << (object.visible ? "" : " (hidden)") << ": " << object.triangles
               << " triangles, " << object.vertices << " vertices, "
               << (object.health.closed() ? "closed" : "open") << '\n';
+    if (object.motion) print(*object.motion);
     for (const HealthField& field : kHealthFields)
         if (field.count != &MeshHealth::triangles && object.health.*field.count > 0)
             std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';

@@ -123,14 +123,12 @@ void addTouch(CLI::App& program, TouchOptions& options) {
     touch
         ->add_option_function<std::string>(
             "--shading",
-            [](const std::string& text) {
-                if (text == "on")
-                    std::cerr << "tactum: --shading on: this version feels every facet flat; the replay goes "
-                                 "on without shading\n";
-                else if (text != "off")
+            [&options](const std::string& text) {
+                if (text != "on" && text != "off")
                     throw CLI::ValidationError("--shading", "'" + text + "' is neither on nor off");
+                options.shading = text == "on";
             },
-            "Force shading by interpolated normals: on or off")
+            "Feel facets as the round surface that they stand for, on every surface or on none")
         ->type_name("on|off");
     touch->final_callback([&] {
         checkFriction(options);

@@ -61,9 +61,11 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
     if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal);
     if (options.proxyRadius) scene.proxyRadius = *options.proxyRadius;
     for (SceneObject& object : scene.objects)
-        for (Surface& surface : object.surfaces)
+        for (Surface& surface : object.surfaces) {
             for (const MaterialOverride& given : options.materials)
                 surface.material = withValue(surface.material, *given.field, given.value);
+            if (options.shading) surface.shading.on = *options.shading;
+        }
 }
 
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text) {

@@ -103,6 +103,19 @@ void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, doub
                    withValue(now->material, field, value), {SceneChange::What::Material, ref}, gesture);
 }
 
+void Document::setShading(SurfaceRef ref, const Shading& shading, Gesture gesture) {
+    const Surface* now = surface(ref);
+    if (!now) return;
+    auto place = [ref](Scene& scene) {
+        Surface* found = find(scene, ref);
+        return found ? &found->shading : nullptr;
+    };
+    Shading safe = shading;
+    safe.creaseAngle = kCreaseAngle.clamped(shading.creaseAngle);
+    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), place, safe,
+                  {SceneChange::What::Shading, ref}, gesture);
+}
+
 void Document::setProxyRadius(double metres, Gesture gesture) {
     edit<double>(
         tr("Proxy radius"), [](Scene& scene) { return &scene.proxyRadius; }, kProxyRadius.clamped(metres),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/numbers.h"
 
@@ -27,6 +28,8 @@ QString durationText(double seconds) {
 
 DisplayUnit displayUnit(const Parameter& parameter) {
     if (parameter.unit == "m") return {1e3, QStringLiteral("mm"), std::max(0, parameter.decimals - 3)};
+    if (parameter.unit == "rad")
+        return {180 / std::numbers::pi, QStringLiteral("\u00b0"), std::max(0, parameter.decimals - 2)};
     return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())),
             parameter.decimals};
 }

@@ -11,7 +11,7 @@ WorldPublisher::WorldPublisher(Document& document, Engine& engine, QObject* pare
 }
 
 void WorldPublisher::follow(const SceneChange& change) {
-    if (change.touchesShape())
+    if (change.takesTime())
         compileShapes();
     else if (!change.touchesFeel())
         return;

@@ -20,6 +20,9 @@ struct Pose {
     Vec3 rotate(const Vec3& v) const { return rotation * v; }
     Vec3 rotateInverse(const Vec3& v) const { return rotation.conjugate() * v; }
 
+    /// X_AC = X_AB * X_BC.
+    Pose operator*(const Pose& other) const { return {rotation * other.rotation, apply(other.translation)}; }
+
     bool operator==(const Pose& other) const {
         return rotation.coeffs() == other.rotation.coeffs() && translation == other.translation;
     }

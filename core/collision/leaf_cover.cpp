@@ -1,6 +1,7 @@
 #include "core/collision/leaf_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,8 +12,8 @@ namespace tactum {
 
 namespace {
 
-// A long triangle is halved at most this often: at most sixteen spheres.
-constexpr int kMaxHalvings = 4;
+// A long triangle is halved at most four times: at most sixteen spheres.
+constexpr std::uint32_t kSmallestPiece = 1 << 4;
 // One sphere wastes little until it is this much larger than a sphere over a compact triangle of equal area.
 constexpr double kCompact = 2.0;
 
@@ -28,7 +29,7 @@ Vec3 smallestSphereCentre(const Triangle& t) {
                      (2 * normal.squaredNorm());
 }
 
-LeafSphere around(const Triangle& t, Index index) {
+LeafSphere around(const Triangle& t, Index index, std::uint32_t piece) {
     LeafSphere sphere;
     const Vec3 exact = smallestSphereCentre(t);
     // The radius has to hold about the rounded centre. GCC 12's vectoriser drops a rounding to float and back
@@ -42,15 +43,12 @@ LeafSphere around(const Triangle& t, Index index) {
         std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
     sphere.radius = std::nextafter(float(radius), std::numeric_limits<float>::infinity());
     sphere.triangle = index;
+    sphere.piece = piece;
     return sphere;
 }
 
-void cover(const Triangle& t, Index index, double compactRadius, int halvings, std::vector<LeafSphere>& out) {
-    const LeafSphere sphere = around(t, index);
-    if (halvings == 0 || sphere.radius <= kCompact * compactRadius) {
-        out.push_back(sphere);
-        return;
-    }
+// Halves across the longest side.
+std::array<Triangle, 2> halves(const Triangle& t) {
     const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
                  ca = (t.a - t.c).squaredNorm();
     Triangle turned = t; // the longest side becomes ab
@@ -59,11 +57,27 @@ void cover(const Triangle& t, Index index, double compactRadius, int halvings, s
     else if (ca >= ab)
         turned = {t.c, t.a, t.b};
     const Vec3 middle = 0.5 * (turned.a + turned.b);
-    cover({turned.a, middle, turned.c}, index, compactRadius, halvings - 1, out);
-    cover({middle, turned.b, turned.c}, index, compactRadius, halvings - 1, out);
+    return {{{turned.a, middle, turned.c}, {middle, turned.b, turned.c}}};
+}
+
+void cover(const Triangle& t, Index index, double compactRadius, std::uint32_t piece,
+           std::vector<LeafSphere>& out) {
+    const LeafSphere sphere = around(t, index, piece);
+    if (piece >= kSmallestPiece || sphere.radius <= kCompact * compactRadius) {
+        out.push_back(sphere);
+        return;
+    }
+    const auto [first, second] = halves(t);
+    cover(first, index, compactRadius, 2 * piece, out);
+    cover(second, index, compactRadius, 2 * piece + 1, out);
 }
 
 } // namespace
+
+Triangle pieceOf(const Triangle& triangle, std::uint32_t piece) {
+    if (piece == 1) return triangle;
+    return halves(pieceOf(triangle, piece / 2))[piece % 2];
+}
 
 std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup) {
     const std::size_t count = soup.triangles.size();
@@ -76,7 +90,7 @@ std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup) {
             const Triangle t{soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
             // An equilateral triangle of area A fits a circle of radius 0.877 sqrt(A).
             const double area = 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
-            cover(t, Index(i), 0.877 * std::sqrt(area), area > 0 ? kMaxHalvings : 0, out);
+            cover(t, Index(i), area > 0 ? 0.877 * std::sqrt(area) : 1e300, 1, out);
         }
     });
     std::vector<LeafSphere> all = std::move(parts.front());

@@ -1,8 +1,10 @@
 // Covers primitives with leaf spheres (section 5): one for a compact triangle, several for a long one.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "core/geometry/triangle.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
@@ -12,7 +14,11 @@ struct LeafSphere {
     Eigen::Vector3f centre;
     float radius;
     Index triangle;
+    std::uint32_t piece; ///< which part: 1 the whole, 2 k and 2 k + 1 the halves of k
 };
+
+/// The part of a triangle that a piece number names. Thread: any.
+Triangle pieceOf(const Triangle& triangle, std::uint32_t piece);
 
 /// Leaf spheres whose union holds every triangle of the soup, in the order of the triangles.
 /// Thread: any but real time; uses all cores.

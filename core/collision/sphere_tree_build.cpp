@@ -146,20 +146,26 @@ using ChildRanges = std::vector<std::array<Range, SphereTree::kWidth>>;
 // Folds the binary tree into wide nodes: the child with the largest sphere is opened until eight are there.
 class Folder {
 public:
-    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres)
-        : tree_(tree), leafSpheres_(leafSpheres) {}
+    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup)
+        : tree_(tree), leafSpheres_(leafSpheres), soup_(soup) {
+        // The binary tree's leaves hold more than half of what fits on average.
+        leaves.reserve(leafSpheres.size() / 4);
+        nodes.reserve(leafSpheres.size() / 16);
+        ranges.reserve(leafSpheres.size() / 16);
+    }
 
-    std::vector<SphereTree::Node> nodes, leaves;
-    ChildRanges nodeRanges, leafRanges;
+    std::vector<SphereTree::Node> nodes;
+    std::vector<SphereTree::Leaf> leaves;
+    ChildRanges ranges;
 
     void fold(std::int32_t binary) {
         std::int32_t open[SphereTree::kWidth] = {binary};
         const int count = openChildren(open);
-        const std::size_t index = append(nodes, nodeRanges);
+        const std::size_t index = appendNode();
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.node(open[i]);
             place(nodes[index], i, child.sphere);
-            nodeRanges[index][i] = {child.begin, child.end};
+            ranges[index][i] = {child.begin, child.end};
             if (child.left < 0) {
                 nodes[index].child[i] = ~std::int32_t(leaves.size());
                 foldLeaf(child);
@@ -189,22 +195,33 @@ private:
     }
 
     void foldLeaf(const BinaryNode& binary) {
-        const std::size_t index = append(leaves, leafRanges);
+        SphereTree::Leaf& leaf = leaves.emplace_back();
+        for (LaneArray* lane :
+             {&leaf.ax, &leaf.ay, &leaf.az, &leaf.bx, &leaf.by, &leaf.bz, &leaf.cx, &leaf.cy, &leaf.cz})
+            std::fill(std::begin(lane->v), std::end(lane->v), 1e15f);
         for (std::uint32_t k = binary.begin; k < binary.end; ++k) {
             const int i = int(k - binary.begin);
-            place(leaves[index], i, {leafSpheres_[k].centre, leafSpheres_[k].radius});
-            leaves[index].child[i] = std::int32_t(leafSpheres_[k].triangle);
-            leafRanges[index][i] = {k, k + 1};
+            const LeafSphere& sphere = leafSpheres_[k];
+            const auto& corner = soup_.triangles[sphere.triangle];
+            const Triangle part =
+                pieceOf({soup_.positions[corner[0]], soup_.positions[corner[1]], soup_.positions[corner[2]]},
+                        sphere.piece);
+            set(leaf.ax, leaf.ay, leaf.az, i, part.a);
+            set(leaf.bx, leaf.by, leaf.bz, i, part.b);
+            set(leaf.cx, leaf.cy, leaf.cz, i, part.c);
+            leaf.triangle[i] = sphere.triangle;
         }
     }
 
-    static std::size_t append(std::vector<SphereTree::Node>& nodes, ChildRanges& ranges) {
-        SphereTree::Node node;
-        node.x = node.y = node.z = node.nx = node.ny = node.nz = node.offset = node.thickness =
-            SphereTree::Lane::Zero();
-        node.radius = SphereTree::Lane::Constant(-1e30f);
-        std::fill(std::begin(node.child), std::end(node.child), 0);
-        nodes.push_back(node);
+    static void set(LaneArray& x, LaneArray& y, LaneArray& z, int i, const Vec3& p) {
+        x[i] = float(p.x());
+        y[i] = float(p.y());
+        z[i] = float(p.z());
+    }
+
+    std::size_t appendNode() {
+        SphereTree::Node& node = nodes.emplace_back();
+        std::fill(std::begin(node.radius.v), std::end(node.radius.v), -1e30f);
         ranges.emplace_back();
         return nodes.size() - 1;
     }
@@ -218,6 +235,7 @@ private:
 
     const Builder& tree_;
     const std::vector<LeafSphere>& leafSpheres_;
+    const TriangleSoup& soup_;
 };
 
 // The pair of planes around what a child holds, where that is flat.
@@ -284,11 +302,9 @@ SphereTree::SphereTree(const TriangleSoup& soup) {
     std::vector<LeafSphere> leafSpheres = coverWithSpheres(soup);
     Builder builder(leafSpheres);
     const std::int32_t root = builder.build(0, leafSpheres.size());
-    Folder folder(builder, leafSpheres);
+    Folder folder(builder, leafSpheres, soup);
     folder.fold(root);
-    const Flattener flattener(soup, leafSpheres);
-    flattener.flatten(folder.nodes, folder.nodeRanges);
-    flattener.flatten(folder.leaves, folder.leafRanges);
+    Flattener(soup, leafSpheres).flatten(folder.nodes, folder.ranges);
     nodes_ = std::move(folder.nodes);
     leaves_ = std::move(folder.leaves);
     nodes_.shrink_to_fit();

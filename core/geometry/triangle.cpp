@@ -132,33 +132,45 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     return result;
 }
 
-double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
+namespace {
+
+// Everything but a face that is entered from above: edges and vertices, and a sphere that is there already.
+double sweepBesideFace(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
     const ClosestPoint closest = closestPoint(t, p);
     const Vec3 away = p - closest.point;
-    const double distance2 = away.squaredNorm();
-    const double approach = -away.dot(d);
+    const double distance2 = away.squaredNorm(), approach = -away.dot(d);
     // The distance is convex along the path and so stays above its tangent at the start.
     if (!(approach > 0)) return kNoContact;
     if (distance2 <= r * r) return 0;
     const double distance = std::sqrt(distance2);
     if ((distance - r) * distance > until * approach) return kNoContact;
-    const Vec3 normal = faceNormal(t);
-    const double doubleArea = normal.norm();
-    if (doubleArea > 0) {
-        const double height = normal.dot(p - t.a) / doubleArea;
-        const double side = height < 0 ? -1 : 1;
-        if (side * height > r) {
-            const double reach = (side * height - r) * doubleArea / (-side * normal.dot(d));
-            const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
-            if (reach >= 0 && insideFace(t, normal, touched)) return reach <= 1 ? reach : kNoContact;
-        } else if (closest.feature == Feature::Face) {
-            // Above the face the distance is the height: a sphere that rests on the face to the last bit must
-            // not fall between the two answers, and through.
-            return 0;
-        }
-    }
+    // Above the face the distance is the height: a sphere that rests on the face to the last bit must not
+    // fall between the two answers, and through.
+    if (closest.feature == Feature::Face && distance <= r * (1 + 1e-12)) return 0;
     return std::min(
         {sweepSegment(t.a, t.b, p, d, r), sweepSegment(t.b, t.c, p, d, r), sweepSegment(t.c, t.a, p, d, r)});
+}
+
+} // namespace
+
+double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
+    const Vec3 normal = faceNormal(t);
+    const double doubleArea = normal.norm();
+    if (!(doubleArea > 0)) return sweepBesideFace(t, p, d, r, until);
+    const double height = normal.dot(p - t.a) / doubleArea;
+    if (std::abs(height) <= r) {
+        // closestPoint() may see the same height a rounding above r.
+        return sweepBesideFace(t, p, d, r, until);
+    }
+    // From outside the slab nothing is touched before the slab is entered.
+    const double side = height < 0 ? -1 : 1;
+    const double descent = -side * normal.dot(d);
+    const double above = (side * height - r) * doubleArea;
+    if (!(above <= until * descent)) return kNoContact;
+    const double reach = above / descent;
+    const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
+    if (insideFace(t, normal, touched)) return reach <= 1 ? reach : kNoContact;
+    return sweepBesideFace(t, p, d, r, until);
 }
 
 } // namespace tactum

@@ -199,4 +199,14 @@ NearestPoint nearestPoint(const Vec3& u, std::span<const ConstraintPlane> planes
     return Solver(u, planes).solve();
 }
 
+NearestPoint nearestReachable(const Vec3& u, std::span<ConstraintPlane> planes) noexcept {
+    const NearestPoint nearest = nearestPoint(u, planes);
+    if (nearest.feasible) return nearest;
+    for (ConstraintPlane& plane : planes)
+        plane.offset = std::min(plane.offset, 0.0);
+    NearestPoint relaxed = nearestPoint(u, planes);
+    relaxed.feasible = false;
+    return relaxed;
+}
+
 } // namespace tactum

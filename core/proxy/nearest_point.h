@@ -31,4 +31,9 @@ struct NearestPoint {
 /// Thread: real time; at most a few dozen pivots, each linear in the number of planes.
 NearestPoint nearestPoint(const Vec3& u, std::span<const ConstraintPlane> planes) noexcept;
 
+/// The same with an answer always. Squeezed between planes that leave less room than the proxy needs, no
+/// plane lets it deeper, and none insists on its full radius, so that it can still slide and leave: offsets
+/// above 0 are then set to 0, and `feasible` is false. Thread: real time.
+NearestPoint nearestReachable(const Vec3& u, std::span<ConstraintPlane> planes) noexcept;
+
 } // namespace tactum

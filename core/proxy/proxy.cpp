@@ -2,46 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include <Eigen/Cholesky>
-
+#include "core/proxy/carry.h"
+#include "core/proxy/felt_planes.h"
+#include "core/proxy/passed_bodies.h"
 #include "core/surface/friction.h"
 
 namespace tactum {
 
-Triangle Obstacle::triangle(Index index) const {
-    const TriangleSoup& soup = *mesh->soup;
-    const auto& corner = soup.triangles[index];
-    return {soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
-}
-
-const Material& Obstacle::material(Index triangleIndex) const {
-    return materials[mesh->soup->surfaceOf[triangleIndex]];
-}
-
 void restart(ProxyState& state, const Vec3& finger_W) noexcept {
     state.position = state.finger = finger_W;
-    state.contactCount = 0;
+    state.contactCount = state.passedCount = state.feltCount = 0;
+    state.speed = 0;
     state.slidingOn = kNoBody;
+    for (SweepMemory& memory : state.memories)
+        memory.mesh = nullptr;
 }
 
 namespace {
 
 // A touch is kept while its gap is within this many skins; what is farther away is found by the sweep.
 constexpr double kKeep = 2;
+// A contact that pushes is not given up while it is within this part of the radius.
+constexpr double kHover = 0.1;
+// The proxy goes around an edge by at most this cosine at once.
+constexpr double kSteepest = 0.5;
+// Up to this curvature times depth Newton's step is trusted; beyond it the proxy is about to roll off, and is
+// only led to roll faster.
+constexpr double kMostBent = 0.7;
+constexpr double kRollFaster = 2;
 // Motion and change of the constraint planes below these parts of the radius count as rest.
 constexpr double kRest = 1e-9;
+// Under a finger that moves, the rounds on a felt surface end with a motion below this part of the radius.
+constexpr double kSettled = 1e-5;
+// A stride on a felt surface that need not turn back may be so much longer next time.
+constexpr double kStrideGrowth = 1.2;
+// A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
+constexpr int kSettling = 8;
+// The speed that textures are filtered for falls by this factor a step at most: bumps slow the proxy down for
+// a moment, which shall not let finer ones through.
+constexpr double kSpeedDecay = 0.9;
 constexpr double kSamePlane = 1e-12;
 
 // One step: the state it works on and what stays the same during it.
 class Step {
 public:
-    Step(ProxyState& state, std::span<const Obstacle> obstacles, double radius, const Vec3& finger, double dt)
-        : state_(state), obstacles_(obstacles), radius_(radius), finger_(finger), timeLeft_(dt),
-          fingerVelocity_((finger - state.finger) / dt) {}
+    Step(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+         double radius, const Vec3& finger, double dt, const Vec3& start)
+        : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius), finger_(finger), dt_(dt),
+          timeLeft_(dt), fingerVelocity_((finger - state.finger) / dt), start_(start) {}
 
     ProxyReport run() noexcept {
         ProxyReport report;
+        countStillSteps();
         refreshContacts();
         report.boundHit = true;
         for (rounds_ = 1; rounds_ <= kMaxRounds; ++rounds_) {
@@ -51,6 +65,7 @@ public:
             }
         }
         report.rounds = std::min(rounds_, kMaxRounds);
+        report.squeezed = squeezed_;
         finish();
         return report;
     }
@@ -60,74 +75,184 @@ private:
 
     // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
     bool round() noexcept {
+        if (comesOut()) return true;
         const Vec3 wish = unconstrainedByFriction();
         const double excess = wish.norm();
         if (excess <= kRest * radius_) return false;
         const double slide = frictionAllows(wish, excess);
-        if (slide <= 0) return false;
+        if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
         // Friction that lets go entirely is none; the last rounds take no risks.
         const bool free = slide == excess && rounds_ < kMaxRounds - 2;
-        const Vec3 motion = free ? alongCurvature(wish) : Vec3(wish * (slide / excess));
+        const Vec3 motion = felt_  ? alongFelt(wish, slide / excess, free)
+                            : free ? alongCurvature(wish, excess)
+                                   : Vec3(wish * (slide / excess));
+        if (felt_ && motion.norm() <= kRest * radius_) return false;
         const bool takesTime = slide < excess && isViscous();
         // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
         // so.
-        const bool guessed = free && motion != wish;
+        const bool guessed = felt_ ? motion.norm() > settled() : free && motion != wish;
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(motion, body);
         const double part = std::min(hit.t, 1.0);
         state_.position += part * motion;
         if (part * motion.norm() > kRest * radius_) forgetInactive();
         const bool planesTurned = refreshContacts();
-        if (body != kNoBody) return meet(body, hit.triangle, part);
+        if (body != kNoBody) {
+            timeLeft_ *= 1 - part;
+            if (!meet(body, hit.triangle)) return false;
+            foresee(body, hit, 0);
+            return true;
+        }
+        if (planesTurned && hit.soonCount > 0) {
+            const int had = pushing_;
+            const bool alone = state_.contactCount == 0;
+            if (alone) meet(soonBody_, hit.soon[0]);
+            if (had > 1) foresee(soonBody_, hit, alone ? 1 : 0);
+        }
         // Whatever is met from here on in this step has no time left to be slid on against viscosity.
         if (takesTime) timeLeft_ = 0;
+        if (felt_) return guessed || state_.contactCount == 0;
         return planesTurned || guessed;
+    }
+
+    // A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction
+    // holds it where it is, not inside of what it touches.
+    bool comesOut() noexcept {
+        const auto isInside = [this](const Contact& c) { return c.gap < -kKeep * kSkin * radius_; };
+        if (std::ranges::none_of(contacts(), isInside)) return false;
+        std::array<ConstraintPlane, kMaxPlanes> planes;
+        for (int i = 0; i < state_.contactCount; ++i)
+            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
+        const NearestPoint out =
+            nearestPoint(Vec3::Zero(), {planes.data(), std::size_t(state_.contactCount)});
+        if (!out.feasible) return false;
+        std::uint32_t body = kNoBody;
+        const SweepHit hit = sweep(out.x, body);
+        state_.position += std::min(hit.t, 1.0) * out.x;
+        refreshContacts();
+        return body == kNoBody || meet(body, hit.triangle);
     }
 
     // The update stage: where the proxy would go if nothing but the planes held it, relative to it.
     Vec3 unconstrainedByFriction() noexcept {
-        std::array<ConstraintPlane, kMaxPlanes> planes;
-        for (int i = 0; i < state_.contactCount; ++i)
-            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const std::span<ConstraintPlane> touched{planes.data(), std::size_t(state_.contactCount)};
-        NearestPoint nearest = nearestPoint(finger_ - state_.position, touched);
-        if (!nearest.feasible) {
-            // Squeezed between surfaces that leave less room than the proxy needs: no plane lets it deeper,
-            // and none insists on its full radius, so that it can still slide and leave.
-            for (ConstraintPlane& plane : touched)
-                plane.offset = std::min(plane.offset, 0.0);
-            nearest = nearestPoint(finger_ - state_.position, touched);
-        }
-        for (int i = 0; i < state_.contactCount; ++i)
-            state_.contacts[i].lambda = nearest.lambda[i];
+        felt_ = isFelt(obstacles_, contacts());
+        const NearestPoint nearest = felt_ ? updateFelt(state_, feltContacts()) : updatePlain();
+        squeezed_ |= !nearest.feasible;
+        pushing_ = nearest.active;
         return nearest.x;
     }
 
-    // The same on curved constraints. Around an edge or a vertex the C-obstacle is a cylinder or a sphere,
-    // and going to the foot on its tangent plane again and again only halves the error; with the curvature in
-    // the Hessian of the Lagrangian (4), I - sum lambda_i Hess(distance_i), the rounds converge like Newton's
-    // method. Where that is not safely positive the proxy is rolling off, and it is only led to roll faster.
-    Vec3 alongCurvature(const Vec3& flat) noexcept {
-        constexpr double kMostCurved = 0.5;
-        Mat3 bend = Mat3::Zero();
-        double most = 0;
-        for (const Contact& contact : contacts()) {
-            bend += contact.lambda * contact.bend * contact.bent;
-            most += contact.lambda * contact.bend;
-        }
-        if (!(most > 0)) return flat;
-        bend *= std::min(1.0, kMostCurved / most);
-        const Eigen::LLT<Mat3> root(Mat3::Identity() - bend);
-        const auto lower = root.matrixL();
+    // On facets that feel as they are.
+    NearestPoint updatePlain() noexcept {
         std::array<ConstraintPlane, kMaxPlanes> planes;
+        for (int i = 0; i < state_.contactCount; ++i)
+            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
+        const NearestPoint nearest =
+            nearestReachable(finger_ - state_.position, {planes.data(), std::size_t(state_.contactCount)});
         for (int i = 0; i < state_.contactCount; ++i) {
-            const Vec3 normal = lower.solve(state_.contacts[i].normal);
-            const double length = normal.norm();
-            planes[i] = {normal / length, -state_.contacts[i].gap / length};
+            Contact& contact = state_.contacts[i];
+            contact.lambda = nearest.lambda[i];
+            if (contact.lambda > 0) contact.material = obstacles_[contact.body].material(contact.triangle);
         }
-        const NearestPoint nearest = nearestPoint(lower.solve(finger_ - state_.position),
-                                                  {planes.data(), std::size_t(state_.contactCount)});
-        return nearest.feasible ? Vec3(root.matrixU().solve(nearest.x)) : flat;
+        state_.feltCount = 0;
+        return nearest;
+    }
+
+    // Features that pass by too fast for the servo are left out. A finger at rest feels all of them, however
+    // far the proxy just went: what is felt must not change while the proxy settles.
+    FeltContacts feltContacts() noexcept {
+        const double way = std::min(state_.speed, fingerVelocity_.norm()) * dt_;
+        return {obstacles_, movers_, contacts(), radius_, finger_, kStepsToAFeature * way};
+    }
+
+    // Down onto the surfaces, and along them as far as the felt normal, which changes on the way, still leads
+    // on. Between where the drop and where the wish end no plane is crossed.
+    Vec3 alongFelt(const Vec3& wish, double part, bool free) noexcept {
+        const Vec3 drop = seat();
+        Vec3 slide = part * (wish - drop);
+        if (slide.norm() <= kRest * radius_) return drop;
+        const double reach = feltReach(state_, feltContacts(), drop, slide, free);
+        if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
+        if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
+        const double most = free ? std::min(state_.stride, settlingStride()) : state_.stride;
+        if (const double length = slide.norm(); length > most) slide *= most / length;
+        state_.stride *= kStrideGrowth;
+        lastSlide_ = slide;
+        return drop + slide;
+    }
+
+    double settled() const noexcept { return (state_.stillFor > 0 ? kRest : kSettled) * radius_; }
+
+    // Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
+    // say in it.
+    Vec3 seat() noexcept {
+        std::array<ConstraintPlane, kMaxPlanes> planes;
+        Vec3 push = Vec3::Zero();
+        for (int i = 0; i < state_.contactCount; ++i) {
+            const Contact& contact = state_.contacts[i];
+            planes[i] = {contact.normal, -contact.gap};
+            push -= contact.lambda * contact.normal;
+        }
+        return nearestReachable(push, {planes.data(), std::size_t(state_.contactCount)}).x;
+    }
+
+    // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
+    // does not.
+    double settlingStride() const noexcept {
+        return state_.stillFor < kSettling ? std::numeric_limits<double>::infinity()
+                                           : std::ldexp(radius_, kSettling - state_.stillFor);
+    }
+
+    void countStillSteps() noexcept {
+        const bool still = finger_ == state_.finger && movers_.empty();
+        if (!still) state_.stride = std::numeric_limits<double>::infinity();
+        state_.stillFor = still ? std::min(state_.stillFor + 1, 1 << 10) : 0;
+    }
+
+    // The same on curved constraints. Around an edge or a vertex the C-obstacle is a cylinder or a sphere,
+    // and going to the foot on its tangent plane again and again only halves the error.
+    Vec3 alongCurvature(const Vec3& flat, double excess) noexcept {
+        int pushing = 0;
+        const Contact* last = nullptr;
+        double bend = 0;
+        for (const Contact& contact : contacts()) {
+            if (contact.lambda <= 0) continue;
+            ++pushing;
+            last = &contact;
+            bend += contact.lambda * contact.bend * bentPart(contact, flat / excess);
+        }
+        if (!(bend > 0)) return flat;
+        const Vec3 bent = pushing == 1 ? aroundAlone(*last, flat) : alongBoth(bend, flat);
+        return isAllowed(bent) ? bent : flat;
+    }
+
+    bool isAllowed(const Vec3& motion) noexcept {
+        return std::ranges::all_of(contacts(), [&](const Contact& contact) {
+            return contact.normal.dot(motion) >= -std::max(contact.gap, 0.0) - kRest * radius_;
+        });
+    }
+
+    // How much of a direction the C-obstacle bends in.
+    static double bentPart(const Contact& contact, const Vec3& way) noexcept {
+        const double along = contact.edge.dot(way), out = contact.normal.dot(way);
+        return std::max(0.0, 1 - along * along - out * out);
+    }
+
+    // On one edge or vertex alone the answer is known: on the ray from there to the finger. In the tangent
+    // plane the proxy goes to just above it, and drops onto it in the next round. A finger beyond the edge
+    // has no such answer: the proxy rolls off.
+    Vec3 aroundAlone(const Contact& contact, const Vec3& flat) noexcept {
+        const Vec3 foot = contact.point + contact.edge * contact.edge.dot(finger_ - contact.point);
+        const Vec3 out = finger_ - foot;
+        const double rise = contact.normal.dot(out);
+        if (!(rise > kSteepest * out.norm())) return flat;
+        return foot + out * (radius_ / rise) - state_.position;
+    }
+
+    // On several constraints one direction is left to go, and the curvature of all in it, the Hessian of the
+    // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method.
+    static Vec3 alongBoth(double bend, const Vec3& flat) noexcept {
+        return bend < kMostBent ? Vec3(flat / (1 - bend)) : Vec3(kRollFaster * flat);
     }
 
     // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.
@@ -139,7 +264,7 @@ private:
             if (contact.lambda <= 0) continue;
             contact.slipping = true;
             state_.slidingOn = contact.body;
-            const FrictionLimit limit = frictionLimit(materialOf(contact), true);
+            const FrictionLimit limit = frictionLimit(contact.material, true);
             slide = std::min(slide, allowedSlide(limit, excess, contact.lambda, speed, timeLeft_));
         }
         return slide;
@@ -148,7 +273,7 @@ private:
     bool isHeld(double excess) noexcept {
         bool held = false;
         for (Contact& contact : contacts()) {
-            const FrictionLimit limit = frictionLimit(materialOf(contact), contact.slipping);
+            const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
             if (contact.lambda > 0 && excess <= limit.coefficient * contact.lambda) held = true;
         }
         return held;
@@ -156,7 +281,7 @@ private:
 
     bool isViscous() noexcept {
         return std::ranges::any_of(contacts(), [&](const Contact& contact) {
-            return contact.lambda > 0 && materialOf(contact).viscosity > 0;
+            return contact.lambda > 0 && contact.material.viscosity > 0;
         });
     }
 
@@ -166,23 +291,34 @@ private:
         SweepHit first;
         for (std::uint32_t i = 0; i < obstacles_.size(); ++i) {
             const Obstacle& obstacle = obstacles_[i];
+            if (hasPassed(state_, i)) continue;
             std::array<Index, kMaxPlanes> touched;
             std::size_t count = 0;
             for (const Contact& contact : contacts())
                 if (contact.body == i) touched[count++] = contact.triangle;
-            const SpherePath path{obstacle.pose.applyInverse(state_.position),
-                                  obstacle.pose.rotateInverse(motion), radius_ * (1 - kSkin)};
-            const SweepHit hit = obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path,
-                                                           {touched.data(), count}, state_.leafHint);
-            if (hit.t < first.t) first = hit, body = i;
+            const SpherePath path{poseNow(obstacle, movers_).applyInverse(state_.position),
+                                  poseNow(obstacle, movers_).rotateInverse(motion), radius_ * (1 - kSkin),
+                                  obstacle.sides};
+            // Of many bodies most are far away, and memories are few.
+            if (obstacles_.size() > state_.memories.size() &&
+                obstacle.mesh->tree.isBeyond(path.from, path.radius + path.motion.norm()))
+                continue;
+            SweepMemory& memory = state_.memories[i % state_.memories.size()];
+            const SweepHit hit = sweepFrom(memory, *obstacle.mesh, path, {touched.data(), count});
+            if (hit.t < first.t) {
+                first = hit;
+                body = i;
+            } else if (hit.soonCount > 0 && body == kNoBody) {
+                first.soon = hit.soon;
+                first.soonCount = hit.soonCount;
+                soonBody_ = i;
+            }
         }
-        if (body != kNoBody) state_.leafHint = first.leaf;
         return first;
     }
 
     // Adds the primitive that ended a move. Without room for its plane the step ends here, outside.
-    bool meet(std::uint32_t body, Index triangle, double part) noexcept {
-        timeLeft_ *= 1 - part;
+    bool meet(std::uint32_t body, Index triangle) noexcept {
         if (state_.contactCount == kMaxPlanes) return false;
         Contact contact;
         contact.body = body;
@@ -193,33 +329,19 @@ private:
         return true;
     }
 
-    // Finds the contact's constraint plane at the proxy's present position.
-    void locate(Contact& contact) noexcept {
-        const Obstacle& obstacle = obstacles_[contact.body];
-        const Vec3 centre = obstacle.pose.applyInverse(state_.position);
-        const ClosestPoint closest = closestPoint(obstacle.triangle(contact.triangle), centre);
-        const Vec3 away = centre - closest.point;
-        const double distance = away.norm();
-        contact.point = obstacle.pose.apply(closest.point);
-        if (distance > 0) contact.normal = obstacle.pose.rotate(away / distance);
-        contact.gap = distance - radius_;
-        contact.bend = closest.feature == Feature::Face ? 0 : 1 / std::max(distance, 0.5 * radius_);
-        contact.bent = bentDirections(closest, obstacle, contact);
+    // Faces that the proxy is about to touch hold it in the next round already, instead of costing one each.
+    // The half-space above any plane is free of its primitive; but an edge's plane would stop a slide toward
+    // a flat neighbour.
+    void foresee(std::uint32_t body, const SweepHit& hit, int begin) noexcept {
+        for (int i = begin; i < hit.soonCount; ++i) {
+            if (!meet(body, hit.soon[std::size_t(i)])) return;
+            const Contact& contact = state_.contacts[state_.contactCount - 1];
+            if (contact.bend > 0 || contact.gap > kHover * radius_) --state_.contactCount;
+        }
     }
 
-    // The projector onto the directions in which the C-obstacle bends: none over a face, across an edge, all
-    // around a vertex.
-    static Mat3 bentDirections(const ClosestPoint& closest, const Obstacle& obstacle,
-                               const Contact& contact) noexcept {
-        if (closest.feature == Feature::Face) return Mat3::Zero();
-        Mat3 across = Mat3::Identity() - contact.normal * contact.normal.transpose();
-        if (closest.feature == Feature::Vertex) return across;
-        const Triangle t = obstacle.triangle(contact.triangle);
-        const std::array<Vec3, 3> opposite{t.c - t.b, t.a - t.c, t.b - t.a};
-        int off = 0;
-        closest.weights.cwiseAbs().minCoeff(&off);
-        const Vec3 edge = obstacle.pose.rotate(opposite[off].normalized());
-        return across - edge * edge.transpose();
+    void locate(Contact& contact) noexcept {
+        tactum::locate(contact, obstacles_, movers_, radius_, state_.position);
     }
 
     // Recomputes every plane, drops what is no longer touched; says whether any plane turned or went.
@@ -228,9 +350,13 @@ private:
         int kept = 0;
         for (Contact contact : contacts()) {
             const Vec3 before = contact.normal;
+            const bool wasBent = contact.bend > 0;
             locate(contact);
-            changed = changed || (contact.normal - before).squaredNorm() > kSamePlane * kSamePlane;
-            if (contact.gap <= kKeep * kSkin * radius_)
+            const bool turned = (contact.normal - before).squaredNorm() > kSamePlane * kSamePlane;
+            // What still pushed and is only just left is come back to: rolling, or a move that was cut short.
+            const double keep = contact.lambda > 0 && (wasBent || !turned) ? kHover : kKeep * kSkin;
+            changed = changed || turned;
+            if (contact.gap <= keep * radius_)
                 state_.contacts[kept++] = contact;
             else
                 changed = true;
@@ -252,27 +378,35 @@ private:
             if (still) contact.slipping = false;
         if (still || state_.contactCount == 0) state_.slidingOn = kNoBody;
         state_.finger = finger_;
-    }
-
-    const Material& materialOf(const Contact& contact) const {
-        return obstacles_[contact.body].material(contact.triangle);
+        state_.speed = std::max((state_.position - start_).norm() / dt_, kSpeedDecay * state_.speed);
     }
 
     ProxyState& state_;
     std::span<const Obstacle> obstacles_;
+    std::span<const BodyMotion> movers_;
     double radius_;
     Vec3 finger_;
+    double dt_;
     double timeLeft_;
     Vec3 fingerVelocity_;
-    Vec3 start_ = state_.position;
+    Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
+    Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
     int rounds_ = 0;
+    bool squeezed_ = false;
+    bool felt_ = false;          ///< some contact of this round is shaded or textured
+    int pushing_ = 0;            ///< how many planes hold the proxy in this round
+    std::uint32_t soonBody_ = 0; ///< of the triangle that the last sweep ended near
 };
 
 } // namespace
 
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt) noexcept {
-    return Step(state, obstacles, radius, finger_W, dt).run();
+                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers) noexcept {
+    const CarryReport carried = carry(state, obstacles, movers, radius);
+    ProxyReport report = Step(state, obstacles, movers, radius, finger_W, dt, carried.start).run();
+    report.squeezed |= carried.squeezed;
+    report.passed = carried.passed;
+    return report;
 }
 
 } // namespace tactum

@@ -37,6 +37,9 @@ struct ProxyTelemetry {
     double updateMicros = 0;         ///< mean time of hapticStep over the last half second
     double worstUpdateMicros = 0;    ///< largest of it
     std::uint64_t boundHits = 0;     ///< steps that ended at their iteration bound
+    std::uint64_t squeezed = 0;      ///< steps in which surfaces left the proxy less room than it needs
+    std::uint64_t passed = 0;        ///< steps in which a moving body had to pass over the proxy
+    double time = 0;                 ///< s, of the bodies that move by themselves
 };
 
 /// What the servo loop tells the window.

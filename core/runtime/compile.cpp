@@ -4,6 +4,9 @@
 #include <atomic>
 
 #include "core/base/realtime.h"
+#include "core/dynamics/body_motion.h"
+#include "core/surface/smooth_normals.h"
+#include "core/surface/texture_stack.h"
 
 namespace tactum {
 
@@ -19,6 +22,40 @@ std::shared_ptr<const CollisionMesh> reuseOrBuild(const std::shared_ptr<const Tr
     return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup)});
 }
 
+// All that worlds know already of one kind: to be found again.
+template <class T>
+std::vector<std::shared_ptr<const T>> known(std::vector<std::shared_ptr<const T>> WorldBody::*kind,
+                                            const World& world, const World* previous) {
+    std::vector<std::shared_ptr<const T>> result;
+    for (const World* each : {&world, previous}) {
+        if (!each) continue;
+        for (const WorldBody& body : each->bodies)
+            for (const auto& one : body.*kind)
+                if (one) result.push_back(one);
+    }
+    return result;
+}
+
+// Shading and texture of every surface; nothing at all where none has any.
+Result<void> addFeels(WorldBody& body, const SceneObject& object, const World& world, const World* previous,
+                      const Progress& progress) {
+    auto normals = known(&WorldBody::normals, world, previous);
+    const auto textures = known(&WorldBody::textures, world, previous);
+    for (std::size_t i = 0; i < object.surfaces.size(); ++i) {
+        const Surface& surface = object.surfaces[i];
+        const auto shaded = compileNormals(surface.shading, object.geometry, normals, progress);
+        if (!shaded) return tl::unexpected(shaded.error());
+        normals.push_back(*shaded);
+        body.normals.push_back(*shaded);
+        body.textures.push_back(compileTextures(surface.layers, object.geometry, Index(i), textures));
+        body.feels.push_back({body.normals.back().get(), body.textures.back().get()});
+    }
+    const bool plain = std::ranges::none_of(
+        body.feels, [](const SurfaceFeel& feel) { return feel.normals || feel.texture; });
+    if (plain) body.feels.clear();
+    return {};
+}
+
 // What the loops may rely on, whatever a file said.
 Material madeSafe(Material material) {
     for (const MaterialField& field : kMaterialFields)
@@ -27,11 +64,35 @@ Material madeSafe(Material material) {
     return material;
 }
 
+void addSides(WorldBody& body, const SceneObject& object) {
+    const auto isBoth = [](const Surface& surface) { return surface.sides == Sides::Both; };
+    if (std::ranges::all_of(object.surfaces, isBoth)) return;
+    for (const Surface& surface : object.surfaces)
+        body.sides.push_back(surface.sides);
+}
+
+bool sameMotions(const World& a, const World& b) {
+    return std::ranges::equal(a.movers, b.movers, [](const Mover& x, const Mover& y) {
+        return x.body == y.body && x.rest == y.rest && (x.motion == y.motion || *x.motion == *y.motion);
+    });
+}
+
 bool sameShape(const World& a, const World& b) {
-    return a.proxyRadius == b.proxyRadius &&
+    return a.proxyRadius == b.proxyRadius && sameMotions(a, b) &&
            std::ranges::equal(a.obstacles, b.obstacles, [](const Obstacle& x, const Obstacle& y) {
-               return x.mesh == y.mesh && x.pose == y.pose;
+               return x.mesh == y.mesh && x.pose == y.pose && std::ranges::equal(x.sides, y.sides);
            });
+}
+
+void addMover(World& world, const SceneObject& object) {
+    world.obstacles.back().mover = int(world.movers.size());
+    world.movers.push_back({std::uint32_t(world.bodies.size() - 1), object.pose, object.motion});
+}
+
+tl::unexpected<Error> tooManyMovers(std::size_t count) {
+    return inputError("the scene: " + std::to_string(count) +
+                      " visible objects move by themselves, but at most " + std::to_string(kMaxMovers) +
+                      " can; join those that move alike, or hide some");
 }
 
 } // namespace
@@ -52,12 +113,19 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
         body.mesh = reuseOrBuild(object.geometry, *world, previous);
         for (const Surface& surface : object.surfaces)
             body.materials.push_back(madeSafe(surface.material));
+        if (const auto added = addFeels(body, object, *world, previous, progress); !added)
+            return tl::unexpected(added.error());
+        addSides(body, object);
         world->bodies.push_back(std::move(body));
-        world->obstacles.push_back({nullptr, object.pose, {}});
+        world->obstacles.push_back({nullptr, object.pose, {}, {}, {}, -1});
+        if (object.motion) addMover(*world, object);
     }
+    if (world->movers.size() > kMaxMovers) return tooManyMovers(world->movers.size());
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         world->obstacles[i].mesh = world->bodies[i].mesh.get();
         world->obstacles[i].materials = world->bodies[i].materials;
+        world->obstacles[i].feels = world->bodies[i].feels;
+        world->obstacles[i].sides = world->bodies[i].sides;
     }
     // Numbers of the whole program, so that the contacts of one shape are never taken for those of another.
     static std::atomic<std::uint64_t> revisions{0}, shapes{0};

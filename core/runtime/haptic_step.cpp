@@ -13,41 +13,57 @@ Vec3 springForce(const LocalContactModel& model, const Vec3& proxy, const Vec3& 
     const Vec3 stretch = proxy - finger;
     const double length = stretch.norm();
     if (!(length > 0)) return Vec3::Zero();
-    const double inward = std::max(0.0, -velocity.dot(stretch) / length);
+    const double inward = std::max(0.0, (model.velocity - velocity).dot(stretch) / length);
     return model.stiffness * stretch + (model.damping * inward / length) * stretch;
 }
 
-const Material& materialOf(const World& world, const Contact& contact) {
-    return world.obstacles[contact.body].material(contact.triangle);
+Vec3 velocityOf(const World& world, const SimState& state, const Contact& contact, double dt) {
+    const int mover = world.obstacles[contact.body].mover;
+    if (mover < 0) return Vec3::Zero();
+    return state.movers[std::size_t(mover)].wayOf(contact.point) / dt;
 }
 
-// Stiffness and damping of several contacts: the mean, weighted by how hard each pushes. Without a push the
-// last values stay, for a proxy that is still on its way.
-void mixMaterials(const World& world, const ProxyState& proxy, LocalContactModel& model) {
+// Stiffness, damping and velocity of several contacts: the mean, weighted by how hard each pushes. Without a
+// push the last values stay, for a proxy that is still on its way.
+void mixMaterials(const World& world, SimState& state, double dt) {
+    const ProxyState& proxy = state.proxy;
     double total = 0, stiffness = 0, damping = 0;
+    Vec3 velocity = Vec3::Zero();
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[i];
-        const Material& material = materialOf(world, contact);
         total += contact.lambda;
-        stiffness += contact.lambda * material.stiffness;
-        damping += contact.lambda * material.damping;
+        stiffness += contact.lambda * contact.material.stiffness;
+        damping += contact.lambda * contact.material.damping;
+        velocity += contact.lambda * velocityOf(world, state, contact, dt);
     }
     if (!(total > 0)) return;
-    model.stiffness = stiffness / total;
-    model.damping = damping / total;
+    state.model.stiffness = stiffness / total;
+    state.model.damping = damping / total;
+    state.model.velocity = velocity / total;
 }
 
-void describeSurroundings(const World& world, SimState& state) {
+void addPlane(LocalContactModel& model, const Contact& contact, const Vec3& normal) {
+    if (model.planes == kMaxModelPlanes) return;
+    model.plane[model.planes] = {normal, -contact.gap * normal.dot(contact.normal)};
+    model.friction[model.planes++] = frictionLimit(contact.material, contact.slipping);
+}
+
+// Of shaded and textured surfaces the servo gets the planes that are felt.
+void describeSurroundings(const World& world, SimState& state, double dt) {
     LocalContactModel& model = state.model;
-    model.proxy = state.proxy.position;
+    const ProxyState& proxy = state.proxy;
+    model.proxy = proxy.position;
     model.valid = true;
     model.planes = 0;
-    mixMaterials(world, state.proxy, model);
-    for (int i = 0; i < state.proxy.contactCount && model.planes < kMaxModelPlanes; ++i) {
-        const Contact& contact = state.proxy.contacts[i];
-        if (contact.lambda <= 0) continue;
-        model.plane[model.planes] = {contact.normal, -contact.gap};
-        model.friction[model.planes++] = frictionLimit(materialOf(world, contact), contact.slipping);
+    mixMaterials(world, state, dt);
+    for (int i = 0; i < proxy.contactCount; ++i) {
+        const Contact& contact = proxy.contacts[i];
+        if (proxy.feltCount == 0 && contact.lambda > 0) addPlane(model, contact, contact.normal);
+        for (int j = 0; j < proxy.feltCount; ++j) {
+            const FeltPlane& felt = proxy.felt[j];
+            if (felt.body == contact.body && felt.triangle == contact.triangle)
+                addPlane(model, contact, felt.normal);
+        }
     }
 }
 
@@ -68,6 +84,26 @@ HapticOutput reportOf(const World& world, const SimState& state) {
     return output;
 }
 
+// A shape that the state knows nothing of: bodies are where the time puts them, the proxy is on the finger.
+void startAnew(const World& world, SimState& state, const Vec3& finger) {
+    for (std::size_t i = 0; i < world.movers.size(); ++i)
+        state.movers[i].now = world.movers[i].poseAt(state.time);
+    restart(state.proxy, finger);
+    state.shapeRevision = world.shapeRevision;
+}
+
+void moveBodies(const World& world, SimState& state, double dt) {
+    const double before = state.time;
+    state.time += dt;
+    for (std::size_t i = 0; i < world.movers.size(); ++i) {
+        const Mover& mover = world.movers[i];
+        BodyMotion& body = state.movers[i];
+        body.before = body.now;
+        body.now = mover.poseAt(state.time);
+        body.jumped = mover.motion->jumpsBetween(before, state.time);
+    }
+}
+
 } // namespace
 
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept {
@@ -78,13 +114,11 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
         output.proxy = state.proxy.position;
         return output;
     }
-    if (state.shapeRevision != world.shapeRevision) {
-        restart(state.proxy, input.finger);
-        state.shapeRevision = world.shapeRevision;
-    }
-    const ProxyReport report =
-        moveAndUpdate(state.proxy, world.obstacles, world.proxyRadius, input.finger, dt);
-    describeSurroundings(world, state);
+    if (state.shapeRevision != world.shapeRevision) startAnew(world, state, input.finger);
+    moveBodies(world, state, dt);
+    const ProxyReport report = moveAndUpdate(state.proxy, world.obstacles, world.proxyRadius, input.finger,
+                                             dt, {state.movers.data(), world.movers.size()});
+    describeSurroundings(world, state, dt);
     HapticOutput output = reportOf(world, state);
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/vec.h"
+#include "core/dynamics/body_motion.h"
 #include "core/proxy/nearest_point.h"
 #include "core/proxy/proxy.h"
 #include "core/runtime/world.h"
@@ -29,9 +30,10 @@ struct LocalContactModel {
     int planes = 0;
     std::array<ConstraintPlane, kMaxModelPlanes> plane{}; ///< offset relative to `proxy`
     std::array<FrictionLimit, kMaxModelPlanes> friction{};
-    double stiffness = 0; ///< N/m
-    double damping = 0;   ///< N s/m
-    bool valid = false;   ///< false: no step has run yet
+    double stiffness = 0;         ///< N/m
+    double damping = 0;           ///< N s/m
+    Vec3 velocity = Vec3::Zero(); ///< m/s, of what is touched: damping is against the motion relative to it
+    bool valid = false;           ///< false: no step has run yet
 };
 
 /// One touched place, for the display.
@@ -57,12 +59,17 @@ struct SimState {
     ProxyState proxy;
     LocalContactModel model;                         ///< written by the step for the servo
     std::uint64_t shapeRevision = ~std::uint64_t(0); ///< of the World that the contacts belong to
+    /// s since the motions began: the end of the last step. It goes on through every change of the World, so
+    /// that an edit does not make bodies jump.
+    double time = 0;
+    std::array<BodyMotion, kMaxMovers> movers{}; ///< in the order of World::movers
 };
 
 /// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
-/// Deterministic: the same world, state, input and dt give the same bits. dt in s, > 0. After a change of
-/// shape, and at first, the proxy starts on the finger. Input that is not finite changes nothing and gives no
-/// force. Thread: real time. Bounded: at most kMaxRounds sweeps of each body.
+/// Bodies that move by themselves go on by dt. Deterministic: the same world, state, input and dt give the
+/// same bits. dt in s, > 0. After a change of shape, and at first, the proxy starts on the finger. Input that
+/// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
+/// each body.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
 
 /// The force that a local contact model gives a finger: N, world frame, before the device's limit.

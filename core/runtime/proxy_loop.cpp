@@ -58,6 +58,9 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.updateMicros = proxy.updates.mean();
     telemetry.worstUpdateMicros = proxy.updates.worst();
     telemetry.boundHits += output.report.boundHit;
+    telemetry.squeezed += output.report.squeezed;
+    telemetry.passed += output.report.passed;
+    telemetry.time = proxy.state.time;
     proxy.channels.proxyTelemetry.write(telemetry);
 }
 

@@ -25,6 +25,7 @@ TouchTrace replay(const World& world, const std::vector<FingerPoint>& path) {
     TouchTrace rows;
     rows.reserve(path.size());
     SimState state;
+    if (!path.empty()) state.time = path.front().t - kFirstStep;
     for (const FingerPoint& point : path) {
         const double dt = rows.empty() ? kFirstStep : point.t - rows.back().t;
         HapticInput input{point.position, Vec3::Zero()};
@@ -32,7 +33,8 @@ TouchTrace replay(const World& world, const std::vector<FingerPoint>& path) {
         const std::int64_t begin = nanoseconds();
         const HapticOutput output = hapticStep(world, state, input, dt);
         const std::int64_t end = nanoseconds();
-        rows.push_back({point.t, point.position, output.proxy, output.force, output.contacts, end - begin});
+        rows.push_back({point.t, point.position, output.proxy, output.force, output.contacts,
+                        output.report.rounds, end - begin});
     }
     return rows;
 }

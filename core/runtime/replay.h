@@ -16,11 +16,13 @@ struct TouchRow {
     Vec3 proxy = Vec3::Zero();
     Vec3 force = Vec3::Zero();
     int contacts = 0;
+    int rounds = 0;            ///< of move and update
     std::int64_t updateNs = 0; ///< how long the step took
 };
 using TouchTrace = std::vector<TouchRow>;
 
-/// One haptic step for each point of the path; its time step is the time since the point before.
+/// One haptic step for each point of the path; its time step is the time since the point before. Bodies that
+/// move by themselves are at each point where the path's time puts them.
 TouchTrace replay(const World& world, const std::vector<FingerPoint>& path);
 
 struct UpdateTimes {

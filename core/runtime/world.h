@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/collision/collision_mesh.h"
+#include "core/dynamics/motion.h"
 #include "core/proxy/proxy.h"
 #include "core/scene/scene.h"
 #include "core/surface/material.h"
@@ -16,15 +17,30 @@ struct WorldBody {
     ObjectId object = 0;
     std::shared_ptr<const CollisionMesh> mesh;
     std::vector<Material> materials; ///< one for each surface of the object
+    // As many, or none when no surface is shaded or textured; `feels` points into the other two.
+    std::vector<std::shared_ptr<const SmoothNormals>> normals;
+    std::vector<std::shared_ptr<const TextureStack>> textures;
+    std::vector<SurfaceFeel> feels;
+    std::vector<Sides> sides; ///< as many, or none when all surfaces are felt from both sides
+};
+
+/// A body that moves by itself: X_WB(t) = rest * motion->at(t).
+struct Mover {
+    std::uint32_t body = 0; ///< index into World::bodies
+    Pose rest;              ///< X_WB at the time 0
+    std::shared_ptr<const Motion> motion;
+
+    Pose poseAt(double t) const noexcept { return rest * motion->at(t); }
 };
 
 /// Never copied after compile(): obstacles point into bodies.
 struct World {
     std::vector<WorldBody> bodies;
     std::vector<Obstacle> obstacles; ///< one for each body, in the same order
+    std::vector<Mover> movers;       ///< at most kMaxMovers; Obstacle::mover is an index into them
     double proxyRadius = 0;          ///< m
     std::uint64_t revision = 0;      ///< rises with every compile
-    /// Another number when a mesh, a pose or the proxy radius changed: contacts are void.
+    /// Another number when a mesh, a pose, a motion or the proxy radius changed: contacts are void.
     std::uint64_t shapeRevision = 0;
 };
 

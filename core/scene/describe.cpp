@@ -1,6 +1,9 @@
 #include "core/scene/describe.h"
 
+#include <algorithm>
 #include <map>
+
+#include "core/dynamics/motion_build.h"
 
 namespace tactum {
 namespace {
@@ -10,7 +13,7 @@ ParameterDescription described(const Parameter& parameter, double value) {
 }
 
 SurfaceDescription described(const Surface& surface) {
-    SurfaceDescription result{surface.name, 0, surface.colour, {}};
+    SurfaceDescription result{surface.name, 0, surface.colour, surface.sides, {}};
     for (const MaterialField& field : kMaterialFields)
         result.parameters.push_back(described(*field.parameter, surface.material.*field.value));
     return result;
@@ -26,6 +29,7 @@ ObjectDescription described(const SceneObject& object) {
     result.vertices = soup.positions.size();
     result.bounds_B = boundsOf(soup);
     result.pose = object.pose;
+    result.motion = describeMotion(object);
     for (const Surface& surface : object.surfaces)
         result.surfaces.push_back(described(surface));
     for (Index surface : soup.surfaceOf)
@@ -34,6 +38,16 @@ ObjectDescription described(const SceneObject& object) {
 }
 
 } // namespace
+
+std::optional<MotionDescription> describeMotion(const SceneObject& object) {
+    if (!object.motion) return std::nullopt;
+    double reach = 0;
+    for (const Vec3& p : object.geometry->positions)
+        reach = std::max(reach, p.norm());
+    const Motion& motion = *object.motion;
+    return MotionDescription{motion.duration, topSpeed(motion, reach),
+                             motion.jumpsAtEnd || !motion.jumps.empty()};
+}
 
 SceneDescription describe(const Scene& scene) {
     SceneDescription result;

@@ -1,6 +1,7 @@
 // A scene in plain words and numbers: what `tactum info` prints.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,16 @@ struct SurfaceDescription {
     std::string name;
     std::size_t triangles = 0;
     Eigen::Vector3f colour; ///< linear RGB
+    Sides sides = Sides::Both;
     std::vector<ParameterDescription>
         parameters; ///< every number of the material, in the order of kMaterialFields
+};
+
+/// Of a body that moves by itself.
+struct MotionDescription {
+    double duration = 0; ///< s
+    double topSpeed = 0; ///< m/s, of its fastest point
+    bool jumps = false;  ///< somewhere, or from its end to its start
 };
 
 struct ObjectDescription {
@@ -32,7 +41,8 @@ struct ObjectDescription {
     std::size_t triangles = 0; ///< segments and points included
     std::size_t vertices = 0;
     Bounds bounds_B; ///< m, body frame
-    Pose pose;       ///< X_WB
+    Pose pose;       ///< X_WB, at the time 0
+    std::optional<MotionDescription> motion;
     MeshHealth health;
     std::vector<SurfaceDescription> surfaces;
 };
@@ -46,5 +56,8 @@ struct SceneDescription {
 
 /// Examines every mesh once, also where objects share one. Thread: any but real time.
 SceneDescription describe(const Scene& scene);
+
+/// Nothing for a body at rest. Thread: any but real time.
+std::optional<MotionDescription> describeMotion(const SceneObject& object);
 
 } // namespace tactum

@@ -75,7 +75,7 @@ Json parseJson(const Source& source, std::string_view text) {
     demandShallow(source, text);
     Json json = Json::parse(text, nullptr, false);
     if (!json.is_object()) source.fail("its JSON cannot be parsed; re-export the file");
-    for (const char* unused : {"images", "textures", "samplers", "animations", "skins", "cameras", "extras"})
+    for (const char* unused : {"images", "textures", "samplers", "skins", "cameras", "extras"})
         json.erase(unused);
     return json;
 }

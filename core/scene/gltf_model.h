@@ -9,7 +9,7 @@
 namespace tactum {
 
 /// Parses the file: every chunk, buffer view and nesting depth is checked, external buffers come only from
-/// the asset's folder, images and animations are left out. Throws ReadFault.
+/// the asset's folder, images and skins are left out. Throws ReadFault.
 tinygltf::Model parseGltf(const Source& source);
 
 /// The elements of one accessor, whose place in its buffer has been checked. Throws ReadFault.

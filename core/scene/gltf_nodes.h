@@ -1,23 +1,39 @@
 // The node tree of a glTF file as placed meshes.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "core/dynamics/motion.h"
 #include "core/scene/gltf_model.h"
 
 namespace tactum {
 
-/// One mesh at one place: p_W = pose.apply(stretch * p), p as in the file.
+class GltfMotions;
+
+/// One mesh at one place: p_W = pose.apply(stretch * p + offset), p as in the file.
 struct PlacedMesh {
     std::string name; ///< of the node, or of the mesh
     int mesh = 0;
     Pose pose;
     Mat3 stretch = Mat3::Identity(); ///< scale, shear and mirroring; exactly the identity where there is none
+    Vec3 offset = Vec3::Zero();      ///< m; of a mesh below the node that moves, which is the body's frame
+    std::shared_ptr<const Motion> motion; ///< relative to pose; null for a mesh at rest
+    bool bends = false;                   ///< an animation also scales or shears it, which is left out
+    bool deforms = false;                 ///< it has a skin or morph targets, which are left out
 };
 
 /// The meshes of the default scene, of the first, or of all root nodes where there is no scene. The tree must
-/// have no cycle, no node with two parents and at most 64 levels. Throws ReadFault.
-std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model);
+/// have no cycle, no node with two parents and at most 64 levels. A mesh that moves, or whose ancestor does,
+/// is where it is at the time 0. Throws ReadFault.
+std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,
+                                     const GltfMotions& motions);
+
+/// The transform of one node to its parent, as it stands in the file. Throws ReadFault.
+Eigen::Affine3d transformOf(const Source& source, const tinygltf::Model& model, int node);
+/// Its translation and rotation, and its scale, for a node that gives them apart. Throws ReadFault.
+Pose rigidOf(const Source& source, const tinygltf::Model& model, int node);
+Eigen::AlignedScaling3d scaleOf(const tinygltf::Model& model, int node);
 
 /// A = R S with R a rotation (no mirror) and S symmetric but for a mirror: R goes to the pose.
 struct RigidAndStretch {

@@ -1,9 +1,10 @@
 // glTF 2.0 and glb. Every node with a mesh is an object, every material of the mesh a surface. The rigid part
-// of the node's transform is the object's pose, what is left of it goes into the vertices. Axes stay as in
-// the file.
+// of the node's transform is the object's pose, what is left of it goes into the vertices. A node that is
+// animated, or has an animated ancestor, moves. Axes stay as in the file.
 #include <map>
 #include <optional>
 
+#include "core/scene/gltf_motion.h"
 #include "core/scene/gltf_nodes.h"
 #include "core/scene/readers.h"
 #include "core/scene/text.h"
@@ -60,11 +61,11 @@ private:
     bool hasNormals_ = false, hasUvs_ = false; ///< of the primitive being read
 };
 
-/// Scale, shear and mirroring of a mesh; a mirror turns every triangle over, as glTF demands.
-TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch) {
+/// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
+TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch, const Vec3& offset) {
     const double volume = stretch.determinant();
     for (Vec3& p : soup.positions)
-        p = stretch * p;
+        p = stretch * p + offset;
     if (std::abs(volume) < 1e-30) {
         soup.cornerNormals.clear(); // flattened: they have no meaning any more
         return soup;
@@ -86,7 +87,9 @@ TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch) {
 LoadedScene GltfReader::read() {
     LoadedScene loaded;
     std::map<int, RawMesh> meshes;
-    for (const PlacedMesh& placed : placedMeshes(source_, model_)) {
+    const GltfMotions motions(source_, model_);
+    loaded.findings = motions.findings();
+    for (const PlacedMesh& placed : placedMeshes(source_, model_, motions)) {
         const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
         if (isNew)
             mesh->second = readMesh(model_.meshes[std::size_t(placed.mesh)]);
@@ -104,15 +107,25 @@ void GltfReader::countTriangles(std::size_t more) {
 }
 
 void GltfReader::place(LoadedScene& loaded, const PlacedMesh& placed, const RawMesh& raw) {
-    const bool asItIs = placed.stretch == Mat3::Identity();
-    TriangleSoup soup = asItIs ? raw.soup : stretched(raw.soup, placed.stretch);
+    const bool asItIs = placed.stretch == Mat3::Identity() && placed.offset.isZero(0);
+    TriangleSoup soup = asItIs ? raw.soup : stretched(raw.soup, placed.stretch, placed.offset);
     for (const Vec3& p : soup.positions)
         if (!isCoordinate(p.cwiseAbs().maxCoeff()))
             source_.fail("coordinate of node " + inQuotes(placed.name) + " is beyond 1e6 m; scale the model");
     const std::size_t before = loaded.scene.objects.size();
     addObject(loaded, placed.name.empty() ? stemOf(source_) : placed.name, raw.report, std::move(soup),
               raw.surfaces, Progress{{}, progress_.cancelled});
-    if (loaded.scene.objects.size() > before) loaded.scene.objects.back().pose = placed.pose;
+    if (loaded.scene.objects.size() == before) return;
+    SceneObject& object = loaded.scene.objects.back();
+    object.pose = placed.pose;
+    object.motion = placed.motion;
+    const auto warn = [&](bool applies, const char* sentence, const char* remedy) {
+        if (applies) loaded.findings.push_back({Finding::Severity::Warning, object.name, sentence, remedy});
+    };
+    warn(placed.bends, "is scaled or sheared while it moves",
+         "only its rigid motion is felt; give its ancestors an even scale");
+    warn(placed.deforms, "is deformed by a skin or by morph targets",
+         "felt in the shape that it has at rest");
 }
 
 RawMesh GltfReader::readMesh(const tinygltf::Mesh& mesh) {
@@ -163,8 +176,8 @@ Index GltfReader::readVertices(const tinygltf::Primitive& primitive) {
     for (std::size_t i = 0; hasNormals_ && i < count; ++i)
         pools_.normals[first + i] =
             Vec3(normals->number(i, 0), normals->number(i, 1), normals->number(i, 2)).cast<float>();
-    for (std::size_t i = 0; hasUvs_ && i < count; ++i)
-        pools_.uvs[first + i] = Eigen::Vector2d(uvs->number(i, 0), uvs->number(i, 1)).cast<float>();
+    for (std::size_t i = 0; hasUvs_ && i < count; ++i) // v counts downward there, upward here
+        pools_.uvs[first + i] = Eigen::Vector2d(uvs->number(i, 0), 1 - uvs->number(i, 1)).cast<float>();
     return Index(first);
 }
 

@@ -1,6 +1,7 @@
-// The colours of a Wavefront material library.
+// What a Wavefront material library says for the eye and for touch.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -9,11 +10,21 @@
 
 namespace tactum {
 
-/// Diffuse colour (Kd) of each material. What else the file says, or says wrongly, is skipped: it is for the
-/// eye.
-using MaterialColours = std::unordered_map<std::string, Eigen::Vector3f>;
+/// A picture of heights: `bump` or `map_bump`, with its -bm.
+struct MtlBump {
+    std::string file;      ///< as the library names it
+    double multiplier = 1; ///< -bm
+    bool placed = false;   ///< it has a -s, -o or -t that changes how the picture lies
+};
 
-/// Adds the colours of one library. Throws ReadFault when the file cannot be read at all.
-void readMaterialColours(const std::filesystem::path& file, MaterialColours& colours);
+/// What else the file says, or says wrongly, is skipped.
+struct MtlMaterial {
+    std::optional<Eigen::Vector3f> colour; ///< Kd
+    std::optional<MtlBump> bump;
+};
+using MtlMaterials = std::unordered_map<std::string, MtlMaterial>;
+
+/// Adds the materials of one library. Throws ReadFault when the file cannot be read at all.
+void readMaterials(const std::filesystem::path& file, MtlMaterials& materials);
 
 } // namespace tactum

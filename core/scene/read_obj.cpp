@@ -9,6 +9,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "core/scene/bump_layers.h"
 #include "core/scene/read_mtl.h"
 #include "core/scene/readers.h"
 #include "core/scene/text.h"
@@ -51,7 +52,7 @@ class ObjReader {
 public:
     ObjReader(const Source& source, const Progress& progress)
         : source_(source), whole_(progress), firstPass_(partOf(progress, 0.0, 0.3)),
-          secondPass_(partOf(progress, 0.3, 0.7)) {}
+          secondPass_(partOf(progress, 0.3, 0.7)), bumps_(source.path().parent_path()) {}
 
     LoadedScene read() {
         readPools();
@@ -86,7 +87,8 @@ private:
     void finishObject(LoadedScene& loaded, Draft& draft, bool alone);
     std::vector<Surface> surfacesOf(Draft& draft, LoadedScene& loaded);
     Surface surfaceOf(const Draft& draft, Pair pair, bool byMaterialOnly) const;
-    void readColours(LoadedScene& loaded);
+    void readLibraries(LoadedScene& loaded);
+    void paint(Surface& surface, Index material, std::vector<Finding>& findings);
 
     [[noreturn]] void fail(const std::string& text) const { source_.failAtLine(line_, text); }
 
@@ -98,7 +100,8 @@ private:
     std::size_t seenPositions_ = 0, seenUvs_ = 0, seenNormals_ = 0; ///< so far in the second pass
     std::size_t freeForms_ = 0;
     std::vector<std::string> libraries_; ///< of materials
-    MaterialColours colours_;
+    MtlMaterials library_;
+    BumpLayers bumps_;
     Names groups_, materials_;
     Index group_ = 0, material_ = 0;
     std::vector<std::unique_ptr<Draft>> drafts_;
@@ -283,18 +286,18 @@ LoadedScene ObjReader::finish() {
         loaded.findings.push_back({Finding::Severity::Warning, "",
                                    counted(freeForms_, "free-form curve or surface") + " cannot be read",
                                    "convert them to polygons in the modelling program"});
-    readColours(loaded);
+    readLibraries(loaded);
     for (auto& draft : drafts_)
         finishObject(loaded, *draft, drafts_.size() == 1);
     return loaded;
 }
 
-void ObjReader::readColours(LoadedScene& loaded) {
+void ObjReader::readLibraries(LoadedScene& loaded) {
     for (const std::string& library : libraries_) {
         const auto file = insideFolder(source_.path().parent_path(), library);
         try {
             if (file.empty()) source_.fail("not in the folder of the model");
-            readMaterialColours(file, colours_);
+            readMaterials(file, library_);
         } catch (const ReadFault&) {
             loaded.findings.push_back(
                 {Finding::Severity::Note, "",
@@ -322,7 +325,10 @@ std::vector<Surface> ObjReader::surfacesOf(Draft& draft, LoadedScene& loaded) {
         if (byMaterialOnly) pair.first = 0;
         if (byMaterialOnly && numberOf.size() >= kMostSurfaces) pair.second = draft.pairs[0].second;
         const auto [it, isNew] = numberOf.try_emplace(pair, Index(surfaces.size()));
-        if (isNew) surfaces.push_back(surfaceOf(draft, pair, byMaterialOnly));
+        if (isNew) {
+            surfaces.push_back(surfaceOf(draft, pair, byMaterialOnly));
+            paint(surfaces.back(), pair.second, loaded.findings);
+        }
         newNumber.push_back(it->second);
     }
     for (Index& surface : draft.builder.surfaceOf())
@@ -345,9 +351,17 @@ Surface ObjReader::surfaceOf(const Draft& draft, Pair pair, bool byMaterialOnly)
     surface.name = group == 0 ? materials_[material] : groups_[group];
     if (group != 0 && !alone && material != 0) surface.name += " " + materials_[material];
     if (surface.name.empty()) surface.name = "surface";
-    if (const auto colour = colours_.find(materials_[material]); colour != colours_.end())
-        surface.colour = colour->second;
     return surface;
+}
+
+/// What the material library says of it.
+void ObjReader::paint(Surface& surface, Index material, std::vector<Finding>& findings) {
+    const auto found = library_.find(materials_[material]);
+    if (found == library_.end()) return;
+    const MtlMaterial& says = found->second;
+    if (says.colour) surface.colour = *says.colour;
+    if (!says.bump) return;
+    if (auto layer = bumps_.layerOf(*says.bump, findings)) surface.layers.push_back(std::move(*layer));
 }
 
 } // namespace

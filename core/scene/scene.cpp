@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/dynamics/motion_build.h"
+
 namespace tactum {
 
 SceneObject* Scene::find(ObjectId id) {
@@ -47,6 +49,8 @@ void fitDiagonal(Scene& scene, double diagonal) {
             p *= scale;
         object.geometry = std::move(scaled);
         object.pose.translation = scale * (object.pose.translation - box.centre());
+        if (object.motion)
+            object.motion = std::make_shared<const Motion>(tactum::scaled(*object.motion, scale));
     }
 }
 

@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "core/base/vec.h"
+#include "core/dynamics/motion.h"
+#include "core/geometry/sides.h"
 #include "core/geometry/triangle_soup.h"
 #include "core/surface/material.h"
+#include "core/surface/shading.h"
+#include "core/surface/texture_layer.h"
 
 namespace tactum {
 
@@ -27,7 +31,10 @@ inline constexpr Parameter kProxyRadius{"proxy-radius",
 struct Surface {
     std::string name;
     Material material;
+    Shading shading;
+    std::vector<TextureLayer> layers;               ///< of haptic texture, lowest first
     Eigen::Vector3f colour = {0.72f, 0.72f, 0.74f}; ///< linear RGB, 0 to 1; only for the eye
+    Sides sides = Sides::Both;                      ///< from which it is felt; no file format says so
 
     bool operator==(const Surface&) const = default;
 };
@@ -38,7 +45,8 @@ using ObjectId = std::uint32_t;
 struct SceneObject {
     ObjectId id = 0;
     std::string name;
-    Pose pose;                                    ///< X_WB
+    Pose pose;                                    ///< X_WB; of a body that moves, at the time 0
+    std::shared_ptr<const Motion> motion;         ///< relative to `pose`, immutable; null: at rest
     std::shared_ptr<const TriangleSoup> geometry; ///< body frame, shared and immutable
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
     bool visible = true;
@@ -58,7 +66,7 @@ struct Scene {
     SceneObject& add(SceneObject object);
 };
 
-/// The box of all objects in the world frame.
+/// The box of all objects in the world frame, at the time 0.
 Bounds boundsOf(const Scene& scene);
 std::size_t triangleCount(const Scene& scene);
 

@@ -1,34 +1,28 @@
 // What `tactum check` says of a scene: values, sizes, meshes.
-#include <charconv>
 #include <map>
 
+#include "core/dynamics/body_motion.h"
 #include "core/geometry/mesh_health.h"
+#include "core/scene/describe.h"
 #include "core/scene/load_scene.h"
 #include "core/scene/readers.h"
+#include "core/scene/value_checks.h"
 
 namespace tactum {
 namespace {
 
 using Severity = Finding::Severity;
 
-std::string text(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr};
-}
-
-std::string withUnit(double value, std::string_view unit) {
-    return text(value) + (unit.empty() ? "" : " ") + std::string(unit);
-}
-
 class Validation {
 public:
     explicit Validation(const Scene& scene) : scene_(scene) {}
 
     std::vector<Finding> run() {
-        checkParameter("", "", kProxyRadius, scene_.proxyRadius);
+        checkParameter(findings_, "", "", kProxyRadius, scene_.proxyRadius);
         if (scene_.objects.empty()) say(Severity::Warning, "", "the scene is empty", "open a model");
         for (const SceneObject& object : scene_.objects)
             check(object);
+        checkMovers();
         checkSize();
         return std::move(findings_);
     }
@@ -41,6 +35,7 @@ private:
     void check(const SceneObject& object) {
         for (const Surface& surface : object.surfaces)
             checkMaterial(object.name, surface);
+        checkTextures(findings_, object);
         if (!object.geometry || object.geometry->triangles.empty())
             return say(Severity::Warning, object.name, "has no triangles", "delete it or give it a mesh");
         const double diagonal = boundsOf(*object.geometry).diagonal();
@@ -52,34 +47,56 @@ private:
         const auto [health, isNew] = healths_.try_emplace(object.geometry.get());
         if (isNew) health->second = healthOf(*object.geometry).value();
         appendHealth(findings_, object.name, health->second);
+        if (health->second.flippedEdges > 0) checkSides(object);
+        checkMotion(object);
+    }
+
+    /// On a mesh whose triangles face opposite ways.
+    void checkSides(const SceneObject& object) {
+        for (const Surface& surface : object.surfaces)
+            if (surface.sides != Sides::Both)
+                say(Severity::Warning, object.name,
+                    "surface \"" + surface.name + "\" is felt from its " +
+                        (surface.sides == Sides::Front ? "front" : "back") +
+                        " alone, but neighbouring triangles face opposite ways",
+                    "make the normals consistent, or let both sides be felt");
+    }
+
+    void checkMotion(const SceneObject& object) {
+        constexpr double kFastest = 10; // m/s: what a hand can still meet, with room to spare
+        const auto motion = describeMotion(object);
+        if (!motion) return;
+        if (motion->topSpeed > kFastest)
+            say(Severity::Warning, object.name,
+                "moves at up to " + withUnit(motion->topSpeed, "m/s") + ", faster than " +
+                    withUnit(kFastest, "m/s"),
+                "slow its animation down, or check the scene's unit");
+        if (motion->jumps)
+            say(Severity::Note, object.name, "jumps from one pose to another during its motion",
+                "what touches it there is let go; let the last pose be the first for a motion without an "
+                "end");
+    }
+
+    void checkMovers() {
+        const auto movers = std::ranges::count_if(
+            scene_.objects, [](const SceneObject& object) { return object.visible && object.motion; });
+        if (movers > kMaxMovers)
+            say(Severity::Error, "",
+                std::to_string(movers) + " objects move by themselves, but at most " +
+                    std::to_string(kMaxMovers) + " can",
+                "join those that move alike, or hide some");
     }
 
     void checkMaterial(const std::string& object, const Surface& surface) {
         const std::string of = " of surface \"" + surface.name + "\"";
         for (const MaterialField& field : kMaterialFields)
-            checkParameter(object, of, *field.parameter, surface.material.*field.value);
+            checkParameter(findings_, object, of, *field.parameter, surface.material.*field.value);
         const Material& m = surface.material;
         if (m.dynamicFriction > m.staticFriction)
             say(Severity::Warning, object,
-                "dynamic friction" + of + " (" + text(m.dynamicFriction) + ") is above static friction (" +
-                    text(m.staticFriction) + ")",
+                "dynamic friction" + of + " (" + withUnit(m.dynamicFriction, "") +
+                    ") is above static friction (" + withUnit(m.staticFriction, "") + ")",
                 "clamped to it when touched; raise static or lower dynamic friction");
-    }
-
-    /// A number that means nothing is an error; one beyond the range is clamped when touched.
-    void checkParameter(const std::string& object, const std::string& of, const Parameter& parameter,
-                        double value) {
-        if (parameter.allows(value)) return;
-        const std::string what = std::string(parameter.label) + of + " is ";
-        if (!std::isfinite(value))
-            return say(Severity::Error, object, what + "not a number",
-                       "set it, for example to " + withUnit(parameter.initial, parameter.unit));
-        const std::string range =
-            text(parameter.minimum) + " to " + withUnit(parameter.maximum, parameter.unit);
-        const Severity severity = value < parameter.minimum ? Severity::Error : Severity::Warning;
-        say(severity, object, what + withUnit(value, parameter.unit) + ", outside " + range,
-            "set it inside that range; " + withUnit(parameter.clamped(value), parameter.unit) +
-                " is used when touched");
     }
 
     /// Against the reach of desktop devices: about 0.1 to 0.4 m.

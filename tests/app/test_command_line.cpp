@@ -145,6 +145,23 @@ private slots:
         QVERIFY(times["p999"].toDouble() <= times["max"].toDouble());
     }
 
+    // A roof of two slopes, and a finger that is pressed below its ridge a little to one side.
+    void touchShadesWhenAsked() {
+        const QString roof = write("roof.obj", "v -0.1 -0.1 -0.02\nv -0.1 0.1 -0.02\nv 0 -0.1 0\nv 0 0.1 0\n"
+                                               "v 0.1 -0.1 -0.02\nv 0.1 0.1 -0.02\nf 1 3 4 2\nf 3 5 6 4\n");
+        const QString path = pressAndSlide(0.006, 0);
+        const auto lean = [&](const QString& shading) {
+            const Ended ended = tactum({"touch", roof, "--path", path, "--out", file("roof.csv"),
+                                        "--proxy-radius", "0.001", "--shading", shading});
+            if (ended.code != 0 || !ended.error.isEmpty()) return -1.0;
+            const Row last = rowsOf(file("roof.csv")).last();
+            return last[ForceX] / last[ForceZ];
+        };
+        // The facet is inclined by 0.2; near the ridge the felt normal is nearly upright.
+        QVERIFY(std::abs(lean("off") - 0.2) < 1e-3);
+        QVERIFY(lean("on") > 0 && lean("on") < 0.1);
+    }
+
     void touchIsDeterministicToTheBit() {
         const QString path = pressAndSlide(0.004, 0.03);
         QList<QList<Row>> runs;

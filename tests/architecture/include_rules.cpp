@@ -129,8 +129,9 @@ Faults ringsOf(const IncludeGraph& graph) {
 } // namespace
 
 std::vector<SourceFile> readSources(const fs::path& root) {
-    return readFiles(
-        root, [](const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; });
+    return readFiles(root, [](const fs::path& file) {
+        return file.extension() == ".h" || file.extension() == ".inc" || file.extension() == ".cpp";
+    });
 }
 
 std::vector<SourceFile> readBuildFiles(const fs::path& root) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/dynamics/motion_build.h"
+
 namespace tactum {
 namespace {
 
@@ -10,6 +12,34 @@ constexpr Index kCells = 80; ///< along each side
 
 Index corner(Index column, Index row) {
     return row * (kCells + 1) + column;
+}
+
+/// The same plate upside down, not larger than a hand: it comes down on the finger, turns and jumps back.
+SceneObject movingOver(SceneObject plate, int edit) {
+    plate.pose.translation = {0.01, 0, 6e-3};
+    const auto turn = [](double angle) {
+        return Quat(Eigen::AngleAxisd(angle, Vec3(0.1, 0, 1).normalized())).coeffs();
+    };
+    plate.motion = std::make_shared<const Motion>(
+        makeMotion({Interpolation::CubicSpline,
+                    {0, 0.4, 1},
+                    {Vec3::Zero(), {0, 0.01, -8e-3}, {0, 0, 1e-3}},
+                    {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()},
+                    {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}},
+                   {Interpolation::Linear, {0, 1.0 + edit % 3}, {turn(0), turn(2)}, {}, {}}, 1.0 + edit % 3));
+    return plate;
+}
+
+std::vector<TextureLayer> someLayers() {
+    std::vector<TextureLayer> layers(3);
+    layers[0].pattern.size = 2e-3;
+    layers[0].strength = 2e-4;
+    layers[1].pattern.source = TextureSource::Grooves;
+    layers[1].strength = 5e-4;
+    layers[1].ownPlane = true;
+    layers[2].target = TextureTarget::StaticFriction;
+    layers[2].strength = 0.5;
+    return layers;
 }
 
 } // namespace
@@ -43,8 +73,12 @@ Scene bumpyScene(const std::shared_ptr<const TriangleSoup>& plate, int edit) {
     material.staticFriction = 0.2 * (edit % 5);
     material.dynamicFriction = 0.6 * material.staticFriction;
     material.viscosity = edit % 4;
+    // Five edits plain, five shaded, five with texture too.
+    object.surfaces[0].shading.on = edit / 5 % 3 > 0;
+    if (edit / 5 % 3 > 1) object.surfaces[0].layers = someLayers();
     Scene scene;
     scene.add(object);
+    scene.add(movingOver(object, edit));
     return scene;
 }
 

@@ -13,7 +13,9 @@ inline constexpr double kBumpHeight = 2e-3;     ///< m, the surface lies within 
 /// A field of random bumps over the plane z = 0. The same seed gives the same soup.
 std::shared_ptr<const TriangleSoup> bumpyPlate(unsigned seed);
 
-/// The plate with one of many materials: stiffness, damping, all three frictions vary with `edit`.
+/// The plate with one of many materials: stiffness, damping, all three frictions, shading and texture vary
+/// with `edit`. A second
+/// one moves by itself above it, onto the finger and through it.
 Scene bumpyScene(const std::shared_ptr<const TriangleSoup>& plate, int edit);
 
 /// A finger that wanders over the plate at up to 0.15 m/s and dips in and out of it. t in s.

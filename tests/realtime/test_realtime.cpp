@@ -177,7 +177,7 @@ private slots:
         EditedWorlds worlds;
         worlds.edit();
         SimState state;
-        int touching = 0, slipping = 0;
+        int touching = 0, slipping = 0, riding = 0, squeezed = 0;
         PageFaults faults;
         interposer::reset();
         for (int i = 0; i < 1'000'000; ++i) {
@@ -192,6 +192,8 @@ private slots:
             if (i > 10'000) faults.addSince(before);
             touching += output.contacts > 0 && force.norm() > 0;
             slipping += output.contact[0].slipping;
+            riding += output.contacts > 0 && output.contact[0].body == 1;
+            squeezed += output.report.squeezed;
         }
         // Reported, not asserted: the machine may take pages away from whoever it likes.
         qInfo("touching %d, slipping %d of 1000000; page faults after warm-up: %ld minor, %ld major",
@@ -199,6 +201,8 @@ private slots:
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         QVERIFY(touching > 300'000);
         QVERIFY(slipping > 10'000);
+        QVERIFY(riding > 10'000); // on the body that moves
+        QVERIFY(squeezed > 100);
     }
 
     void theRunningEngine() {

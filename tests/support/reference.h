@@ -120,11 +120,12 @@ inline std::optional<ReferencePoint> bruteNearestPoint(const Vec3& u, std::span<
 }
 
 /// The point nearest to u of a convex room with any number of walls: the most violated wall is added until
-/// none is violated; walls that do not push are dropped, which keeps the sets tiny.
+/// none is violated; walls that do not push are dropped, which keeps the sets tiny. Where rounding lets no
+/// wall help any more the best point so far is the answer.
 inline Vec3 nearestInRoom(const Vec3& u, const std::vector<ConstraintPlane>& walls) {
     std::vector<ConstraintPlane> active;
     Vec3 x = u;
-    while (true) {
+    for (std::size_t walk = 0; walk < 1000 + walls.size(); ++walk) {
         const ConstraintPlane* worst = nullptr;
         double most = 1e-13;
         for (const ConstraintPlane& wall : walls) {
@@ -135,8 +136,11 @@ inline Vec3 nearestInRoom(const Vec3& u, const std::vector<ConstraintPlane>& wal
         std::erase_if(active,
                       [&](const ConstraintPlane& wall) { return wall.normal.dot(x) > wall.offset + 1e-9; });
         active.push_back(*worst);
-        x = bruteNearestPoint(u, active, 1e-15L)->x.cast<double>();
+        const auto nearest = bruteNearestPoint(u, active, 1e-15L);
+        if (!nearest) return x;
+        x = nearest->x.cast<double>();
     }
+    return x;
 }
 
 /// The walls that keep a sphere of radius r on the side of `inside` of every triangle's plane.

@@ -1,5 +1,6 @@
 #include "ui/panels/inspector.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -68,8 +69,44 @@ QWidget* Inspector::makeSurfaceSection() {
         fields_.push_back(row);
         list->addWidget(row);
     }
+    list->addWidget(makeShadingRows());
     rows->addWidget(surfaceFields_);
     return section;
+}
+
+template <class Change> void Inspector::editShading(Gesture gesture, Change&& change) {
+    const auto selection = document_.selection();
+    const Surface* surface = selection ? document_.surface(*selection) : nullptr;
+    if (!surface) return;
+    Shading shading = surface->shading;
+    change(shading);
+    document_.setShading(*selection, shading, gesture);
+    refresh({SceneChange::What::Selection}); // what was typed may have been brought into range
+}
+
+QWidget* Inspector::makeShadingRows() {
+    auto* rows = new QWidget;
+    auto* list = column(rows, kRhythm);
+    shading_ = new QCheckBox(tr("Force shading"));
+    shading_->setObjectName("force-shading");
+    shading_->setToolTip(tr("Facets feel as the round surface that they stand for (section 3)."));
+    connect(shading_, &QCheckBox::clicked, this,
+            [this](bool on) { editShading(0, [on](Shading& shading) { shading.on = on; }); });
+    fileNormals_ = new QCheckBox(tr("With the normals of the file"));
+    fileNormals_->setObjectName("file-normals");
+    fileNormals_->setToolTip(tr("Off: normals are computed, and edges beyond the crease angle stay sharp."));
+    connect(fileNormals_, &QCheckBox::clicked, this, [this](bool on) {
+        editShading(0, [on](Shading& shading) {
+            shading.normals = on ? NormalSource::File : NormalSource::Computed;
+        });
+    });
+    creaseAngle_ = new ParameterField(kCreaseAngle);
+    connect(creaseAngle_, &ParameterField::edited, this, [this](double value, Gesture gesture) {
+        editShading(gesture, [value](Shading& shading) { shading.creaseAngle = value; });
+    });
+    for (QWidget* row : std::initializer_list<QWidget*>{shading_, fileNormals_, creaseAngle_})
+        list->addWidget(row);
+    return rows;
 }
 
 QWidget* Inspector::makeSceneSection() {
@@ -101,6 +138,18 @@ void Inspector::refresh(const SceneChange&) {
     if (!surface) return;
     for (std::size_t i = 0; i < fields_.size(); ++i)
         fields_[i]->setValue(surface->material.*kMaterialFields[i].value);
+    refreshShading(surface->shading);
+}
+
+// Only what makes a difference is shown.
+void Inspector::refreshShading(const Shading& shading) {
+    const SceneObject* object = document_.scene().find(document_.selection()->object);
+    const bool inFile = object && object->geometry && !object->geometry->cornerNormals.empty();
+    shading_->setChecked(shading.on);
+    fileNormals_->setChecked(shading.normals == NormalSource::File);
+    fileNormals_->setVisible(shading.on && inFile);
+    creaseAngle_->setValue(shading.creaseAngle);
+    creaseAngle_->setVisible(shading.on && !(inFile && shading.normals == NormalSource::File));
 }
 
 void Inspector::refreshHeading() {

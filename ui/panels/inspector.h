@@ -8,6 +8,7 @@
 #include "core/control/haptic_device.h"
 #include "ui/document.h"
 
+class QCheckBox;
 class QLabel;
 
 namespace tactum {
@@ -25,9 +26,13 @@ public:
 
 private:
     QWidget* makeSurfaceSection();
+    QWidget* makeShadingRows();
     QWidget* makeSceneSection();
+    /// Changes a copy of the selected surface's shading and gives it to the document.
+    template <class Change> void editShading(Gesture gesture, Change&& change);
     void refresh(const SceneChange& change);
     void refreshHeading();
+    void refreshShading(const Shading& shading);
 
     Document& document_;
     QLabel* heading_;
@@ -35,6 +40,9 @@ private:
     QWidget* surfaceFields_;
     QLabel* hint_;
     std::vector<ParameterField*> fields_; ///< in the order of kMaterialFields
+    QCheckBox* shading_;
+    QCheckBox* fileNormals_;
+    ParameterField* creaseAngle_;
     ParameterField* proxyRadius_;
 };
 

@@ -113,14 +113,47 @@ void ModelLayer::show(Model& model, const DisplayMesh& mesh) {
 
 void ModelLayer::update(Model& model, const SceneObject& object) {
     model.visible = object.visible;
-    const auto matrix = matrixOf(object.pose);
+    model.rest = object.pose;
+    model.motion = object.motion;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         vtkActor& actor = *model.parts[i]->actor;
         const auto& c = object.surfaces[i].colour;
         actor.GetProperty()->SetDiffuseColor(c.x(), c.y(), c.z());
         actor.SetVisibility(object.visible);
-        actor.SetUserMatrix(matrix);
     }
+    place(model);
+}
+
+void ModelLayer::place(Model& model) {
+    const auto matrix = matrixOf(model.motion ? model.rest * model.motion->at(time_) : model.rest);
+    for (auto& part : model.parts)
+        part->actor->SetUserMatrix(matrix);
+}
+
+bool ModelLayer::moveTo(double time) {
+    if (time == time_) return false;
+    time_ = time;
+    bool any = false;
+    for (auto& [id, model] : models_) {
+        if (!model->motion) continue;
+        place(*model);
+        any = any || model->visible;
+    }
+    return any;
+}
+
+Bounds ModelLayer::movingBounds() const {
+    Bounds box;
+    for (const auto& [id, model] : models_) {
+        if (!model->motion || !model->visible) continue;
+        for (const auto& part : model->parts) {
+            const double* b = part->actor->GetBounds();
+            if (!b) continue; // nothing is in it
+            box.add({b[0], b[2], b[4]});
+            box.add({b[1], b[3], b[5]});
+        }
+    }
+    return box;
 }
 
 void ModelLayer::drop(Model& model) {

@@ -31,6 +31,10 @@ public:
 
     /// Keeps what was made of geometry that is still there, and drops the rest.
     void setScene(const Scene& scene);
+    /// Puts bodies that move by themselves where they are at a time in s; true if there is any that it moved.
+    bool moveTo(double time);
+    /// The box of all bodies that move, where they are. World frame.
+    Bounds movingBounds() const;
     void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);
     /// Normals of large meshes come from another thread; shows those that are finished. True if any was.
     bool takeFinished();
@@ -54,16 +58,20 @@ private:
         std::atomic<bool> cancelled = false;
         std::future<DisplayMesh> smooth; ///< valid while it is being made
         bool visible = true;
+        Pose rest; ///< X_WB at the time 0
+        std::shared_ptr<const Motion> motion;
     };
 
     std::unique_ptr<Model> build(const SceneObject& object);
     void show(Model& model, const DisplayMesh& mesh);
     void update(Model& model, const SceneObject& object);
+    void place(Model& model);
     void drop(Model& model);
 
     vtkRenderer& renderer_;
     std::map<ObjectId, std::unique_ptr<Model>> models_;
     vtkActor* highlighted_ = nullptr;
+    double time_ = 0; ///< s, of the bodies that move
 };
 
 } // namespace tactum

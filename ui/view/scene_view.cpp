@@ -35,6 +35,10 @@ void SceneView::Impl::refreshSelection() {
 
 Bounds SceneView::Impl::shown() const {
     Bounds box = picker.bounds();
+    if (const Bounds moving = model.movingBounds(); !moving.empty()) {
+        box.add(moving.low);
+        box.add(moving.high);
+    }
     if (!touch) return box;
     const Vec3 reach = Vec3::Constant(4 * proxyRadius);
     for (const Vec3& p : {touch->finger, touch->proxy}) {
@@ -94,7 +98,8 @@ void SceneView::setTool(ViewTool tool) {
 void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
                            bool armed) {
     const TouchState next = touchState(proxy, servo, forceLimit, armed);
-    if (impl_->touch && impl_->touch->sameAs(next)) return;
+    const bool moved = impl_->model.moveTo(proxy.time);
+    if (!moved && impl_->touch && impl_->touch->sameAs(next)) return;
     impl_->touch = next;
     impl_->overlay.setVisible(impl_->showsTouch());
     changed();

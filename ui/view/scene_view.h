@@ -37,7 +37,8 @@ public:
     /// Outlines a surface; nothing when empty.
     void setSelection(std::optional<SurfaceRef> surface);
     void setTool(ViewTool tool);
-    /// What the loops reported, once a frame. forceLimit in N, > 0.
+    /// What the loops reported, once a frame: bodies that move by themselves are shown at its time, while
+    /// picking sees them at the time 0. forceLimit in N, > 0.
     void setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit, bool armed);
     void setProxyRadius(double metres);
 

@@ -2,7 +2,9 @@
 
 #include <QtTest>
 
+#include "core/collision/leaf_cover.h"
 #include "core/collision/sphere_tree.h"
+#include "core/collision/sweep_memory.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -10,48 +12,36 @@ using namespace tactum::test;
 
 namespace {
 
-struct LeafSphere {
-    Vec3 centre;
-    double radius;
-    Index triangle;
-};
-
-template <class Lanes> Vec3 centreOf(const Lanes& lanes, int i) {
-    return {lanes.x[i], lanes.y[i], lanes.z[i]};
-}
-
-// Every leaf sphere below a node (or in a leaf, for a negative index), handed to see().
-template <class See> void visitLeafSpheres(const SphereTree& tree, std::int32_t index, See&& see) {
-    const bool isLeaf = index < 0;
-    const SphereTree::Node& node =
-        isLeaf ? tree.leaves()[std::size_t(~index)] : tree.nodes()[std::size_t(index)];
-    for (int i = 0; i < SphereTree::kWidth; ++i) {
-        if (node.radius[i] < 0) continue;
-        if (isLeaf)
-            see(LeafSphere{centreOf(node, i), node.radius[i], Index(node.child[i])});
-        else
-            visitLeafSpheres(tree, node.child[i], see);
-    }
+template <class Array> Vec3 pointOf(const Array& x, const Array& y, const Array& z, int i) {
+    return {x[i], y[i], z[i]};
 }
 
 // Whether a child's sphere and its pair of planes hold a point, to within the rounding that the sweep adds.
 bool holds(const SphereTree::Node& node, int i, const Vec3& p) {
-    const Vec3 way = p - centreOf(node, i);
+    const Vec3 way = p - pointOf(node.x, node.y, node.z, i);
     const double radius = node.radius[i], slack = 1e-6 * radius + 1e-12;
-    const double height = Vec3(node.nx[i], node.ny[i], node.nz[i]).dot(way) - double(node.offset[i]);
+    const double height = pointOf(node.nx, node.ny, node.nz, i).dot(way) - double(node.offset[i]);
     return way.norm() <= radius + slack && std::abs(height) <= double(node.thickness[i]) + slack;
+}
+
+// Whether a leaf has a part of the triangle at a point; its corners are rounded to floats.
+bool hasPart(const SphereTree::Leaf& leaf, Index triangle, const Vec3& p) {
+    for (int i = 0; i < SphereTree::kWidth; ++i) {
+        const Triangle part{pointOf(leaf.ax, leaf.ay, leaf.az, i), pointOf(leaf.bx, leaf.by, leaf.bz, i),
+                            pointOf(leaf.cx, leaf.cy, leaf.cz, i)};
+        const double slack = 4e-7 * (1 + p.cwiseAbs().maxCoeff());
+        if (leaf.triangle[i] == triangle && (closestPoint(part, p).point - p).norm() <= slack) return true;
+    }
+    return false;
 }
 
 // Whether a descent toward a point of a triangle ends at that triangle.
 bool reaches(const SphereTree& tree, std::int32_t index, const Vec3& p, Index triangle) {
-    const bool isLeaf = index < 0;
-    const SphereTree::Node& node =
-        isLeaf ? tree.leaves()[std::size_t(~index)] : tree.nodes()[std::size_t(index)];
-    for (int i = 0; i < SphereTree::kWidth; ++i) {
-        if (node.radius[i] < 0 || !holds(node, i, p)) continue;
-        if (isLeaf ? Index(node.child[i]) == triangle : reaches(tree, node.child[i], p, triangle))
+    if (index < 0) return hasPart(tree.leaves()[std::size_t(~index)], triangle, p);
+    const SphereTree::Node& node = tree.nodes()[std::size_t(index)];
+    for (int i = 0; i < SphereTree::kWidth; ++i)
+        if (node.radius[i] >= 0 && holds(node, i, p) && reaches(tree, node.child[i], p, triangle))
             return true;
-    }
     return false;
 }
 
@@ -73,7 +63,8 @@ double uncovered(const Triangle& t, const std::vector<LeafSphere>& spheres) {
             const Vec3 p = t.a + (double(v) / grid) * (t.b - t.a) + (double(w) / grid) * (t.c - t.a);
             double outside = 1e300;
             for (const LeafSphere& sphere : spheres)
-                outside = std::min(outside, (p - sphere.centre).norm() - sphere.radius);
+                outside =
+                    std::min(outside, (p - sphere.centre.cast<double>()).norm() - double(sphere.radius));
             worst = std::max(worst, outside);
         }
     return worst;
@@ -171,6 +162,8 @@ private slots:
     void nodesContainAllThatIsBelow();
     void sweepFindsTheFirstContact();
     void sweepIsSafeFarFromTheOrigin();
+    void whatIsRememberedChangesNothing();
+    void whatIsBeyondReachIsNeverTouched();
     void depthIsBounded();
     void emptySoupIsNeverTouched();
     void longTrianglesGetSeveralSpheres();
@@ -181,8 +174,8 @@ void SphereTreeTest::leafSpheresCoverTheirPrimitives() {
         for (double offset : {0.0, 1000.0}) {
             const Soup moved = transformed(*soup, {Quat::Identity(), Vec3::Constant(offset)});
             std::vector<std::vector<LeafSphere>> of(moved->triangles.size());
-            const SphereTree tree(*moved);
-            visitLeafSpheres(tree, 0, [&](const LeafSphere& s) { of[s.triangle].push_back(s); });
+            for (const LeafSphere& s : coverWithSpheres(*moved))
+                of[s.triangle].push_back(s);
             for (std::size_t i = 0; i < of.size(); ++i)
                 QVERIFY2(
                     uncovered(triangleOf(*moved, i), of[i]) < 1e-12 * (1 + offset),
@@ -223,14 +216,55 @@ void SphereTreeTest::sweepIsSafeFarFromTheOrigin() {
     QVERIFY(hits > 1500);
 }
 
+// A walk of short and long paths, as a proxy makes them: swept from what is remembered of the surroundings
+// and afresh.
+void SphereTreeTest::whatIsRememberedChangesNothing() {
+    Rng rng(15);
+    int hits = 0;
+    for (const auto& [name, soup] : manySoups()) {
+        const CollisionMesh mesh{soup, SphereTree(*soup)};
+        SweepMemory memory;
+        const double radius = std::pow(10, uniform(rng, -2.5, -0.7));
+        SpherePath path{soup->positions[0] + 2 * radius * direction(rng), Vec3::Zero(), radius};
+        for (int i = 0; i < 2000; ++i) {
+            if (rng() % 100 == 0) path = randomPath(rng, *soup, radius);
+            path.motion = radius * std::pow(10, uniform(rng, -3, rng() % 4 ? 0 : 1.5)) * direction(rng);
+            const SweepHit afresh = mesh.tree.sweep(*soup, path, {});
+            const SweepHit hit = sweepFrom(memory, mesh, path, {});
+            QVERIFY2(sameTime(hit.t, afresh.t),
+                     qPrintable(QString("%1, %2: %3, %4").arg(name).arg(i).arg(hit.t).arg(afresh.t)));
+            hits += hit.t <= 1;
+            path.from += std::min(1.0, hit.t) * path.motion;
+        }
+    }
+    QVERIFY2(hits > 1000, qPrintable(QString::number(hits)));
+}
+
+void SphereTreeTest::whatIsBeyondReachIsNeverTouched() {
+    Rng rng(16);
+    int beyond = 0, within = 0;
+    for (const auto& [name, soup] : manySoups()) {
+        const SphereTree tree(*soup);
+        for (int i = 0; i < 500; ++i) {
+            const SpherePath path = randomPath(rng, *soup, std::pow(10, uniform(rng, -4, -1)));
+            if (tree.isBeyond(path.from, path.radius + path.motion.norm())) {
+                ++beyond;
+                QVERIFY2(bruteSweep(*soup, path, {}) > 1, qPrintable(name));
+            } else {
+                ++within;
+            }
+        }
+    }
+    QVERIFY2(beyond > 500 && within > 500, qPrintable(QString("%1, %2").arg(beyond).arg(within)));
+    QVERIFY(SphereTree(TriangleSoup{}).isBeyond(Vec3::Zero(), 1e6));
+}
+
 void SphereTreeTest::depthIsBounded() {
     // 2000 triangles down to the smallest double: the sweep's stack holds 96 levels.
     const Soup soup = crowding(2000, 0.71);
     const SphereTree tree(*soup);
     QVERIFY2(depthOf(tree) <= 96, qPrintable(QString::number(depthOf(tree))));
-    int covered = 0;
-    visitLeafSpheres(tree, 0, [&](const LeafSphere&) { ++covered; });
-    QVERIFY(covered >= 2000);
+    QVERIFY(tree.leaves().size() >= 2000 / SphereTree::kWidth);
     Rng rng(14);
     int hits = 0;
     compareSweeps(soup, "crowding", 200, rng, hits);
@@ -246,12 +280,9 @@ void SphereTreeTest::emptySoupIsNeverTouched() {
 
 void SphereTreeTest::longTrianglesGetSeveralSpheres() {
     auto spheres = [](const Vec3& c) {
-        int count = 0;
-        const SphereTree tree(*SoupBuilder().triangle({0, 0, 0}, {1, 0, 0}, c).build());
-        visitLeafSpheres(tree, 0, [&](const LeafSphere&) { ++count; });
-        return count;
+        return coverWithSpheres(*SoupBuilder().triangle({0, 0, 0}, {1, 0, 0}, c).build()).size();
     };
-    QCOMPARE(spheres({0.5, 0.8, 0}), 1);
+    QCOMPARE(spheres({0.5, 0.8, 0}), std::size_t(1));
     QVERIFY(spheres({0.5, 0.02, 0}) >= 4);
 }
 

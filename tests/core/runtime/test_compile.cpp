@@ -18,8 +18,12 @@ private slots:
     void objectsThatShareASoupShareTheMesh();
     void invisibleObjectsAreNotTouched();
     void materialsAreMadeSafe();
+    void sidesAreAShape();
     void cancelledCompileSaysSo();
     void emptySceneIsAWorld();
+    void plainSurfacesHaveNoFeels();
+    void normalsAreComputedOnceAndShared();
+    void texturesAreShared();
 };
 
 void CompileTest::materialEditRebuildsNothing() {
@@ -98,6 +102,23 @@ void CompileTest::materialsAreMadeSafe() {
     QCOMPARE(world->proxyRadius, kProxyRadius.maximum);
 }
 
+// Another side: a contact from the side that is felt no more is void. Nothing is rebuilt.
+void CompileTest::sidesAreAShape() {
+    Scene scene = sceneOf(sheet(0.05), frictionless());
+    const auto both = compile(scene).value();
+    QVERIFY(both->obstacles[0].sides.empty());
+    scene.objects[0].surfaces[0].sides = Sides::Front;
+    const auto front = compile(scene, both.get()).value();
+    QVERIFY(front->shapeRevision != both->shapeRevision);
+    QCOMPARE(front->bodies[0].mesh.get(), both->bodies[0].mesh.get());
+    for (double side : {1.0, -1.0}) {
+        Hand hand(front);
+        hand.to({0, 0, side * 0.003});
+        hand.go({0, 0, -side * 0.003}, 0.05);
+        QCOMPARE(hand.output().contacts, side > 0 ? 1 : 0);
+    }
+}
+
 void CompileTest::cancelledCompileSaysSo() {
     const std::atomic<bool> cancelled{true};
     const auto result = compile(sceneOf(sheet(0.05), frictionless()), nullptr, Progress{{}, &cancelled});
@@ -109,6 +130,49 @@ void CompileTest::emptySceneIsAWorld() {
     const auto world = compile(Scene{}).value();
     Hand hand(world);
     QCOMPARE(hand.to({0.01, 0.02, 0.03}).force, Vec3(Vec3::Zero()));
+}
+
+void CompileTest::plainSurfacesHaveNoFeels() {
+    Scene scene = sceneOf(ball(0.01, 1), frictionless());
+    QVERIFY(compile(scene).value()->obstacles[0].feels.empty());
+    scene.objects[0].surfaces.resize(3);
+    scene.objects[0].surfaces[2].shading.on = true;
+    const auto world = compile(scene).value();
+    QCOMPARE(world->obstacles[0].feels.size(), std::size_t(3));
+    QVERIFY(!world->obstacles[0].feels[0].normals && world->obstacles[0].feels[2].normals);
+}
+
+// A slider of friction must not wait for normals, and an edit of them not for a hierarchy.
+void CompileTest::normalsAreComputedOnceAndShared() {
+    Scene scene = sceneOf(ball(0.01, 2), frictionless());
+    const auto flat = compile(scene).value();
+    scene.objects[0].surfaces[0].shading.on = true;
+    const auto first = compile(scene, flat.get()).value();
+    QCOMPARE(first->shapeRevision, flat->shapeRevision);
+    QCOMPARE(first->bodies[0].mesh.get(), flat->bodies[0].mesh.get());
+    scene.objects[0].surfaces[0].material = rough(0.5, 0.4);
+    SceneObject twin = scene.objects[0];
+    scene.add(twin);
+    const auto second = compile(scene, first.get()).value();
+    for (int i = 0; i < 2; ++i)
+        QCOMPARE(second->obstacles[i].feels[0].normals, first->obstacles[0].feels[0].normals);
+    scene.objects[0].surfaces[0].shading.creaseAngle = 0.1;
+    const auto sharp = compile(scene, second.get()).value();
+    QVERIFY(sharp->obstacles[0].feels[0].normals != first->obstacles[0].feels[0].normals);
+    QCOMPARE(sharp->obstacles[1].feels[0].normals, first->obstacles[0].feels[0].normals);
+}
+
+void CompileTest::texturesAreShared() {
+    Scene scene = sceneOf(ball(0.01, 2), frictionless());
+    scene.objects[0].surfaces[0].layers.resize(2);
+    const auto first = compile(scene).value();
+    QVERIFY(first->obstacles[0].feels[0].texture);
+    scene.objects[0].surfaces[0].material = rough(0.5, 0.4);
+    const auto second = compile(scene, first.get()).value();
+    QCOMPARE(second->obstacles[0].feels[0].texture, first->obstacles[0].feels[0].texture);
+    scene.objects[0].surfaces[0].layers[1].strength *= 2;
+    const auto third = compile(scene, second.get()).value();
+    QVERIFY(third->obstacles[0].feels[0].texture != first->obstacles[0].feels[0].texture);
 }
 
 QTEST_APPLESS_MAIN(CompileTest)

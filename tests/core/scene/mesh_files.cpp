@@ -61,6 +61,46 @@ std::string gltfJson(const TriangleSoup& soup, const std::string& nodes, const s
            R"(}],"buffers":[{"byteLength":)" + total + uri + "}]}";
 }
 
+std::string glbOf(std::string json, const std::string& binary) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    return "glTF" + bytesOf(std::uint32_t(2)) + bytesOf(std::uint32_t(28 + json.size() + binary.size())) +
+           bytesOf(std::uint32_t(json.size())) + "JSON" + json + bytesOf(std::uint32_t(binary.size())) +
+           std::string("BIN\0", 4) + binary;
+}
+
+/// The channels as members to be added to the lists of a glTF file that has two accessors and one buffer.
+struct AnimationParts {
+    std::string accessors, views, channels, samplers, bytes;
+    int accessorCount = 2;
+
+    int add(const std::vector<double>& numbers, std::size_t elements) {
+        const std::string types[] = {"SCALAR", "", "VEC3", "VEC4"};
+        const std::size_t components = numbers.size() / std::max<std::size_t>(elements, 1);
+        views += R"(,{"buffer":1,"byteOffset":)" + std::to_string(bytes.size()) + R"(,"byteLength":)" +
+                 std::to_string(4 * numbers.size()) + "}";
+        accessors += R"(,{"bufferView":)" + std::to_string(accessorCount) +
+                     R"(,"componentType":5126,"count":)" + std::to_string(elements) + R"(,"type":")" +
+                     types[components - 1] + "\"}";
+        for (double number : numbers)
+            bytes += bytesOf(float(number));
+        return accessorCount++;
+    }
+
+    void add(const WrittenChannel& channel) {
+        std::vector<double> values;
+        for (const auto& row : channel.values)
+            values.insert(values.end(), row.begin(), row.end());
+        const std::string comma = channels.empty() ? "" : ",";
+        const std::size_t sampler = std::size_t(accessorCount - 2) / 2;
+        const int input = add(channel.times, channel.times.size()),
+                  output = add(values, channel.values.size());
+        samplers += comma + R"({"input":)" + std::to_string(input) + R"(,"output":)" +
+                    std::to_string(output) + R"(,"interpolation":")" + channel.interpolation + "\"}";
+        channels += comma + R"({"sampler":)" + std::to_string(sampler) + R"(,"target":{"node":)" +
+                    std::to_string(channel.node) + R"(,"path":")" + channel.path + "\"}}";
+    }
+};
+
 } // namespace
 
 bool said(const LoadedScene& loaded, const std::string& part) {
@@ -146,12 +186,27 @@ std::string asGltf(const TriangleSoup& soup, const std::string& nodes) {
 }
 
 std::string asGlb(const TriangleSoup& soup, const std::string& nodes) {
+    return glbOf(gltfJson(soup, nodes, ""), floats(soup.positions) + indices(soup));
+}
+
+std::string asAnimatedGlb(const TriangleSoup& soup, const std::string& nodes,
+                          const std::vector<WrittenChannel>& channels) {
+    if (channels.empty()) return asGlb(soup, nodes);
+    AnimationParts parts;
+    for (const WrittenChannel& channel : channels)
+        parts.add(channel);
     std::string json = gltfJson(soup, nodes, "");
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::string binary = floats(soup.positions) + indices(soup);
-    return "glTF" + bytesOf(std::uint32_t(2)) + bytesOf(std::uint32_t(28 + json.size() + binary.size())) +
-           bytesOf(std::uint32_t(json.size())) + "JSON" + json + bytesOf(std::uint32_t(binary.size())) +
-           std::string("BIN\0", 4) + binary;
+    const auto insertBefore = [&json](const std::string& place, const std::string& more) {
+        json.insert(json.rfind(place), more);
+    };
+    insertBefore("],\"bufferViews\"", parts.accessors);
+    insertBefore("],\"buffers\"", parts.views);
+    insertBefore("]}", R"(,{"byteLength":)" + std::to_string(parts.bytes.size()) +
+                           R"(,"uri":"data:application/octet-stream;base64,)" +
+                           QByteArray::fromStdString(parts.bytes).toBase64().toStdString() + "\"}");
+    insertBefore("}", R"(,"animations":[{"channels":[)" + parts.channels + R"(],"samplers":[)" +
+                          parts.samplers + "]}]");
+    return glbOf(json, floats(soup.positions) + indices(soup));
 }
 
 std::vector<WrittenMesh> inEveryFormat(const TriangleSoup& soup) {

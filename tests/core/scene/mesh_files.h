@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <QTemporaryDir>
 
@@ -44,6 +45,18 @@ std::string asOff(const TriangleSoup& soup);
 /// `nodes`: the members "scenes", "nodes" and more of the JSON; empty for one node with mesh 0.
 std::string asGltf(const TriangleSoup& soup, const std::string& nodes = "");
 std::string asGlb(const TriangleSoup& soup, const std::string& nodes = "");
+
+/// One animated property of one node: a row of `values` for each key, three rows for a cubic.
+struct WrittenChannel {
+    int node = 0;
+    std::string path; ///< "translation", "rotation", "scale" or "weights"
+    std::string interpolation = "LINEAR";
+    std::vector<double> times;
+    std::vector<std::vector<double>> values;
+};
+/// A glb of mesh and nodes as above with one animation.
+std::string asAnimatedGlb(const TriangleSoup& soup, const std::string& nodes,
+                          const std::vector<WrittenChannel>& channels);
 
 struct WrittenMesh {
     std::string name; ///< with its ending

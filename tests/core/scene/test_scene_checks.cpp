@@ -53,6 +53,19 @@ class TestSceneChecks : public QObject {
 private slots:
     void aSoundSceneHasNoFindings() { QCOMPARE(validate(soundScene()).size(), std::size_t(0)); }
 
+    void oneSideOfAnUnevenMeshIsDoubted() {
+        Scene scene = soundScene();
+        scene.objects[0].surfaces[1].sides = Sides::Front;
+        QVERIFY(validate(scene).empty());
+        QCOMPARE(describe(scene).objects[0].surfaces[1].sides, Sides::Front);
+        auto turned = tetrahedron(0.1);
+        std::swap(turned->triangles[2][0], turned->triangles[2][1]);
+        scene.objects[0].geometry = turned;
+        QCOMPARE(only(scene, "surface \"side\" is felt from its front alone"), Severity::Warning);
+        scene.objects[0].surfaces[1].sides = Sides::Both;
+        QVERIFY(!only(scene, "is felt from its"));
+    }
+
     void everyValueIsHeldAgainstItsRange() {
         for (const MaterialField& field : kMaterialFields) {
             const std::string label(field.parameter->label);

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/dynamics/motion_build.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/scene_picker.h"
@@ -115,6 +116,24 @@ private slots:
         shown.view.setScene(shown.scene);
         QVERIFY(shown.colourAt({320, 180}).red() > 2 * shown.colourAt({320, 180}).green());
         QVERIFY(shown.colourAt({320, 300}).red() < 1.3 * shown.colourAt({320, 300}).green());
+    }
+
+    void bodiesThatMoveAreShownWhereTheyAre() {
+        Shown shown;
+        const Track<Vec3> aside{Interpolation::Linear, {0, 2}, {Vec3::Zero(), {0.12, 0, 0}}, {}, {}};
+        shown.scene.objects[0].motion = std::make_shared<const Motion>(makeMotion(aside, {}, 2));
+        shown.view.setScene(shown.scene);
+        const QColor ball = shown.colourAt(kCentre);
+        ProxyTelemetry proxy;
+        proxy.updates = 1;
+        proxy.finger = proxy.output.proxy = {0, 1, 0}; // out of sight
+        for (const double time : {1.0, 2.0, 0.0}) {
+            proxy.time = time;
+            shown.view.setHaptics(proxy, {}, 8, false);
+            const QPoint there = shown.pixelOf({0.06 * time, 0, kBallRadius});
+            if (there.x() < kSize.width()) QVERIFY(difference(shown.colourAt(there), ball) < 40);
+            QCOMPARE(difference(shown.colourAt(kCentre), ball) < 40, time == 0);
+        }
     }
 
     void themesDiffer() {

@@ -1,5 +1,6 @@
 // The window around the touch: panels, files that are dropped, what is remembered, numbers in any locale.
 #include <QApplication>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -41,6 +42,7 @@ private slots:
     void selectionGoesBothWays();
     void theEyeHidesWhatIsFelt();
     void theInspectorIsMadeFromTheTable();
+    void theInspectorShadesASurface();
     void aSliderDragIsOneStep();
     void ctrlZInAFieldUndoesTheLastEdit();
     void numbersHaveAPointInEveryLocale();
@@ -126,6 +128,28 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
     // Metres are millimetres on the screen.
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
     QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
+}
+
+void TestWindow::theInspectorShadesASurface() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto shading = [&] { return program.document.scene().objects.front().surfaces[0].shading; };
+    const auto feltBodies = [&] {
+        return !program.window->publisher().world()->bodies.front().feels.empty();
+    };
+    auto* box = program.window->findChild<QCheckBox*>(QStringLiteral("force-shading"));
+    QVERIFY(box && !box->isChecked() && !feltBodies());
+    QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
+    QVERIFY(shading().on);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && feltBodies(), kPatience);
+    // Radians are degrees on the screen.
+    program.type(QStringLiteral("crease-angle"), QStringLiteral("90"));
+    QVERIFY(std::abs(shading().creaseAngle - 0.5 * std::numbers::pi) < 1e-9);
+    program.document.history().undo();
+    program.document.history().undo();
+    QVERIFY(shading() == Shading{});
+    QVERIFY(!box->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && !feltBodies(), kPatience);
 }
 
 void TestWindow::aSliderDragIsOneStep() {

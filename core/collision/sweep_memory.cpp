@@ -1,0 +1,55 @@
+#include "core/collision/sweep_memory.h"
+
+#include <algorithm>
+
+namespace tactum {
+
+namespace {
+
+// How far to gather around a path, in its radii: far where the mesh is coarse, so that it is seldom done
+// anew, and near where it is so dense that not all of it would find room.
+constexpr double kFirstMargin = 0.5, kLeastMargin = 0.5, kMostMargin = 2;
+
+void gatherAround(SweepMemory& memory, const CollisionMesh& mesh, const SpherePath& path) {
+    const Neighbourhood& near = memory.near;
+    double factor = 1;
+    if (near.radius >= 0) factor = near.crowded ? 0.7 : near.blocks <= Neighbourhood::kBlocks / 2 ? 1.4 : 1;
+    memory.margin = std::clamp(memory.margin * factor, kLeastMargin * path.radius, kMostMargin * path.radius);
+    mesh.tree.gather(path.from, path.radius + memory.margin, memory.near);
+}
+
+SweepHit sweepNear(SweepMemory& memory, const CollisionMesh& mesh, const SpherePath& path,
+                   std::span<const Index> excluded) {
+    return mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint, &memory.near);
+}
+
+} // namespace
+
+SweepHit sweepFrom(SweepMemory& memory, const CollisionMesh& mesh, const SpherePath& path,
+                   std::span<const Index> excluded) noexcept {
+    if (memory.mesh != &mesh) {
+        memory.mesh = &mesh;
+        memory.leafHint = 0;
+        memory.margin = kFirstMargin * path.radius;
+        memory.near.radius = -1;
+    }
+    SweepHit hit;
+    if (!memory.near.holds(path)) {
+        const double length = path.motion.norm();
+        const double part = std::min(1.0, 0.9 * memory.margin / length);
+        SpherePath begin = path;
+        begin.motion *= part;
+        if (!memory.near.holds(begin)) gatherAround(memory, mesh, path);
+        hit = sweepNear(memory, mesh, begin, excluded);
+        if (hit.t <= 1)
+            hit.t *= part;
+        else if (part < 1)
+            hit = mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint);
+    } else {
+        hit = sweepNear(memory, mesh, path, excluded);
+    }
+    if (hit.t <= 1) memory.leafHint = hit.leaf;
+    return hit;
+}
+
+} // namespace tactum

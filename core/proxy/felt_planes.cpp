@@ -1,0 +1,268 @@
+#include "core/proxy/felt_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/proxy/passed_bodies.h"
+#include "core/surface/shaded_normal.h"
+#include "core/surface/texture_feel.h"
+
+namespace tactum {
+namespace {
+
+// A foot on the true planes that is below one of them by less than this part of the radius is on it.
+constexpr double kOnPlane = 1e-9;
+// What the proxy hovers over, by this part of the radius more than over the nearest, is not felt yet.
+constexpr double kHovering = 4 * kSkin;
+// Slopes below this are flat.
+constexpr double kFlat = 1e-12;
+constexpr double kFarthest = 2;
+// A slide is good whose end wishes no more than this part of it back.
+constexpr double kOvershoot = 0.1;
+constexpr int kSearches = 8;
+
+const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexcept {
+    if (obstacle.feels.empty()) return nullptr;
+    const SurfaceFeel& feel = obstacle.feels[obstacle.mesh->soup->surfaceOf[triangle]];
+    return feel.normals || feel.texture ? &feel : nullptr;
+}
+
+TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangle& triangle,
+                            const ClosestPoint& closest, const Vec3& normal) noexcept {
+    TexturePoint point;
+    point.position = closest.point;
+    point.normal = normal;
+    const auto& uvs = obstacle.mesh->soup->cornerUvs;
+    if (uvs.empty()) return point;
+    CornerUvs corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = uvs[3 * index + k].cast<double>();
+        point.uv += closest.weights[Eigen::Index(k)] * corners[k];
+    }
+    point.uvGradient = uvGradientOf(triangle, corners);
+    return point;
+}
+
+// The slopes of all planes that a texture gives. One that is flat holds nothing back, but beside a tilted one
+// it would hold the finger on that one's slope.
+int slopesOf(const TextureFeel& feel, std::array<Vec3, 1 + kMostOwnPlanes>& slopes) noexcept {
+    int count = 0;
+    if (feel.slope.norm() > kFlat) slopes[std::size_t(count++)] = feel.slope;
+    for (int i = 0; i < feel.ownPlanes; ++i)
+        if (feel.ownSlopes[std::size_t(i)].norm() > kFlat)
+            slopes[std::size_t(count++)] = feel.ownSlopes[std::size_t(i)];
+    if (count == 0) slopes[std::size_t(count++)] = Vec3::Zero();
+    return count;
+}
+
+// All contacts of a proxy at one place: what is there, what is felt, and the two passes.
+class Passes {
+public:
+    explicit Passes(const FeltContacts& on) noexcept : on_(on) {}
+
+    const NearestPoint& at(const Vec3& centre) noexcept {
+        centre_ = centre;
+        feltCount_ = 0;
+        double touching = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i)
+            touching = std::max(touching, locate(i));
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i)
+            if (true_[i].offset >= touching - kHovering * on_.radius) look(i);
+        const Vec3 u = on_.finger - centre;
+        result_ = {};
+        if (isAboveAll(u)) {
+            result_.x = u;
+            pushing_ = {};
+            return result_;
+        }
+        pushing_ = nearestPoint(u, {felt_.data(), std::size_t(feltCount_)});
+        const int alone = theOnlyPlane();
+        if (alone < 0 || !alongTheFeltNormal(u, alone)) secondPass(pushing_.x);
+        return result_;
+    }
+
+    void settle(ProxyState& state) const noexcept {
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
+            on_.contacts[i].lambda = result_.lambda[i];
+            if (result_.lambda[i] > 0) on_.contacts[i].material = material_[i];
+        }
+        state.feltCount = 0;
+        for (int j = 0; j < feltCount_; ++j)
+            if (pushing_.lambda[std::size_t(j)] > 0 && state.feltCount < int(state.felt.size())) {
+                const Contact& contact = on_.contacts[owner_[std::size_t(j)]];
+                state.felt[std::size_t(state.feltCount++)] = {felt_[std::size_t(j)].normal, contact.body,
+                                                              contact.triangle};
+            }
+    }
+
+private:
+    // The true plane of one contact; gives its offset, the greater the nearer.
+    double locate(std::size_t i) noexcept {
+        const Contact& contact = on_.contacts[i];
+        const Obstacle& obstacle = on_.obstacles[contact.body];
+        const Pose& pose = poseNow(obstacle, on_.movers);
+        const Vec3 centre = pose.applyInverse(centre_);
+        closest_[i] = closestPoint(obstacle.triangle(contact.triangle), centre);
+        const Vec3 away = centre - closest_[i].point;
+        const double distance = away.norm();
+        true_[i] = {distance > 0 ? pose.rotate(away / distance) : contact.normal, on_.radius - distance};
+        material_[i] = obstacle.material(contact.triangle);
+        return true_[i].offset;
+    }
+
+    // Its felt planes. They mean something only at the place that is touched; what the proxy hovers over has
+    // its true plane in pass 2.
+    void look(std::size_t i) noexcept {
+        const Contact& contact = on_.contacts[i];
+        const Obstacle& obstacle = on_.obstacles[contact.body];
+        const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+        if (!feel) return add(i, true_[i].normal);
+        const Pose& pose = poseNow(obstacle, on_.movers);
+        const Triangle triangle = obstacle.triangle(contact.triangle);
+        const ClosestPoint& closest = closest_[i];
+        const Vec3 away = pose.rotateInverse(true_[i].normal);
+        const Vec3 base =
+            feel->normals ? shadedNormal(*feel->normals, contact.triangle, triangle, closest, away) : away;
+        if (!feel->texture) return add(i, pose.rotate(base));
+        const TextureFeel touch =
+            tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, closest, base),
+                         on_.smallestFeature);
+        material_[i] = modulated(material_[i], touch);
+        std::array<Vec3, 1 + kMostOwnPlanes> slopes;
+        const int count = slopesOf(touch, slopes);
+        for (int k = 0; k < count; ++k)
+            add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
+    }
+
+    // A felt plane goes through the proxy's foot on the true one; none asks the proxy to move.
+    void add(std::size_t owner, const Vec3& normal) noexcept {
+        if (feltCount_ == kMaxPlanes) return;
+        const double offset = true_[owner].offset * normal.dot(true_[owner].normal);
+        felt_[std::size_t(feltCount_)] = {normal, std::min(offset, 0.0)};
+        owner_[std::size_t(feltCount_++)] = std::uint8_t(owner);
+    }
+
+    std::span<ConstraintPlane> truePlanes() noexcept { return {true_.data(), on_.contacts.size()}; }
+
+    // A finger that is outside of everything touches nothing, whichever way a plane is felt to lean.
+    bool isAboveAll(const Vec3& u) noexcept {
+        return std::ranges::all_of(
+            truePlanes(), [&](const ConstraintPlane& plane) { return plane.normal.dot(u) >= plane.offset; });
+    }
+
+    // The felt plane that pushes, if it is one alone.
+    int theOnlyPlane() const noexcept {
+        if (pushing_.active == 0) return feltCount_ == 1 ? 0 : -1;
+        if (pushing_.active > 1) return -1;
+        int which = 0;
+        while (pushing_.lambda[std::size_t(which)] <= 0)
+            ++which;
+        return which;
+    }
+
+    // Of a single plane the end of all passes is known: from the finger along the felt normal up to the true
+    // plane. False where that leads below another plane.
+    bool alongTheFeltNormal(const Vec3& u, int j) noexcept {
+        const std::size_t i = owner_[std::size_t(j)];
+        const Vec3& normal = felt_[std::size_t(j)].normal;
+        const double depth = true_[i].offset - true_[i].normal.dot(u);
+        if (!(depth > 0)) return false;
+        const double length = depth / normal.dot(true_[i].normal);
+        const Vec3 x = u + length * normal;
+        for (const ConstraintPlane& plane : truePlanes())
+            if (plane.normal.dot(x) < plane.offset - kOnPlane * on_.radius) return false;
+        result_.x = x;
+        result_.lambda[i] = depth;
+        result_.active = 1;
+        pushing_.lambda[std::size_t(j)] = length;
+        return true;
+    }
+
+    // From the sub-goal to the true planes. A multiplier is what pass 1 and pass 2 push along its true normal
+    // together: their sum holds the finger.
+    void secondPass(const Vec3& subgoal) noexcept {
+        for (int j = 0; j < feltCount_; ++j) {
+            const std::size_t i = owner_[std::size_t(j)];
+            result_.lambda[i] +=
+                pushing_.lambda[std::size_t(j)] * felt_[std::size_t(j)].normal.dot(true_[i].normal);
+        }
+        if (!projectBack(subgoal)) {
+            const NearestPoint nearest = nearestReachable(subgoal, truePlanes());
+            result_.x = nearest.x;
+            result_.feasible = nearest.feasible;
+            for (std::size_t i = 0; i < on_.contacts.size(); ++i)
+                result_.lambda[i] += nearest.lambda[i];
+        }
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
+            result_.lambda[i] = std::max(result_.lambda[i], 0.0);
+            result_.active += result_.lambda[i] > 0;
+        }
+    }
+
+    // A sub-goal above all true planes goes back onto the nearest: the proxy stays on the surface.
+    bool projectBack(const Vec3& subgoal) noexcept {
+        if (!isAboveAll(subgoal)) return false;
+        std::size_t nearest = 0;
+        double height = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
+            const double above = true_[i].normal.dot(subgoal) - true_[i].offset;
+            if (above < height) height = above, nearest = i;
+        }
+        result_.x = subgoal - height * true_[nearest].normal;
+        result_.lambda[nearest] -= height;
+        return true;
+    }
+
+    const FeltContacts& on_;
+    Vec3 centre_ = Vec3::Zero();
+    std::array<ConstraintPlane, kMaxPlanes> true_, felt_;
+    std::array<ClosestPoint, kMaxPlanes> closest_;
+    std::array<Material, kMaxPlanes> material_;
+    std::array<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
+    int feltCount_ = 0;
+    NearestPoint pushing_; ///< of pass 1
+    NearestPoint result_;  ///< of both: the multipliers are the contacts'
+};
+
+} // namespace
+
+bool isFelt(std::span<const Obstacle> obstacles, std::span<const Contact> contacts) noexcept {
+    return std::ranges::any_of(contacts, [&](const Contact& contact) {
+        return feelOf(obstacles[contact.body], contact.triangle) != nullptr;
+    });
+}
+
+NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept {
+    Passes passes(on);
+    const NearestPoint result = passes.at(state.position);
+    passes.settle(state);
+    return result;
+}
+
+double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
+                 bool mayExtend) noexcept {
+    Passes passes(on);
+    const auto wishAfter = [&](double part) {
+        return passes.at(state.position + drop + part * slide).x.dot(slide);
+    };
+    const double atStart = slide.squaredNorm();
+    double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
+    if (atHigh >= -kOvershoot * atStart)
+        return mayExtend && atHigh > 0 && atHigh < atLow ? std::min(atLow / (atLow - atHigh), kFarthest) : 1;
+    // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the crease
+    // between two texels, the proxy comes to rest on the side that it came from.
+    for (int i = 0; i < kSearches; ++i) {
+        const double middle = low + (high - low) * atLow / (atLow - atHigh);
+        const double there = wishAfter(middle);
+        if (std::abs(there) <= kOvershoot * atStart) return middle;
+        if (there > 0) {
+            low = middle, atLow = there, atHigh *= 0.5;
+        } else {
+            high = middle, atHigh = there, atLow *= 0.5;
+        }
+    }
+    return low;
+}
+
+} // namespace tactum

@@ -1,0 +1,69 @@
+#include "core/surface/shaded_normal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactum {
+namespace {
+
+// Interpolated normals shorter than this come from corners that face away from each other: they say nothing.
+constexpr double kNoDirection = 1e-6;
+// Cosine of the farthest that a boundary is felt as n'.
+constexpr double kWidestMirror = 0.2;
+
+Vec3 turnedTo(const Vec3& side, const Vec3& normal) noexcept {
+    return normal.dot(side) < 0 ? Vec3(-normal) : normal;
+}
+
+bool isOnSeam(std::uint8_t seams, const ClosestPoint& closest) noexcept {
+    if (seams == 0 || closest.feature == Feature::Face) return false;
+    int corner = 0;
+    if (closest.feature == Feature::Edge)
+        closest.weights.cwiseAbs().minCoeff(&corner);
+    else
+        closest.weights.maxCoeff(&corner);
+    const int bit = closest.feature == Feature::Edge ? corner : 3 + corner;
+    return (seams >> bit) & 1;
+}
+
+// The hypothetical surface has the normal n' at the boundary. A facet that continued it would lie mirrored at
+// n', so up to that one's normal the boundary is felt as n'; from there on n' gives way to the true normal,
+// which stands alone at the tip, where upper and lower side meet.
+Vec3 onHypotheticalSurface(const Vec3& interpolated, const Triangle& triangle, const Vec3& away) noexcept {
+    const Vec3 plane = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
+    const double area = plane.norm();
+    if (!(area > 0)) return away; // a segment or a point has no side to be tilted
+    const Vec3 face = turnedTo(away, plane / area), felt = turnedTo(face, interpolated);
+    const double height = away.dot(face);
+    const Vec3 outward = away - height * face;
+    const double lean = std::max(0.0, felt.dot(outward) / std::max(outward.norm(), kNoDirection));
+    const double mirrored = std::max(1 - 2 * lean * lean, kWidestMirror);
+    const double share = std::clamp((mirrored - height) / mirrored, 0.0, 1.0);
+    return ((1 - share) * felt + share * away).normalized();
+}
+
+} // namespace
+
+Vec3 leaningAtMost(const Vec3& normal, const Vec3& away) noexcept {
+    const double cosine = normal.dot(away);
+    if (cosine >= kMostLean) return normal;
+    const Vec3 sideways = normal - cosine * away;
+    const double length = sideways.norm();
+    if (!(length > 0)) return away;
+    return kMostLean * away + std::sqrt(1 - kMostLean * kMostLean) / length * sideways;
+}
+
+Vec3 shadedNormal(const SmoothNormals& normals, Index index, const Triangle& triangle,
+                  const ClosestPoint& closest, const Vec3& away) noexcept {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+        sum += closest.weights[Eigen::Index(k)] * normals.corners[3 * index + k].cast<double>();
+    const double length = sum.norm();
+    if (!(length > kNoDirection)) return away;
+    const Vec3 interpolated = sum / length;
+    if (isOnSeam(normals.seams[index], closest))
+        return leaningAtMost(onHypotheticalSurface(interpolated, triangle, away), away);
+    return leaningAtMost(turnedTo(away, interpolated), away);
+}
+
+} // namespace tactum

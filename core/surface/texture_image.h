@@ -1,0 +1,57 @@
+// A texture's image: one channel, linear, with its mip levels. Built once, then only read.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/vec.h"
+
+namespace tactum {
+
+/// Texels from 0 (0) to 65535 (1), whatever depth the file had: 8 bits v are 257 v, which is exact. Row 0
+/// lies at v = 0, the lower edge of the picture, and the image repeats in both directions. A level is half as
+/// wide and high as the one before, rounded up; each of its texels is the mean of the area that it covers, so
+/// that no size needs to be a power of two. Shared through a shared_ptr to const.
+class TextureImage {
+public:
+    static constexpr int kMostLevels = 16;
+    static constexpr int kLargestSide = 1 << 14; ///< texels
+    static constexpr std::size_t kMostTexels = std::size_t(1) << 27;
+
+    struct Level {
+        int width = 0, height = 0;
+        std::size_t begin = 0; ///< of its first texel
+    };
+
+    /// `texels`: width x height of them, row by row; sides from 1 to kLargestSide, at most kMostTexels.
+    /// `name`: for the person. `bits`: the depth that the file had. Thread: any but real time.
+    TextureImage(int width, int height, std::vector<std::uint16_t> texels, std::string name = {},
+                 int bits = 16);
+
+    int width() const noexcept { return levels_[0].width; }
+    int height() const noexcept { return levels_[0].height; }
+    int bits() const noexcept { return bits_; }
+    const std::string& name() const noexcept { return name_; }
+    int levelCount() const noexcept { return levelCount_; }
+    const Level& level(int i) const noexcept { return levels_[std::size_t(i)]; }
+    /// From 0 to 1. Thread: real time.
+    double texel(const Level& at, int x, int y) const noexcept { return row(at, y)[x] / 65535.0; }
+    /// The texels of a row, from 0 to 65535. Thread: real time.
+    const std::uint16_t* row(const Level& at, int y) const noexcept {
+        return texels_.data() + at.begin + std::size_t(y) * std::size_t(at.width);
+    }
+
+private:
+    void addLevel(const Level& finer);
+
+    std::string name_;
+    int bits_ = 16;
+    int levelCount_ = 0;
+    std::array<Level, kMostLevels> levels_{};
+    std::vector<std::uint16_t> texels_; ///< all levels, one after the other
+};
+
+} // namespace tactum

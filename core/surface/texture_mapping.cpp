@@ -1,0 +1,114 @@
+#include "core/surface/texture_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactum {
+namespace {
+
+using Eigen::Vector2d;
+using Gradient = Eigen::Matrix<double, 2, 3>;
+
+/// A place in metres over the flat pattern, before it is moved, turned and scaled. The gradient is in the
+/// mapping frame for all but UVs.
+struct Place {
+    Vector2d metres = Vector2d::Zero();
+    Gradient gradient = Gradient::Zero();
+};
+
+/// Seen along an axis of the frame, upright and never mirrored from either side.
+Place alongAxis(const Vec3& p, int axis, double side) noexcept {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Place place{{side * p[u], p[v]}, Gradient::Zero()};
+    place.gradient(0, u) = side;
+    place.gradient(1, v) = 1;
+    return place;
+}
+
+/// The gradient of the longitude about z.
+Vec3 longitudeGradient(const Vec3& p, double pole) noexcept {
+    return Vec3(-p.y(), p.x(), 0) / std::max(p.x() * p.x() + p.y() * p.y(), pole * pole);
+}
+
+Place aroundAxis(const CompiledPattern& pattern, const Vec3& p) noexcept {
+    Place place{{pattern.metresPerRadian * std::atan2(p.y(), p.x()), p.z()}, Gradient::Zero()};
+    place.gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, kPole * pattern.radius);
+    place.gradient(1, 2) = 1;
+    return place;
+}
+
+Place onSphere(const CompiledPattern& pattern, const Vec3& p) noexcept {
+    const double pole = kPole * pattern.radius, across = std::hypot(p.x(), p.y());
+    Place place;
+    place.metres = {pattern.metresPerRadian * std::atan2(p.y(), p.x()),
+                    pattern.radius * std::atan2(p.z(), across)};
+    place.gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, pole);
+    const double away = std::max(across, 1e-3 * pole); // at the pole itself every direction leads south
+    place.gradient.row(1) = pattern.radius * Vec3(-p.x() * p.z() / away, -p.y() * p.z() / away, across) /
+                            std::max(p.squaredNorm(), pole * pole);
+    return place;
+}
+
+void add(FlatPoints& points, const CompiledPattern& pattern, const Place& place, double weight) noexcept {
+    const auto i = std::size_t(points.count++);
+    points.point[i] = {pattern.repeatsPerMetre * (place.metres - pattern.offset),
+                       pattern.repeatsPerMetre * place.gradient};
+    points.weight[i] = weight;
+}
+
+/// The fourth power of the normal's components; a side that counts for less than 1e-4 is spared.
+void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Vec3& p, const Vec3& n) noexcept {
+    const Vec3 powers = (n.array().square().square() - 1e-4).max(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (powers[axis] > 0)
+            add(points, pattern, alongAxis(p, axis, n[axis] < 0 ? -1 : 1), powers[axis] / powers.sum());
+}
+
+void addFramed(FlatPoints& points, const CompiledPattern& pattern, const TexturePoint& point) noexcept {
+    const Vec3 p = pattern.axes * (point.position - pattern.origin);
+    switch (pattern.mapping) {
+    case TextureMapping::Triplanar:
+        addTriplanar(points, pattern, p, pattern.axes * point.normal);
+        break;
+    case TextureMapping::Cylindrical:
+        add(points, pattern, aroundAxis(pattern, p), 1);
+        break;
+    case TextureMapping::Spherical:
+        add(points, pattern, onSphere(pattern, p), 1);
+        break;
+    default:
+        add(points, pattern, alongAxis(p, 2, 1), 1);
+    }
+    for (int i = 0; i < points.count; ++i)
+        points.point[std::size_t(i)].perMetre = (points.point[std::size_t(i)].perMetre * pattern.axes).eval();
+}
+
+bool usesUvs(const CompiledPattern& pattern) noexcept {
+    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
+}
+
+} // namespace
+
+Gradient uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept {
+    const Vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, n = b.cross(c);
+    const double area = n.squaredNorm(); // (b, c) squared, by the cross product: without cancellation
+    if (!(area > 1e-24 * b.squaredNorm() * c.squaredNorm())) return Gradient::Zero();
+    // The vectors in the triangle's plane whose products with (b, c) are (1, 0) and (0, 1).
+    const Vec3 alongB = c.cross(n) / area, alongC = n.cross(b) / area;
+    const Gradient gradient = (uvs[1] - uvs[0]) * alongB.transpose() + (uvs[2] - uvs[0]) * alongC.transpose();
+    return gradient.allFinite() ? gradient : Gradient::Zero();
+}
+
+FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
+    FlatPoints points;
+    if (usesUvs(pattern))
+        add(points, pattern, {pattern.metresPerUv * point.uv, pattern.metresPerUv * point.uvGradient}, 1);
+    else
+        addFramed(points, pattern, point);
+    const Mat3 tangent = Mat3::Identity() - point.normal * point.normal.transpose();
+    for (int i = 0; i < points.count; ++i)
+        points.point[std::size_t(i)].perMetre = (points.point[std::size_t(i)].perMetre * tangent).eval();
+    return points;
+}
+
+} // namespace tactum

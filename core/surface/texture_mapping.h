@@ -1,0 +1,46 @@
+// From a place on a surface to a place on a flat pattern, with the gradient.
+#pragma once
+
+#include <array>
+
+#include "core/geometry/triangle.h"
+#include "core/surface/texture_field.h"
+#include "core/surface/texture_stack.h"
+
+namespace tactum {
+
+/// Where a texture is felt. Body frame.
+struct TexturePoint {
+    Vec3 position = Vec3::Zero();                 ///< m
+    Vec3 normal = Vec3::UnitZ();                  ///< of unit length, toward the proxy
+    Eigen::Vector2d uv = Eigen::Vector2d::Zero(); ///< the mesh's texture coordinates
+    /// d uv / d position along the surface, 1/m; zero when there are no texture coordinates.
+    Eigen::Matrix<double, 2, 3> uvGradient = Eigen::Matrix<double, 2, 3>::Zero();
+};
+
+/// The texture coordinates of a triangle's corners.
+using CornerUvs = std::array<Eigen::Vector2d, 3>;
+
+/// d uv / d position of the map that is linear on the triangle, in 1/m, whatever scale, mirror image or skew
+/// its coordinates have. Zero for segments, points and slivers without a plane, and for coordinates that are
+/// all the same or not finite. Thread: real time.
+Eigen::Matrix<double, 2, 3> uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept;
+
+/// A pattern's places for one point of the surface: one, or up to three that are blended.
+struct FlatPoints {
+    std::array<FlatPoint, 3> point;
+    std::array<double, 3> weight{}; ///< sum 1
+    int count = 0;
+};
+
+/// Where the point lies on the pattern. The gradients are tangent to the surface.
+///
+/// On the axis of a cylinder and at the poles of a sphere the meridians meet and the gradient of the
+/// longitude grows without bound: it stops growing at kPole of the mapping's radius from there (and the band
+/// limit has faded what is that fine long before). Triplanar weights count as constant along the surface, as
+/// they are on a flat one. Thread: real time.
+FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point) noexcept;
+
+inline constexpr double kPole = 0.01;
+
+} // namespace tactum

@@ -1,0 +1,66 @@
+// What compiling makes of a surface's texture layers: ready to be sampled, immutable, shared.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/geometry/triangle_soup.h"
+#include "core/surface/procedural_texture.h"
+#include "core/surface/texture_layer.h"
+
+namespace tactum {
+
+/// A pattern with everything worked out that does not depend on the place. Values are inside their ranges.
+struct CompiledPattern {
+    TextureSource source = TextureSource::Noise;
+    TextureMapping mapping = TextureMapping::Triplanar;
+    std::shared_ptr<const TextureImage> image; ///< never empty for the source Image
+    double metresPerUv = 0;                    ///< of one unit of the mesh's coordinates
+    Mat3 axes = Mat3::Identity();              ///< rows: the axes of the mapping frame, in the body frame
+    Vec3 origin = Vec3::Zero();                ///< of the mapping frame, body frame, m
+    double radius = 1;                         ///< m
+    double metresPerRadian = 1;                ///< around the axis; a turn is a whole number of repeats
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero();              ///< m
+    Eigen::Matrix2d repeatsPerMetre = Eigen::Matrix2d::Identity(); ///< turns and scales
+    WaveShape wave;
+    int octaves = 1;
+    std::uint32_t seed = 0;
+};
+
+struct CompiledLayer {
+    CompiledPattern pattern;
+    std::optional<CompiledPattern> mask;
+    TextureTarget target = TextureTarget::Height;
+    TextureBlend blend = TextureBlend::Add;
+    double strength = 0; ///< m or ratio
+    double opacity = 1;
+    bool ownPlane = false; ///< of at most kMostOwnPlanes layers
+};
+
+/// The layers of one surface of one mesh that can be felt, lowest first, at most kMostTextureLayers.
+struct TextureStack {
+    std::vector<CompiledLayer> layers;
+
+    // What it was made of: to know whether it can be used again.
+    std::vector<TextureLayer> source;
+    std::shared_ptr<const TriangleSoup> soup;
+    Index surface = 0;
+    double metresPerUv = -1; ///< negative where no layer asked for it
+};
+
+/// The stack of one surface. Layers that are off, lack their image, or ask for UVs that the mesh has not are
+/// left out (validation tells the person); nothing is returned when none is left. A stack among `known` that
+/// was made of the same is returned itself; images bring their levels along, so a new stack costs no more
+/// than its numbers, and a look at the mesh where the UVs' scale is needed and not known. Thread: any but
+/// real time.
+std::shared_ptr<const TextureStack>
+compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<const TriangleSoup>& soup,
+                Index surface, std::span<const std::shared_ptr<const TextureStack>> known = {});
+
+/// How long one unit of the mesh's texture coordinates is on a surface, on average over its area: the square
+/// root of area by area. m; 0 without usable coordinates. Thread: any but real time.
+double metresPerUvOf(const TriangleSoup& soup, Index surface);
+
+} // namespace tactum

@@ -1,0 +1,311 @@
+// Haptic texture (section 4.3) through whole haptic steps: slopes, valleys and maps of friction in newtons.
+
+#include <QtTest>
+
+#include "tests/core/surface/spectrum.h"
+#include "tests/core/surface/texture_rig.h"
+#include "tests/support/hand.h"
+#include "tests/support/reference.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+Q_DECLARE_METATYPE(TextureMapping)
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadius = 1e-3;
+constexpr double kDepth = 1e-3;
+constexpr double kRepeat = 0.02; // m
+
+std::shared_ptr<const World> texturedWorld(Soup soup, std::vector<TextureLayer> layers,
+                                           const Material& material = frictionless()) {
+    Scene scene = sceneOf(std::move(soup), material, kRadius);
+    scene.objects[0].surfaces[0].layers = std::move(layers);
+    return compile(scene).value();
+}
+
+// The plane z = 0 in 20 x 20 quads, with coordinates uv = linear (x, y).
+Soup laidOut(const Eigen::Matrix2d& linear) {
+    auto soup = std::make_shared<TriangleSoup>(*sheet(0.05, 20));
+    for (const auto& triangle : soup->triangles)
+        for (Index corner : triangle)
+            soup->cornerUvs.push_back((linear * soup->positions[corner].head<2>()).cast<float>());
+    return soup;
+}
+
+Hand pressedAt(const std::shared_ptr<const World>& world, double x, double y, double dt = kMillisecond) {
+    Hand hand(world, dt);
+    hand.to({x, y, 3e-3});
+    hand.go({x, y, kRadius - kDepth}, 0.05);
+    for (int i = 0; i < 5; ++i)
+        hand.to(hand.finger());
+    return hand;
+}
+
+// Tangential over normal force: minus the slope, as it pushes downhill.
+Vec3 ratio(const Hand& hand) {
+    const Vec3 force = hand.output().force;
+    return {force.x() / force.z(), force.y() / force.z(), 0};
+}
+
+QString text(const Vec3& v) {
+    return QString("(%1 %2 %3)").arg(v.x()).arg(v.y()).arg(v.z());
+}
+
+// From the finger to the side, in steps of a micrometre.
+double wentWith(Hand& hand, double side) {
+    const double before = hand.output().proxy.x();
+    hand.go(hand.finger() + Vec3(side, 0, 0), 1e-3);
+    for (int i = 0; i < 20; ++i)
+        hand.to(hand.finger());
+    return hand.output().proxy.x() - before;
+}
+
+} // namespace
+
+class TextureStepTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void forceFollowsTheSlope_data();
+    void forceFollowsTheSlope();
+    void uvsMayLieAnyWay_data();
+    void uvsMayLieAnyWay();
+    void valleyOfTwoPlanesHolds();
+    void valleyOfTwoFlanksHolds();
+    void frictionFollowsItsMap();
+    void stiffnessFollowsItsMap();
+    void nothingIsLifted();
+    void comesToRest();
+    void servoFeelsTheSame();
+    void aliasOfASlide_data();
+    void aliasOfASlide();
+};
+
+void TextureStepTest::forceFollowsTheSlope_data() {
+    QTest::addColumn<TextureMapping>("mapping");
+    QTest::newRow("planar") << TextureMapping::Planar;
+    QTest::newRow("triplanar") << TextureMapping::Triplanar;
+    QTest::newRow("uv") << TextureMapping::Uv;
+    QTest::newRow("uv unit square") << TextureMapping::UvUnit;
+}
+
+void TextureStepTest::forceFollowsTheSlope() {
+    QFETCH(TextureMapping, mapping);
+    const Soup soup = laidOut(Eigen::Matrix2d::Identity() / kRepeat);
+    for (double s : {0.01, 0.05, 0.1, 0.3})
+        for (double turn : {0.0, 0.5 * kPi, 2.5}) {
+            TextureLayer layer = imageLayer(ramp(), mapping, kRepeat, s * kRepeat);
+            layer.pattern.rotation = turn;
+            layer.pattern.offsetU = -0.4 * kRepeat; // the ramp's end is far
+            Hand hand = pressedAt(texturedWorld(soup, {layer}), 0.0013, 0.0007);
+            const Vec3 expected = -s * Vec3(std::cos(turn), std::sin(turn), 0);
+            // The image of the source proportions: 256 x 4 texels make the repeat low, never the slope
+            // steeper.
+            QVERIFY2((ratio(hand) - expected).norm() < 0.02 * s,
+                     qPrintable(QString("%1: %2 instead of %3, at %4")
+                                    .arg(s)
+                                    .arg(text(ratio(hand)), text(expected), text(hand.output().proxy))));
+        }
+}
+
+void TextureStepTest::uvsMayLieAnyWay_data() {
+    QTest::addColumn<double>("a");
+    QTest::addColumn<double>("b");
+    QTest::addColumn<double>("c");
+    QTest::addColumn<double>("d");
+    QTest::newRow("large") << 5.0 << 0.0 << 0.0 << 5.0;
+    QTest::newRow("stretched") << 30.0 << 0.0 << 0.0 << 5.0;
+    QTest::newRow("mirrored") << -25.0 << 0.0 << 0.0 << 25.0;
+    QTest::newRow("skewed") << 20.0 << 14.0 << 0.0 << 20.0;
+}
+
+// Heights are strength x u: the slope is known from the coordinates alone.
+void TextureStepTest::uvsMayLieAnyWay() {
+    QFETCH(double, a);
+    QFETCH(double, b);
+    QFETCH(double, c);
+    QFETCH(double, d);
+    Eigen::Matrix2d linear;
+    linear << a, b, c, d;
+    const double height = 5e-3;
+    TextureLayer layer = imageLayer(ramp(), TextureMapping::UvUnit, kRepeat, height);
+    layer.pattern.offsetU = 0.4 * kRepeat;
+    Hand hand = pressedAt(texturedWorld(laidOut(linear), {layer}), 0.0013, 0.0007);
+    const Vec3 expected = -height * Vec3(a, b, 0);
+    QVERIFY2((ratio(hand) - expected).norm() < 0.02 * expected.norm(),
+             qPrintable(text(ratio(hand)) + " instead of " + text(expected)));
+}
+
+// One layer rises to the left and one to the right, everywhere: the two planes make a valley wherever the
+// proxy is.
+void TextureStepTest::valleyOfTwoPlanesHolds() {
+    const double s = 0.3;
+    const auto rising = [&](double sign) {
+        TextureLayer layer =
+            imageLayer(imageOf(256, 4, [&](double x, double) { return sign > 0 ? x : 1 - x; }),
+                       TextureMapping::Planar, kRepeat, s * kRepeat);
+        layer.ownPlane = true;
+        return layer;
+    };
+    const auto world = texturedWorld(sheet(0.05), {rising(1), rising(-1)});
+    for (double sign : {1.0, -1.0}) {
+        Hand held = pressedAt(world, 0.009, 0.002);
+        const double kept = wentWith(held, sign * 0.98 * s * kDepth);
+        QVERIFY2(std::abs(kept) < 1e-9, qPrintable(QString::number(kept)));
+        Hand loose = pressedAt(world, 0.009, 0.002);
+        const double went = wentWith(loose, sign * (s * kDepth + 2e-4));
+        QVERIFY2(std::abs(sign * went - 2e-4) < 1e-5, qPrintable(QString::number(went)));
+        QVERIFY(std::abs(ratio(loose).x() + sign * s) < 0.02 * s);
+    }
+}
+
+// One layer is the left flank, the other the right one: from either side down into the valley between.
+void TextureStepTest::valleyOfTwoFlanksHolds() {
+    const double s = 0.3, middle = 0.5 * kRepeat, texel = kRepeat / 256;
+    const auto flank = [&](double sign) {
+        TextureLayer layer =
+            imageLayer(imageOf(256, 4, [&](double x, double) { return std::max(0.0, sign * (x - 0.5)); }),
+                       TextureMapping::Planar, kRepeat, s * kRepeat);
+        layer.ownPlane = true;
+        return layer;
+    };
+    const auto world = texturedWorld(sheet(0.05), {flank(1), flank(-1)});
+    for (double side : {-2e-3, -2e-4, 2e-4, 2e-3}) {
+        const Hand hand = pressedAt(world, middle + side, 0.002);
+        const double fell = std::min(std::abs(side), s * kDepth);
+        QVERIFY2(std::abs(hand.output().proxy.x() - (middle + side - std::copysign(fell, side))) < 2 * texel,
+                 qPrintable(QString::number(hand.output().proxy.x() - middle)));
+    }
+    for (double sign : {1.0, -1.0}) {
+        Hand held = pressedAt(world, middle, 0.002);
+        QVERIFY(std::abs(wentWith(held, sign * 0.95 * s * kDepth)) < 2 * texel);
+        Hand loose = pressedAt(world, middle, 0.002);
+        const double went = wentWith(loose, sign * (s * kDepth + 1e-3));
+        QVERIFY2(std::abs(sign * went - 1e-3) < 2 * texel, qPrintable(QString::number(went)));
+    }
+}
+
+void TextureStepTest::frictionFollowsItsMap() {
+    const Image halves = imageOf(256, 4, [](double x, double) { return x < 0.5 ? 0 : 1; });
+    TextureLayer sticks = imageLayer(halves, TextureMapping::Planar, kRepeat, 1);
+    sticks.target = TextureTarget::StaticFriction;
+    TextureLayer drags = sticks;
+    drags.target = TextureTarget::DynamicFriction;
+    drags.strength = 0.5;
+    const auto world = texturedWorld(sheet(0.05), {sticks, drags}, rough(0.3, 0.2));
+    for (bool high : {false, true}) {
+        Hand hand = pressedAt(world, high ? 0.015 : 0.005, 0.002);
+        double most = 0;
+        hand.go(hand.finger() + Vec3(0.001, 0, 0), 1e-3,
+                [&](const Hand& h) { most = std::max(most, ratio(h).norm()); });
+        QVERIFY2(std::abs(most / (high ? 0.6 : 0.3) - 1) < 0.005, qPrintable(QString::number(most)));
+        QVERIFY(std::abs(ratio(hand).norm() / (high ? 0.3 : 0.2) - 1) < 0.005);
+    }
+}
+
+void TextureStepTest::stiffnessFollowsItsMap() {
+    TextureLayer layer =
+        imageLayer(imageOf(4, 4, [](double, double) { return 1; }), TextureMapping::Planar, kRepeat, -0.5);
+    layer.target = TextureTarget::Stiffness;
+    const Hand hand = pressedAt(texturedWorld(sheet(0.05), {layer}), 0, 0);
+    QVERIFY(std::abs(hand.output().force.z() - 0.5 * kStiffness.initial * kDepth) < 1e-6);
+    QVERIFY(std::abs(hand.output().contact[0].normalForce - hand.output().force.z()) < 1e-9);
+}
+
+// Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there.
+void TextureStepTest::nothingIsLifted() {
+    for (TextureSource source : {TextureSource::Noise, TextureSource::Dots, TextureSource::Grooves})
+        for (double size : {5e-4, 5e-3})
+            for (bool own : {false, true}) {
+                TextureLayer layer = heightLayer(source, TextureMapping::Triplanar, size, 0.3 * size);
+                layer.ownPlane = own;
+                const Soup soup = ball(0.03, 3);
+                Hand hand(texturedWorld(soup, {layer}, own ? rough(0.2, 0.1, 0.5) : frictionless()));
+                hand.to({0, 0, 0.04});
+                hand.go({0, 0.003, 0.029}, 0.05);
+                Rng rng(12);
+                double highest = 0, deepest = 0;
+                for (int i = 0; i < 12; ++i)
+                    hand.go(0.0285 * (hand.finger().normalized() + 0.5 * direction(rng)).normalized(),
+                            uniform(rng, 0.02, 0.3), [&](const Hand& h) {
+                                const double gap = clearance(*soup, h.output().proxy) - kRadius;
+                                highest = std::max(highest, gap);
+                                deepest = std::max(deepest, -gap);
+                            });
+                QVERIFY2(highest < kMicrometre && deepest < kMicrometre,
+                         qPrintable(QString("%1 and %2 um").arg(1e6 * highest).arg(1e6 * deepest)));
+            }
+}
+
+// A finger that holds still on the steepest of textures ends on the same bits.
+void TextureStepTest::comesToRest() {
+    Rng rng(31);
+    int slow = 0;
+    for (int run = 0; run < 200; ++run) {
+        const double size = std::pow(10, uniform(rng, -3.5, -2));
+        TextureLayer noise = heightLayer(TextureSource::Noise, TextureMapping::Triplanar, size, 0.5 * size);
+        TextureLayer dots = heightLayer(TextureSource::Dots, TextureMapping::Triplanar, size, 0.2 * size);
+        dots.ownPlane = run % 2 == 0;
+        Hand hand(texturedWorld(ball(0.03, 2), {noise, dots}));
+        const Vec3 way = direction(rng);
+        hand.to(0.035 * way);
+        hand.go((0.031 - 0.004 * uniform(rng, 0, 1)) * way + 1e-3 * direction(rng), 0.1);
+        for (int i = 0; i < 60; ++i) {
+            const Vec3 before = hand.output().proxy;
+            hand.to(hand.finger());
+            slow += i == 8 && before != hand.output().proxy;
+        }
+        const Vec3 rest = hand.output().proxy;
+        for (int i = 0; i < 20; ++i)
+            QCOMPARE(hand.to(hand.finger()).proxy, rest);
+    }
+    qInfo() << slow << "of 200 needed more than eight steps";
+    QVERIFY(slow < 10);
+}
+
+// Between two updates of the proxy the servo renders the felt planes, not the facets.
+void TextureStepTest::servoFeelsTheSame() {
+    TextureLayer layer = imageLayer(ramp(), TextureMapping::Planar, kRepeat, 0.2 * kRepeat);
+    const auto world = texturedWorld(sheet(0.05), {layer});
+    Hand hand = pressedAt(world, 0.009, 0.002);
+    for (const Vec3& way : {Vec3(0, 0, 0), Vec3(0, 0, -2e-4), Vec3(1e-4, 0, 0), Vec3(-1e-4, 1e-4, 0)}) {
+        const Vec3 served = contactModelForce(hand.state.model, hand.finger() + way, Vec3::Zero());
+        Hand next = hand;
+        for (int i = 0; i < 5; ++i)
+            next.to(hand.finger() + way);
+        QVERIFY2((served - next.output().force).norm() < 0.05 * served.norm(),
+                 qPrintable(text(served) + " and " + text(next.output().force)));
+        if (way.isZero()) QVERIFY((served - hand.output().force).norm() < 1e-6);
+    }
+}
+
+void TextureStepTest::aliasOfASlide_data() {
+    QTest::addColumn<double>("rate");
+    for (double rate : {1000.0, 2000.0, 4000.0})
+        QTest::addRow("%g kHz", rate / 1000) << rate;
+}
+
+// White grain 20 um high under a stroke of 0.15 m/s: what sounds above 300 Hz, filtered for the speed and (by
+// a finger that the filter takes for one at rest) not filtered.
+void TextureStepTest::aliasOfASlide() {
+    QFETCH(double, rate);
+    Rng rng(9);
+    const Image grain = imageOf(512, 512, [&](double, double) { return uniform(rng, 0, 1); });
+    const auto world = texturedWorld(sheet(0.08), {imageLayer(grain, TextureMapping::Planar, 0.05, 2e-5)});
+    Hand hand = pressedAt(world, -0.06, 0.001, 1 / rate);
+    hand.go(hand.finger() + Vec3(0.01, 0.001, 0), 0.15);
+    std::vector<double> force;
+    hand.go(hand.finger() + Vec3(0.1, 0.01, 0), 0.15,
+            [&](const Hand& h) { force.push_back(h.output().force.x()); });
+    const Spectrum ripple = spectrumOf(force, rate, 300);
+    qInfo("force above 300 Hz: %.3g mN of %.3g mN", 1e3 * std::sqrt(ripple.above),
+          1e3 * std::sqrt(ripple.whole));
+    QVERIFY(ripple.whole > 0);
+    QVERIFY(ripple.above < 0.25 * ripple.whole);
+}
+
+QTEST_APPLESS_MAIN(TextureStepTest)
+#include "test_texture_step.moc"
