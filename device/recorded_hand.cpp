@@ -10,7 +10,8 @@ namespace {
 
 /// What the display and the limiter take for the force that nobody feels. N
 constexpr double kShownForce = 8;
-constexpr double kShownStiffness = 3000; // N/m
+constexpr double kGrip = 1e5;   ///< N s/m: it goes its way whatever it meets, and no stiffness shakes it
+constexpr double kFastest = 20; ///< m/s: nobody holds it
 
 bool risesTo(const RecordedPoint& a, const RecordedPoint& b) {
     return a.t < b.t;
@@ -30,10 +31,10 @@ DeviceInfo RecordedHand::info() const {
         reach = std::max(reach, point.position.norm());
     return {.name = "Recorded hand",
             .maxForce = kShownForce,
-            .maxStiffness = kShownStiffness,
             .workspaceRadius = reach,
-            .positionResolution = 0,
-            .rate = 1000};
+            .rate = 1000,
+            .damping = kGrip,
+            .tripSpeed = kFastest};
 }
 
 Result<void> RecordedHand::open() {
@@ -50,16 +51,21 @@ Result<void> RecordedHand::open() {
 void RecordedHand::close() {}
 
 DeviceSample RecordedHand::exchange(const DeviceCommand&, double dt) noexcept {
+    const double before = playedTime();
     if (!std::exchange(rewound_, false)) elapsed_ += dt;
     const double t = playedTime();
+    const bool jumped = t < before;
     const auto next =
         std::upper_bound(points_.begin(), points_.end(), t,
                          [](double time, const RecordedPoint& point) { return time < point.t; });
-    if (next == points_.end()) return {.position = points_.back().position, .valid = true};
+    if (next == points_.end()) return {.position = points_.back().position, .valid = true, .jumped = jumped};
 
     const RecordedPoint &from = *std::prev(next), &to = *next;
     const Vec3 velocity = (to.position - from.position) / (to.t - from.t);
-    return {.position = from.position + (t - from.t) * velocity, .velocity = velocity, .valid = true};
+    return {.position = from.position + (t - from.t) * velocity,
+            .velocity = velocity,
+            .valid = true,
+            .jumped = jumped};
 }
 
 /// Never before the first point.

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLongestStep = 0.02; // s
 constexpr double kRate = 1000;        // Hz
+constexpr double kFastest = 20;       // m/s: a mouse is faster than a hand
 
 /// How a damped oscillator about its rest point goes on for a time: y(t) = yy y + yv v, v(t) = vy y + vv v.
 struct Transition {
@@ -40,14 +41,12 @@ SimulatedHand::SimulatedHand(std::shared_ptr<HandTarget> target, SimulatedHandPr
     : target_(std::move(target)), profile_(profile) {}
 
 DeviceInfo SimulatedHand::info() const {
-    // Seven tenths of the stiffness at which the damping no longer outweighs one and a half ticks of delay.
-    const double maxStiffness = 0.7 * profile_.damping * kRate / 1.5;
     return {.name = "Simulated hand",
             .maxForce = profile_.maxForce,
-            .maxStiffness = maxStiffness,
             .workspaceRadius = profile_.workspaceRadius,
-            .positionResolution = 0,
-            .rate = kRate};
+            .rate = kRate,
+            .damping = profile_.damping,
+            .tripSpeed = kFastest};
 }
 
 Result<void> SimulatedHand::open() {
@@ -59,19 +58,20 @@ Result<void> SimulatedHand::open() {
 void SimulatedHand::close() {}
 
 DeviceSample SimulatedHand::exchange(const DeviceCommand& command, double dt) noexcept {
-    obey(target_->read());
+    const bool jumped = obey(target_->read());
     if (command.force.allFinite()) move(command.force, std::clamp(dt, 0.0, kLongestStep));
-    return {.position = position_, .velocity = velocity_, .buttons = 0, .valid = true};
+    return {.position = position_, .velocity = velocity_, .buttons = 0, .valid = true, .jumped = jumped};
 }
 
-void SimulatedHand::obey(const HandGoal& goal) noexcept {
-    if (!goal.position.allFinite()) return;
+bool SimulatedHand::obey(const HandGoal& goal) noexcept {
+    if (!goal.position.allFinite()) return false;
     goal_ = goal.position;
-    if (!goal.teleport || goal.sequence == teleported_) return;
+    if (!goal.teleport || goal.sequence == teleported_) return false;
     teleported_ = goal.sequence;
     position_ = goal_;
     velocity_ = Vec3::Zero();
     stayInside();
+    return true;
 }
 
 void SimulatedHand::move(const Vec3& force, double dt) noexcept {

@@ -34,7 +34,7 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override;
 
 private:
-    void obey(const HandGoal& goal) noexcept;
+    bool obey(const HandGoal& goal) noexcept; ///< whether it jumped there
     void move(const Vec3& force, double dt) noexcept;
     void stayInside() noexcept;
 

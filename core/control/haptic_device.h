@@ -9,14 +9,20 @@
 
 namespace tactum {
 
-/// What a device can do; the force limiter and the inspector read it.
+/// What a device can do; the guard and the inspector read it.
 struct DeviceInfo {
     std::string name;
     double maxForce = 0;           ///< N; no command ever exceeds it
-    double maxStiffness = 0;       ///< N/m at 1 kHz, the maker's figure
+    double continuousForce = 0;    ///< N, that its motors bear for ever; 0: as much as maxForce
+    double maxStiffness = 0;       ///< N/m at 1 kHz, the maker's figure; 0: not known
     double workspaceRadius = 0;    ///< m, largest sphere about the origin of D
     double positionResolution = 0; ///< m
     double rate = 1000;            ///< Hz, exchanges a second that the device expects
+    double damping = 2;            ///< N s/m, its own and of a hand, at least: of a light pinch if not known
+    double dryFriction = 0;        ///< N, its own, at least
+    double amplifierLag = 0;       ///< s, time constant from command to force
+    double delay = 1;              ///< ticks between reading and the force that answers it
+    double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
 };
 
 /// One reading of the device. Frame D, SI.
@@ -24,7 +30,8 @@ struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();
     std::uint32_t buttons = 0;
-    bool valid = false; ///< false: nothing new was read; the servo then commands zero force
+    bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
+    bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be
 };
 
 /// One command to the device. Frame D, newton; positive force pushes the finger.

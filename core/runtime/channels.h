@@ -15,17 +15,10 @@
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
 #include "core/runtime/haptic_step.h"
+#include "core/runtime/servo_step.h"
 #include "core/runtime/world.h"
 
 namespace tactum {
-
-/// Where the finger is. World frame, SI.
-struct FingerSample {
-    Vec3 position = Vec3::Zero();
-    Vec3 velocity = Vec3::Zero();
-    std::uint64_t tick = 0; ///< of the servo
-    bool valid = false;
-};
 
 /// What the proxy loop tells the window.
 struct ProxyTelemetry {
@@ -52,6 +45,15 @@ struct ServoTelemetry {
     std::uint64_t misses = 0;  ///< ticks that came more than one period late
     std::uint64_t clamped = 0; ///< commands that the limiter shortened
     std::uint64_t invalidSamples = 0;
+    Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
+    double gain = 0;                        ///< of the force: 0 none, 1 all
+    std::uint64_t faults = 0;
+    std::uint64_t oscillations = 0; ///< limit cycles that were noticed
+    double calm = 1;                ///< part of the stiffness that is left after them
+    double heat = 0;                ///< of the motors: 1 is as warm as they may be for ever
+    double energy = 0;              ///< J that the surface gave beyond what it took
+    double passivityDamping = 0;    ///< N s/m, that takes it back
+    StiffnessCeiling ceiling;
 };
 
 /// One servo tick, for plots.
@@ -77,7 +79,8 @@ struct Channels {
     TripleBuffer<ProxyTelemetry> proxyTelemetry;
     TripleBuffer<ServoTelemetry> servoTelemetry;
     SpscQueue<TracePoint, 8192> trace;
-    std::atomic<bool> armed{false}; ///< false: the servo commands zero force
+    std::atomic<bool> armed{false};           ///< false: the servo commands zero force
+    std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
     std::atomic<bool> stop{false};
 };
 

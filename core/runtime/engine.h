@@ -30,8 +30,9 @@ public:
     /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched; a
     /// null pointer is ignored.
     void publish(std::shared_ptr<const World> world);
-    /// Forces on or off. Off is also the state after start(). On, the force comes within a quarter of a
-    /// second (kForceReturn): a finger that is deep inside is not thrown out.
+    /// Forces on or off. Off is also the state after start(). On, the force comes gently
+    /// (kRise): a finger that is deep inside is not thrown out. After a fault they stay off until they were
+    /// switched off and on again.
     void setArmed(bool armed);
     bool armed() const;
     /// Puts the proxy onto the finger: a new model, a jump of the hand.

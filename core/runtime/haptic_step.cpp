@@ -6,17 +6,6 @@ namespace tactum {
 
 namespace {
 
-// Equation (24), and damping against the finger's way in. Damping only ever adds to the push: a surface
-// that pulled the finger inward would be felt as sticky.
-Vec3 springForce(const LocalContactModel& model, const Vec3& proxy, const Vec3& finger,
-                 const Vec3& velocity) {
-    const Vec3 stretch = proxy - finger;
-    const double length = stretch.norm();
-    if (!(length > 0)) return Vec3::Zero();
-    const double inward = std::max(0.0, (model.velocity - velocity).dot(stretch) / length);
-    return model.stiffness * stretch + (model.damping * inward / length) * stretch;
-}
-
 Vec3 velocityOf(const World& world, const SimState& state, const Contact& contact, double dt) {
     const int mover = world.obstacles[contact.body].mover;
     if (mover < 0) return Vec3::Zero();
@@ -54,6 +43,8 @@ void describeSurroundings(const World& world, SimState& state, double dt) {
     const ProxyState& proxy = state.proxy;
     model.proxy = proxy.position;
     model.valid = true;
+    model.revision = world.revision;
+    model.restarts = state.restarts;
     model.planes = 0;
     mixMaterials(world, state, dt);
     for (int i = 0; i < proxy.contactCount; ++i) {
@@ -89,6 +80,7 @@ void startAnew(const World& world, SimState& state, const Vec3& finger) {
     for (std::size_t i = 0; i < world.movers.size(); ++i)
         state.movers[i].now = world.movers[i].poseAt(state.time);
     restart(state.proxy, finger);
+    ++state.restarts;
     state.shapeRevision = world.shapeRevision;
 }
 
@@ -114,7 +106,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
         output.proxy = state.proxy.position;
         return output;
     }
-    if (state.shapeRevision != world.shapeRevision) startAnew(world, state, input.finger);
+    if (input.restart || state.shapeRevision != world.shapeRevision) startAnew(world, state, input.finger);
     moveBodies(world, state, dt);
     const ProxyReport report = moveAndUpdate(state.proxy, world.obstacles, world.proxyRadius, input.finger,
                                              dt, {state.movers.data(), world.movers.size()});
@@ -123,27 +115,6 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
     return output;
-}
-
-Vec3 contactModelForce(const LocalContactModel& model, const Vec3& finger_W,
-                       const Vec3& velocity_W) noexcept {
-    if (!model.valid || model.planes == 0) return Vec3::Zero();
-    // The update stage of section 2.2 on the planes of the last proxy update, held back by their friction.
-    const NearestPoint nearest =
-        nearestPoint(finger_W - model.proxy, {model.plane.data(), std::size_t(model.planes)});
-    const double excess = nearest.x.norm();
-    double slide = excess;
-    for (int i = 0; i < model.planes; ++i) {
-        // A viscous contact moves with the proxy loop, which knows the time: here it stands still.
-        const FrictionLimit cone{model.friction[i].coefficient, 0};
-        if (nearest.lambda[i] > 0)
-            slide = model.friction[i].lag > 0
-                        ? 0
-                        : std::min(slide, allowedSlide(cone, excess, nearest.lambda[i], 0, 0));
-    }
-    if (nearest.active == 0) return Vec3::Zero();
-    const Vec3 anchor = model.proxy + (excess > 0 ? Vec3(nearest.x * (slide / excess)) : Vec3::Zero());
-    return springForce(model, anchor, finger_W, velocity_W);
 }
 
 } // namespace tactum

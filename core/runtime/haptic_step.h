@@ -7,33 +7,17 @@
 
 #include "core/base/vec.h"
 #include "core/dynamics/body_motion.h"
-#include "core/proxy/nearest_point.h"
 #include "core/proxy/proxy.h"
+#include "core/runtime/contact_model.h"
 #include "core/runtime/world.h"
-#include "core/surface/friction.h"
 
 namespace tactum {
-
-/// More planes than push at once (three); the rest would be nearly parallel to them.
-inline constexpr int kMaxModelPlanes = 4;
 
 /// What is known of the finger at this step. World frame, SI.
 struct HapticInput {
     Vec3 finger = Vec3::Zero();
     Vec3 fingerVelocity = Vec3::Zero();
-};
-
-/// The surroundings of the proxy in a form that the servo renders between proxy updates, so that free
-/// motion does not drag and contact keeps the servo's rate (sections 7 and 8). World frame, SI.
-struct LocalContactModel {
-    Vec3 proxy = Vec3::Zero();
-    int planes = 0;
-    std::array<ConstraintPlane, kMaxModelPlanes> plane{}; ///< offset relative to `proxy`
-    std::array<FrictionLimit, kMaxModelPlanes> friction{};
-    double stiffness = 0;         ///< N/m
-    double damping = 0;           ///< N s/m
-    Vec3 velocity = Vec3::Zero(); ///< m/s, of what is touched: damping is against the motion relative to it
-    bool valid = false;           ///< false: no step has run yet
+    bool restart = false; ///< first put the proxy onto the finger, or beside it where something is
 };
 
 /// One touched place, for the display.
@@ -63,6 +47,7 @@ struct SimState {
     /// that an edit does not make bodies jump.
     double time = 0;
     std::array<BodyMotion, kMaxMovers> movers{}; ///< in the order of World::movers
+    std::uint32_t restarts = 0; ///< how often the proxy was put elsewhere instead of going there
 };
 
 /// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
@@ -71,9 +56,5 @@ struct SimState {
 /// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
 /// each body.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
-
-/// The force that a local contact model gives a finger: N, world frame, before the device's limit.
-/// Thread: real time.
-Vec3 contactModelForce(const LocalContactModel& model, const Vec3& finger_W, const Vec3& velocity_W) noexcept;
 
 } // namespace tactum

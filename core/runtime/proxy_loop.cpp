@@ -12,7 +12,8 @@ namespace {
 struct Proxy {
     Channels& channels;
     const World* world = nullptr;
-    bool restartDue = true; ///< the next step begins at the finger; so does the first
+    bool restartDue = false;     ///< the next step begins at the finger
+    std::uint32_t anchoring = 0; ///< of the last finger
     SimState state;
     HalfSecond updates;
     ProxyTelemetry telemetry;
@@ -40,10 +41,11 @@ void obeyCommands(Proxy& proxy) noexcept {
 }
 
 HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
-    if (proxy.restartDue) restart(proxy.state.proxy, finger.position);
+    const bool restart = proxy.restartDue || finger.anchoring != proxy.anchoring;
     proxy.restartDue = false;
+    proxy.anchoring = proxy.state.model.anchoring = finger.anchoring;
     const double dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep);
-    return hapticStep(*proxy.world, proxy.state, {finger.position, finger.velocity}, dt);
+    return hapticStep(*proxy.world, proxy.state, {finger.position, finger.velocity, restart}, dt);
 }
 
 void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/realtime.h"
-#include "core/control/force_limiter.h"
 #include "core/runtime/metronome.h"
 
 namespace tactum {
@@ -12,70 +11,65 @@ namespace {
 
 /// What the servo remembers from tick to tick.
 struct Servo {
+    Servo(Channels& theChannels, const DeviceInfo& device) noexcept : channels(theChannels), state(device) {}
+
     Channels& channels;
-    ForceLimiter limiter;
-    double gain = 0;      ///< 0 while the force is withheld, then up to 1
-    double modelTime = 0; ///< when the newest model was seen, s
+    ServoState state;
     HalfSecond jitter;
     ServoTelemetry telemetry;
 };
 
-/// The reading as the proxy loop gets it. The device's frame D is the world's so far.
-FingerSample fingerOf(const DeviceSample& sample, std::uint64_t tick) noexcept {
-    const bool valid = sample.valid && sample.position.allFinite() && sample.velocity.allFinite();
-    if (!valid) return {.tick = tick};
-    return {sample.position, sample.velocity, tick, true};
+ServoSettings settingsOf(const Channels& channels) noexcept {
+    return {.armed = channels.armed.load(std::memory_order_relaxed),
+            .overrideCeiling = channels.overrideCeiling.load(std::memory_order_relaxed)};
 }
 
-const LocalContactModel& newestModel(Servo& servo, double now) noexcept {
-    if (servo.channels.contactModel.update()) servo.modelTime = now;
-    return servo.channels.contactModel.value();
-}
-
-Vec3 forceOn(const FingerSample& finger, const Tick& tick, Servo& servo) noexcept {
-    const LocalContactModel& model = newestModel(servo, tick.time);
-    const bool fresh = model.valid && tick.time - servo.modelTime <= kModelPatience;
-    if (!servo.channels.armed.load(std::memory_order_relaxed) || !finger.valid || !fresh) {
-        servo.gain = 0;
-        return Vec3::Zero();
-    }
-    servo.gain = std::min(1.0, servo.gain + tick.elapsed / kForceReturn);
-    return servo.gain * contactModelForce(model, finger.position, finger.velocity);
-}
-
-void report(Servo& servo, const FingerSample& finger, const Vec3& force, const Tick& tick,
-            double period) noexcept {
+void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
+    const ServoState& state = servo.state;
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
     ServoTelemetry& telemetry = servo.telemetry;
-    if (finger.valid) telemetry.finger = finger.position;
-    telemetry.force = force;
-    telemetry.ticks = finger.tick;
+    if (output.finger.valid) telemetry.finger = output.finger.position;
+    telemetry.force = output.force;
+    telemetry.ticks = state.ticks;
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
     telemetry.misses += tick.missed;
-    telemetry.clamped = servo.limiter.clamped;
-    telemetry.invalidSamples += !finger.valid;
+    telemetry.clamped = state.limiter.clamped;
+    telemetry.invalidSamples = state.check.refused();
+    telemetry.withheld = state.guard.withheld();
+    telemetry.gain = state.guard.gain();
+    telemetry.faults = state.guard.faults();
+    telemetry.oscillations = state.oscillations;
+    telemetry.calm = state.calm;
+    telemetry.heat = state.heat.heat();
+    telemetry.energy = state.passivity.energy();
+    telemetry.passivityDamping = state.passivity.damping();
+    telemetry.ceiling = state.ceiling;
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(
-        {tick.time, telemetry.finger, servo.channels.contactModel.value().proxy, force});
+        {tick.time, telemetry.finger, servo.channels.contactModel.value().proxy, output.force});
 }
 
 } // namespace
 
 void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info) noexcept {
-    Servo servo{.channels = channels, .limiter = {info.maxForce}, .jitter = {}, .telemetry = {}};
+    Servo servo(channels, info);
     Metronome metronome(info.rate);
     DeviceCommand command;
-    for (std::uint64_t count = 1; !channels.stop.load(std::memory_order_relaxed); ++count) {
+    while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
         const DeviceSample sample = device.exchange(command, tick.elapsed);
 
         const RealtimeScope scope;
-        const FingerSample finger = fingerOf(sample, count);
-        channels.finger.write(finger);
-        command.force = servo.limiter(forceOn(finger, tick, servo));
-        report(servo, finger, command.force, tick, metronome.period());
+        const bool fresh = channels.contactModel.update();
+        const ServoOutput output =
+            servoStep(servo.state, settingsOf(channels),
+                      {.sample = sample, .dt = tick.elapsed, .late = tick.missed, .fresh = fresh},
+                      channels.contactModel.value());
+        channels.finger.write(output.finger);
+        command.force = output.force;
+        report(servo, output, tick, metronome.period());
     }
     device.exchange(DeviceCommand{}, metronome.period());
 }

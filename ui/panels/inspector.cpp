@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "core/control/safe_stiffness.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/swatch.h"
 #include "ui/style.h"
@@ -123,11 +124,12 @@ QWidget* Inspector::makeSceneSection() {
 
 void Inspector::setDevice(const DeviceInfo& device) {
     const QString name = QString::fromStdString(device.name);
+    const double ceiling = safeStiffness(loopFigures(device)).value;
     for (std::size_t i = 0; i < fields_.size(); ++i)
-        if (kMaterialFields[i].parameter == &kStiffness && device.maxStiffness > 0)
-            fields_[i]->setCeiling(device.maxStiffness, tr("Ceiling of the device (%1): %2 N/m, the red tick")
-                                                            .arg(name.toHtmlEscaped())
-                                                            .arg(device.maxStiffness, 0, 'f', 0));
+        if (kMaterialFields[i].parameter == &kStiffness)
+            fields_[i]->setCeiling(ceiling, tr("Ceiling of the device (%1): %2 N/m, the red tick")
+                                                .arg(name.toHtmlEscaped())
+                                                .arg(ceiling, 0, 'f', 0));
 }
 
 void Inspector::refresh(const SceneChange&) {

@@ -1,6 +1,7 @@
 // A device for tests: the finger is where the test says, every exchange is noted.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -33,13 +34,18 @@ struct Probe {
 class ProbeDevice final : public HapticDevice {
 public:
     static constexpr double kMaxForce = 8;
+    static constexpr double kSpeed = 1;  ///< m/s, with which the finger goes where the test wants it
+    static constexpr double kGrip = 1e5; ///< N s/m, as if in a vice: no stiffness is too high
 
     explicit ProbeDevice(std::shared_ptr<Probe> probe) : probe_(std::move(probe)) {}
 
-    DeviceInfo info() const override { return {.name = "Probe", .maxForce = kMaxForce, .rate = 1000}; }
+    DeviceInfo info() const override {
+        return {.name = "Probe", .maxForce = kMaxForce, .rate = 1000, .damping = kGrip};
+    }
     Result<void> open() override {
         if (probe_->refusesToOpen) return machineError("The probe is not plugged in: plug it in.");
         probe_->isOpen = true;
+        height_ = probe_->height;
         return {};
     }
     void close() override { probe_->isOpen = false; }
@@ -47,13 +53,14 @@ public:
         probe_->exchangesWhileClosed += !probe_->isOpen;
         probe_->push = command.force.z();
         if (probe_->log.size() < probe_->log.capacity()) probe_->log.push_back({command.force, dt});
-        const double height =
-            probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : probe_->height.load();
+        height_ += std::clamp(probe_->height - height_, -kSpeed * dt, kSpeed * dt);
+        const double height = probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : height_;
         return {.position = {0, 0, height}, .valid = probe_->valid};
     }
 
 private:
     std::shared_ptr<Probe> probe_;
+    double height_ = 0;
 };
 
 } // namespace tactum

@@ -12,8 +12,8 @@ using namespace tactum;
 
 namespace {
 
-constexpr double kStiffness = 500, kDepth = 0.002;
-constexpr double kPush = kStiffness * kDepth;
+constexpr double kSpring = 500, kDepth = 0.002;
+constexpr double kPush = kSpring * kDepth;
 
 /// A servo loop whose finger is pressed into the plane z = 0.
 struct RunningServo {
@@ -34,8 +34,9 @@ struct RunningServo {
         LocalContactModel model;
         model.planes = 1;
         model.plane[0] = {Vec3::UnitZ(), 0};
-        model.stiffness = kStiffness;
+        model.stiffness = kSpring;
         model.valid = true;
+        model.anchoring = channels->finger.read().anchoring;
         channels->contactModel.write(model);
     }
     /// Publishes models until the command is `wanted`.
@@ -92,7 +93,8 @@ private slots:
         servo.stop();
         const std::vector<Exchange>& log = servo.probe->log;
         for (std::size_t i = 1; i < log.size(); ++i) {
-            const double rise = kPush * log[i - 1].dt / kForceReturn;
+            // The gain, the first gain or the surface that comes back, whichever is most.
+            const double rise = kPush * log[i - 1].dt / kRise + kSpring * kReturnSpeed * log[i - 1].dt;
             QVERIFY(log[i].force.z() <= log[i - 1].force.z() + rise * (1 + 1e-9));
         }
     }

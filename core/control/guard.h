@@ -1,0 +1,93 @@
+// Whether the device gets force at all: armed by the person, taken away by faults, brought back gently.
+#pragma once
+
+#include <cstdint>
+
+namespace tactum {
+
+/// Why no force, or less of it, goes to the device. From DeviceLost on it stays so until the person arms
+/// anew.
+enum class Withheld : std::uint8_t {
+    Nothing,
+    NotArmed,
+    DeadMan,     ///< the switch that must be held is not
+    Stall,       ///< the servo or the device stood still for more than kStall
+    ProxySilent, ///< no model, or one that is too old
+    Settling,    ///< waits until the proxy has answered and the force is small
+    Rising,      ///< on its way back
+    DeviceLost,  ///< readings that cannot be true, or none
+    TooFast,     ///< the finger was let go
+    ForceJump,   ///< the wanted force rose by more than surfaces can
+    NotFinite,   ///< the wanted force was no number
+    Late,        ///< the servo missed tick after tick
+};
+
+inline bool isFault(Withheld why) noexcept {
+    return why >= Withheld::DeviceLost;
+}
+
+/// A reading that is older was overtaken by events: no force at once, and a soft return. Unit: s.
+inline constexpr double kStall = 0.01;
+/// A force that was withheld comes back over this time, beginning with kFirstGain. The gain rises, not the
+/// force. Unit: s.
+inline constexpr double kRise = 0.6;
+inline constexpr double kFirstGain = 0.15;
+/// While the gain rises the finger is damped, with less and less. Unit: N s/m.
+inline constexpr double kArrivalDamping = 8;
+/// Before it rises the force must have been smaller than this for so long. Units: N, s.
+inline constexpr double kSmallForce = 0.2, kSmallForceTime = 0.02;
+/// The wanted force must not rise by more than this part of the device's limit from tick to tick.
+inline constexpr double kForceJump = 0.6;
+/// So many late ticks in a row are a fault.
+inline constexpr int kLateTicks = 5;
+
+/// What a tick brought.
+struct GuardInput {
+    double dt = 1e-3;   ///< s since the last tick
+    bool late = false;  ///< the tick came more than one period late
+    bool armed = false; ///< the person wants forces
+    bool held = true;   ///< the dead-man switch, or none is asked for
+    bool deviceLost = false;
+    bool answered = false; ///< the proxy knows where the finger is, and said so lately
+    double speed = 0;      ///< of the finger, m/s
+    double wanted = 0;     ///< magnitude of the force that the model asks for, N
+    bool finite = true;    ///< of that force
+};
+
+/// The state of the guard: off, settling, rising, on, or a fault that stays. Thread: real time.
+class Guard {
+public:
+    /// Limits of the device: N, m/s.
+    Guard(double maxForce, double tripSpeed) noexcept : maxForce_(maxForce), tripSpeed_(tripSpeed) {}
+
+    /// Decides about this tick and returns the gain of the force: 0 while it is withheld, then rising to 1.
+    double operator()(const GuardInput& tick) noexcept;
+
+    Withheld withheld() const noexcept { return why_; }
+    double gain() const noexcept { return gain_; }
+    /// Of the damping that accompanies a rising gain: N s/m.
+    double arrivalDamping() const noexcept;
+    /// Raised when nobody knows which way the finger went: the proxy has to begin at the finger anew. After
+    /// other pauses it goes on from where it is, and the contact begins without force (ContactEase).
+    std::uint32_t anchoring() const noexcept { return anchoring_; }
+    std::uint64_t faults() const noexcept { return faults_; }
+    /// The finger was put elsewhere: begin anew from there.
+    void begin() noexcept;
+
+private:
+    Withheld faultOf(const GuardInput& tick) noexcept;
+    Withheld pauseOf(const GuardInput& tick) const noexcept;
+    void withhold(Withheld why) noexcept;
+    void settle(const GuardInput& tick) noexcept;
+
+    double maxForce_, tripSpeed_;
+    Withheld why_ = Withheld::NotArmed;
+    double gain_ = 0;
+    double smallFor_ = 0;   ///< s
+    double lastWanted_ = 0; ///< N
+    int lateTicks_ = 0;
+    std::uint32_t anchoring_ = 0;
+    std::uint64_t faults_ = 0;
+};
+
+} // namespace tactum

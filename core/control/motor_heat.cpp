@@ -1,0 +1,26 @@
+#include "core/control/motor_heat.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactum {
+namespace {
+constexpr double kTimeConstant = 40; ///< s; small desktop motors lie between 30 and 60
+constexpr double kWarm = 0.7;        ///< of the heat that they bear, from where the limit falls
+} // namespace
+
+MotorHeat::MotorHeat(double maxForce, double continuousForce) noexcept
+    : max_(maxForce), continuous_(continuousForce > 0 ? std::min(continuousForce, maxForce) : maxForce) {}
+
+void MotorHeat::add(double force, double dt) noexcept {
+    if (!(continuous_ > 0)) return;
+    const double ratio = force / continuous_;
+    heat_ += (ratio * ratio - heat_) * -std::expm1(-dt / kTimeConstant);
+}
+
+double MotorHeat::limit() const noexcept {
+    const double cool = std::clamp((1 - heat_) / (1 - kWarm), 0.0, 1.0);
+    return continuous_ + (max_ - continuous_) * cool;
+}
+
+} // namespace tactum

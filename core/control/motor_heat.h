@@ -1,0 +1,22 @@
+// How warm the motors are, and what force they can still bear.
+#pragma once
+
+namespace tactum {
+
+/// The heat of motors whose windings warm with the square of the force, tau h' = (F / F_continuous)^2 - h:
+/// 1 is what they bear for ever. From seven tenths on the limit falls from the peak to the continuous force,
+/// so that a press that never ends settles there without a step. SI. Thread: real time.
+class MotorHeat {
+public:
+    MotorHeat(double maxForce, double continuousForce) noexcept;
+
+    /// `force` in N, commanded during the last dt seconds.
+    void add(double force, double dt) noexcept;
+    double heat() const noexcept { return heat_; } ///< 0 cold, 1 as warm as it may be
+    double limit() const noexcept;                 ///< N, at most maxForce
+
+private:
+    double max_, continuous_, heat_ = 0;
+};
+
+} // namespace tactum

@@ -1,0 +1,36 @@
+// Notices a limit cycle: the finger shaken to and fro faster than a hand can.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/vec.h"
+
+namespace tactum {
+
+/// Counts half swings along each axis that are too fast for a hand (20 to 300 Hz) and at least 0.2 mm wide.
+/// Enough of them in a row, none much smaller than the one before, are a limit cycle. A texture shakes less,
+/// a tap does not come back at that pace. Frame D, SI. Thread: real time.
+class OscillationDetector {
+public:
+    /// True once for each limit cycle that has been seen for four half swings and a fifteenth of a second or
+    /// five half swings.
+    bool operator()(const Vec3& position, double dt) noexcept;
+    void forget() noexcept { *this = {}; }
+
+private:
+    struct Axis {
+        double low = 0, high = 0; ///< of the swing that goes on, m
+        double sinceTurn = 0;     ///< s
+        double lastSwing = 0;     ///< m
+        int halfSwings = 0;
+        int direction = 0; ///< +1 rising, -1 falling, 0 not known yet
+        bool begun = false;
+
+        bool add(double x, double dt) noexcept;
+        void turn(double swing) noexcept;
+    };
+    std::array<Axis, 3> axes_{};
+};
+
+} // namespace tactum

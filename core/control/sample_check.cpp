@@ -1,0 +1,40 @@
+#include "core/control/sample_check.h"
+
+#include <algorithm>
+
+namespace tactum {
+namespace {
+/// A period is judged as no shorter than this: readings that come in pairs are not refused. Unit: s.
+constexpr double kShortestTime = 1e-3;
+} // namespace
+
+bool SampleCheck::canBeTrue(const DeviceSample& sample) const noexcept {
+    if (!sample.valid || !sample.position.allFinite() || !sample.velocity.allFinite()) return false;
+    if (good_ == 0 && !believed_.valid) return true;
+    if (sample.jumped) return true;
+    const double way = (sample.position - believed_.position).norm();
+    return way <= fastest_ * std::max(since_, kShortestTime);
+}
+
+bool SampleCheck::operator()(const DeviceSample& sample, double dt) noexcept {
+    since_ += dt;
+    if (!canBeTrue(sample)) {
+        ++refused_;
+        good_ = 0;
+        if (++bad_ >= kBadSamplesToLoss) lost_ = true;
+        if (lost_) believed_.valid = false;
+        believed_.velocity = Vec3::Zero(); // of a finger that is not seen to move
+        believed_.jumped = false;
+        return false;
+    }
+    const bool first = !believed_.valid;
+    if (++good_ >= kBadSamplesToLoss) lost_ = false;
+    believed_ = sample;
+    believed_.jumped = sample.jumped || first;
+    believed_.valid = !lost_;
+    since_ = 0;
+    bad_ = 0;
+    return true;
+}
+
+} // namespace tactum

@@ -1,0 +1,39 @@
+// Whether a reading of the device can be true.
+#pragma once
+
+#include "core/control/haptic_device.h"
+
+namespace tactum {
+
+/// So many readings in a row that cannot be true, and the device counts as lost.
+inline constexpr int kBadSamplesToLoss = 3;
+
+/// Judges every reading by the one before. A reading that cannot be true is not used: for one or two of them
+/// the finger stays where it was, then the device is lost, until as many good ones have come in a row.
+/// Frame D, SI. Thread: real time.
+class SampleCheck {
+public:
+    /// tripSpeed in m/s: a finger that seems to go at more than twice that was misread.
+    explicit SampleCheck(double tripSpeed) noexcept : fastest_(2 * tripSpeed) {}
+
+    /// `dt`: s since the last reading. Returns whether the reading was believed.
+    bool operator()(const DeviceSample& sample, double dt) noexcept;
+
+    bool lost() const noexcept { return lost_; }
+    /// The newest that was believed; not valid before the first, nor while the device is lost. The first
+    /// after a loss says that it jumped.
+    const DeviceSample& believed() const noexcept { return believed_; }
+    std::uint64_t refused() const noexcept { return refused_; }
+
+private:
+    bool canBeTrue(const DeviceSample& sample) const noexcept;
+
+    double fastest_;   ///< m/s
+    double since_ = 0; ///< s since the newest that was believed
+    int good_ = 0, bad_ = 0;
+    bool lost_ = false;
+    std::uint64_t refused_ = 0;
+    DeviceSample believed_;
+};
+
+} // namespace tactum

@@ -1,0 +1,43 @@
+// Changes in contact, made slowly enough for a hand: an edit, an undo, another scene, an object that lands on
+// the finger. The force itself is never slowed down: inside the loop that makes limit cycles.
+#pragma once
+
+#include "core/runtime/contact_model.h"
+
+namespace tactum {
+
+/// A surface that was changed under the finger comes to its place at this speed. Unit: m/s.
+inline constexpr double kReturnSpeed = 0.02;
+/// An edited stiffness or damping changes the force by no more than this. Unit: N/s.
+inline constexpr double kEditRate = 10;
+
+/// What the servo renders instead of the newest model. A proxy that was put elsewhere has its surroundings
+/// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
+/// rendered proxy where it was, and the stiffness what it was; both then go to their new values.
+/// World frame, SI. Thread: real time.
+class ContactEase {
+public:
+    /// Call at every servo tick. `fresh`: `newest` is another one than at the last call.
+    /// `ceiling` in N/m: nothing is rendered stiffer.
+    const LocalContactModel& operator()(const LocalContactModel& newest, bool fresh, const Vec3& finger,
+                                        const Vec3& velocity, double ceiling, double dt) noexcept;
+    /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
+    void restart() noexcept { begun_ = false; }
+    /// Whether the surroundings are still on their way.
+    bool easing() const noexcept { return editing_ || !offset_.isZero(0); }
+
+private:
+    void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
+    void goOn(const LocalContactModel& newest, const Vec3& finger, const Vec3& velocity, double ceiling,
+              double dt) noexcept;
+
+    bool begun_ = false;
+    bool editing_ = false;
+    Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
+    double age_ = 0;             ///< s since the newest model came
+    std::uint64_t revision_ = 0;
+    std::uint32_t restarts_ = 0;
+    LocalContactModel rendered_;
+};
+
+} // namespace tactum

@@ -1,0 +1,41 @@
+#include "core/runtime/contact_model.h"
+
+#include <algorithm>
+
+namespace tactum {
+
+Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W) noexcept {
+    if (!model.valid || model.planes == 0) return {finger_W, false};
+    const NearestPoint nearest =
+        nearestPoint(finger_W - model.proxy, {model.plane.data(), std::size_t(model.planes)});
+    if (nearest.active == 0) return {finger_W, false};
+    const double excess = nearest.x.norm();
+    double slide = excess;
+    for (int i = 0; i < model.planes; ++i) {
+        if (!(nearest.lambda[i] > 0)) continue;
+        // A viscous contact moves with the proxy loop, which knows the time: here it stands still.
+        const FrictionLimit cone{model.friction[i].coefficient, 0};
+        slide = model.friction[i].lag > 0
+                    ? 0
+                    : std::min(slide, allowedSlide(cone, excess, nearest.lambda[i], 0, 0));
+    }
+    return {model.proxy + (excess > 0 ? Vec3(nearest.x * (slide / excess)) : Vec3::Zero()), true};
+}
+
+// Damping only against the finger's way in: a surface that pulled the finger inward would be felt as sticky.
+Vec3 springForce(const LocalContactModel& model, const Vec3& anchor_W, const Vec3& finger_W,
+                 const Vec3& velocity_W) noexcept {
+    const Vec3 stretch = anchor_W - finger_W;
+    const double length = stretch.norm();
+    if (!(length > 0)) return Vec3::Zero();
+    const double inward = std::max(0.0, (model.velocity - velocity_W).dot(stretch) / length);
+    return model.stiffness * stretch + (model.damping * inward / length) * stretch;
+}
+
+Vec3 contactModelForce(const LocalContactModel& model, const Vec3& finger_W,
+                       const Vec3& velocity_W) noexcept {
+    const Anchor anchor = anchorOf(model, finger_W);
+    return anchor.touching ? springForce(model, anchor.position, finger_W, velocity_W) : Vec3::Zero();
+}
+
+} // namespace tactum

@@ -1,0 +1,104 @@
+#include "core/runtime/servo_step.h"
+
+#include <algorithm>
+
+namespace tactum {
+namespace {
+
+/// After a limit cycle the stiffness falls to its half over the first time; it doubles again over the second.
+/// Unit: s.
+constexpr double kFade = 0.05, kRecovery = 5;
+constexpr double kLeastCalm = 1.0 / 32;
+
+/// The device's frame D is the world's so far.
+FingerSample fingerOf(const ServoState& state) noexcept {
+    const DeviceSample& seen = state.check.believed();
+    return {seen.position, seen.velocity, state.ticks, seen.valid, state.guard.anchoring()};
+}
+
+void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
+    state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
+    state.calm = std::min(1.0, state.calm + std::clamp(state.calmGoal - state.calm, -0.5 * dt / kFade, 1.0));
+    if (seen.jumped) state.oscillation.forget();
+    if (!state.oscillation(seen.position, dt) || state.guard.gain() == 0) return;
+    ++state.oscillations;
+    state.calmGoal = std::max(kLeastCalm, 0.5 * state.calmGoal);
+}
+
+/// The stiffness that is rendered at most, N/m: an oscillation takes from what is there, not from the
+/// ceiling.
+double ceilingOf(ServoState& state, const ServoSettings& settings, double stiffness) noexcept {
+    LoopFigures loop = state.loop;
+    loop.period = std::max(loop.period, settings.period);
+    state.ceiling = safeStiffness(loop);
+    return state.calm * (settings.overrideCeiling ? stiffness : std::min(stiffness, state.ceiling.value));
+}
+
+/// What the model asks for, and what the rendered spring then holds.
+struct Wanted {
+    Vec3 force = Vec3::Zero();
+    double stored = 0; ///< J
+};
+
+Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
+              double ceiling, double dt) noexcept {
+    if (state.guard.gain() == 0) state.ease.restart();
+    const LocalContactModel& eased = state.ease(model, fresh, finger.position, finger.velocity, ceiling, dt);
+    const Anchor anchor = anchorOf(eased, finger.position);
+    state.anchor = anchor.position;
+    state.touching = anchor.touching;
+    if (!anchor.touching) return {};
+    return {springForce(eased, anchor.position, finger.position, finger.velocity),
+            0.5 * eased.stiffness * (anchor.position - finger.position).squaredNorm()};
+}
+
+Vec3 guarded(ServoState& state, const Wanted& wanted, const FingerSample& finger, const GuardInput& tick,
+             double dt) noexcept {
+    const double gain = state.guard(tick);
+    if (gain == 0) return Vec3::Zero();
+    Vec3 force = gain * wanted.force;
+    if (state.touching) force -= state.guard.arrivalDamping() * finger.velocity;
+    return state.passivity.damped(force, finger.velocity, dt);
+}
+
+} // namespace
+
+ServoState::ServoState(const DeviceInfo& device) noexcept
+    : loop(loopFigures(device)), check(device.tripSpeed), guard(device.maxForce, device.tripSpeed),
+      heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
+
+ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
+                      const LocalContactModel& model) noexcept {
+    ++state.ticks;
+    state.check(input.sample, input.dt);
+    const DeviceSample& seen = state.check.believed();
+    if (seen.jumped) state.guard.begin();
+    state.passivity.observe(seen.position);
+    calmDown(state, seen, input.dt);
+
+    const FingerSample finger = fingerOf(state);
+    const double ceiling = ceilingOf(state, settings, model.stiffness);
+    const Wanted wanted = render(state, model, finger, input.fresh, ceiling, input.dt);
+    state.modelAge = input.fresh ? 0 : state.modelAge + input.dt;
+
+    const GuardInput tick{.dt = input.dt,
+                          .late = input.late,
+                          .armed = settings.armed,
+                          .held = settings.deadMan == 0 || (seen.buttons & settings.deadMan) != 0,
+                          .deviceLost = state.check.lost(),
+                          .answered = model.valid && model.anchoring == finger.anchoring &&
+                                      state.modelAge <= kModelPatience,
+                          .speed = finger.velocity.norm(),
+                          .wanted = wanted.force.norm(),
+                          .finite = wanted.force.allFinite()};
+    const Vec3 force = guarded(state, wanted, finger, tick, input.dt);
+
+    state.limiter.maxForce = state.heat.limit();
+    ServoOutput output{state.limiter(force), finger};
+    output.finger.anchoring = state.guard.anchoring();
+    state.heat.add(output.force.norm(), input.dt);
+    state.passivity.commanded(output.force, state.touching, wanted.stored);
+    return output;
+}
+
+} // namespace tactum

@@ -1,0 +1,77 @@
+// One servo tick: a reading and the newest local contact model in, a force out that the device may be given.
+// A plain function, the same in the servo loop, in the closed-loop simulator and in replay.
+#pragma once
+
+#include "core/control/force_limiter.h"
+#include "core/control/guard.h"
+#include "core/control/haptic_device.h"
+#include "core/control/motor_heat.h"
+#include "core/control/oscillation_detector.h"
+#include "core/control/passivity.h"
+#include "core/control/safe_stiffness.h"
+#include "core/control/sample_check.h"
+#include "core/runtime/contact_ease.h"
+
+namespace tactum {
+
+/// A model that the proxy loop has not renewed for so long is no longer believed: zero force. Unit: s.
+inline constexpr double kModelPatience = 0.1;
+
+/// Where the finger is. World frame, SI.
+struct FingerSample {
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    std::uint64_t tick = 0; ///< of the servo
+    bool valid = false;
+    std::uint32_t anchoring = 0; ///< another number than before: the proxy has to begin at the finger
+};
+
+/// What the person and the machine decide about the loop.
+struct ServoSettings {
+    bool armed = false;           ///< forces on
+    std::uint32_t deadMan = 0;    ///< buttons of which one must be held; 0: none
+    bool overrideCeiling = false; ///< the person knows better than safeStiffness()
+    double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
+};
+
+struct ServoInput {
+    DeviceSample sample;
+    double dt = 1e-3;   ///< s since the last tick
+    bool late = false;  ///< the tick came more than one period late
+    bool fresh = false; ///< the model is another one than at the last tick
+};
+
+/// All that the servo remembers from tick to tick. Copied whole by the recorder.
+struct ServoState {
+    explicit ServoState(const DeviceInfo& device) noexcept;
+
+    LoopFigures loop; ///< of the device; the period is the nominal one
+    SampleCheck check;
+    Guard guard;
+    ContactEase ease;
+    Passivity passivity;
+    OscillationDetector oscillation;
+    MotorHeat heat;
+    ForceLimiter limiter;
+
+    std::uint64_t ticks = 0;
+    double modelAge = 1e9; ///< s since the newest model came
+    double calm = 1;       ///< part of the stiffness that is left after oscillations
+    double calmGoal = 1;   ///< where `calm` goes
+    std::uint64_t oscillations = 0;
+    StiffnessCeiling ceiling;   ///< of this tick
+    Vec3 anchor = Vec3::Zero(); ///< of the rendered model, world frame
+    bool touching = false;
+};
+
+struct ServoOutput {
+    Vec3 force = Vec3::Zero(); ///< N, frame D: finite, and never above the device's limit
+    FingerSample finger;       ///< for the proxy loop
+};
+
+/// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled.
+/// Deterministic. Thread: real time; bounded, nearestPoint() twice.
+ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
+                      const LocalContactModel& model) noexcept;
+
+} // namespace tactum
