@@ -12,6 +12,7 @@ namespace tactum {
 struct CollisionMesh {
     std::shared_ptr<const TriangleSoup> soup;
     SphereTree tree;
+    bool closed = false; ///< its triangles have an inside, and their front is outside (isClosed)
 };
 
 } // namespace tactum

@@ -22,11 +22,12 @@ struct SurfaceFeel {
 /// A mesh where it is now, with the feel of its surfaces.
 struct Obstacle {
     const CollisionMesh* mesh = nullptr;
-    Pose pose; ///< X_WB; of a body that moves by itself, at the time 0
-    std::span<const Material> materials;
+    Pose pose{}; ///< X_WB; of a body that moves by itself, at the time 0
+    std::span<const Material> materials{};
     std::span<const SurfaceFeel> feels{}; ///< as many, or none when all surfaces are plain
     std::span<const Sides> sides{};       ///< as many, or none when all are felt from both sides
     int mover = -1;                       ///< which of the moving bodies it is; -1: it is at rest
+    std::uint64_t placedIn = 0;           ///< World::shapeRevision in which it came to where it is
 
     Triangle triangle(Index index) const; ///< body frame
     const Material& material(Index triangleIndex) const;

@@ -5,6 +5,7 @@
 
 #include "core/base/realtime.h"
 #include "core/dynamics/body_motion.h"
+#include "core/geometry/closed.h"
 #include "core/surface/smooth_normals.h"
 #include "core/surface/texture_stack.h"
 
@@ -19,7 +20,7 @@ std::shared_ptr<const CollisionMesh> reuseOrBuild(const std::shared_ptr<const Tr
         for (const WorldBody& body : known->bodies)
             if (body.mesh->soup == soup) return body.mesh;
     }
-    return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup)});
+    return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup), isClosed(*soup)});
 }
 
 // All that worlds know already of one kind: to be found again.
@@ -77,11 +78,25 @@ bool sameMotions(const World& a, const World& b) {
     });
 }
 
+bool sameShape(const Obstacle& x, const Obstacle& y) {
+    return x.mesh == y.mesh && x.pose == y.pose && std::ranges::equal(x.sides, y.sides);
+}
+
 bool sameShape(const World& a, const World& b) {
     return a.proxyRadius == b.proxyRadius && sameMotions(a, b) &&
-           std::ranges::equal(a.obstacles, b.obstacles, [](const Obstacle& x, const Obstacle& y) {
-               return x.mesh == y.mesh && x.pose == y.pose && std::ranges::equal(x.sides, y.sides);
-           });
+           std::ranges::equal(a.obstacles, b.obstacles,
+                              [](const Obstacle& x, const Obstacle& y) { return sameShape(x, y); });
+}
+
+// In which shape of the world each obstacle came to where it is.
+void datePlaces(World& world, const World* previous) {
+    for (Obstacle& obstacle : world.obstacles) {
+        obstacle.placedIn = world.shapeRevision;
+        if (!previous) continue;
+        const auto before = std::ranges::find_if(
+            previous->obstacles, [&](const Obstacle& known) { return sameShape(obstacle, known); });
+        if (before != previous->obstacles.end()) obstacle.placedIn = before->placedIn;
+    }
 }
 
 void addMover(World& world, const SceneObject& object) {
@@ -117,7 +132,7 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
             return tl::unexpected(added.error());
         addSides(body, object);
         world->bodies.push_back(std::move(body));
-        world->obstacles.push_back({nullptr, object.pose, {}, {}, {}, -1});
+        world->obstacles.push_back({.pose = object.pose});
         if (object.motion) addMover(*world, object);
     }
     if (world->movers.size() > kMaxMovers) return tooManyMovers(world->movers.size());
@@ -131,6 +146,7 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
     static std::atomic<std::uint64_t> revisions{0}, shapes{0};
     world->revision = ++revisions;
     world->shapeRevision = previous && sameShape(*world, *previous) ? previous->shapeRevision : ++shapes;
+    datePlaces(*world, previous);
     return std::shared_ptr<const World>(std::move(world));
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/proxy/place.h"
+
 namespace tactum {
 
 namespace {
@@ -75,12 +77,19 @@ HapticOutput reportOf(const World& world, const SimState& state) {
     return output;
 }
 
-// A shape that the state knows nothing of: bodies are where the time puts them, the proxy is on the finger.
-void startAnew(const World& world, SimState& state, const Vec3& finger) {
+// At first, and when nobody knows which way the finger went, the proxy begins at the finger. After a change
+// of shape it stays where it is. Where there is something now, it goes to the nearest clear place.
+void startAnew(const World& world, SimState& state, const HapticInput& input) {
     for (std::size_t i = 0; i < world.movers.size(); ++i)
         state.movers[i].now = world.movers[i].poseAt(state.time);
-    restart(state.proxy, finger);
-    ++state.restarts;
+    const bool first = state.shapeRevision == kNoShape;
+    const Vec3 wanted = first || input.restart ? input.finger : state.proxy.position;
+    const Vec3 place = clearPlace(world.obstacles, {state.movers.data(), world.movers.size()},
+                                  world.proxyRadius, wanted, state.shapeRevision)
+                           .value_or(wanted);
+    restart(state.proxy, place);
+    state.proxy.finger = input.finger;
+    if (first || input.restart || place != wanted) ++state.restarts;
     state.shapeRevision = world.shapeRevision;
 }
 
@@ -106,7 +115,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
         output.proxy = state.proxy.position;
         return output;
     }
-    if (input.restart || state.shapeRevision != world.shapeRevision) startAnew(world, state, input.finger);
+    if (input.restart || state.shapeRevision != world.shapeRevision) startAnew(world, state, input);
     moveBodies(world, state, dt);
     const ProxyReport report = moveAndUpdate(state.proxy, world.obstacles, world.proxyRadius, input.finger,
                                              dt, {state.movers.data(), world.movers.size()});

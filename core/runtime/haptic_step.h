@@ -38,11 +38,14 @@ struct HapticOutput {
     ProxyReport report;
 };
 
+/// The shapeRevision of no World: the next step is the first.
+inline constexpr std::uint64_t kNoShape = ~std::uint64_t(0);
+
 /// All that changes at haptic rate.
 struct SimState {
     ProxyState proxy;
-    LocalContactModel model;                         ///< written by the step for the servo
-    std::uint64_t shapeRevision = ~std::uint64_t(0); ///< of the World that the contacts belong to
+    LocalContactModel model;                ///< written by the step for the servo
+    std::uint64_t shapeRevision = kNoShape; ///< of the World that the contacts belong to
     /// s since the motions began: the end of the last step. It goes on through every change of the World, so
     /// that an edit does not make bodies jump.
     double time = 0;
@@ -52,7 +55,8 @@ struct SimState {
 
 /// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
 /// Bodies that move by themselves go on by dt. Deterministic: the same world, state, input and dt give the
-/// same bits. dt in s, > 0. After a change of shape, and at first, the proxy starts on the finger. Input that
+/// same bits. dt in s, > 0. At first the proxy starts on the finger; after
+/// a change of shape it stays. Both only where there is room: else it starts beside what is there. Input that
 /// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
 /// each body.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;

@@ -153,11 +153,12 @@ void HapticStepTest::materialEditKeepsTheContact() {
     hand.to(hand.finger());
     QCOMPARE(hand.output().proxy, held);
     QVERIFY(std::abs(hand.output().force.z() - 1600 * kRadius) < 1e-6);
-    // A pose is another matter: the surface is elsewhere, the proxy starts anew.
+    // So does a pose that leaves the surface where the proxy is.
     const auto second = compile(scene, first.get()).value();
     scene.objects[0].pose.translation.x() = 0.01;
     hand.take(compile(scene, second.get()).value());
-    QCOMPARE(hand.to(hand.finger()).proxy, hand.finger());
+    QVERIFY((hand.to(hand.finger()).proxy - held).norm() < 2 * kSkin * kRadius);
+    QVERIFY(std::abs(hand.output().force.z() - 1600 * kRadius) < 1e-4);
 }
 
 void HapticStepTest::modelGivesTheForceOfTheStep_data() {

@@ -1,0 +1,89 @@
+#include "core/proxy/place.h"
+
+#include <cmath>
+
+#include "core/collision/nearest.h"
+#include "core/proxy/proxy.h"
+
+namespace tactum {
+namespace {
+
+constexpr int kPushes = 16;    ///< in a right-angled corner three are enough
+constexpr int kDoublings = 24; ///< from a radius of a millimetre to beyond every scene
+/// Of the radius: pushed so far beyond touching that the pushes of a corner come to an end.
+constexpr double kClear = 1e-3;
+
+struct Placing {
+    std::span<const Obstacle> obstacles;
+    std::span<const BodyMotion> movers;
+    double radius;
+    std::uint64_t since;
+
+    Vec3 pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept;
+    Vec3 largestPush(const Vec3& p_W) const noexcept;
+    bool isClear(const Vec3& p_W) const noexcept { return largestPush(p_W).isZero(0); }
+    Vec3 nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept;
+};
+
+/// The way out of one obstacle; zero when it is not overlapped.
+Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept {
+    const Pose& pose = poseNow(obstacle, movers);
+    const Vec3 p_B = pose.applyInverse(p_W);
+    const bool mayBeInside = obstacle.mesh->closed && obstacle.placedIn > since;
+    const Nearest near =
+        mayBeInside ? nearestOn(*obstacle.mesh, p_B) : nearestOn(*obstacle.mesh, p_B, radius);
+    if (!std::isfinite(near.distance)) return Vec3::Zero();
+    const bool inside = mayBeInside && near.front < 0;
+    if (!inside && near.distance >= (1 - 2 * kSkin) * radius) return Vec3::Zero();
+
+    const Triangle shape = obstacle.triangle(near.triangle);
+    const Vec3 normal = (shape.b - shape.a).cross(shape.c - shape.a).normalized();
+    Vec3 out = near.distance > 0 ? Vec3((p_B - near.point) / near.distance) : normal;
+    if (inside) out = -out;
+    if (!out.allFinite() || out.isZero(0)) out = Vec3::UnitZ(); // on a segment or a point: any way will do
+    return pose.rotate(near.point + radius * (1 + kClear) * out - p_B);
+}
+
+Vec3 Placing::largestPush(const Vec3& p_W) const noexcept {
+    Vec3 largest = Vec3::Zero();
+    for (const Obstacle& obstacle : obstacles) {
+        const Vec3 push = pushOff(obstacle, p_W);
+        if (push.squaredNorm() > largest.squaredNorm()) largest = push;
+    }
+    return largest;
+}
+
+/// How near a proxy that starts clear of everything comes on a straight way.
+Vec3 Placing::nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept {
+    double t = 1;
+    for (const Obstacle& obstacle : obstacles) {
+        const Pose& pose = poseNow(obstacle, movers);
+        const Vec3 from_B = pose.applyInverse(from_W);
+        const SpherePath path{from_B, pose.applyInverse(to_W) - from_B, radius * (1 + kClear),
+                              obstacle.sides};
+        t = std::min(t, obstacle.mesh->tree.sweep(*obstacle.mesh->soup, path, {}).t);
+    }
+    return from_W + t * (to_W - from_W);
+}
+
+} // namespace
+
+std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+                               double radius, const Vec3& wanted_W, std::uint64_t since) noexcept {
+    const Placing placing{obstacles, movers, radius, since};
+    const Vec3 first = placing.largestPush(wanted_W);
+    Vec3 place = wanted_W;
+    for (int push = 0; push < kPushes; ++push) {
+        const Vec3 way = push == 0 ? first : placing.largestPush(place);
+        if (way.isZero(0)) return place;
+        place += way;
+    }
+    // Pushed to and fro: straight out until there is room, then back as far as it goes.
+    for (int i = 0; i < kDoublings; ++i) {
+        const Vec3 beyond = wanted_W + std::ldexp(radius, i) * first.normalized();
+        if (placing.isClear(beyond)) return placing.nearestOnWay(beyond, wanted_W);
+    }
+    return std::nullopt;
+}
+
+} // namespace tactum
