@@ -17,15 +17,22 @@ struct Waiting {
 };
 
 struct Search {
+    Search(const CollisionMesh& theMesh, const Vec3& thePlace) noexcept : mesh(theMesh), p(thePlace) {}
+
     const CollisionMesh& mesh;
     Vec3 p;
-    Nearest best;
+    Nearest best{};
+    Vec3 normal = Vec3::Zero();      ///< at the best point, of any length
+    std::array<Index, 64> sharing{}; ///< the triangles that share it
+    int sharingCount = 0;
     std::array<Waiting, kStack> stack;
     int count = 0;
 
     void open(const SphereTree::Node& node) noexcept;
     void lookAt(const SphereTree::Leaf& leaf) noexcept;
     void lookAt(Index triangle) noexcept;
+    bool isNew(Index triangle) noexcept;
+    Nearest result() const noexcept;
 };
 
 /// The nearest child is taken next.
@@ -40,20 +47,44 @@ void Search::open(const SphereTree::Node& node) noexcept {
               [](const Waiting& a, const Waiting& b) { return a.distance > b.distance; });
 }
 
+/// What a triangle adds to the normal at a point of it: its own, by the angle it has at a vertex.
+Vec3 normalAt(const Triangle& shape, const ClosestPoint& at) noexcept {
+    const Vec3 normal = (shape.b - shape.a).cross(shape.c - shape.a);
+    const double length = normal.norm();
+    if (!(length > 0)) return Vec3::Zero();
+    if (at.feature != Feature::Vertex) return normal / length;
+    Eigen::Index corner = 0;
+    at.weights.maxCoeff(&corner);
+    const std::array<Vec3, 3> p{shape.a, shape.b, shape.c};
+    const Vec3 &here = p[std::size_t(corner)], &next = p[std::size_t(corner + 1) % 3];
+    const Vec3 one = next - here, other = p[std::size_t(corner + 2) % 3] - here;
+    return std::atan2(one.cross(other).norm(), one.dot(other)) * normal / length;
+}
+
+/// Long triangles lie in several leaves, but count once.
+bool Search::isNew(Index triangle) noexcept {
+    const auto end = sharing.begin() + sharingCount;
+    if (std::find(sharing.begin(), end, triangle) != end || sharingCount == int(sharing.size())) return false;
+    sharing[std::size_t(sharingCount++)] = triangle;
+    return true;
+}
+
 void Search::lookAt(Index triangle) noexcept {
     const auto& corners = mesh.soup->triangles[triangle];
     const auto& at = mesh.soup->positions;
     const Triangle shape{at[corners[0]], at[corners[1]], at[corners[2]]};
-    const Vec3 point = closestPoint(shape, p).point;
-    const Vec3 way = p - point;
-    const double distance = way.norm();
+    const ClosestPoint closest = closestPoint(shape, p);
+    const double distance = (p - closest.point).norm();
     if (distance > best.distance * kSame) return;
-    const Vec3 normal = (shape.b - shape.a).cross(shape.c - shape.a);
-    const double scale = normal.norm() * distance;
-    const double front = scale > 0 ? normal.dot(way) / scale : 0;
-    const bool same = distance * kSame >= best.distance;
-    if (same && std::abs(front) <= std::abs(best.front)) return;
-    best = {std::min(distance, best.distance), triangle, point, front};
+    const bool same = (closest.point - best.point).norm() <= (kSame - 1) * distance;
+    if (distance * kSame < best.distance || sharingCount == 0) {
+        best = {distance, triangle, closest.point, 0};
+        normal = Vec3::Zero();
+        sharingCount = 0;
+    } else if (!same) {
+        return;
+    }
+    if (isNew(triangle)) normal += normalAt(shape, closest);
 }
 
 void Search::lookAt(const SphereTree::Leaf& leaf) noexcept {
@@ -62,14 +93,21 @@ void Search::lookAt(const SphereTree::Leaf& leaf) noexcept {
         if (leaf.ax[i] < kUnused) lookAt(leaf.triangle[i]);
 }
 
+Nearest Search::result() const noexcept {
+    if (sharingCount == 0) return {};
+    Nearest found = best;
+    const double scale = normal.norm() * best.distance;
+    if (scale > 0) found.front = normal.dot(p - best.point) / scale;
+    return found;
+}
+
 } // namespace
 
 Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B, double within) noexcept {
-    Search search{.mesh = mesh, .p = p_B, .best = {}, .stack = {}};
+    Search search(mesh, p_B);
     search.best.distance = within;
     const auto& nodes = mesh.tree.nodes();
     if (!nodes.empty()) search.open(nodes.front());
-    bool found = false;
     while (search.count > 0) {
         const Waiting next = search.stack[std::size_t(--search.count)];
         if (next.distance > search.best.distance * kSame) continue;
@@ -77,9 +115,8 @@ Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B, double within) noe
             search.open(nodes[std::size_t(next.child)]);
         else
             search.lookAt(mesh.tree.leaves()[std::size_t(~next.child)]);
-        found = found || search.best.distance < within;
     }
-    return found ? search.best : Nearest{};
+    return search.result();
 }
 
 } // namespace tactum

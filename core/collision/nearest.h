@@ -11,9 +11,9 @@ struct Nearest {
     double distance = std::numeric_limits<double>::infinity(); ///< m; infinity: nothing within reach
     Index triangle = 0;
     Vec3 point = Vec3::Zero(); ///< body frame
-    /// Cosine between the triangle's normal and the way from `point` to where was asked: positive in front.
-    /// Of several triangles at the same distance (an edge, a vertex) it is that of the one that is seen most
-    /// from the front or the back: of a closed mesh its sign then tells outside from inside.
+    /// Cosine between the normal there and the way from `point` to where was asked: positive in front. On an
+    /// edge the normal is the mean of its faces', on a vertex that weighted by their angles, so that the sign
+    /// tells outside from inside for every closed mesh (Baerentzen and Aanaes 2005).
     double front = 0;
 };
 
