@@ -1,4 +1,7 @@
 // The nearest part of a mesh against a search through all triangles, and inside against a closed form.
+#include <map>
+
+#include <Eigen/LU>
 #include <QtTest>
 
 #include "core/collision/nearest.h"
@@ -28,14 +31,30 @@ Soup turnedAround(const TriangleSoup& soup) {
     return result;
 }
 
-/// A leaning spike: where it points, the largest of its faces shows its back.
-Soup spike() {
-    const Vec3 tip(0, 0, 1);
-    const std::vector<Vec3> base{{0.9, 0, 0}, {-0.1, 0.1, 0}, {-0.1, -0.1, 0}};
-    SoupBuilder builder;
-    for (std::size_t i = 0; i < 3; ++i)
-        builder.triangle(base[i], base[(i + 1) % 3], tip);
-    return builder.triangle(base[0], base[2], base[1]).build();
+/// A ball whose corners lie at random distances: spikes, pits and saddles, each ray from its centre meets it
+/// once.
+Soup crumpledBall(Rng& rng) {
+    auto soup = std::make_shared<TriangleSoup>(*ball(1, 1));
+    std::map<std::array<double, 3>, double> distances; // the same for corners at the same place
+    for (Vec3& p : soup->positions) {
+        const std::array<double, 3> place{p.x(), p.y(), p.z()};
+        p *= distances.try_emplace(place, uniform(rng, 0.3, 1.5)).first->second;
+    }
+    return soup;
+}
+
+/// How far the surface of a star-shaped body lies in a direction.
+double reachOf(const TriangleSoup& soup, const Vec3& way) {
+    double reach = 0;
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        const Triangle t = triangleOf(soup, i);
+        Mat3 cone;
+        cone << t.a, t.b, t.c;
+        const Vec3 parts =
+            cone.inverse() * way; // way = parts of the corners: inside the cone none is negative
+        if (parts.minCoeff() >= -1e-12) reach = std::max(reach, 1 / parts.sum());
+    }
+    return reach;
 }
 
 } // namespace
@@ -67,14 +86,21 @@ private slots:
 
     void theSideTellsInsideFromOutside() {
         Rng rng(72);
-        const CollisionMesh sphere = meshOf(ball(1, 2)), thorn = meshOf(spike());
-        QVERIFY(sphere.closed && thorn.closed);
-        for (int i = 0; i < 2000; ++i) {
-            const Vec3 way = direction(rng);
-            QVERIFY(nearestOn(sphere, uniform(rng, 0, 0.93) * way).front < 0);
-            QVERIFY(nearestOn(sphere, uniform(rng, 1.01, 3) * way).front > 0);
-            QVERIFY(nearestOn(thorn, Vec3(0, 0, 1) + uniform(rng, 0.001, 0.1) * Vec3(0.5, 0, 1)).front > 0);
+        int corners = 0;
+        for (int body = 0; body < 100; ++body) {
+            const CollisionMesh mesh = meshOf(crumpledBall(rng));
+            QVERIFY(mesh.closed);
+            for (int i = 0; i < 100; ++i) {
+                const Vec3 way = direction(rng);
+                const double part = uniform(rng, 0.2, 2);
+                if (std::abs(part - 1) < 1e-3) continue;
+                const Nearest near = nearestOn(mesh, part * reachOf(*mesh.soup, way) * way);
+                QVERIFY((near.front > 0) == (part > 1));
+                const Triangle t = triangleOf(*mesh.soup, near.triangle);
+                corners += near.point == t.a || near.point == t.b || near.point == t.c;
+            }
         }
+        QVERIFY(corners > 1000);
     }
 
     void onlyWhatHasAnInsideIsClosed() {
