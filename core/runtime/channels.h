@@ -33,6 +33,8 @@ struct ProxyTelemetry {
     std::uint64_t squeezed = 0;      ///< steps in which surfaces left the proxy less room than it needs
     std::uint64_t passed = 0;        ///< steps in which a moving body had to pass over the proxy
     double time = 0;                 ///< s, of the bodies that move by themselves
+    Fidelity fidelity = Fidelity::Full;
+    std::uint64_t stepsDown = 0; ///< how often the fidelity was lowered
 };
 
 /// What the servo loop tells the window.

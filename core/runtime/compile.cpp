@@ -54,6 +54,10 @@ Result<void> addFeels(WorldBody& body, const SceneObject& object, const World& w
     const bool plain = std::ranges::none_of(
         body.feels, [](const SurfaceFeel& feel) { return feel.normals || feel.texture; });
     if (plain) body.feels.clear();
+    for (const SurfaceFeel& feel : body.feels)
+        body.feelsWithoutTexture.push_back({feel.normals, nullptr});
+    if (std::ranges::none_of(body.feels, [](const SurfaceFeel& feel) { return feel.normals; }))
+        body.feelsWithoutTexture.clear();
     return {};
 }
 
@@ -96,6 +100,15 @@ void datePlaces(World& world, const World* previous) {
         const auto before = std::ranges::find_if(
             previous->obstacles, [&](const Obstacle& known) { return sameShape(obstacle, known); });
         if (before != previous->obstacles.end()) obstacle.placedIn = before->placedIn;
+    }
+}
+
+// What the proxy meets when there is no time for textures, or for shading.
+void addLesserObstacles(World& world) {
+    world.untextured = world.plain = world.obstacles;
+    for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+        world.untextured[i].feels = world.bodies[i].feelsWithoutTexture;
+        world.plain[i].feels = {};
     }
 }
 
@@ -147,6 +160,7 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
     world->revision = ++revisions;
     world->shapeRevision = previous && sameShape(*world, *previous) ? previous->shapeRevision : ++shapes;
     datePlaces(*world, previous);
+    addLesserObstacles(*world);
     return std::shared_ptr<const World>(std::move(world));
 }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr int kServoPriority = 80, kProxyPriority = 70;
 /// The proxy is updated this many times for each servo tick, where its work allows.
 constexpr double kUpdatesPerTick = 2;
+/// Of a servo tick, what an update may take before something is left out.
+constexpr double kProxyShare = 0.8;
 
 std::string notePriority(int refusal, int unlocked) {
     if (!refusal && !unlocked) return "Real-time priority and locked memory were granted.";
@@ -50,8 +52,9 @@ struct Engine::Impl {
 Result<void> Engine::Impl::startLoops() {
     return servoThread.start("tactum-servo", kServoPriority, [this] { servoLoop(*channels, *device, info); })
         .and_then([this] {
-            return proxyThread.start("tactum-proxy", kProxyPriority,
-                                     [this] { proxyLoop(*channels, kUpdatesPerTick * info.rate); });
+            return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
+                proxyLoop(*channels, kUpdatesPerTick * info.rate, kProxyShare / info.rate);
+            });
         });
 }
 

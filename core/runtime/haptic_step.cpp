@@ -117,8 +117,9 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     }
     if (input.restart || state.shapeRevision != world.shapeRevision) startAnew(world, state, input);
     moveBodies(world, state, dt);
-    const ProxyReport report = moveAndUpdate(state.proxy, world.obstacles, world.proxyRadius, input.finger,
-                                             dt, {state.movers.data(), world.movers.size()});
+    const ProxyReport report =
+        moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
+                      {state.movers.data(), world.movers.size()});
     describeSurroundings(world, state, dt);
     HapticOutput output = reportOf(world, state);
     output.report = report;

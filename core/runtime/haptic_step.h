@@ -18,6 +18,7 @@ struct HapticInput {
     Vec3 finger = Vec3::Zero();
     Vec3 fingerVelocity = Vec3::Zero();
     bool restart = false; ///< first put the proxy onto the finger, or beside it where something is
+    Fidelity fidelity = Fidelity::Full;
 };
 
 /// One touched place, for the display.

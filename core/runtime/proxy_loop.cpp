@@ -14,9 +14,10 @@ struct Proxy {
     const World* world = nullptr;
     bool restartDue = false;     ///< the next step begins at the finger
     std::uint32_t anchoring = 0; ///< of the last finger
-    SimState state;
-    HalfSecond updates;
-    ProxyTelemetry telemetry;
+    OverloadLadder ladder;
+    SimState state{};
+    HalfSecond updates{};
+    ProxyTelemetry telemetry{};
 };
 
 /// The load first: an exchange at every tick would take the cache line from the ui thread for nothing.
@@ -45,12 +46,14 @@ HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) no
     proxy.restartDue = false;
     proxy.anchoring = proxy.state.model.anchoring = finger.anchoring;
     const double dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep);
-    return hapticStep(*proxy.world, proxy.state, {finger.position, finger.velocity, restart}, dt);
+    return hapticStep(*proxy.world, proxy.state,
+                      {finger.position, finger.velocity, restart, proxy.ladder.fidelity()}, dt);
 }
 
 void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,
             double micros) noexcept {
     proxy.updates.add(tick.time, micros);
+    proxy.ladder(tick.time, 1e-6 * micros);
     ProxyTelemetry& telemetry = proxy.telemetry;
     telemetry.output = output;
     telemetry.finger = finger;
@@ -63,13 +66,15 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.squeezed += output.report.squeezed;
     telemetry.passed += output.report.passed;
     telemetry.time = proxy.state.time;
+    telemetry.fidelity = proxy.ladder.fidelity();
+    telemetry.stepsDown = proxy.ladder.stepsDown();
     proxy.channels.proxyTelemetry.write(telemetry);
 }
 
 } // namespace
 
-void proxyLoop(Channels& channels, double rate) noexcept {
-    Proxy proxy{.channels = channels, .state = {}, .updates = {}, .telemetry = {}};
+void proxyLoop(Channels& channels, double rate, double budget) noexcept {
+    Proxy proxy{.channels = channels, .ladder = OverloadLadder(budget)};
     Metronome metronome(rate, kProxyRest);
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();

@@ -10,8 +10,9 @@ inline constexpr double kShortestStep = 1e-4, kLongestStep = 5e-3;
 /// A step that takes longer than its period still sleeps for this part of it.
 inline constexpr double kProxyRest = 0.125;
 
-/// Runs until channels.stop, `rate` times a second or as often as its work allows. Without a World or a
-/// finger it waits. Thread: proxy. The clock lies outside the RealtimeScope, all else inside it.
-void proxyLoop(Channels& channels, double rate) noexcept;
+/// Runs until channels.stop, `rate` times a second or as often as its work allows. Steps that take longer
+/// than `budget` seconds in the mean are made at a lower fidelity. Without a World or a finger it waits.
+/// Thread: proxy. The clock lies outside the RealtimeScope, all else inside it.
+void proxyLoop(Channels& channels, double rate, double budget) noexcept;
 
 } // namespace tactum

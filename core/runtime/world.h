@@ -8,6 +8,7 @@
 #include "core/collision/collision_mesh.h"
 #include "core/dynamics/motion.h"
 #include "core/proxy/proxy.h"
+#include "core/runtime/fidelity.h"
 #include "core/scene/scene.h"
 #include "core/surface/material.h"
 
@@ -21,6 +22,7 @@ struct WorldBody {
     std::vector<std::shared_ptr<const SmoothNormals>> normals;
     std::vector<std::shared_ptr<const TextureStack>> textures;
     std::vector<SurfaceFeel> feels;
+    std::vector<SurfaceFeel> feelsWithoutTexture; ///< likewise, none when no surface is shaded
     std::vector<Sides> sides; ///< as many, or none when all surfaces are felt from both sides
 };
 
@@ -36,12 +38,18 @@ struct Mover {
 /// Never copied after compile(): obstacles point into bodies.
 struct World {
     std::vector<WorldBody> bodies;
-    std::vector<Obstacle> obstacles; ///< one for each body, in the same order
-    std::vector<Mover> movers;       ///< at most kMaxMovers; Obstacle::mover is an index into them
-    double proxyRadius = 0;          ///< m
-    std::uint64_t revision = 0;      ///< rises with every compile
+    std::vector<Obstacle> obstacles;         ///< one for each body, in the same order
+    std::vector<Obstacle> untextured, plain; ///< the same, with less to feel: see Fidelity
+    std::vector<Mover> movers;               ///< at most kMaxMovers; Obstacle::mover is an index into them
+    double proxyRadius = 0;                  ///< m
+    std::uint64_t revision = 0;              ///< rises with every compile
     /// Another number when a mesh, a pose, a motion or the proxy radius changed: contacts are void.
     std::uint64_t shapeRevision = 0;
+
+    const std::vector<Obstacle>& obstaclesAt(Fidelity fidelity) const noexcept {
+        if (fidelity == Fidelity::Full) return obstacles;
+        return fidelity == Fidelity::NoTexture ? untextured : plain;
+    }
 };
 
 } // namespace tactum

@@ -99,6 +99,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/runtime/contact_model",
     "core/runtime/contact_ease",
     "core/runtime/servo_step",
+    "core/runtime/fidelity",
     "core/runtime/haptic_step",
     "core/runtime/proxy_loop",
     "core/runtime/servo_loop",

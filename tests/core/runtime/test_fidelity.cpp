@@ -1,0 +1,96 @@
+// The overload ladder: on machines that are formulas, and its lower rungs on a real surface.
+#include <QtTest>
+
+#include "core/runtime/fidelity.h"
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kBudget = 0.8e-3;
+
+/// A machine whose steps take a time that depends on the fidelity.
+struct Machine {
+    std::array<double, 4> took{}; ///< s, by fidelity
+    OverloadLadder ladder{kBudget};
+    double now = 0;
+    int changes = 0;
+
+    void run(double seconds) {
+        for (const double end = now + seconds; now < end; now += 1e-3) {
+            const Fidelity before = ladder.fidelity();
+            changes += ladder(now, took[std::size_t(before)]) != before;
+        }
+    }
+};
+
+} // namespace
+
+class TestFidelity : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingIsLeftOutWhereThereIsTime() {
+        Machine machine{.took = {0.79e-3, 0.7e-3, 0.6e-3, 0.5e-3}};
+        machine.run(10);
+        QCOMPARE(machine.ladder.fidelity(), Fidelity::Full);
+        QCOMPARE(machine.ladder.stepsDown(), 0u);
+    }
+
+    void goesDownAsFarAsItHasTo_data() {
+        QTest::addColumn<double>("plainTakes");
+        QTest::addColumn<int>("fidelity");
+        QTest::newRow("texture is too much") << 0.1e-3 << int(Fidelity::NoTexture);
+        QTest::newRow("shading too") << 0.5e-3 << int(Fidelity::NoShading);
+        QTest::newRow("everything is") << 3e-3 << int(Fidelity::PlaneOnly);
+    }
+
+    void goesDownAsFarAsItHasTo() {
+        QFETCH(double, plainTakes);
+        QFETCH(int, fidelity);
+        // Each level costs half a millisecond more than the one below.
+        Machine machine{.took = {plainTakes + 1.1e-3, plainTakes + 0.5e-3, plainTakes, 0.05e-3}};
+        machine.run(0.2);
+        QCOMPARE(int(machine.ladder.fidelity()), fidelity);
+        QCOMPARE(int(machine.ladder.stepsDown()), fidelity);
+    }
+
+    void comesBackByItself() {
+        Machine machine{.took = {2e-3, 2e-3, 2e-3, 2e-3}};
+        machine.run(0.3);
+        QCOMPARE(machine.ladder.fidelity(), kLeastFidelity);
+        machine.took.fill(0.1e-3);
+        machine.run(2.5);
+        QCOMPARE(machine.ladder.fidelity(), Fidelity::Full);
+    }
+
+    void doesNotFlutter() {
+        // Without texture there is half of the time to spare, with it there is none.
+        Machine machine{.took = {2e-3, 0.1e-3, 0.1e-3, 0.1e-3}};
+        machine.run(120);
+        QVERIFY2(machine.changes < 30, qPrintable(QString::number(machine.changes)));
+    }
+
+    void whatIsLeftOutIsNotFelt() {
+        Scene scene = sceneOf(ball(0.03, 2), frictionless());
+        scene.objects[0].surfaces[0].shading.on = true;
+        const auto world = compile(scene).value();
+        Hand hand(world);
+        hand.to({0.008, 0.003, 0.04});
+        hand.go({0.006, 0.002, 0.027}, 0.05);
+        const auto feltAt = [&](Fidelity fidelity) {
+            SimState state = hand.state;
+            hapticStep(*world, state, {hand.finger(), Vec3::Zero(), false, fidelity}, kMillisecond);
+            return state.proxy.feltCount;
+        };
+        QVERIFY(feltAt(Fidelity::Full) > 0);
+        QVERIFY(feltAt(Fidelity::NoTexture) > 0);
+        QCOMPARE(feltAt(Fidelity::NoShading), 0);
+        QCOMPARE(feltAt(Fidelity::PlaneOnly), 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFidelity)
+#include "test_fidelity.moc"
