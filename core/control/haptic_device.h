@@ -22,6 +22,7 @@ struct DeviceInfo {
     double dryFriction = 0;        ///< N, its own, at least
     double amplifierLag = 0;       ///< s, time constant from command to force
     double delay = 1;              ///< ticks between reading and the force that answers it
+    bool real = false;             ///< it pushes a hand: a guardian stands by while it is open
     double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
 };
 
@@ -51,6 +52,10 @@ public:
     /// Sends the command and returns the newest reading. `dt` is the time since the last exchange, in s.
     /// Thread: servo, real time: no allocation, lock or wait but the device's own transfer.
     virtual DeviceSample exchange(const DeviceCommand& command, double dt) noexcept = 0;
+    /// Brings the device to zero force by the shortest way, because the program is dying or stands still.
+    /// Thread: any, also a signal handler and a forked child, also while exchange() runs: only what is
+    /// async-signal-safe.
+    virtual void emergencyStop() noexcept {}
 };
 
 } // namespace tactum

@@ -35,6 +35,7 @@ struct Engine::Impl {
     std::unique_ptr<Channels> channels = std::make_unique<Channels>(); ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
+    Guardian guardian;
     RealtimeThread servoThread, proxyThread;
     bool running = false;
     bool realtime = false;
@@ -50,7 +51,10 @@ struct Engine::Impl {
 };
 
 Result<void> Engine::Impl::startLoops() {
-    return servoThread.start("tactum-servo", kServoPriority, [this] { servoLoop(*channels, *device, info); })
+    if (info.real)
+        if (Result<void> guarded = guardian.start(*device); !guarded) return guarded;
+    return servoThread
+        .start("tactum-servo", kServoPriority, [this] { servoLoop(*channels, *device, info, guardian); })
         .and_then([this] {
             return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
                 proxyLoop(*channels, kUpdatesPerTick * info.rate, kProxyShare / info.rate);
@@ -62,6 +66,7 @@ void Engine::Impl::endLoops() {
     channels->stop.store(true, std::memory_order_relaxed);
     servoThread.join();
     proxyThread.join();
+    guardian.stop();
     device->close();
 }
 

@@ -53,7 +53,8 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
 
 } // namespace
 
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info) noexcept {
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
+               Guardian& guardian) noexcept {
     Servo servo(channels, info);
     Metronome metronome(info.rate);
     DeviceCommand command;
@@ -62,6 +63,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info)
         const DeviceSample sample = device.exchange(command, tick.elapsed);
 
         const RealtimeScope scope;
+        guardian.beat();
         const bool fresh = channels.contactModel.update();
         const ServoOutput output =
             servoStep(servo.state, settingsOf(channels),
@@ -71,6 +73,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info)
         command.force = output.force;
         report(servo, output, tick, metronome.period());
     }
+    guardian.rest();
     device.exchange(DeviceCommand{}, metronome.period());
 }
 

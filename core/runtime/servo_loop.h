@@ -3,11 +3,13 @@
 
 #include "core/control/haptic_device.h"
 #include "core/runtime/channels.h"
+#include "core/runtime/guardian.h"
 
 namespace tactum {
 
-/// Runs until channels.stop at the device's rate. The last command is zero.
+/// Runs until channels.stop at the device's rate. The last command is zero. Every tick is a beat for the
+/// guardian.
 /// Thread: servo. Clock and device lie outside the RealtimeScope, all else inside it.
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info) noexcept;
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, Guardian& guardian) noexcept;
 
 } // namespace tactum

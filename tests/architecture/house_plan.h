@@ -54,6 +54,8 @@ inline const std::vector<Library> kLibraries{
     {"sched.h", {"core/runtime/"}},
     {"sys/", {"core/runtime/", "app/"}},
     {"unistd.h", {"core/runtime/", "app/"}},
+    {"poll.h", {"core/runtime/guardian.cpp"}},
+    {"fcntl.h", {"core/runtime/guardian.cpp"}},
 };
 
 /// What runs inside a RealtimeScope, header and source: "Thread: real time" holds for all of it.

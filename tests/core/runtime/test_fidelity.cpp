@@ -73,6 +73,12 @@ private slots:
         QVERIFY2(machine.changes < 30, qPrintable(QString::number(machine.changes)));
     }
 
+    void aLevelThatJustFitsIsKept() {
+        Machine machine{.took = {1e-3, 0.6e-3, 0.1e-3, 0.1e-3}};
+        machine.run(120);
+        QCOMPARE(machine.changes, 1);
+    }
+
     void whatIsLeftOutIsNotFelt() {
         Scene scene = sceneOf(ball(0.03, 2), frictionless());
         scene.objects[0].surfaces[0].shading.on = true;

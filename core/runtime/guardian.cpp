@@ -1,0 +1,115 @@
+#include "core/runtime/guardian.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace tactum {
+namespace {
+
+constexpr int kPriority = 85; ///< above the loops
+constexpr int kLook = 4;      ///< ms between two looks at the pulse
+constexpr char kFarewell = 'f';
+
+// From here on in the child: nothing but async-signal-safe calls.
+
+/// The terminal's signals and those of a closing session reach the child too; it outlives the program.
+void standApart() {
+    setsid();
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE})
+        std::signal(signal, SIG_IGN);
+    prctl(PR_SET_NAME, "tactum-guardian");
+    const sched_param parameters{.sched_priority = kPriority};
+    sched_setscheduler(0, SCHED_FIFO, &parameters); // where that is allowed
+}
+
+std::int64_t now() noexcept {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return std::int64_t(time.tv_sec) * 1000 + time.tv_nsec / 1'000'000;
+}
+
+/// Whether the program said farewell; nothing when there was no news before the next look.
+enum class News { None, Farewell, Death };
+News listen(int lifeline) noexcept {
+    pollfd line{.fd = lifeline, .events = POLLIN, .revents = 0};
+    if (poll(&line, 1, kLook) <= 0) return News::None;
+    char word = 0;
+    const ssize_t got = read(lifeline, &word, 1);
+    if (got < 0 && errno == EINTR) return News::None;
+    return got == 1 && word == kFarewell ? News::Farewell : News::Death;
+}
+
+[[noreturn]] void watch(int lifeline, const std::atomic<std::uint64_t>& pulse,
+                        HapticDevice& device) noexcept {
+    standApart();
+    std::uint64_t last = 0;
+    std::int64_t since = now();
+    bool stopped = false;
+    while (true) {
+        const News news = listen(lifeline);
+        if (news == News::Farewell) _exit(0);
+        if (news == News::Death) {
+            device.emergencyStop();
+            _exit(0);
+        }
+        const std::uint64_t beat = pulse.load(std::memory_order_relaxed);
+        if (beat != last || beat == 0) {
+            last = beat;
+            since = now();
+            stopped = false;
+        } else if (!stopped && now() - since > kGuardianPatience) {
+            device.emergencyStop();
+            stopped = true;
+        }
+    }
+}
+
+tl::unexpected<Error> cannotGuard(const char* what) {
+    return machineError(std::string("The device cannot be guarded (") + what + ": " + std::strerror(errno) +
+                        "): close other programs and try again.");
+}
+
+} // namespace
+
+Result<void> Guardian::start(HapticDevice& device) {
+    stop();
+    void* shared = mmap(nullptr, sizeof(*pulse_), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (shared == MAP_FAILED) return cannotGuard("shared memory");
+    pulse_ = new (shared) std::atomic<std::uint64_t>(0);
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return cannotGuard("a pipe");
+    child_ = fork();
+    if (child_ == 0) {
+        close(ends[1]);
+        watch(ends[0], *pulse_, device);
+    }
+    close(ends[0]);
+    lifeline_ = ends[1];
+    if (child_ < 0) return cannotGuard("another process");
+    return {};
+}
+
+void Guardian::stop() {
+    if (child_ > 0) {
+        // A child that was killed itself is no reason to be killed by SIGPIPE.
+        void (*const handler)(int) = std::signal(SIGPIPE, SIG_IGN);
+        [[maybe_unused]] const ssize_t written = write(lifeline_, &kFarewell, 1);
+        std::signal(SIGPIPE, handler);
+        waitpid(child_, nullptr, 0);
+    }
+    if (lifeline_ >= 0) close(lifeline_);
+    if (pulse_) munmap(static_cast<void*>(pulse_), sizeof(*pulse_));
+    child_ = lifeline_ = -1;
+    pulse_ = nullptr;
+}
+
+} // namespace tactum

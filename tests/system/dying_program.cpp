@@ -1,0 +1,47 @@
+// A program that presses a finger into a plate and then dies in the way that its caller asks for.
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+#include "core/runtime/compile.h"
+#include "core/runtime/engine.h"
+#include "tests/support/hand.h"
+#include "tests/system/watched_device.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+[[gnu::noinline]] int overflow(int depth) {
+    volatile char room[4096] = {};
+    room[depth % 4096] = char(depth);
+    return depth > 1'000'000'000 ? room[0] : overflow(depth + 1) + room[1];
+}
+
+void die(std::string_view way) {
+    if (way == "segv") *static_cast<volatile int*>(nullptr) = 1;
+    if (way == "abort") std::abort();
+    if (way == "throw") throw std::runtime_error("nobody catches this");
+    if (way == "exit") std::_Exit(0); // no destructor, no signal
+    if (way == "stack") std::exit(overflow(0));
+    // Else somebody else sees to it.
+    while (true)
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Motors* motors = argc == 3 ? mapMotors(argv[1]) : nullptr;
+    if (!motors) return 2;
+    Engine engine(std::make_unique<WatchedDevice>(*motors, -0.002));
+    engine.publish(worldOf(sheet(0.1), frictionless(), 1e-3));
+    if (!engine.start()) return 3;
+    engine.setArmed(true);
+    while (motors->push < 1)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    die(argv[2]);
+}

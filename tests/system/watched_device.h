@@ -1,0 +1,64 @@
+// A device whose last command can be seen from outside the program: it lies in memory that both share.
+#pragma once
+
+#include <atomic>
+#include <ctime>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "core/control/haptic_device.h"
+
+namespace tactum::test {
+
+inline std::int64_t nanoseconds() noexcept {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
+/// What the motors of the watched device do.
+struct Motors {
+    std::atomic<double> push{0};            ///< N, along z: holds until the next command, as a real one does
+    std::atomic<std::int64_t> stoppedAt{0}; ///< when an emergency stop came, ns; 0: none
+    std::atomic<int> stops{0};
+    std::atomic<std::uint64_t> exchanges{0};
+};
+
+/// Maps the file, made with the right size if it is not; null when that fails.
+inline Motors* mapMotors(const char* file) {
+    const int fd = open(file, O_RDWR | O_CREAT, 0600);
+    if (fd < 0 || ftruncate(fd, sizeof(Motors)) != 0) return nullptr;
+    void* memory = mmap(nullptr, sizeof(Motors), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    close(fd);
+    return memory == MAP_FAILED ? nullptr : static_cast<Motors*>(memory);
+}
+
+/// The finger comes down to `depth` below z = 0 and stays.
+class WatchedDevice final : public HapticDevice {
+public:
+    WatchedDevice(Motors& motors, double lowest) : motors_(motors), lowest_(lowest) {}
+
+    DeviceInfo info() const override {
+        return {.name = "Watched", .maxForce = 8, .rate = 1000, .damping = 1e5, .real = true};
+    }
+    Result<void> open() override { return {}; }
+    void close() override {}
+    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
+        motors_.push = command.force.z();
+        ++motors_.exchanges;
+        height_ = std::max(lowest_, height_ - 0.05 * dt);
+        return {.position = {0, 0, height_}, .valid = true};
+    }
+    void emergencyStop() noexcept override {
+        motors_.push = 0;
+        if (motors_.stops.fetch_add(1) == 0) motors_.stoppedAt = nanoseconds();
+    }
+
+private:
+    Motors& motors_;
+    double lowest_;
+    double height_ = 0.005;
+};
+
+} // namespace tactum::test
