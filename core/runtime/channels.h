@@ -15,6 +15,7 @@
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
 #include "core/runtime/haptic_step.h"
+#include "core/runtime/period_histogram.h"
 #include "core/runtime/servo_step.h"
 #include "core/runtime/world.h"
 
@@ -42,10 +43,12 @@ struct ServoTelemetry {
     Vec3 finger = Vec3::Zero();
     Vec3 force = Vec3::Zero(); ///< N, after the limiter: what the device was sent
     std::uint64_t ticks = 0;
-    double rate = 0;           ///< Hz, over the last half second
-    double jitterMicros = 0;   ///< largest deviation of a period from its nominal length over it
-    std::uint64_t misses = 0;  ///< ticks that came more than one period late
-    std::uint64_t clamped = 0; ///< commands that the limiter shortened
+    double rate = 0;                 ///< Hz, over the last half second
+    double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
+    std::uint64_t misses = 0;        ///< ticks that came more than one period late
+    std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (Canary)
+    PeriodHistogram periods;         ///< deviations, since the start
+    std::uint64_t clamped = 0;       ///< commands that the limiter shortened
     std::uint64_t invalidSamples = 0;
     Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
     double gain = 0;                        ///< of the force: 0 none, 1 all

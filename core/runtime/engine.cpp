@@ -36,6 +36,7 @@ struct Engine::Impl {
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
     Guardian guardian;
+    Canary canary;
     RealtimeThread servoThread, proxyThread;
     bool running = false;
     bool realtime = false;
@@ -53,8 +54,12 @@ struct Engine::Impl {
 Result<void> Engine::Impl::startLoops() {
     if (info.real)
         if (Result<void> guarded = guardian.start(*device); !guarded) return guarded;
+    if (Result<void> watched = canary.start(); !watched) return watched;
     return servoThread
-        .start("tactum-servo", kServoPriority, [this] { servoLoop(*channels, *device, info, guardian); })
+        .start("tactum-servo", kServoPriority,
+               [this] {
+                   servoLoop(*channels, *device, info, {guardian, canary});
+               })
         .and_then([this] {
             return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
                 proxyLoop(*channels, kUpdatesPerTick * info.rate, kProxyShare / info.rate);
@@ -66,6 +71,7 @@ void Engine::Impl::endLoops() {
     channels->stop.store(true, std::memory_order_relaxed);
     servoThread.join();
     proxyThread.join();
+    canary.stop();
     guardian.stop();
     device->close();
 }

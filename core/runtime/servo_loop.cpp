@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sched.h>
 
 #include "core/base/realtime.h"
 #include "core/runtime/metronome.h"
@@ -16,15 +17,25 @@ struct Servo {
     Channels& channels;
     ServoState state;
     HalfSecond jitter;
+    double period = 0; ///< s, measured
     ServoTelemetry telemetry;
 };
 
-ServoSettings settingsOf(const Channels& channels) noexcept {
-    return {.armed = channels.armed.load(std::memory_order_relaxed),
-            .overrideCeiling = channels.overrideCeiling.load(std::memory_order_relaxed)};
+ServoSettings settingsOf(const Servo& servo) noexcept {
+    return {.armed = servo.channels.armed.load(std::memory_order_relaxed),
+            .overrideCeiling = servo.channels.overrideCeiling.load(std::memory_order_relaxed),
+            .period = servo.period};
 }
 
-void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
+/// What all but one tick in a thousand kept: without real-time priority that is worse than the nominal
+/// period, and less stiffness is safe.
+void measurePeriod(Servo& servo, double nominal) noexcept {
+    constexpr std::uint64_t kEvery = 1024;
+    if (servo.state.ticks % kEvery == 0)
+        servo.period = nominal + 1e-6 * servo.telemetry.periods.quantile(0.999);
+}
+
+void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period, bool machine) noexcept {
     const ServoState& state = servo.state;
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
     ServoTelemetry& telemetry = servo.telemetry;
@@ -34,6 +45,8 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
     telemetry.misses += tick.missed;
+    telemetry.machineMisses += tick.missed && machine;
+    telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();
     telemetry.withheld = state.guard.withheld();
@@ -51,10 +64,16 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
         {tick.time, telemetry.finger, servo.channels.contactModel.value().proxy, output.force});
 }
 
+/// The delay of a late tick reaches from when it was due until it came.
+bool wasTheMachines(const Canary& canary, const Tick& tick) noexcept {
+    const std::int64_t now = monotonicNanoseconds();
+    return canary.wasLate(now - std::int64_t(1e9 * tick.elapsed), now);
+}
+
 } // namespace
 
 void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
-               Guardian& guardian) noexcept {
+               const Watchers& watchers) noexcept {
     Servo servo(channels, info);
     Metronome metronome(info.rate);
     DeviceCommand command;
@@ -63,17 +82,19 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
         const DeviceSample sample = device.exchange(command, tick.elapsed);
 
         const RealtimeScope scope;
-        guardian.beat();
+        watchers.guardian.beat();
+        watchers.canary.follow(sched_getcpu());
         const bool fresh = channels.contactModel.update();
         const ServoOutput output =
-            servoStep(servo.state, settingsOf(channels),
+            servoStep(servo.state, settingsOf(servo),
                       {.sample = sample, .dt = tick.elapsed, .late = tick.missed, .fresh = fresh},
                       channels.contactModel.value());
         channels.finger.write(output.finger);
         command.force = output.force;
-        report(servo, output, tick, metronome.period());
+        report(servo, output, tick, metronome.period(), tick.missed && wasTheMachines(watchers.canary, tick));
+        measurePeriod(servo, metronome.period());
     }
-    guardian.rest();
+    watchers.guardian.rest();
     device.exchange(DeviceCommand{}, metronome.period());
 }
 

@@ -2,14 +2,22 @@
 #pragma once
 
 #include "core/control/haptic_device.h"
+#include "core/runtime/canary.h"
 #include "core/runtime/channels.h"
 #include "core/runtime/guardian.h"
 
 namespace tactum {
 
+/// Who watches the servo; both may be idle.
+struct Watchers {
+    Guardian& guardian;
+    Canary& canary;
+};
+
 /// Runs until channels.stop at the device's rate. The last command is zero. Every tick is a beat for the
 /// guardian.
 /// Thread: servo. Clock and device lie outside the RealtimeScope, all else inside it.
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, Guardian& guardian) noexcept;
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
+               const Watchers& watchers) noexcept;
 
 } // namespace tactum

@@ -177,6 +177,8 @@ private slots:
         EditedWorlds worlds;
         worlds.edit();
         SimState state;
+        ServoState servo(
+            {.name = "Still hand", .maxForce = 8, .continuousForce = 3, .rate = 1 / kStep, .damping = 8});
         int touching = 0, slipping = 0, riding = 0, squeezed = 0;
         PageFaults faults;
         interposer::reset();
@@ -188,7 +190,11 @@ private slots:
 
             const RealtimeScope scope;
             const HapticOutput output = hapticStep(worlds.current(), state, {finger, velocity}, kStep);
-            const Vec3 force = contactModelForce(state.model, finger, velocity);
+            state.model.anchoring = servo.guard.anchoring();
+            const Vec3 force =
+                servoStep(servo, {.armed = i % 50'000 > 100}, // on and off
+                          {.sample = {finger, velocity, 0, true}, .dt = kStep, .fresh = true}, state.model)
+                    .force;
             if (i > 10'000) faults.addSince(before);
             touching += output.contacts > 0 && force.norm() > 0;
             slipping += output.contact[0].slipping;

@@ -7,6 +7,8 @@
 
 #include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
+#include "core/runtime/metronome.h"
+#include "core/runtime/realtime_thread.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 
@@ -142,6 +144,32 @@ private slots:
         plate.engine.restartProxy();
         QVERIFY(eventually([&] { return plate.probe->push == 0; }));
         QVERIFY(eventually([&] { return plate.polled().proxy().output.proxy.z() < -kRadius; }));
+    }
+
+    void aFrozenWindowCostsNoTick() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        // A thread of higher priority that only counts its own ticks: what it loses the machine took.
+        std::atomic<bool> done{false};
+        std::atomic<int> counted{0};
+        RealtimeThread counter;
+        QVERIFY(counter.start("counter", 95, [&] {
+            for (Metronome metronome(1000); !done; ++counted)
+                metronome.wait();
+        }));
+        const std::uint64_t before = plate.polled().servo().ticks;
+        const std::uint64_t updates = plate.engine.proxy().updates;
+        const int countedBefore = counted;
+        const std::int64_t begun = monotonicNanoseconds();
+        while (monotonicNanoseconds() - begun < 10'000'000'000) {
+        } // ten seconds in which nothing is polled and no event is handled
+        const int possible = counted - countedBefore;
+        const auto ticks = int(plate.polled().servo().ticks - before);
+        done = true;
+        counter.join();
+        QVERIFY2(ticks >= possible - 5, qPrintable(QString("%1 of %2").arg(ticks).arg(possible)));
+        QVERIFY(plate.engine.proxy().updates - updates >= std::uint64_t(possible) / 2);
+        QVERIFY(plate.engine.proxy().output.contacts > 0);
     }
 
     void stopSendsZeroThenCloses() {

@@ -24,7 +24,7 @@ struct RunningServo {
     ~RunningServo() { stop(); }
 
     void start() {
-        thread = std::thread([this] { servoLoop(*channels, device, device.info(), guardian); });
+        thread = std::thread([this] { servoLoop(*channels, device, device.info(), {guardian, canary}); });
     }
     void stop() {
         channels->stop = true;
@@ -50,6 +50,7 @@ struct RunningServo {
     std::shared_ptr<Probe> probe = std::make_shared<Probe>();
     ProbeDevice device{probe};
     Guardian guardian; // of nothing
+    Canary canary;     // asleep
     std::unique_ptr<Channels> channels = std::make_unique<Channels>();
     std::thread thread;
 };

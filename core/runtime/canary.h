@@ -1,0 +1,44 @@
+// Tells the machine's delays from our own: a thread that goes before the servo and does nothing.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "core/base/result.h"
+#include "core/runtime/realtime_thread.h"
+
+namespace tactum {
+
+/// Sleeps and wakes at 1 kHz with a higher priority than the loops, on the processor of the servo. When it
+/// wakes late too, the kernel, the hypervisor or the firmware had the processor, and no program could have
+/// been in time. Without SCHED_FIFO it is an ordinary thread like the servo, and as often late.
+/// Thread of start() and stop(): any but real time.
+class Canary {
+public:
+    Canary() = default;
+    ~Canary() { stop(); }
+    Canary(const Canary&) = delete;
+    Canary& operator=(const Canary&) = delete;
+
+    Result<void> start();
+    void stop();
+
+    /// The servo runs here. Thread: the servo's.
+    void follow(int processor) noexcept { processor_.store(processor, std::memory_order_relaxed); }
+    /// Whether it was late at some moment from `begin` to `end`, ns of CLOCK_MONOTONIC.
+    /// Thread: real time.
+    bool wasLate(std::int64_t begin, std::int64_t end) const noexcept {
+        return lateUntil_.load(std::memory_order_relaxed) >= begin &&
+               lateFrom_.load(std::memory_order_relaxed) <= end;
+    }
+
+private:
+    void sing() noexcept;
+
+    RealtimeThread thread_;
+    std::atomic<bool> stop_{false};
+    std::atomic<int> processor_{-1};
+    std::atomic<std::int64_t> lateFrom_{0}, lateUntil_{0}; ///< of its newest delay, ns
+};
+
+} // namespace tactum

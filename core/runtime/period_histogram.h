@@ -1,0 +1,34 @@
+// How regular a loop's ticks are: counts of their deviations, for the display.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace tactum {
+
+/// How many ticks deviated from their period by up to each bound. Thread: real time, one thread only.
+struct PeriodHistogram {
+    /// Microseconds, each bin's upper end; the last bin has none.
+    static constexpr std::array<double, 11> kBounds{2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
+
+    std::array<std::uint32_t, kBounds.size() + 1> count{};
+
+    void add(double micros) noexcept {
+        std::size_t bin = 0;
+        while (bin < kBounds.size() && micros > kBounds[bin])
+            ++bin;
+        ++count[bin];
+    }
+    /// The bound below which a part of the ticks lies, in microseconds; for the last bin twice its begin.
+    double quantile(double part) const noexcept {
+        std::uint64_t all = 0, seen = 0;
+        for (const std::uint32_t n : count)
+            all += n;
+        for (std::size_t bin = 0; bin < kBounds.size(); ++bin)
+            if (double(seen += count[bin]) >= part * double(all)) return kBounds[bin];
+        return 2 * kBounds.back();
+    }
+};
+
+} // namespace tactum
