@@ -69,6 +69,19 @@ template <class Path> void addFile(CLI::App& command, const char* name, Path& fi
         ->type_name("FILE");
 }
 
+// One of a few words; `take` says whether it knows the word.
+void addWord(CLI::App& command, const char* name, const char* words, const char* help,
+             std::function<bool(std::string_view)> take) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [=](const std::string& text) {
+                if (!take(text)) throw CLI::ValidationError(name, "'" + text + "' is none of " + words);
+            },
+            help)
+        ->type_name(words);
+}
+
 // Friction that slides harder than it sticks does not exist: one given coefficient moves the other,
 // two contradicting ones are a mistake.
 void checkFriction(const TouchOptions& options) {
@@ -120,16 +133,15 @@ void addTouch(CLI::App& program, TouchOptions& options) {
         addNumber(*touch, *field.parameter, [&options, &field](double value) {
             options.materials.push_back({&field, value});
         });
-    touch
-        ->add_option_function<std::string>(
-            "--shading",
-            [&options](const std::string& text) {
-                if (text != "on" && text != "off")
-                    throw CLI::ValidationError("--shading", "'" + text + "' is neither on nor off");
-                options.shading = text == "on";
-            },
-            "Feel facets as the round surface that they stand for, on every surface or on none")
-        ->type_name("on|off");
+    addWord(*touch, "--shading", "on|off",
+            "Feel facets as the round surface that they stand for, on every surface or on none",
+            [&](std::string_view word) {
+                if (word == "on" || word == "off") options.shading = word == "on";
+                return word == "on" || word == "off";
+            });
+    addWord(*touch, "--sides", "both|front|back",
+            "From which side every surface is felt; the front sees the corners counter-clockwise",
+            [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
     touch->final_callback([&] {
         checkFriction(options);
         checkOutputs(options);

@@ -65,6 +65,7 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
             for (const MaterialOverride& given : options.materials)
                 surface.material = withValue(surface.material, *given.field, given.value);
             if (options.shading) surface.shading.on = *options.shading;
+            if (options.sides) surface.sides = *options.sides;
         }
 }
 

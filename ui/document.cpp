@@ -21,6 +21,14 @@ Surface* find(Scene& scene, SurfaceRef ref) {
     return object && ref.surface < object->surfaces.size() ? &object->surfaces[ref.surface] : nullptr;
 }
 
+/// Where an edit finds a part of a surface; nullptr when the surface is gone.
+template <class T> std::function<T*(Scene&)> inSurface(SurfaceRef ref, T Surface::*part) {
+    return [ref, part](Scene& scene) {
+        Surface* found = find(scene, ref);
+        return found ? &(found->*part) : nullptr;
+    };
+}
+
 QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
@@ -95,25 +103,25 @@ void Document::select(std::optional<SurfaceRef> ref) {
 void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture) {
     const Surface* now = surface(ref);
     if (!now) return;
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->material : nullptr;
-    };
-    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)), place,
-                   withValue(now->material, field, value), {SceneChange::What::Material, ref}, gesture);
+    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)),
+                   inSurface(ref, &Surface::material), withValue(now->material, field, value),
+                   {SceneChange::What::Material, ref}, gesture);
 }
 
 void Document::setShading(SurfaceRef ref, const Shading& shading, Gesture gesture) {
     const Surface* now = surface(ref);
     if (!now) return;
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->shading : nullptr;
-    };
     Shading safe = shading;
     safe.creaseAngle = kCreaseAngle.clamped(shading.creaseAngle);
-    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), place, safe,
+    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), inSurface(ref, &Surface::shading), safe,
                   {SceneChange::What::Shading, ref}, gesture);
+}
+
+void Document::setSides(SurfaceRef ref, Sides sides) {
+    const Surface* now = surface(ref);
+    if (!now) return;
+    edit<Sides>(tr("Felt sides of %1").arg(text(now->name)), inSurface(ref, &Surface::sides), sides,
+                {SceneChange::What::Sides, ref});
 }
 
 void Document::setProxyRadius(double metres, Gesture gesture) {
@@ -131,11 +139,8 @@ void Document::renameObject(ObjectId id, const QString& name) {
 }
 
 void Document::renameSurface(SurfaceRef ref, const QString& name) {
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->name : nullptr;
-    };
-    edit<std::string>(tr("Rename to %1").arg(name), place, name.toStdString(), {SceneChange::What::Names});
+    edit<std::string>(tr("Rename to %1").arg(name), inSurface(ref, &Surface::name), name.toStdString(),
+                      {SceneChange::What::Names});
 }
 
 void Document::setVisible(ObjectId id, bool visible) {

@@ -25,18 +25,19 @@ struct SceneChange {
         Names,
         Material, ///< of `surface`
         Shading,  ///< of `surface`: its normals may have to be computed
+        Sides,    ///< of `surface`
         ProxyRadius,
         Selection, ///< not a part of the scene, and not undoable
     };
     What what = What::Everything;
-    SurfaceRef surface{}; ///< only for Material and Shading
+    SurfaceRef surface{}; ///< only for Material, Shading and Sides
 
     /// Whether a World compiled before has other shapes than one compiled now.
     bool touchesShape() const;
     /// Whether to compile it takes long enough for a worker.
     bool takesTime() const { return what == What::Shading || touchesShape(); }
     /// Whether the loops notice it at all.
-    bool touchesFeel() const { return what == What::Material || takesTime(); }
+    bool touchesFeel() const { return what == What::Material || what == What::Sides || takesTime(); }
     bool operator==(const SceneChange&) const = default;
 };
 
@@ -66,6 +67,7 @@ public:
 
     void setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture = 0);
     void setShading(SurfaceRef ref, const Shading& shading, Gesture gesture = 0);
+    void setSides(SurfaceRef ref, Sides sides);
     void setProxyRadius(double metres, Gesture gesture = 0);
     void renameObject(ObjectId id, const QString& name);
     void renameSurface(SurfaceRef ref, const QString& name);

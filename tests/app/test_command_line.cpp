@@ -162,6 +162,19 @@ private slots:
         QVERIFY(lean("on") > 0 && lean("on") < 0.1);
     }
 
+    // The plate's corners run counter-clockwise seen from +z, where the finger comes from.
+    void touchFeelsTheSidesThatItIsGiven() {
+        const QString path = pressAndSlide(0.004, 0);
+        for (const auto& [sides, felt] :
+             {std::pair{"both", true}, std::pair{"front", true}, std::pair{"back", false}}) {
+            QCOMPARE(
+                tactum({"touch", plate(), "--path", path, "--out", file("sides.csv"), "--sides", sides}).code,
+                0);
+            const Row last = rowsOf(file("sides.csv")).last();
+            QCOMPARE(last[Contacts] == 1 && last[ForceZ] > 1, felt);
+        }
+    }
+
     void touchIsDeterministicToTheBit() {
         const QString path = pressAndSlide(0.004, 0.03);
         QList<QList<Row>> runs;
@@ -213,6 +226,7 @@ private slots:
         QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};
         QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
         QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
+        QTest::newRow("no side") << QStringList{"touch", "x", "--path", "y", "--sides", "inside"};
         QTest::newRow("contradicting friction") << QStringList{
             "touch", "x", "--path", "y", "--static-friction", "0.2", "--dynamic-friction", "0.5"};
     }
@@ -287,6 +301,8 @@ private slots:
             QVERIFY2(parameters[key].toObject().contains("value") &&
                          parameters[key].toObject().contains("unit"),
                      key);
+        QCOMPARE(surface["sides"].toString(), QString("both"));
+        QVERIFY(text.out.contains("sides both"));
         QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
     }
 

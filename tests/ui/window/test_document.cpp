@@ -76,13 +76,14 @@ void TestDocument::everyEditCanBeUndone() {
     const ObjectId cube = before.objects.front().id;
     document_->setMaterialValue(front(), kMaterialFields[4], 3);
     document_->setShading(front(), {true, NormalSource::Computed, 0.5});
+    document_->setSides(front(), Sides::Front);
     document_->setProxyRadius(0.002);
     document_->renameObject(cube, QStringLiteral("dice"));
     document_->renameSurface(front(), QStringLiteral("six"));
     document_->setVisible(cube, false);
     document_->showAll();
     document_->removeObject(cube);
-    QCOMPARE(document_->history().count(), 8);
+    QCOMPARE(document_->history().count(), 9);
     QVERIFY(document_->scene().objects.empty());
     while (document_->history().canUndo())
         document_->history().undo();
@@ -98,6 +99,8 @@ void TestDocument::editsOfNothingAreIgnored() {
     document_->setMaterialValue({front().object, 77}, kMaterialFields[0], 5);
     document_->setShading({99, 0}, {true});
     document_->setShading(front(), {});
+    document_->setSides({99, 0}, Sides::Back);
+    document_->setSides(front(), Sides::Both);
     document_->renameObject(99, QStringLiteral("ghost"));
     document_->removeObject(99);
     document_->setMaterialValue(front(), kMaterialFields[0], kStiffness.initial);

@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QStackedWidget>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/ui/window/window_fixture.h"
@@ -43,6 +44,7 @@ private slots:
     void theEyeHidesWhatIsFelt();
     void theInspectorIsMadeFromTheTable();
     void theInspectorShadesASurface();
+    void theInspectorChoosesTheSides();
     void aSliderDragIsOneStep();
     void ctrlZInAFieldUndoesTheLastEdit();
     void numbersHaveAPointInEveryLocale();
@@ -150,6 +152,27 @@ void TestWindow::theInspectorShadesASurface() {
     QVERIFY(shading() == Shading{});
     QVERIFY(!box->isChecked());
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && !feltBodies(), kPatience);
+}
+
+void TestWindow::theInspectorChoosesTheSides() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto button = [&](const char* name) {
+        return program.window->findChild<QToolButton*>(QString::fromLatin1(name));
+    };
+    const auto felt = [&] { return program.window->publisher().world()->bodies.front().sides; };
+    QVERIFY(button("sides-both")->isChecked() && felt().empty());
+    QTest::mouseClick(button("sides-front"), Qt::LeftButton);
+    QCOMPARE(program.document.scene().objects.front().surfaces[0].sides, Sides::Front);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && felt().size() == 6, kPatience);
+    QCOMPARE(felt()[0], Sides::Front);
+    // Another surface has its own.
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 3});
+    QVERIFY(button("sides-both")->isChecked() && !button("sides-front")->isChecked());
+    program.document.history().undo();
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 0});
+    QVERIFY(button("sides-both")->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && felt().empty(), kPatience);
 }
 
 void TestWindow::aSliderDragIsOneStep() {
