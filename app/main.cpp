@@ -83,8 +83,8 @@ void addWord(CLI::App& command, const char* name, const char* words, const char*
 }
 
 // Friction that slides harder than it sticks does not exist: one given coefficient moves the other,
-// two contradicting ones are a mistake.
-void checkFriction(const TouchOptions& options) {
+// two contradicting ones are a mistake. Static friction alone means one coefficient for both.
+void settleFriction(TouchOptions& options) {
     Material given;
     for (const MaterialOverride& set : options.materials)
         given.*set.field->value = set.value;
@@ -95,6 +95,10 @@ void checkFriction(const TouchOptions& options) {
     if (isGiven(kStaticFriction) && isGiven(kDynamicFriction) && given.dynamicFriction > given.staticFriction)
         throw CLI::ValidationError("--dynamic-friction",
                                    "is above --static-friction; give at most that value");
+    if (isGiven(kStaticFriction) && !isGiven(kDynamicFriction))
+        for (const MaterialField& field : kMaterialFields)
+            if (field.parameter == &kDynamicFriction)
+                options.materials.push_back({&field, given.staticFriction});
 }
 
 // A result that replaced a model, a path or another result would be work lost.
@@ -142,8 +146,10 @@ void addTouch(CLI::App& program, TouchOptions& options) {
     addWord(*touch, "--sides", "both|front|back",
             "From which side every surface is felt; the front sees the corners counter-clockwise",
             [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
+    touch->footer("Without --dynamic-friction, dynamic friction is what --static-friction says.\n"
+                  "Forces are those before the device's limit, whichever device that will be.");
     touch->final_callback([&] {
-        checkFriction(options);
+        settleFriction(options);
         checkOutputs(options);
     });
 }

@@ -205,6 +205,17 @@ private slots:
         QVERIFY(std::abs(-rows.last()[ForceX] / rows.last()[ForceZ] - 0.4) < 1e-6);
     }
 
+    // One coefficient is that of both: the slide pulls as hard as the hold did at last.
+    void staticFrictionAloneIsDynamicToo() {
+        const QString path = pressAndSlide(0.004, 0.02);
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("s.csv"), "--proxy-radius", "0.001",
+                         "--static-friction", "0.5"})
+                     .code,
+                 0);
+        const Row last = rowsOf(file("s.csv")).last();
+        QVERIFY(std::abs(-last[ForceX] / last[ForceZ] - 0.5) < 1e-6);
+    }
+
     void fitDiagonalScalesAboutTheBoxCentre() {
         const QString big =
             write("big.obj", "v 1000 1000 7\nv 1020 1000 7\nv 1020 1020 7\nv 1000 1020 7\nf 1 2 3 4\n");
@@ -319,7 +330,9 @@ private slots:
         QCOMPARE(tactum({"--help"}).code, 0);
         const Ended help = tactum({"touch", "--help"});
         QCOMPARE(help.code, 0);
-        QVERIFY(help.out.contains("--static-friction") && help.out.contains("--fit-diagonal"));
+        for (const char* part : {"--static-friction", "--fit-diagonal", "Without --dynamic-friction",
+                                 "before the device's limit"})
+            QVERIFY2(help.out.contains(part), part);
     }
 };
 

@@ -166,9 +166,9 @@ private slots:
     void aFingerPathComesThroughAPipe() {
         const auto pipe = folder_.path() / "pipe";
         QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
-        std::thread writer([&] { std::ofstream(pipe) << "t,x,y,z\n0,1,2,3\n1,1,2,4\n"; });
+        // Not waited for: it would wait for a reader that refuses the pipe.
+        std::thread([pipe] { std::ofstream(pipe) << "t,x,y,z\n0,1,2,3\n1,1,2,4\n"; }).detach();
         const auto path = readFingerPath(pipe);
-        writer.join();
         QVERIFY2(path, path ? "" : path.error().text.c_str());
         QCOMPARE(path->size(), std::size_t(2));
         // A scene is no stream: nothing may wait for a writer that never comes.
