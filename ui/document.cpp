@@ -93,7 +93,23 @@ const Surface* Document::surface(SurfaceRef ref) const {
     return find(const_cast<Scene&>(scene_), ref);
 }
 
+std::vector<Finding> Document::findings() const {
+    std::vector<Finding> now;
+    for (const FileFinding& said : findings_) {
+        const SceneObject* object = scene_.find(said.object);
+        if (said.object != 0 && !object) continue;
+        now.push_back(said.finding);
+        if (object) now.back().object = object->name;
+    }
+    return now;
+}
+
 void Document::select(std::optional<SurfaceRef> ref) {
+    lost_.reset();
+    setSelection(ref);
+}
+
+void Document::setSelection(std::optional<SurfaceRef> ref) {
     if (ref && !surface(*ref)) ref.reset();
     if (ref == selection_) return;
     selection_ = ref;
@@ -191,8 +207,14 @@ void Document::open(const std::filesystem::path& file) {
 void Document::adopt(LoadedScene loaded, const std::filesystem::path& file) {
     history_.clear();
     selection_.reset();
+    lost_.reset();
     scene_ = std::move(loaded.scene);
-    findings_ = std::move(loaded.findings);
+    findings_.clear();
+    for (Finding& finding : loaded.findings) {
+        const auto object = std::ranges::find(scene_.objects, finding.object, &SceneObject::name);
+        const bool known = !finding.object.empty() && object != scene_.objects.end();
+        findings_.push_back({std::move(finding), known ? object->id : 0});
+    }
     path_ = file;
     announce({SceneChange::What::Everything});
     if (!scene_.objects.empty()) select(SurfaceRef{scene_.objects.front().id, 0});
@@ -210,7 +232,12 @@ void Document::fit(const Scene& fitted) {
 
 void Document::announce(const SceneChange& change) {
     emit changed(change);
-    if (selection_ && !surface(*selection_)) select(std::nullopt);
+    if (selection_ && !surface(*selection_)) {
+        lost_ = selection_;
+        setSelection(std::nullopt);
+    } else if (lost_ && surface(*lost_)) {
+        setSelection(std::exchange(lost_, std::nullopt));
+    }
 }
 
 } // namespace tactum

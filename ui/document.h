@@ -56,8 +56,8 @@ public:
     bool empty() const { return scene_.objects.empty(); }
     /// File of the scene; empty before the first open().
     const std::filesystem::path& path() const { return path_; }
-    /// What the reader had to say about the file.
-    const std::vector<Finding>& findings() const { return findings_; }
+    /// What the reader had to say about the file, of objects that are still there, by their present names.
+    std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
 
     /// nullptr for a reference to nothing.
@@ -96,14 +96,22 @@ private:
     template <class T> class Exchange;
     template <class T>
     void edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture = 0);
+    /// A finding of the reader, and the object that it is about; 0 for the scene.
+    struct FileFinding {
+        Finding finding;
+        ObjectId object = 0;
+    };
+
     void adopt(LoadedScene loaded, const std::filesystem::path& file);
     void fit(const Scene& fitted);
     void announce(const SceneChange& change);
+    void setSelection(std::optional<SurfaceRef> ref);
 
     Scene scene_;
     std::filesystem::path path_;
-    std::vector<Finding> findings_;
+    std::vector<FileFinding> findings_;
     std::optional<SurfaceRef> selection_;
+    std::optional<SurfaceRef> lost_; ///< what was selected when it went: selected again if it comes back
     QUndoStack history_;
     BackgroundJob job_;
 };

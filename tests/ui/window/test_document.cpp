@@ -23,6 +23,8 @@ private slots:
     void aDragIsOneStepAndTwoDragsAreTwo();
     void aDragBackToItsBeginningIsNoStep();
     void everyEditCanBeUndone();
+    void whatIsRemovedComesBackSelected();
+    void findingsGoAndComeWithTheirObject();
     void editsOfNothingAreIgnored();
     void aModelThatDoesNotFitTheHandIsScaledAndSaysSo();
     void aBrokenFileLeavesTheSceneAndSaysOneLine_data();
@@ -92,6 +94,37 @@ void TestDocument::everyEditCanBeUndone() {
         document_->history().redo();
     QVERIFY(document_->scene().objects.empty());
     QVERIFY(!document_->selection());
+}
+
+void TestDocument::whatIsRemovedComesBackSelected() {
+    document_->select(front());
+    const SurfaceRef chosen = front();
+    document_->removeObject(chosen.object);
+    QVERIFY(!document_->selection());
+    document_->history().undo();
+    QCOMPARE(document_->selection(), std::optional(chosen));
+    document_->history().redo();
+    document_->select(std::nullopt); // a person who chose nothing since
+    document_->history().undo();
+    QVERIFY(!document_->selection());
+}
+
+void TestDocument::findingsGoAndComeWithTheirObject() {
+    const ObjectId cube = front().object;
+    const auto names = [&] {
+        std::vector<std::string> all;
+        for (const Finding& finding : document_->findings())
+            all.push_back(finding.object);
+        return all;
+    };
+    QVERIFY(!names().empty()); // its quads were cut
+    QCOMPARE(names().front(), std::string("cube"));
+    document_->renameObject(cube, QStringLiteral("dice"));
+    QCOMPARE(names().front(), std::string("dice"));
+    document_->removeObject(cube);
+    QVERIFY(names().empty());
+    document_->history().undo();
+    QCOMPARE(names().front(), std::string("dice"));
 }
 
 void TestDocument::editsOfNothingAreIgnored() {

@@ -41,6 +41,7 @@ private slots:
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
     void selectionGoesBothWays();
+    void problemsGoWithTheirObject();
     void theEyeHidesWhatIsFelt();
     void theInspectorIsMadeFromTheTable();
     void theInspectorShadesASurface();
@@ -92,6 +93,23 @@ void TestWindow::selectionGoesBothWays() {
     program.release(program.centre());
     QTRY_COMPARE_WITH_TIMEOUT(program.document.selection()->surface, Index(4), kPatience);
     QCOMPARE(outliner->currentItem()->text(0), QStringLiteral("front"));
+}
+
+void TestWindow::problemsGoWithTheirObject() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* problems = program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
+    const auto listed = [&] {
+        QStringList lines;
+        for (int i = 0; i < problems->topLevelItemCount(); ++i)
+            lines << problems->topLevelItem(i)->text(0);
+        return lines.join(u'\n');
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(listed().contains(QStringLiteral("cube: ")), kPatience);
+    program.document.removeObject(program.document.scene().objects.front().id);
+    QTRY_VERIFY_WITH_TIMEOUT(!listed().contains(QStringLiteral("cube: ")), kPatience);
+    program.document.history().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(listed().contains(QStringLiteral("cube: ")), kPatience);
 }
 
 void TestWindow::theEyeHidesWhatIsFelt() {
