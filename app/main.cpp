@@ -1,7 +1,6 @@
 // The one program: a verb runs without any display, a scene or nothing opens the window.
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/display.h"
 #include "app/window.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
@@ -205,17 +205,6 @@ bool isVerb(std::string_view word) {
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
-// Qt would abort where there is none, and cannot draw in 3-D on its displays without a screen.
-bool hasDisplay() {
-    const auto given = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string_view(value ? value : "");
-    };
-    const std::string_view platform = given("QT_QPA_PLATFORM");
-    if (platform.starts_with("offscreen") || platform.starts_with("minimal")) return false;
-    return !given("DISPLAY").empty() || !given("WAYLAND_DISPLAY").empty();
-}
-
 int runProgram(int argc, char** argv) {
     if (argc > 1 && (isVerb(argv[1]) || argv[1][0] == '-')) return runVerb(argc, argv);
     if (argc > 2)
@@ -224,10 +213,8 @@ int runProgram(int argc, char** argv) {
                     kUsage);
     std::optional<std::filesystem::path> scene;
     if (argc > 1) scene = argv[1];
-    if (!hasDisplay())
-        return fail(
-            "there is no display to open a window on; use a verb (tactum --help) or start it under xvfb-run",
-            3);
+    if (const auto display = checkDisplay(); !display)
+        return fail(display.error().text, int(display.error().kind));
     return runWindow(argc, argv, scene);
 }
 

@@ -19,10 +19,11 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-Ended tactum(const QStringList& arguments) {
+Ended tactum(const QStringList& arguments, const QString& display = {}) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
+    if (!display.isEmpty()) environment.insert("DISPLAY", display);
     environment.remove("WAYLAND_DISPLAY");
     environment.insert("LC_ALL", "de_DE.UTF-8");
     process.setProcessEnvironment(environment);
@@ -287,6 +288,27 @@ private slots:
         const Ended ended = tactum({plate()});
         QCOMPARE(ended.code, 3);
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+    }
+
+    void aDisplayThatCannotBeReachedIsThree() {
+        const QString path = pressAndSlide(0.002, 0);
+        for (const QStringList& arguments :
+             {QStringList{plate()},
+              QStringList{"touch", plate(), "--path", path, "--picture", file("p.png")}}) {
+            const Ended ended = tactum(arguments, ":4711");
+            QCOMPARE(ended.code, 3);
+            QVERIFY2(oneLine(ended.error).contains("the display :4711 cannot be reached"), ended.error);
+        }
+    }
+
+    void aDisplayWithoutOpenGlIsThree() {
+        const QString display = qEnvironmentVariable("DISPLAY");
+        if (display.isEmpty()) QSKIP("there is no display to take OpenGL from");
+        qputenv("QT_XCB_GL_INTEGRATION", "none");
+        const Ended ended = tactum({plate()}, display);
+        qunsetenv("QT_XCB_GL_INTEGRATION");
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(oneLine(ended.error).contains("has no OpenGL 3.2"), ended.error);
     }
 
     void aFullDiskUnderStandardOutputIsThree() {
