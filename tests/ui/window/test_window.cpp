@@ -145,6 +145,11 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
     program.type(QStringLiteral("static-friction"), QStringLiteral("99"));
     QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.maximum);
     QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("2.000"));
+    const auto* hint = program.window->findChild<QLabel*>(QStringLiteral("static-friction-hint"));
+    QVERIFY(hint->isVisible());
+    QCOMPARE(hint->text().trimmed(), QStringLiteral("At most 2.000"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.5"));
+    QVERIFY(!hint->isVisible());
     // Metres are millimetres on the screen.
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
     QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
