@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/geometry/sides.h"
 #include "core/surface/material.h"
 
 namespace tactum {
@@ -27,6 +28,7 @@ struct TouchOptions {
     std::optional<double> proxyRadius; ///< m
     std::vector<MaterialOverride> materials;
     std::optional<bool> shading; ///< of every surface
+    std::optional<Sides> sides;  ///< from which every surface is felt
 };
 
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.

@@ -60,10 +60,6 @@ Json healthJson(const MeshHealth& health) {
     return json;
 }
 
-const char* nameOf(Sides sides) {
-    return sides == Sides::Both ? "both" : sides == Sides::Front ? "front" : "back";
-}
-
 Json motionJson(const std::optional<MotionDescription>& motion) {
     if (!motion) return nullptr;
     return {{"duration_s", motion->duration}, {"top_speed_m_s", motion->topSpeed}, {"jumps", motion->jumps}};
@@ -122,7 +118,8 @@ void print(const ObjectDescription& object) {
         if (field.count != &MeshHealth::triangles && object.health.*field.count > 0)
             std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';
     for (const SurfaceDescription& surface : object.surfaces) {
-        std::cout << "  surface " << surface.name << ": " << surface.triangles << " triangles\n";
+        std::cout << "  surface " << surface.name << ": " << surface.triangles << " triangles\n"
+                  << "    sides " << nameOf(surface.sides) << '\n';
         print(surface.parameters, "    ");
     }
 }

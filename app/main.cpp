@@ -1,7 +1,6 @@
 // The one program: a verb runs without any display, a scene or nothing opens the window.
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
+#include "app/display.h"
 #include "app/window.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
@@ -69,9 +69,22 @@ template <class Path> void addFile(CLI::App& command, const char* name, Path& fi
         ->type_name("FILE");
 }
 
+// One of a few words; `take` says whether it knows the word.
+void addWord(CLI::App& command, const char* name, const char* words, const char* help,
+             std::function<bool(std::string_view)> take) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [=](const std::string& text) {
+                if (!take(text)) throw CLI::ValidationError(name, "'" + text + "' is none of " + words);
+            },
+            help)
+        ->type_name(words);
+}
+
 // Friction that slides harder than it sticks does not exist: one given coefficient moves the other,
-// two contradicting ones are a mistake.
-void checkFriction(const TouchOptions& options) {
+// two contradicting ones are a mistake. Static friction alone means one coefficient for both.
+void settleFriction(TouchOptions& options) {
     Material given;
     for (const MaterialOverride& set : options.materials)
         given.*set.field->value = set.value;
@@ -82,6 +95,10 @@ void checkFriction(const TouchOptions& options) {
     if (isGiven(kStaticFriction) && isGiven(kDynamicFriction) && given.dynamicFriction > given.staticFriction)
         throw CLI::ValidationError("--dynamic-friction",
                                    "is above --static-friction; give at most that value");
+    if (isGiven(kStaticFriction) && !isGiven(kDynamicFriction))
+        for (const MaterialField& field : kMaterialFields)
+            if (field.parameter == &kDynamicFriction)
+                options.materials.push_back({&field, given.staticFriction});
 }
 
 // A result that replaced a model, a path or another result would be work lost.
@@ -120,18 +137,19 @@ void addTouch(CLI::App& program, TouchOptions& options) {
         addNumber(*touch, *field.parameter, [&options, &field](double value) {
             options.materials.push_back({&field, value});
         });
-    touch
-        ->add_option_function<std::string>(
-            "--shading",
-            [&options](const std::string& text) {
-                if (text != "on" && text != "off")
-                    throw CLI::ValidationError("--shading", "'" + text + "' is neither on nor off");
-                options.shading = text == "on";
-            },
-            "Feel facets as the round surface that they stand for, on every surface or on none")
-        ->type_name("on|off");
+    addWord(*touch, "--shading", "on|off",
+            "Feel facets as the round surface that they stand for, on every surface or on none",
+            [&](std::string_view word) {
+                if (word == "on" || word == "off") options.shading = word == "on";
+                return word == "on" || word == "off";
+            });
+    addWord(*touch, "--sides", "both|front|back",
+            "From which side every surface is felt; the front sees the corners counter-clockwise",
+            [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
+    touch->footer("Without --dynamic-friction, dynamic friction is what --static-friction says.\n"
+                  "Forces are those before the device's limit, whichever device that will be.");
     touch->final_callback([&] {
-        checkFriction(options);
+        settleFriction(options);
         checkOutputs(options);
     });
 }
@@ -187,17 +205,6 @@ bool isVerb(std::string_view word) {
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
-// Qt would abort where there is none, and cannot draw in 3-D on its displays without a screen.
-bool hasDisplay() {
-    const auto given = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string_view(value ? value : "");
-    };
-    const std::string_view platform = given("QT_QPA_PLATFORM");
-    if (platform.starts_with("offscreen") || platform.starts_with("minimal")) return false;
-    return !given("DISPLAY").empty() || !given("WAYLAND_DISPLAY").empty();
-}
-
 int runProgram(int argc, char** argv) {
     if (argc > 1 && (isVerb(argv[1]) || argv[1][0] == '-')) return runVerb(argc, argv);
     if (argc > 2)
@@ -206,10 +213,8 @@ int runProgram(int argc, char** argv) {
                     kUsage);
     std::optional<std::filesystem::path> scene;
     if (argc > 1) scene = argv[1];
-    if (!hasDisplay())
-        return fail(
-            "there is no display to open a window on; use a verb (tactum --help) or start it under xvfb-run",
-            3);
+    if (const auto display = checkDisplay(); !display)
+        return fail(display.error().text, int(display.error().kind));
     return runWindow(argc, argv, scene);
 }
 

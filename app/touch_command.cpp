@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 
 #include "app/commands.h"
+#include "app/display.h"
 #include "app/picture.h"
 #include "core/base/numbers.h"
 #include "core/runtime/compile.h"
@@ -65,6 +66,7 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
             for (const MaterialOverride& given : options.materials)
                 surface.material = withValue(surface.material, *given.field, given.value);
             if (options.shading) surface.shading.on = *options.shading;
+            if (options.sides) surface.sides = *options.sides;
         }
 }
 
@@ -112,6 +114,8 @@ Result<void> writeResults(const TouchOptions& options, const Scene& scene, const
 } // namespace
 
 Result<int> runTouch(const TouchOptions& options) {
+    if (options.picture) // before the work, not after it
+        if (const auto display = checkDisplay(); !display) return tl::unexpected(display.error());
     const auto path = readFingerPath(options.path);
     if (!path) return tl::unexpected(path.error());
     const auto loading = Clock::now();

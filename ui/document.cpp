@@ -21,6 +21,14 @@ Surface* find(Scene& scene, SurfaceRef ref) {
     return object && ref.surface < object->surfaces.size() ? &object->surfaces[ref.surface] : nullptr;
 }
 
+/// Where an edit finds a part of a surface; nullptr when the surface is gone.
+template <class T> std::function<T*(Scene&)> inSurface(SurfaceRef ref, T Surface::*part) {
+    return [ref, part](Scene& scene) {
+        Surface* found = find(scene, ref);
+        return found ? &(found->*part) : nullptr;
+    };
+}
+
 QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
@@ -85,7 +93,23 @@ const Surface* Document::surface(SurfaceRef ref) const {
     return find(const_cast<Scene&>(scene_), ref);
 }
 
+std::vector<Finding> Document::findings() const {
+    std::vector<Finding> now;
+    for (const FileFinding& said : findings_) {
+        const SceneObject* object = scene_.find(said.object);
+        if (said.object != 0 && !object) continue;
+        now.push_back(said.finding);
+        if (object) now.back().object = object->name;
+    }
+    return now;
+}
+
 void Document::select(std::optional<SurfaceRef> ref) {
+    lost_.reset();
+    setSelection(ref);
+}
+
+void Document::setSelection(std::optional<SurfaceRef> ref) {
     if (ref && !surface(*ref)) ref.reset();
     if (ref == selection_) return;
     selection_ = ref;
@@ -95,25 +119,25 @@ void Document::select(std::optional<SurfaceRef> ref) {
 void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture) {
     const Surface* now = surface(ref);
     if (!now) return;
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->material : nullptr;
-    };
-    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)), place,
-                   withValue(now->material, field, value), {SceneChange::What::Material, ref}, gesture);
+    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)),
+                   inSurface(ref, &Surface::material), withValue(now->material, field, value),
+                   {SceneChange::What::Material, ref}, gesture);
 }
 
 void Document::setShading(SurfaceRef ref, const Shading& shading, Gesture gesture) {
     const Surface* now = surface(ref);
     if (!now) return;
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->shading : nullptr;
-    };
     Shading safe = shading;
     safe.creaseAngle = kCreaseAngle.clamped(shading.creaseAngle);
-    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), place, safe,
+    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), inSurface(ref, &Surface::shading), safe,
                   {SceneChange::What::Shading, ref}, gesture);
+}
+
+void Document::setSides(SurfaceRef ref, Sides sides) {
+    const Surface* now = surface(ref);
+    if (!now) return;
+    edit<Sides>(tr("Felt sides of %1").arg(text(now->name)), inSurface(ref, &Surface::sides), sides,
+                {SceneChange::What::Sides, ref});
 }
 
 void Document::setProxyRadius(double metres, Gesture gesture) {
@@ -131,11 +155,8 @@ void Document::renameObject(ObjectId id, const QString& name) {
 }
 
 void Document::renameSurface(SurfaceRef ref, const QString& name) {
-    auto place = [ref](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &found->name : nullptr;
-    };
-    edit<std::string>(tr("Rename to %1").arg(name), place, name.toStdString(), {SceneChange::What::Names});
+    edit<std::string>(tr("Rename to %1").arg(name), inSurface(ref, &Surface::name), name.toStdString(),
+                      {SceneChange::What::Names});
 }
 
 void Document::setVisible(ObjectId id, bool visible) {
@@ -186,8 +207,14 @@ void Document::open(const std::filesystem::path& file) {
 void Document::adopt(LoadedScene loaded, const std::filesystem::path& file) {
     history_.clear();
     selection_.reset();
+    lost_.reset();
     scene_ = std::move(loaded.scene);
-    findings_ = std::move(loaded.findings);
+    findings_.clear();
+    for (Finding& finding : loaded.findings) {
+        const auto object = std::ranges::find(scene_.objects, finding.object, &SceneObject::name);
+        const bool known = !finding.object.empty() && object != scene_.objects.end();
+        findings_.push_back({std::move(finding), known ? object->id : 0});
+    }
     path_ = file;
     announce({SceneChange::What::Everything});
     if (!scene_.objects.empty()) select(SurfaceRef{scene_.objects.front().id, 0});
@@ -205,7 +232,12 @@ void Document::fit(const Scene& fitted) {
 
 void Document::announce(const SceneChange& change) {
     emit changed(change);
-    if (selection_ && !surface(*selection_)) select(std::nullopt);
+    if (selection_ && !surface(*selection_)) {
+        lost_ = selection_;
+        setSelection(std::nullopt);
+    } else if (lost_ && surface(*lost_)) {
+        setSelection(std::exchange(lost_, std::nullopt));
+    }
 }
 
 } // namespace tactum

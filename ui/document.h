@@ -25,18 +25,19 @@ struct SceneChange {
         Names,
         Material, ///< of `surface`
         Shading,  ///< of `surface`: its normals may have to be computed
+        Sides,    ///< of `surface`
         ProxyRadius,
         Selection, ///< not a part of the scene, and not undoable
     };
     What what = What::Everything;
-    SurfaceRef surface{}; ///< only for Material and Shading
+    SurfaceRef surface{}; ///< only for Material, Shading and Sides
 
     /// Whether a World compiled before has other shapes than one compiled now.
     bool touchesShape() const;
     /// Whether to compile it takes long enough for a worker.
     bool takesTime() const { return what == What::Shading || touchesShape(); }
     /// Whether the loops notice it at all.
-    bool touchesFeel() const { return what == What::Material || takesTime(); }
+    bool touchesFeel() const { return what == What::Material || what == What::Sides || takesTime(); }
     bool operator==(const SceneChange&) const = default;
 };
 
@@ -55,8 +56,8 @@ public:
     bool empty() const { return scene_.objects.empty(); }
     /// File of the scene; empty before the first open().
     const std::filesystem::path& path() const { return path_; }
-    /// What the reader had to say about the file.
-    const std::vector<Finding>& findings() const { return findings_; }
+    /// What the reader had to say about the file, of objects that are still there, by their present names.
+    std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
 
     /// nullptr for a reference to nothing.
@@ -66,6 +67,7 @@ public:
 
     void setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture = 0);
     void setShading(SurfaceRef ref, const Shading& shading, Gesture gesture = 0);
+    void setSides(SurfaceRef ref, Sides sides);
     void setProxyRadius(double metres, Gesture gesture = 0);
     void renameObject(ObjectId id, const QString& name);
     void renameSurface(SurfaceRef ref, const QString& name);
@@ -94,14 +96,22 @@ private:
     template <class T> class Exchange;
     template <class T>
     void edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture = 0);
+    /// A finding of the reader, and the object that it is about; 0 for the scene.
+    struct FileFinding {
+        Finding finding;
+        ObjectId object = 0;
+    };
+
     void adopt(LoadedScene loaded, const std::filesystem::path& file);
     void fit(const Scene& fitted);
     void announce(const SceneChange& change);
+    void setSelection(std::optional<SurfaceRef> ref);
 
     Scene scene_;
     std::filesystem::path path_;
-    std::vector<Finding> findings_;
+    std::vector<FileFinding> findings_;
     std::optional<SurfaceRef> selection_;
+    std::optional<SurfaceRef> lost_; ///< what was selected when it went: selected again if it comes back
     QUndoStack history_;
     BackgroundJob job_;
 };

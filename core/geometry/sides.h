@@ -1,7 +1,10 @@
 // From which of its sides a triangle is felt.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "core/geometry/triangle.h"
 
@@ -9,6 +12,19 @@ namespace tactum {
 
 /// The front sees the corners counter-clockwise. Segments and points have no sides: they are always felt.
 enum class Sides : std::uint8_t { Both, Front, Back };
+
+/// What each is called on the command line and in files, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 3> kSidesNames{"both", "front", "back"};
+
+inline constexpr std::string_view nameOf(Sides sides) {
+    return kSidesNames[std::size_t(sides)];
+}
+/// Nothing for a word that names no sides. Thread: any.
+inline constexpr std::optional<Sides> sidesNamed(std::string_view name) {
+    for (std::size_t i = 0; i < kSidesNames.size(); ++i)
+        if (kSidesNames[i] == name) return Sides(i);
+    return std::nullopt;
+}
 
 /// Whether a sphere whose centre is at p touches the triangle. Frame of the triangle. Thread: real time.
 inline bool isFelt(Sides sides, const Triangle& triangle, const Vec3& p) noexcept {

@@ -63,7 +63,9 @@ public:
                 report.boundHit = false;
                 break;
             }
+            if (rounds_ > kMaxRounds / 2) noteNearest();
         }
+        if (report.boundHit) returnToNearest();
         report.rounds = std::min(rounds_, kMaxRounds);
         report.squeezed = squeezed_;
         finish();
@@ -72,6 +74,19 @@ public:
 
 private:
     std::span<Contact> contacts() { return {state_.contacts.data(), std::size_t(state_.contactCount)}; }
+
+    // Rounds that go to and fro until they are used up must not leave a plain proxy farther away than it was.
+    void noteNearest() noexcept {
+        const double distance = (finger_ - state_.position).norm();
+        if (distance >= nearestDistance_) return;
+        nearestDistance_ = distance;
+        nearest_ = state_.position;
+    }
+    void returnToNearest() noexcept {
+        if (felt_ || nearestDistance_ >= (finger_ - state_.position).norm()) return;
+        state_.position = nearest_;
+        refreshContacts();
+    }
 
     // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
     bool round() noexcept {
@@ -129,6 +144,7 @@ private:
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(out.x, body);
         state_.position += std::min(hit.t, 1.0) * out.x;
+        nearestDistance_ = std::numeric_limits<double>::infinity(); // where it was is no place to return to
         refreshContacts();
         return body == kNoBody || meet(body, hit.triangle);
     }
@@ -393,6 +409,8 @@ private:
     Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
     int rounds_ = 0;
     bool squeezed_ = false;
+    Vec3 nearest_ = start_; ///< the nearest place of the last rounds, or the first
+    double nearestDistance_ = (finger_ - start_).norm();
     bool felt_ = false;          ///< some contact of this round is shaded or textured
     int pushing_ = 0;            ///< how many planes hold the proxy in this round
     std::uint32_t soonBody_ = 0; ///< of the triangle that the last sweep ended near

@@ -73,6 +73,7 @@ HapticOutput reportOf(const World& world, const SimState& state) {
         report.body = contact.body;
         report.surface = world.obstacles[contact.body].mesh->soup->surfaceOf[contact.triangle];
         report.slipping = contact.slipping;
+        report.frictionless = !hasFriction(contact.material);
     }
     return output;
 }

@@ -29,6 +29,7 @@ struct ContactReport {
     std::uint32_t body = 0;     ///< index into World::bodies
     std::uint32_t surface = 0;  ///< index into the object's surfaces
     bool slipping = false;
+    bool frictionless = false; ///< it neither sticks nor slips: the surface there has no friction at all
 };
 
 struct HapticOutput {

@@ -61,7 +61,9 @@ void appendHealth(std::vector<Finding>& findings, const std::string& object, con
         notes.add(note, health.holes, "open rim", "with " + counted(health.boundaryEdges, "edge"),
                   "kept open; the finger can pass through if it is larger than the proxy");
     notes.add(note, health.unreferencedVertices, "vertex", "that no face uses", "ignored");
-    if (health.components > 1) notes.add(note, health.components, "part", "that share no vertex", "");
+    if (health.components > 1)
+        notes.add(note, health.components, "part", "that share no vertex",
+                  "kept; if they should be one, merge close vertices");
 }
 
 void addObject(LoadedScene& loaded, std::string name, const BuildReport& report, TriangleSoup soup,

@@ -65,7 +65,8 @@ BumpLayers::Image BumpLayers::read(const std::string& reference, std::vector<Fin
     const Result<LoadedImage> loaded = readImage(file);
     if (!loaded) return warn(loaded.error().text, "it is left out");
     texels_ += std::size_t(loaded->image->width()) * std::size_t(loaded->image->height());
-    if (!loaded->note.empty()) findings.push_back({Severity::Note, "", loaded->note, ""});
+    if (!loaded->note.empty())
+        findings.push_back({Severity::Note, "", loaded->note, "clamped; scale them before saving"});
     return loaded->image;
 }
 

@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::string_view kColumns[] = {"t", "x", "y", "z"};
 
+/// What some programs write before the first letter of a text.
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 /// One field of a row, up to its comma, or to its end for the last one.
 std::string_view takeField(std::string_view& row, bool last) {
     const std::size_t comma = last ? std::string_view::npos : row.find(',');
@@ -22,7 +28,8 @@ std::string_view takeField(std::string_view& row, bool last) {
 
 class PathReader {
 public:
-    explicit PathReader(const Source& source) : source_(source), lines_(source.bytes()) {}
+    explicit PathReader(const Source& source)
+        : source_(source), lines_(withoutByteOrderMark(source.bytes())) {}
 
     std::vector<FingerPoint> read() {
         std::string_view line;
@@ -83,12 +90,11 @@ private:
 Result<std::vector<FingerPoint>> readFingerPath(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = std::uint64_t(4) << 30;
     try {
-        return PathReader(Source::open(file, kLargest)).read();
+        return PathReader(Source::openFileOrPipe(file, kLargest)).read();
     } catch (const ReadFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
-        return machineError(printable(file.filename().string()) +
-                            ": not enough memory to read it; shorten the path");
+        return machineError(shownPath(file) + ": not enough memory to read it; shorten the path");
     }
 }
 

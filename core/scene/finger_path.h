@@ -14,8 +14,8 @@ struct FingerPoint {
     Vec3 position = Vec3::Zero(); ///< m, world frame
 };
 
-/// Reads "t,x,y,z" with a header line. Numbers in the C locale; every one finite; t strictly rising.
-/// Errors name the line and the column. Thread: any but real time.
+/// Reads "t,x,y,z" with a header line, from a file or a pipe. Numbers in the C locale; every one finite; t
+/// strictly rising. Errors name the line and the column. Thread: any but real time.
 Result<std::vector<FingerPoint>> readFingerPath(const std::filesystem::path& file);
 
 } // namespace tactum

@@ -33,10 +33,36 @@ std::string allEndings() {
     return text;
 }
 
+/// What a file may be in spite of its ending, and what to do then.
+struct Disguise {
+    std::string_view magic;
+    const char* sentence;
+};
+constexpr Disguise kDisguises[] = {
+    {"PK\x03\x04", "is a ZIP archive; unpack it and open the model that is inside"},
+    {"\x1f\x8b", "is compressed by gzip; unpack it first"},
+    {"BZh", "is compressed by bzip2; unpack it first"},
+    {"\xFD"
+     "7zXZ",
+     "is compressed by xz; unpack it first"},
+    {"7z\xBC\xAF", "is a 7-Zip archive; unpack it and open the model that is inside"},
+    {"Rar!", "is a RAR archive; unpack it and open the model that is inside"},
+    {"%PDF", "is a PDF document; export the model itself"},
+    {"\x89PNG", "is a PNG picture; open a model"},
+    {"\xFF\xD8\xFF", "is a JPEG picture; open a model"},
+    {"<!DOCTYPE html", "is a web page; download the model itself"},
+};
+
+void refuseDisguises(const Source& source) {
+    for (const Disguise& disguise : kDisguises)
+        if (source.bytes().starts_with(disguise.magic)) source.fail(disguise.sentence);
+}
+
 LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
     const Format* format = formatOf(file);
     if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
+    refuseDisguises(source);
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
     if (loaded.scene.objects.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");
@@ -62,8 +88,7 @@ Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress&
     } catch (const ReadFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
-        return machineError(printable(file.filename().string()) +
-                            ": not enough memory to open it; close other programs");
+        return machineError(shownPath(file) + ": not enough memory to open it; close other programs");
     }
 }
 

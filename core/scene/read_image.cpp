@@ -32,7 +32,7 @@ LoadedImage load(const std::filesystem::path& file) {
     const Source source = Source::open(file, kLargestFile);
     DecodedImage decoded = decode(source);
     return {std::make_shared<const TextureImage>(decoded.width, decoded.height, std::move(decoded.texels),
-                                                 source.name(), decoded.bits),
+                                                 printable(file.filename().string(), 200), decoded.bits),
             decoded.note};
 }
 
@@ -61,8 +61,7 @@ Result<LoadedImage> readImage(const std::filesystem::path& file) {
     } catch (const ReadFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
-        return machineError(printable(file.filename().string()) +
-                            ": not enough memory for the picture; scale it down");
+        return machineError(shownPath(file) + ": not enough memory for the picture; scale it down");
     }
 }
 

@@ -12,7 +12,7 @@ namespace tactum {
 
 struct LoadedImage {
     std::shared_ptr<const TextureImage> image;
-    std::string note; ///< what was done to its values, empty for nothing: a sentence for the person
+    std::string note; ///< which of its values were clamped, empty for none: a sentence for the person
 };
 
 /// Reads a picture of 8 or 16 bits (TIFF also of 32-bit numbers, which are clamped to 0 to 1 with a note).

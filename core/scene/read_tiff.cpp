@@ -76,8 +76,7 @@ public:
         DecodedImage image = emptyImage(source_, width_, height_, bits_);
         TIFFIsTiled(tiff_.get()) ? readTiles(image) : readStrips(image);
         if (clamped_ > 0)
-            image.note = std::to_string(clamped_) + " values of " + source_.name() +
-                         " lie outside 0 to 1 and were clamped; scale them before saving";
+            image.note = std::to_string(clamped_) + " values of " + source_.name() + " lie outside 0 to 1";
         return image;
     }
 

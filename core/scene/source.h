@@ -22,9 +22,11 @@ class Source {
 public:
     /// Reads a regular file of at most `limit` bytes. Throws ReadFault.
     static Source open(const std::filesystem::path& file, std::uint64_t limit, const Progress& progress = {});
+    /// The same, or a pipe up to its end. It waits for whoever writes, so only where a person can stop it.
+    static Source openFileOrPipe(const std::filesystem::path& file, std::uint64_t limit);
 
     std::string_view bytes() const { return {data_.get(), size_}; }
-    const std::string& name() const { return name_; } ///< without folder, printable
+    const std::string& name() const { return name_; } ///< the path as given, printable
     const std::filesystem::path& path() const { return path_; }
 
     [[noreturn]] void fail(const std::string& text) const;
@@ -34,11 +36,16 @@ public:
     std::size_t lineAt(const char* place) const;
 
 private:
+    explicit Source(const std::filesystem::path& file);
+
     std::filesystem::path path_;
     std::string name_;
     std::unique_ptr<char[]> data_;
     std::size_t size_ = 0;
 };
+
+/// How a file is named to a person: the path as given, printable.
+std::string shownPath(const std::filesystem::path& file);
 
 /// Throws when the work is to stop.
 void demandGoingOn(ProgressMeter& meter, std::size_t done);

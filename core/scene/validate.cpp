@@ -57,7 +57,7 @@ private:
             if (surface.sides != Sides::Both)
                 say(Severity::Warning, object.name,
                     "surface \"" + surface.name + "\" is felt from its " +
-                        (surface.sides == Sides::Front ? "front" : "back") +
+                        std::string(nameOf(surface.sides)) +
                         " alone, but neighbouring triangles face opposite ways",
                     "make the normals consistent, or let both sides be felt");
     }

@@ -17,6 +17,11 @@ inline FrictionLimit frictionLimit(const Material& material, bool slipping) noex
     return {material.dynamicFriction, material.viscosity / material.stiffness};
 }
 
+/// Whether anything holds a slide back. Thread: real time.
+inline bool hasFriction(const Material& material) noexcept {
+    return material.staticFriction > 0 || material.dynamicFriction > 0 || material.viscosity > 0;
+}
+
 /// How far the proxy slides in a time.
 /// `excess`: distance from the proxy to where it would go without friction, that is tangential force / k, at
 /// the end of the time. `depth`: normal force / k, the multiplier of the plane. `speed`: of the finger in the

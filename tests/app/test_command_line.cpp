@@ -19,10 +19,11 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-Ended tactum(const QStringList& arguments) {
+Ended tactum(const QStringList& arguments, const QString& display = {}) {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
+    if (!display.isEmpty()) environment.insert("DISPLAY", display);
     environment.remove("WAYLAND_DISPLAY");
     environment.insert("LC_ALL", "de_DE.UTF-8");
     process.setProcessEnvironment(environment);
@@ -162,6 +163,19 @@ private slots:
         QVERIFY(lean("on") > 0 && lean("on") < 0.1);
     }
 
+    // The plate's corners run counter-clockwise seen from +z, where the finger comes from.
+    void touchFeelsTheSidesThatItIsGiven() {
+        const QString path = pressAndSlide(0.004, 0);
+        for (const auto& [sides, felt] :
+             {std::pair{"both", true}, std::pair{"front", true}, std::pair{"back", false}}) {
+            QCOMPARE(
+                tactum({"touch", plate(), "--path", path, "--out", file("sides.csv"), "--sides", sides}).code,
+                0);
+            const Row last = rowsOf(file("sides.csv")).last();
+            QCOMPARE(last[Contacts] == 1 && last[ForceZ] > 1, felt);
+        }
+    }
+
     void touchIsDeterministicToTheBit() {
         const QString path = pressAndSlide(0.004, 0.03);
         QList<QList<Row>> runs;
@@ -192,6 +206,17 @@ private slots:
         QVERIFY(std::abs(-rows.last()[ForceX] / rows.last()[ForceZ] - 0.4) < 1e-6);
     }
 
+    // One coefficient is that of both: the slide pulls as hard as the hold did at last.
+    void staticFrictionAloneIsDynamicToo() {
+        const QString path = pressAndSlide(0.004, 0.02);
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("s.csv"), "--proxy-radius", "0.001",
+                         "--static-friction", "0.5"})
+                     .code,
+                 0);
+        const Row last = rowsOf(file("s.csv")).last();
+        QVERIFY(std::abs(-last[ForceX] / last[ForceZ] - 0.5) < 1e-6);
+    }
+
     void fitDiagonalScalesAboutTheBoxCentre() {
         const QString big =
             write("big.obj", "v 1000 1000 7\nv 1020 1000 7\nv 1020 1020 7\nv 1000 1020 7\nf 1 2 3 4\n");
@@ -213,6 +238,7 @@ private slots:
         QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};
         QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
         QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
+        QTest::newRow("no side") << QStringList{"touch", "x", "--path", "y", "--sides", "inside"};
         QTest::newRow("contradicting friction") << QStringList{
             "touch", "x", "--path", "y", "--static-friction", "0.2", "--dynamic-friction", "0.5"};
     }
@@ -264,6 +290,27 @@ private slots:
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
     }
 
+    void aDisplayThatCannotBeReachedIsThree() {
+        const QString path = pressAndSlide(0.002, 0);
+        for (const QStringList& arguments :
+             {QStringList{plate()},
+              QStringList{"touch", plate(), "--path", path, "--picture", file("p.png")}}) {
+            const Ended ended = tactum(arguments, ":4711");
+            QCOMPARE(ended.code, 3);
+            QVERIFY2(oneLine(ended.error).contains("the display :4711 cannot be reached"), ended.error);
+        }
+    }
+
+    void aDisplayWithoutOpenGlIsThree() {
+        const QString display = qEnvironmentVariable("DISPLAY");
+        if (display.isEmpty()) QSKIP("there is no display to take OpenGL from");
+        qputenv("QT_XCB_GL_INTEGRATION", "none");
+        const Ended ended = tactum({plate()}, display);
+        qunsetenv("QT_XCB_GL_INTEGRATION");
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(oneLine(ended.error).contains("has no OpenGL 3.2"), ended.error);
+    }
+
     void aFullDiskUnderStandardOutputIsThree() {
         QProcess shell;
         shell.start("sh", {"-c", QStringLiteral("'%1' devices > /dev/full").arg(TACTUM_PROGRAM)});
@@ -287,6 +334,8 @@ private slots:
             QVERIFY2(parameters[key].toObject().contains("value") &&
                          parameters[key].toObject().contains("unit"),
                      key);
+        QCOMPARE(surface["sides"].toString(), QString("both"));
+        QVERIFY(text.out.contains("sides both"));
         QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
     }
 
@@ -303,7 +352,9 @@ private slots:
         QCOMPARE(tactum({"--help"}).code, 0);
         const Ended help = tactum({"touch", "--help"});
         QCOMPARE(help.code, 0);
-        QVERIFY(help.out.contains("--static-friction") && help.out.contains("--fit-diagonal"));
+        for (const char* part : {"--static-friction", "--fit-diagonal", "Without --dynamic-friction",
+                                 "before the device's limit"})
+            QVERIFY2(help.out.contains(part), part);
     }
 };
 

@@ -1,8 +1,10 @@
 #include "ui/panels/inspector.h"
 
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QLabel>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/control/safe_stiffness.h"
@@ -70,8 +72,41 @@ QWidget* Inspector::makeSurfaceSection() {
         fields_.push_back(row);
         list->addWidget(row);
     }
+    list->addWidget(makeSidesRow());
     list->addWidget(makeShadingRows());
     rows->addWidget(surfaceFields_);
+    return section;
+}
+
+QWidget* Inspector::makeSidesRow() {
+    struct Choice {
+        Sides sides;
+        QString text, meaning;
+    };
+    const Choice choices[] = {
+        {Sides::Both, tr("Both"), tr("Felt from whichever side it is met.")},
+        {Sides::Front, tr("Front"), tr("Felt from the side that sees the corners counter-clockwise alone.")},
+        {Sides::Back, tr("Back"), tr("Felt from the side that sees the corners clockwise alone.")}};
+    auto* section = new QWidget;
+    auto* row = new QHBoxLayout(section);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kRhythm / 2);
+    row->addWidget(new QLabel(tr("Felt from")), 1);
+    sides_ = new QButtonGroup(section);
+    for (const Choice& choice : choices) {
+        auto* button = new QToolButton;
+        button->setText(choice.text);
+        button->setToolTip(choice.meaning);
+        button->setCheckable(true);
+        button->setProperty("choice", true);
+        button->setObjectName(QStringLiteral("sides-") + QString::fromUtf8(nameOf(choice.sides).data()));
+        button->setAccessibleName(tr("Felt from: %1").arg(choice.text));
+        sides_->addButton(button, int(choice.sides));
+        row->addWidget(button);
+    }
+    connect(sides_, &QButtonGroup::idClicked, this, [this](int id) {
+        if (auto surface = document_.selection()) document_.setSides(*surface, Sides(id));
+    });
     return section;
 }
 
@@ -140,6 +175,7 @@ void Inspector::refresh(const SceneChange&) {
     if (!surface) return;
     for (std::size_t i = 0; i < fields_.size(); ++i)
         fields_[i]->setValue(surface->material.*kMaterialFields[i].value);
+    sides_->button(int(surface->sides))->setChecked(true);
     refreshShading(surface->shading);
 }
 

@@ -8,6 +8,7 @@
 #include "core/control/haptic_device.h"
 #include "ui/document.h"
 
+class QButtonGroup;
 class QCheckBox;
 class QLabel;
 
@@ -26,6 +27,7 @@ public:
 
 private:
     QWidget* makeSurfaceSection();
+    QWidget* makeSidesRow();
     QWidget* makeShadingRows();
     QWidget* makeSceneSection();
     /// Changes a copy of the selected surface's shading and gives it to the document.
@@ -40,6 +42,7 @@ private:
     QWidget* surfaceFields_;
     QLabel* hint_;
     std::vector<ParameterField*> fields_; ///< in the order of kMaterialFields
+    QButtonGroup* sides_;                 ///< the buttons have the numbers of Sides
     QCheckBox* shading_;
     QCheckBox* fileNormals_;
     ParameterField* creaseAngle_;

@@ -1,5 +1,7 @@
 #include "ui/panels/number_box.h"
 
+#include <utility>
+
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QTimer>
@@ -22,6 +24,14 @@ NumberBox::NumberBox(const QString& unit, QWidget* parent) : QDoubleSpinBox(pare
         else
             emit typed(value);
     });
+    connect(lineEdit(), &QLineEdit::textEdited, this,
+            [this](const QString& text) { entry_ = readNumber(text, unit_); });
+    connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::noteEntry);
+}
+
+void NumberBox::noteEntry() {
+    const auto entry = std::exchange(entry_, std::nullopt);
+    if (entry && (*entry < minimum() || *entry > maximum())) emit outOfRange(*entry);
 }
 
 void NumberBox::stepBy(int steps) {

@@ -1,6 +1,8 @@
 // A field for one number: typed, stepped and wheeled, always in the C locale.
 #pragma once
 
+#include <optional>
+
 #include <QDoubleSpinBox>
 
 namespace tactum {
@@ -21,13 +23,18 @@ signals:
     void typed(double value);
     /// By an arrow key or the wheel.
     void stepped(double value);
+    /// What was typed lies beyond an end of the range; the box shows that end now.
+    void outOfRange(double typed);
 
 protected:
     bool event(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
 private:
+    void noteEntry();
+
     QString unit_;
+    std::optional<double> entry_; ///< what is being typed
     bool stepping_ = false;
 };
 

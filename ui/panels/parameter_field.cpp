@@ -25,7 +25,7 @@ QString text(std::string_view view) {
 
 ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter), unit_(displayUnit(parameter)), box_(new NumberBox(unit_.name)),
-      slider_(new ValueSlider(parameter)), reset_(new QToolButton) {
+      slider_(new ValueSlider(parameter)), reset_(new QToolButton), hint_(new QLabel) {
     auto* label = new QLabel(text(parameter.label));
     label->setBuddy(box_);
     label->installEventFilter(this);
@@ -34,6 +34,8 @@ ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
     box_->setSingleStep(unit_.factor * parameter.step);
     reset_->setIcon(icon(QStringLiteral("reset")));
     reset_->setIconSize({12, 12});
+    hint_->setProperty("limit", true);
+    hint_->hide();
     layOut(label);
     describe();
     wire();
@@ -57,17 +59,19 @@ void ParameterField::layOut(QLabel* label) {
     grid->addWidget(box_, 0, 2);
     grid->addWidget(unit, 0, 3);
     grid->addWidget(slider_, 1, 0, 1, 4);
+    grid->addWidget(hint_, 2, 0, 1, 4);
     grid->setColumnStretch(0, 1);
 }
 
 void ParameterField::wire() {
-    connect(box_, &NumberBox::typed, this, [this](double shown) { emit edited(shown / unit_.factor, 0); });
+    connect(box_, &NumberBox::typed, this, [this](double shown) { edit(shown / unit_.factor, 0); });
     connect(box_, &NumberBox::stepped, this,
-            [this](double shown) { emit edited(shown / unit_.factor, stepGesture()); });
+            [this](double shown) { edit(shown / unit_.factor, stepGesture()); });
+    connect(box_, &NumberBox::outOfRange, this, &ParameterField::showLimit);
     connect(slider_, &ValueSlider::notched, box_, &NumberBox::stepBy);
     connect(slider_, &QSlider::sliderPressed, this, [this] { gesture_ = newGesture(); });
     connect(slider_, &QSlider::valueChanged, this, &ParameterField::followSlider);
-    connect(reset_, &QToolButton::clicked, this, [this] { emit edited(parameter_.initial, 0); });
+    connect(reset_, &QToolButton::clicked, this, [this] { edit(parameter_.initial, 0); });
 }
 
 void ParameterField::describe() {
@@ -83,6 +87,7 @@ void ParameterField::describe() {
     box_->setObjectName(key);
     slider_->setObjectName(key + QStringLiteral("-slider"));
     reset_->setObjectName(key + QStringLiteral("-reset"));
+    hint_->setObjectName(key + QStringLiteral("-hint"));
     box_->setAccessibleName(text(parameter_.label));
     box_->setAccessibleDescription(text(parameter_.sentence));
     slider_->setAccessibleName(tr("%1, slider").arg(text(parameter_.label)));
@@ -91,7 +96,20 @@ void ParameterField::describe() {
                            .arg(numberText(unit_.factor * parameter_.initial, unit_.decimals), unit_.name));
 }
 
+void ParameterField::edit(double value, Gesture gesture) {
+    hint_->hide();
+    emit edited(value, gesture);
+}
+
+void ParameterField::showLimit(double typed) {
+    const double limit = typed > box_->maximum() ? box_->maximum() : box_->minimum();
+    hint_->setText((typed > limit ? tr("At most %1 %2") : tr("At least %1 %2"))
+                       .arg(numberText(limit, unit_.decimals), unit_.name));
+    hint_->show();
+}
+
 void ParameterField::setValue(double value) {
+    if (unit_.factor * value != box_->value()) hint_->hide();
     const QSignalBlocker quiet(box_);
     box_->setValue(unit_.factor * value);
     slider_->display(value);
@@ -105,7 +123,7 @@ void ParameterField::setCeiling(std::optional<double> ceiling, const QString& me
 }
 
 bool ParameterField::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::MouseButtonDblClick) emit edited(parameter_.initial, 0);
+    if (event->type() == QEvent::MouseButtonDblClick) edit(parameter_.initial, 0);
     return QWidget::eventFilter(watched, event);
 }
 
@@ -116,7 +134,7 @@ void ParameterField::changeEvent(QEvent* event) {
 
 void ParameterField::followSlider() {
     const Gesture gesture = slider_->isSliderDown() ? gesture_ : stepGesture();
-    emit edited(slider_->current(), gesture);
+    edit(slider_->current(), gesture);
 }
 
 Gesture ParameterField::stepGesture() {

@@ -19,7 +19,8 @@ class NumberBox;
 class ValueSlider;
 
 /// Label, value with its unit, slider, and a button back to the default. The value's widget has the
-/// parameter's key for its object name, the slider "<key>-slider", the button "<key>-reset".
+/// parameter's key for its object name, the slider "<key>-slider", the button "<key>-reset", the hint
+/// "<key>-hint".
 class ParameterField : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +44,8 @@ private:
     void layOut(QLabel* label);
     void wire();
     void describe();
+    void showLimit(double typed);
+    void edit(double value, Gesture gesture);
     void followSlider();
     Gesture stepGesture();
 
@@ -51,6 +54,7 @@ private:
     NumberBox* box_;
     ValueSlider* slider_;
     QToolButton* reset_;
+    QLabel* hint_; ///< why another value than the typed one is shown
     QString ceilingText_;
     QElapsedTimer sinceStep_;
     Gesture gesture_ = 0;

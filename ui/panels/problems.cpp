@@ -68,7 +68,8 @@ Problems::Problems(Document& document, QWidget* parent)
     connect(this, &QTreeWidget::itemActivated, this, &Problems::selectObjectOf);
     connect(this, &QTreeWidget::itemClicked, this, &Problems::selectObjectOf);
     connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
-        if (change.touchesShape()) check();
+        using What = SceneChange::What;
+        if (change.touchesShape() || change.what == What::Sides || change.what == What::Names) check();
     });
 }
 

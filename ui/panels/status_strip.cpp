@@ -1,6 +1,7 @@
 #include "ui/panels/status_strip.h"
 
 #include <algorithm>
+#include <span>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -20,16 +21,18 @@ QString kilohertz(double hertz) {
                         : numberText(1e-3 * hertz, 1) + QStringLiteral(" kHz");
 }
 
-/// What the contacts do, in words: a contact either holds or slides.
+/// What the contacts do, in words: a contact with friction either holds or slides.
 QString touchText(const HapticOutput& out) {
     if (out.contacts == 0) return StatusStrip::tr("free");
-    const int known = std::min(out.contacts, kMaxModelPlanes);
-    const bool slips = std::all_of(out.contact.begin(), out.contact.begin() + known,
-                                   [](const auto& c) { return c.slipping; });
-    const QString state = slips ? StatusStrip::tr("slip") : StatusStrip::tr("stick");
-    return StatusStrip::tr("%1 %2 \u00b7 %3")
-        .arg(out.contacts)
-        .arg(out.contacts == 1 ? StatusStrip::tr("contact") : StatusStrip::tr("contacts"), state);
+    const std::span known(out.contact.data(), std::size_t(std::min(out.contacts, kMaxModelPlanes)));
+    const QString count =
+        StatusStrip::tr("%1 %2")
+            .arg(out.contacts)
+            .arg(out.contacts == 1 ? StatusStrip::tr("contact") : StatusStrip::tr("contacts"));
+    if (std::ranges::all_of(known, &ContactReport::frictionless)) return count;
+    const bool slips = std::ranges::all_of(known, [](const auto& c) { return c.slipping || c.frictionless; });
+    return StatusStrip::tr("%1 \u00b7 %2")
+        .arg(count, slips ? StatusStrip::tr("slip") : StatusStrip::tr("stick"));
 }
 
 } // namespace

@@ -6,8 +6,8 @@ namespace tactum {
 
 namespace {
 
-// Parts of the scene's diagonal: for a model of 0.2 m, three millimetres, one and one.
-constexpr double kPressDepth = 0.015, kNotch = 0.005, kStep = 0.005;
+// Parts of the scene's diagonal: for a model of 0.2 m, one millimetre.
+constexpr double kNotch = 0.005, kStep = 0.005;
 constexpr double kHoverHeight = 0.05;
 constexpr double kGlideSpeed = 4;                            ///< diagonals a second
 constexpr double kShortestGlide = 0.12, kLongestGlide = 0.6; ///< s

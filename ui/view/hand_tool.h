@@ -19,6 +19,10 @@ enum class Grip {
 /// Holds the goal. Frame W, metre. Knows no widget and draws nothing. Thread: ui.
 class HandTool {
 public:
+    /// How far beneath the surface a press goes, as a part of the scene's diagonal: 8 mm for a model of 0.2
+    /// m, which a surface of the initial stiffness answers with 6 N.
+    static constexpr double kPressDepth = 0.04;
+
     const Vec3& goal() const { return goal_; }
     Grip grip() const { return grip_; }
     bool gliding() const { return gliding_; }

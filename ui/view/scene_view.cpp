@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kOutlinePixels = 2.6;
+// A hand that holds still trembles by less than this.
+constexpr double kUnseenPixels = 0.1;
 
 } // namespace
 
@@ -99,7 +101,9 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
                            bool armed) {
     const TouchState next = touchState(proxy, servo, forceLimit, armed);
     const bool moved = impl_->model.moveTo(proxy.time);
-    if (!moved && impl_->touch && impl_->touch->sameAs(next)) return;
+    // Against what is shown, so that slow motion adds up until it is seen.
+    const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
+    if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return;
     impl_->touch = next;
     impl_->overlay.setVisible(impl_->showsTouch());
     changed();

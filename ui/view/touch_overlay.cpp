@@ -103,12 +103,20 @@ TouchState touchState(const ProxyTelemetry& proxy, const ServoTelemetry& servo, 
     return state;
 }
 
-bool TouchState::sameAs(const TouchState& other) const {
-    if (contacts != other.contacts || armed != other.armed || forceLimit != other.forceLimit) return false;
-    for (int i = 0; i < contacts; ++i)
-        if (contact[i].point != other.contact[i].point || contact[i].slipping != other.contact[i].slipping)
-            return false;
-    return finger == other.finger && proxy == other.proxy && force == other.force;
+bool TouchState::looksLike(const TouchState& other, double length) const {
+    constexpr double kForce = 5e-3; // N, half of the last digit that is written; less of small forces, which
+                                    // turn by as much
+    constexpr double kTilt = 2e-3;  // rad, a tenth of a pixel at the tip of a normal
+    if (contacts != other.contacts || armed != other.armed || forceLimit != other.forceLimit ||
+        pushes() != other.pushes() || atLimit() != other.atLimit())
+        return false;
+    const auto same = [&](const ContactReport& a, const ContactReport& b) {
+        return (a.point - b.point).norm() <= length && (a.normal - b.normal).norm() <= kTilt &&
+               a.slipping == b.slipping && a.frictionless == b.frictionless;
+    };
+    if (!std::equal(contact.begin(), contact.begin() + contacts, other.contact.begin(), same)) return false;
+    return (finger - other.finger).norm() <= length && (proxy - other.proxy).norm() <= length &&
+           (!pushes() || (force - other.force).norm() <= kForce * std::min(1.0, force.norm()));
 }
 
 Vec3 arrowTip(const TouchState& state, const ViewCamera& camera) {
@@ -203,7 +211,10 @@ void TouchOverlay::Impl::placeContact(ContactMark& mark, const ContactReport& co
     const double radius = std::max(kDisc * pixel, 3 * proxyRadius);
     const Vec3 p = contact.point + 1.2 * pixel * contact.normal; // clear of the surface
     mark.plane.setColour(theme->contact, 0.3);
-    mark.rim.setColour(contact.slipping ? theme->slip : theme->stick, 0.95);
+    mark.rim.setColour(contact.frictionless ? theme->contact
+                       : contact.slipping   ? theme->slip
+                                            : theme->stick,
+                       0.95);
     mark.normal.setColour(theme->contact);
     mark.plane.place(p, contact.normal, radius, 1);
     mark.rim.place(p + 0.6 * pixel * contact.normal, contact.normal, radius, 1);

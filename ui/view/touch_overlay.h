@@ -28,8 +28,8 @@ struct TouchState {
     double load() const { return force.norm() / forceLimit; } ///< 1 at the limit
     bool atLimit() const { return load() > 0.999; }
     bool pushes() const { return force.norm() > 5e-4; }
-    /// Whether both look the same.
-    bool sameAs(const TouchState& other) const;
+    /// Whether both look the same where `length`, m, cannot be seen.
+    bool looksLike(const TouchState& other, double length) const;
 };
 
 /// The newest of what both loops say: the servo's finger and force, the proxy's contacts. Where the forces

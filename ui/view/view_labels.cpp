@@ -103,7 +103,7 @@ void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamer
             board.put(*tip, *tip - *proxy, forceText(state), Badge::Dot,
                       state.atLimit() ? theme.fault : theme.proxy);
     }
-    if (state.contacts > 0) {
+    if (state.contacts > 0 && !state.contact[0].frictionless) {
         const bool slips = state.contact[0].slipping;
         board.put(*proxy - QPointF(26, 0), QPointF(-1, 0), slips ? "slip" : "stick",
                   slips ? Badge::Waves : Badge::Bar, slips ? theme.slip : theme.stick);

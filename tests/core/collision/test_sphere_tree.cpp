@@ -161,6 +161,7 @@ private slots:
     void leafSpheresCoverTheirPrimitives();
     void nodesContainAllThatIsBelow();
     void sweepFindsTheFirstContact();
+    void aShortPathPastSomethingThinTouchesIt();
     void sweepIsSafeFarFromTheOrigin();
     void whatIsRememberedChangesNothing();
     void whatIsBeyondReachIsNeverTouched();
@@ -208,6 +209,22 @@ void SphereTreeTest::sweepFindsTheFirstContact() {
 }
 
 // At 1000 m a float resolves 0.06 mm: pruning has to let through what it cannot tell.
+// A sphere passes a point at the height h < r and has left it where its path, shorter than r, ends: it is
+// touched sqrt(r^2 - h^2) before the foot.
+void SphereTreeTest::aShortPathPastSomethingThinTouchesIt() {
+    const double r = 1e-3, h = 0.95 * r, length = 0.9 * r;
+    const double expected = (0.5 * length - std::sqrt(r * r - h * h)) / length;
+    const std::pair<const char*, Soup> things[] = {
+        {"point", SoupBuilder().point(Vec3::Zero()).build()},
+        {"segment", SoupBuilder().segment({0, -r, 0}, {0, r, 0}).build()},
+        {"sliver", SoupBuilder().triangle({0, -r, 0}, {0, r, 0}, {1e-9 * r, 0, -1e-5 * r}).build()}};
+    for (const auto& [name, soup] : things) {
+        const SphereTree tree(*soup);
+        const SweepHit hit = tree.sweep(*soup, {{-0.5 * length, 0, h}, {length, 0, 0}, r}, {});
+        QVERIFY2(std::abs(hit.t - expected) < 1e-6, qPrintable(QString("%1: %2").arg(name).arg(hit.t)));
+    }
+}
+
 void SphereTreeTest::sweepIsSafeFarFromTheOrigin() {
     Rng rng(13);
     int hits = 0;

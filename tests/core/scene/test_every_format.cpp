@@ -151,6 +151,34 @@ private slots:
         refused(folder_.load("words" + suffix, "nothing of this kind\nis in here\n"), "");
     }
 
+    void archivesAndPicturesAreNamedForWhatTheyAre() {
+        for (const std::string& ending : readableEndings()) {
+            refused(folder_.load("packed." + ending, "PK\x03\x04 and more"), "is a ZIP archive; unpack it");
+            refused(folder_.load("packed." + ending, "\x1f\x8b\x08 and more"), "is compressed by gzip");
+            refused(folder_.load("photo." + ending, "\xFF\xD8\xFF\xE0 and more"), "is a JPEG picture");
+        }
+    }
+
+    /// As it was given, so that one of several files of a name is found.
+    void errorsNameThePath() {
+        refused(folder_.load("broken.obj", "v 0 0 0\nf 1 2 3\n"),
+                (folder_.path() / "broken.obj:2: ").string());
+        refused(folder_.load("mesh.xyz", "1 2 3\n"), (folder_.path() / "mesh.xyz: ").string());
+    }
+
+    void everyFindingHasARemedy() {
+        const auto check = [](const Result<LoadedScene>& loaded) {
+            QVERIFY(loaded && !loaded->findings.empty());
+            for (const Finding& finding : loaded->findings)
+                QVERIFY2(!finding.remedy.empty(), finding.sentence.c_str());
+        };
+        for (unsigned seed = 0; seed < 10; ++seed)
+            for (const WrittenMesh& mesh : inEveryFormat(randomSoup(seed)))
+                check(folder_.load(mesh.name, mesh.content));
+        check(folder_.load("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 5\nv 1 0 5\nv 0 1 5\n"
+                                      "f 1 2 3\nf 4 5 6\n"));
+    }
+
     void anUnknownEndingNamesTheKnownOnes() {
         refused(folder_.load("mesh.xyz", "1 2 3\n"), "obj, ply, stl, off, gltf, glb");
     }

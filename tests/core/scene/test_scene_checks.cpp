@@ -1,7 +1,10 @@
 // Validation, description and finger paths.
 #include <cmath>
+#include <fstream>
+#include <thread>
 
 #include <QTest>
+#include <sys/stat.h>
 
 #include "core/scene/describe.h"
 #include "core/scene/finger_path.h"
@@ -152,6 +155,26 @@ private slots:
         QCOMPARE(path->size(), std::size_t(2));
         QCOMPARE((*path)[0].position, Vec3(0.1, -0.002, 3));
         QVERIFY((*path)[1].t == 0.001 && (*path)[1].position.x() == 0.30000000000000004);
+    }
+
+    void aByteOrderMarkIsNoPartOfTheHeader() {
+        const auto path = readFingerPath(folder_.write("mark.csv", "\xEF\xBB\xBFt,x,y,z\n0,1,2,3\n  \n"));
+        QVERIFY2(path, path ? "" : path.error().text.c_str());
+        QCOMPARE(path->front().position, Vec3(1, 2, 3));
+    }
+
+    void aFingerPathComesThroughAPipe() {
+        const auto pipe = folder_.path() / "pipe";
+        QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+        // Not waited for: it would wait for a reader that refuses the pipe.
+        std::thread([pipe] { std::ofstream(pipe) << "t,x,y,z\n0,1,2,3\n1,1,2,4\n"; }).detach();
+        const auto path = readFingerPath(pipe);
+        QVERIFY2(path, path ? "" : path.error().text.c_str());
+        QCOMPARE(path->size(), std::size_t(2));
+        // A scene is no stream: nothing may wait for a writer that never comes.
+        const auto model = folder_.path() / "pipe.obj";
+        QCOMPARE(::mkfifo(model.c_str(), 0600), 0);
+        QVERIFY(!loadScene(model));
     }
 
     void brokenFingerPathsNameLineAndColumn_data() {

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/surface/material.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
@@ -70,7 +71,14 @@ private slots:
         for (int i = 0; i < 1000 && desk.hand.advance(1e-3); ++i) {
         }
         QVERIFY(!desk.hand.gliding());
-        QVERIFY((desk.hand.goal() - kFront + 0.015 * desk.size() * Vec3::UnitZ()).norm() < 1e-9);
+        QVERIFY((desk.hand.goal() - kFront + HandTool::kPressDepth * desk.size() * Vec3::UnitZ()).norm() <
+                1e-9);
+    }
+
+    // Deep enough to feel friction and textures, and below what the simulated hand can give.
+    void aPressOnAFittedModelIsAFirmOne() {
+        const double force = kStiffness.initial * HandTool::kPressDepth * 0.2;
+        QVERIFY(force > 4 && force < 8);
     }
 
     void strokeFollowsTheSurfaceUnderTheCursor() {
@@ -81,7 +89,7 @@ private slots:
         const Vec3 touched =
             desk.picker.cast(desk.camera.ray({430, 280}), ScenePicker::Patience::Wait)->point;
         desk.hand.moveTo({430, 280}, desk.camera, touched, false);
-        QVERIFY(std::abs((desk.hand.goal() - touched).norm() - 0.015 * desk.size()) < 1e-9);
+        QVERIFY(std::abs((desk.hand.goal() - touched).norm() - HandTool::kPressDepth * desk.size()) < 1e-9);
         QVERIFY(desk.hand.goal().norm() < kBallRadius);
         const double depth = desk.camera.depth(desk.hand.goal());
         desk.hand.moveTo({700, 280}, desk.camera, std::nullopt, false);

@@ -8,6 +8,7 @@
 #include "core/dynamics/motion_build.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
+#include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
@@ -92,6 +93,17 @@ struct Shown {
 
     Scene scene;
     SceneView view;
+};
+
+/// How often a widget is painted.
+class PaintCount : public QObject {
+public:
+    explicit PaintCount(QWidget& widget) { widget.installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        paints += event->type() == QEvent::Paint;
+        return false;
+    }
+    int paints = 0;
 };
 
 double difference(const QColor& a, const QColor& b) {
@@ -256,7 +268,7 @@ private slots:
 
     void aPressOnTheModelTouchesItAndADragStrokesIt() {
         Shown shown;
-        const double depth = 0.015 * boundsOf(shown.scene).diagonal();
+        const double depth = HandTool::kPressDepth * boundsOf(shown.scene).diagonal();
         shown.touch({0.09, 0.05, 0.1}, {0.09, 0.05, 0.1});
         QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
         shown.waitForHand();
@@ -352,6 +364,25 @@ private slots:
         QVERIFY(with.red() > 1.5 * with.blue() && difference(with, without) > 60);
         shown.view.setOverlayVisible(false);
         QVERIFY(difference(shown.colourAt(pixel), without) < 3);
+    }
+
+    void whatCannotBeSeenIsNotDrawnAgain() {
+        Shown shown;
+        const Vec3 finger(0, 0, 0.045), proxy(0, 0, 0.051), force(0, 0, 4);
+        const Vec3 little = 0.04 * shown.camera().pixelSize(proxy) * Vec3::UnitX();
+        shown.touch(finger, proxy, force);
+        QTest::qWait(600); // a picture that rests is drawn once more, smoothly
+        PaintCount count(shown.view);
+        for (int i = 0; i < 20; ++i) {
+            shown.touch(finger + (i % 2) * little, proxy - (i % 2) * little,
+                        force + (i % 3) * 1e-3 * force / 4);
+            QTest::qWait(5);
+        }
+        QCOMPARE(count.paints, 0);
+        // What creeps is seen in the end.
+        for (int i = 0; i < 20; ++i)
+            shown.touch(finger + i * little, proxy, force);
+        QTRY_VERIFY(count.paints > 0);
     }
 
     void aFingerInsideTheModelIsSeenThroughIt() {

@@ -39,7 +39,7 @@ void takeFirstTouch(TouchedWindow& program, const QDir& folder) {
     QPoint at = program.centre() + QPoint(92, -12);
     program.press(at);
     program.frames(60);
-    program.wheel(at, 10);
+    program.wheel(at, 5);
     program.frames(90);
     strokeTo(program, at, at + QPoint(-100, 40), 50);
     program.frames(60);
@@ -54,7 +54,7 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
     QPoint at = program.centre() + QPoint(70, 20);
     program.press(at);
     program.frames(60);
-    program.wheel(at, 10);
+    program.wheel(at, 5);
     program.frames(60);
     strokeTo(program, at, at + QPoint(-60, 10), 20);
     for (int i = 0; i < 80 && !program.touch().contact[0].slipping; ++i)

@@ -23,6 +23,8 @@ private slots:
     void aDragIsOneStepAndTwoDragsAreTwo();
     void aDragBackToItsBeginningIsNoStep();
     void everyEditCanBeUndone();
+    void whatIsRemovedComesBackSelected();
+    void findingsGoAndComeWithTheirObject();
     void editsOfNothingAreIgnored();
     void aModelThatDoesNotFitTheHandIsScaledAndSaysSo();
     void aBrokenFileLeavesTheSceneAndSaysOneLine_data();
@@ -76,13 +78,14 @@ void TestDocument::everyEditCanBeUndone() {
     const ObjectId cube = before.objects.front().id;
     document_->setMaterialValue(front(), kMaterialFields[4], 3);
     document_->setShading(front(), {true, NormalSource::Computed, 0.5});
+    document_->setSides(front(), Sides::Front);
     document_->setProxyRadius(0.002);
     document_->renameObject(cube, QStringLiteral("dice"));
     document_->renameSurface(front(), QStringLiteral("six"));
     document_->setVisible(cube, false);
     document_->showAll();
     document_->removeObject(cube);
-    QCOMPARE(document_->history().count(), 8);
+    QCOMPARE(document_->history().count(), 9);
     QVERIFY(document_->scene().objects.empty());
     while (document_->history().canUndo())
         document_->history().undo();
@@ -93,11 +96,44 @@ void TestDocument::everyEditCanBeUndone() {
     QVERIFY(!document_->selection());
 }
 
+void TestDocument::whatIsRemovedComesBackSelected() {
+    document_->select(front());
+    const SurfaceRef chosen = front();
+    document_->removeObject(chosen.object);
+    QVERIFY(!document_->selection());
+    document_->history().undo();
+    QCOMPARE(document_->selection(), std::optional(chosen));
+    document_->history().redo();
+    document_->select(std::nullopt); // a person who chose nothing since
+    document_->history().undo();
+    QVERIFY(!document_->selection());
+}
+
+void TestDocument::findingsGoAndComeWithTheirObject() {
+    const ObjectId cube = front().object;
+    const auto names = [&] {
+        std::vector<std::string> all;
+        for (const Finding& finding : document_->findings())
+            all.push_back(finding.object);
+        return all;
+    };
+    QVERIFY(!names().empty()); // its quads were cut
+    QCOMPARE(names().front(), std::string("cube"));
+    document_->renameObject(cube, QStringLiteral("dice"));
+    QCOMPARE(names().front(), std::string("dice"));
+    document_->removeObject(cube);
+    QVERIFY(names().empty());
+    document_->history().undo();
+    QCOMPARE(names().front(), std::string("dice"));
+}
+
 void TestDocument::editsOfNothingAreIgnored() {
     document_->setMaterialValue({99, 0}, kMaterialFields[0], 5);
     document_->setMaterialValue({front().object, 77}, kMaterialFields[0], 5);
     document_->setShading({99, 0}, {true});
     document_->setShading(front(), {});
+    document_->setSides({99, 0}, Sides::Back);
+    document_->setSides(front(), Sides::Both);
     document_->renameObject(99, QStringLiteral("ghost"));
     document_->removeObject(99);
     document_->setMaterialValue(front(), kMaterialFields[0], kStiffness.initial);

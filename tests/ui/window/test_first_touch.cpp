@@ -1,6 +1,7 @@
 // The first touch from end to end: open a model, press into it with the mouse, feel its friction, change it,
 // feel the difference, take it back.
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QTest>
 
 #include "tests/ui/window/window_fixture.h"
@@ -87,6 +88,9 @@ void TestFirstTouch::proxyStaysOutsideWhileFingerIsInside() {
     // The spring between them is the force: K times their distance, outward.
     const double distance = program_->touch().proxy.z() - program_->engine.proxy().finger.z();
     QVERIFY(std::abs(program_->touch().force.z() - kStiffness.initial * distance) < 0.05);
+    // Without friction it neither sticks nor slips.
+    const auto* status = program_->window->findChild<QLabel*>(QStringLiteral("status-contacts"));
+    QTRY_COMPARE_WITH_TIMEOUT(status->text(), QStringLiteral("1 contact"), kPatience);
     const auto picked = program_->document.selection();
     QVERIFY(picked.has_value());
 }

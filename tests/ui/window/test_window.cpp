@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QStackedWidget>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/ui/window/window_fixture.h"
@@ -40,9 +41,11 @@ private slots:
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
     void selectionGoesBothWays();
+    void problemsGoWithTheirObject();
     void theEyeHidesWhatIsFelt();
     void theInspectorIsMadeFromTheTable();
     void theInspectorShadesASurface();
+    void theInspectorChoosesTheSides();
     void aSliderDragIsOneStep();
     void ctrlZInAFieldUndoesTheLastEdit();
     void numbersHaveAPointInEveryLocale();
@@ -92,6 +95,23 @@ void TestWindow::selectionGoesBothWays() {
     QCOMPARE(outliner->currentItem()->text(0), QStringLiteral("front"));
 }
 
+void TestWindow::problemsGoWithTheirObject() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* problems = program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
+    const auto listed = [&] {
+        QStringList lines;
+        for (int i = 0; i < problems->topLevelItemCount(); ++i)
+            lines << problems->topLevelItem(i)->text(0);
+        return lines.join(u'\n');
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(listed().contains(QStringLiteral("cube: ")), kPatience);
+    program.document.removeObject(program.document.scene().objects.front().id);
+    QTRY_VERIFY_WITH_TIMEOUT(!listed().contains(QStringLiteral("cube: ")), kPatience);
+    program.document.history().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(listed().contains(QStringLiteral("cube: ")), kPatience);
+}
+
 void TestWindow::theEyeHidesWhatIsFelt() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
@@ -125,6 +145,11 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
     program.type(QStringLiteral("static-friction"), QStringLiteral("99"));
     QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.maximum);
     QCOMPARE(program.box(QStringLiteral("static-friction")).text(), QStringLiteral("2.000"));
+    const auto* hint = program.window->findChild<QLabel*>(QStringLiteral("static-friction-hint"));
+    QVERIFY(hint->isVisible());
+    QCOMPARE(hint->text().trimmed(), QStringLiteral("At most 2.000"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.5"));
+    QVERIFY(!hint->isVisible());
     // Metres are millimetres on the screen.
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
     QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
@@ -150,6 +175,27 @@ void TestWindow::theInspectorShadesASurface() {
     QVERIFY(shading() == Shading{});
     QVERIFY(!box->isChecked());
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && !feltBodies(), kPatience);
+}
+
+void TestWindow::theInspectorChoosesTheSides() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto button = [&](const char* name) {
+        return program.window->findChild<QToolButton*>(QString::fromLatin1(name));
+    };
+    const auto felt = [&] { return program.window->publisher().world()->bodies.front().sides; };
+    QVERIFY(button("sides-both")->isChecked() && felt().empty());
+    QTest::mouseClick(button("sides-front"), Qt::LeftButton);
+    QCOMPARE(program.document.scene().objects.front().surfaces[0].sides, Sides::Front);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && felt().size() == 6, kPatience);
+    QCOMPARE(felt()[0], Sides::Front);
+    // Another surface has its own.
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 3});
+    QVERIFY(button("sides-both")->isChecked() && !button("sides-front")->isChecked());
+    program.document.history().undo();
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 0});
+    QVERIFY(button("sides-both")->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && felt().empty(), kPatience);
 }
 
 void TestWindow::aSliderDragIsOneStep() {
