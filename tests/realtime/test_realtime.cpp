@@ -177,8 +177,12 @@ private slots:
         EditedWorlds worlds;
         worlds.edit();
         SimState state;
-        ServoState servo(
-            {.name = "Still hand", .maxForce = 8, .continuousForce = 3, .rate = 1 / kStep, .damping = 8});
+        ServoState servo({.name = "Still hand",
+                          .maxForce = 8,
+                          .continuousForce = 3,
+                          .rate = 1 / kStep,
+                          .damping = 8,
+                          .tripSpeed = 100});
         int touching = 0, slipping = 0, riding = 0, squeezed = 0;
         PageFaults faults;
         interposer::reset();
@@ -192,7 +196,7 @@ private slots:
             const HapticOutput output = hapticStep(worlds.current(), state, {finger, velocity}, kStep);
             state.model.anchoring = servo.guard.anchoring();
             const Vec3 force =
-                servoStep(servo, {.armed = i % 50'000 > 100}, // on and off
+                servoStep(servo, {.armed = !isFault(servo.guard.withheld())}, // faster than a hand
                           {.sample = {finger, velocity, 0, true}, .dt = kStep, .fresh = true}, state.model)
                     .force;
             if (i > 10'000) faults.addSince(before);
