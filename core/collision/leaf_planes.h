@@ -10,8 +10,8 @@
 namespace tactum {
 
 /// A triangle lies behind the plane through its point nearest to where it was last seen from. What is before
-/// that plane need not be looked at again: one plane for each triangle of the leaves that were looked at last.
-/// Body frame, metre; positions relative to `origin`.
+/// that plane need not be looked at again: one plane for each triangle of the leaves that were looked at
+/// last. Body frame, metre; positions relative to `origin`.
 struct LeafPlanes {
     static constexpr int kSlots = 64;
     static constexpr Index kNone = ~Index(0);

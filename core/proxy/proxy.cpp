@@ -34,8 +34,10 @@ constexpr double kMostBent = 0.7;
 constexpr double kRollFaster = 2;
 // Motion and change of the constraint planes below these parts of the radius count as rest.
 constexpr double kRest = 1e-9;
-// Under a finger that moves, the rounds on a felt surface end with a motion below this part of the radius.
+// Under a finger that moves, the rounds end with a motion below this part of the radius; those on true planes
+// only while each is at most so much of the one before: a proxy that leaves a crest begins as slowly.
 constexpr double kSettled = 1e-5;
+constexpr double kSettlingRate = 0.5;
 // A stride on a felt surface that need not turn back may be so much longer next time.
 constexpr double kStrideGrowth = 1.2;
 // A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
@@ -93,7 +95,7 @@ private:
         if (comesOut()) return true;
         const Vec3 wish = unconstrainedByFriction();
         const double excess = wish.norm();
-        if (excess <= kRest * radius_) return false;
+        if (excess <= kRest * radius_ || isSettling(excess)) return false;
         const double slide = frictionAllows(wish, excess);
         if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
         // Friction that lets go entirely is none; the last rounds take no risks.
@@ -199,6 +201,13 @@ private:
 
     double settled() const noexcept { return (state_.stillFor > 0 ? kRest : kSettled) * radius_; }
 
+    // Whether the rounds only polish a place that the next step leaves anyway.
+    bool isSettling(double excess) noexcept {
+        const bool shrinks = excess <= kSettlingRate * lastExcess_;
+        lastExcess_ = excess;
+        return !felt_ && shrinks && excess <= settled();
+    }
+
     // Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
     // say in it.
     Vec3 seat() noexcept {
@@ -228,17 +237,17 @@ private:
     // The same on curved constraints. Around an edge or a vertex the C-obstacle is a cylinder or a sphere,
     // and going to the foot on its tangent plane again and again only halves the error.
     Vec3 alongCurvature(const Vec3& flat, double excess) noexcept {
+        std::array<const Contact*, 2> held{};
         int pushing = 0;
-        const Contact* last = nullptr;
-        double bend = 0;
         for (const Contact& contact : contacts()) {
             if (contact.lambda <= 0) continue;
-            ++pushing;
-            last = &contact;
-            bend += contact.lambda * contact.bend * bentPart(contact, flat / excess);
+            if (pushing == 2) return flat;
+            held[std::size_t(pushing++)] = &contact;
         }
-        if (!(bend > 0)) return flat;
-        const Vec3 bent = pushing == 1 ? aroundAlone(*last, flat) : alongBoth(bend, flat);
+        if (pushing == 0) return flat;
+        if (pushing == 1 && !(held[0]->lambda * held[0]->bend * bentPart(*held[0], flat / excess) > 0))
+            return flat;
+        const Vec3 bent = pushing == 1 ? aroundAlone(*held[0], flat) : alongBoth(*held[0], *held[1], flat);
         return isAllowed(bent) ? bent : flat;
     }
 
@@ -267,8 +276,14 @@ private:
 
     // On several constraints one direction is left to go, and the curvature of all in it, the Hessian of the
     // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method.
-    static Vec3 alongBoth(double bend, const Vec3& flat) noexcept {
-        return bend < kMostBent ? Vec3(flat / (1 - bend)) : Vec3(kRollFaster * flat);
+    static Vec3 alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexcept {
+        const Vec3 axis = a.normal.cross(b.normal);
+        const double length2 = axis.squaredNorm();
+        if (!(length2 > 0)) return flat;
+        const Vec3 way = axis / std::sqrt(length2);
+        const double bend = a.lambda * a.bend * bentPart(a, way) + b.lambda * b.bend * bentPart(b, way);
+        const double farther = bend < kMostBent ? bend / (1 - bend) : kRollFaster - 1;
+        return flat + farther * way.dot(flat) * way;
     }
 
     // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.
@@ -408,6 +423,7 @@ private:
     Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
     Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
     int rounds_ = 0;
+    double lastExcess_ = 0; ///< how far it was to go in the last round, m
     bool squeezed_ = false;
     Vec3 nearest_ = start_; ///< the nearest place of the last rounds, or the first
     double nearestDistance_ = (finger_ - start_).norm();
