@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/inplace_vector.h"
 #include "core/proxy/carry.h"
 #include "core/proxy/felt_planes.h"
 #include "core/proxy/passed_bodies.h"
@@ -75,6 +76,8 @@ public:
     }
 
 private:
+    using Planes = InplaceVector<ConstraintPlane, kMaxPlanes>;
+
     std::span<Contact> contacts() { return {state_.contacts.data(), std::size_t(state_.contactCount)}; }
 
     // Rounds that go to and fro until they are used up must not leave a plain proxy farther away than it was.
@@ -88,6 +91,14 @@ private:
         if (felt_ || nearestDistance_ >= (finger_ - state_.position).norm()) return;
         state_.position = nearest_;
         refreshContacts();
+    }
+
+    // The constraint planes of all contacts, seen from the proxy.
+    Planes planes() noexcept {
+        Planes planes;
+        for (const Contact& contact : contacts())
+            planes.push({contact.normal, -contact.gap});
+        return planes;
     }
 
     // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
@@ -137,11 +148,7 @@ private:
     bool comesOut() noexcept {
         const auto isInside = [this](const Contact& c) { return c.gap < -kKeep * kSkin * radius_; };
         if (std::ranges::none_of(contacts(), isInside)) return false;
-        std::array<ConstraintPlane, kMaxPlanes> planes;
-        for (int i = 0; i < state_.contactCount; ++i)
-            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const NearestPoint out =
-            nearestPoint(Vec3::Zero(), {planes.data(), std::size_t(state_.contactCount)});
+        const NearestPoint out = nearestPoint(Vec3::Zero(), planes().all());
         if (!out.feasible) return false;
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(out.x, body);
@@ -162,11 +169,8 @@ private:
 
     // On facets that feel as they are.
     NearestPoint updatePlain() noexcept {
-        std::array<ConstraintPlane, kMaxPlanes> planes;
-        for (int i = 0; i < state_.contactCount; ++i)
-            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const NearestPoint nearest =
-            nearestReachable(finger_ - state_.position, {planes.data(), std::size_t(state_.contactCount)});
+        Planes held = planes();
+        const NearestPoint nearest = nearestReachable(finger_ - state_.position, held.all());
         for (int i = 0; i < state_.contactCount; ++i) {
             Contact& contact = state_.contacts[i];
             contact.lambda = nearest.lambda[i];
@@ -211,14 +215,11 @@ private:
     // Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
     // say in it.
     Vec3 seat() noexcept {
-        std::array<ConstraintPlane, kMaxPlanes> planes;
         Vec3 push = Vec3::Zero();
-        for (int i = 0; i < state_.contactCount; ++i) {
-            const Contact& contact = state_.contacts[i];
-            planes[i] = {contact.normal, -contact.gap};
+        for (const Contact& contact : contacts())
             push -= contact.lambda * contact.normal;
-        }
-        return nearestReachable(push, {planes.data(), std::size_t(state_.contactCount)}).x;
+        Planes held = planes();
+        return nearestReachable(push, held.all()).x;
     }
 
     // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
