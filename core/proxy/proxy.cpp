@@ -35,9 +35,10 @@ constexpr double kMostBent = 0.7;
 constexpr double kRollFaster = 2;
 // Motion and change of the constraint planes below these parts of the radius count as rest.
 constexpr double kRest = 1e-9;
-// Under a finger that moves, the rounds end with a motion below this part of the radius; those on true planes
-// only while each is at most so much of the one before: a proxy that leaves a crest begins as slowly.
-constexpr double kSettled = 1e-5;
+// Under a finger that moves, the rounds end with a motion below this part of the radius: a micrometre on what
+// is felt otherwise than it is, which turns a force by less than is felt. Those on true planes end there only
+// while each is at most so much of the one before: a proxy that leaves a crest begins as slowly.
+constexpr double kSettled = 1e-5, kSettledFelt = 1e-3;
 constexpr double kSettlingRate = 0.5;
 // A stride on a felt surface that need not turn back may be so much longer next time.
 constexpr double kStrideGrowth = 1.2;
@@ -203,7 +204,9 @@ private:
         return drop + slide;
     }
 
-    double settled() const noexcept { return (state_.stillFor > 0 ? kRest : kSettled) * radius_; }
+    double settled() const noexcept {
+        return (state_.stillFor > 0 ? kRest : felt_ ? kSettledFelt : kSettled) * radius_;
+    }
 
     // Whether the rounds only polish a place that the next step leaves anyway.
     bool isSettling(double excess) noexcept {
