@@ -20,7 +20,7 @@ constexpr double kHovering = 4 * kSkin;
 constexpr double kFlat = 1e-12;
 constexpr double kFarthest = 2;
 // A slide is good whose end wishes no more than this part of it back.
-constexpr double kOvershoot = 0.03;
+constexpr double kOvershoot = 0.1;
 constexpr int kSearches = 8;
 
 const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexcept {

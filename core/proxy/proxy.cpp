@@ -35,11 +35,8 @@ constexpr double kMostBent = 0.7;
 constexpr double kRollFaster = 2;
 // Motion and change of the constraint planes below these parts of the radius count as rest.
 constexpr double kRest = 1e-9;
-// Under a finger that moves, the rounds end with a motion below this part of the radius: a micrometre on what
-// is felt otherwise than it is, which turns a force by less than is felt. Those on true planes end there only
-// while each is at most so much of the one before: a proxy that leaves a crest begins as slowly.
-constexpr double kSettled = 1e-5, kSettledFelt = 1e-3;
-constexpr double kSettlingRate = 0.5;
+// Under a finger that moves, the rounds on a felt surface end with a motion below this part of the radius.
+constexpr double kSettled = 1e-4;
 // A stride on a felt surface that need not turn back may be so much longer next time.
 constexpr double kStrideGrowth = 1.2;
 // A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
@@ -107,7 +104,7 @@ private:
         if (comesOut()) return true;
         const Vec3 wish = unconstrainedByFriction();
         const double excess = wish.norm();
-        if (excess <= kRest * radius_ || isSettling(excess)) return false;
+        if (excess <= kRest * radius_) return false;
         const double slide = frictionAllows(wish, excess);
         if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
         // Friction that lets go entirely is none; the last rounds take no risks.
@@ -204,16 +201,7 @@ private:
         return drop + slide;
     }
 
-    double settled() const noexcept {
-        return (state_.stillFor > 0 ? kRest : felt_ ? kSettledFelt : kSettled) * radius_;
-    }
-
-    // Whether the rounds only polish a place that the next step leaves anyway.
-    bool isSettling(double excess) noexcept {
-        const bool shrinks = excess <= kSettlingRate * lastExcess_;
-        lastExcess_ = excess;
-        return !felt_ && shrinks && excess <= settled();
-    }
+    double settled() const noexcept { return (state_.stillFor > 0 ? kRest : kSettled) * radius_; }
 
     // Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
     // say in it.
@@ -427,7 +415,6 @@ private:
     Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
     Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
     int rounds_ = 0;
-    double lastExcess_ = 0; ///< how far it was to go in the last round, m
     bool squeezed_ = false;
     Vec3 nearest_ = start_; ///< the nearest place of the last rounds, or the first
     double nearestDistance_ = (finger_ - start_).norm();
