@@ -267,7 +267,8 @@ private:
     }
 
     // On several constraints one direction is left to go, and the curvature of all in it, the Hessian of the
-    // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method.
+    // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method. The way down onto
+    // the planes is not to be stretched with it: it would lead below them.
     static Vec3 alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexcept {
         const Vec3 axis = a.normal.cross(b.normal);
         const double length2 = axis.squaredNorm();
