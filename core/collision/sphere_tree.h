@@ -42,6 +42,7 @@ struct SpherePath {
 };
 
 struct Neighbourhood;
+struct LeafPlanes;
 
 class SphereTree {
 public:
@@ -70,10 +71,12 @@ public:
     /// First contact of a moving sphere with the soup that the tree was built over, leaving out the
     /// triangles in `excluded`. Of several at the same time, any. The leaf `hint` is looked at first:
     /// coherence of successive sweeps shortens the path before the descent. With `near`, which must hold the
-    /// path, the descent starts there. Neither changes what is found but among ties.
-    /// Thread: real time; fixed stack, no allocation.
+    /// path, the descent starts there. Leaves of which `planes` knows that they are out of the way are not
+    /// looked at. None of them changes what is found but among ties. Thread: real time; fixed stack, no
+    /// allocation.
     SweepHit sweep(const TriangleSoup& soup, const SpherePath& path, std::span<const Index> excluded,
-                   Index hint = 0, const Neighbourhood* near = nullptr) const noexcept;
+                   Index hint = 0, const Neighbourhood* near = nullptr,
+                   LeafPlanes* planes = nullptr) const noexcept;
 
     /// Collects what reaches into a ball, in as small pieces as there is room for. Body frame, metre.
     /// Thread: real time; at most Neighbourhood::kRoom nodes are opened.

@@ -9,6 +9,7 @@
 #include <immintrin.h>
 #endif
 
+#include "core/collision/leaf_planes.h"
 #include "core/collision/sphere_tree.h"
 
 namespace tactum {
@@ -51,9 +52,9 @@ using plain::sweepTree;
 } // namespace
 
 SweepHit SphereTree::sweep(const TriangleSoup& soup, const SpherePath& path, std::span<const Index> excluded,
-                           Index hint, const Neighbourhood* near) const noexcept {
+                           Index hint, const Neighbourhood* near, LeafPlanes* planes) const noexcept {
     if (nodes_.empty()) return {};
-    return sweepTree(*this, soup, path, excluded, hint, near);
+    return sweepTree(*this, soup, path, excluded, hint, near, planes);
 }
 
 bool SphereTree::isBeyond(const Vec3& p, double reach) const noexcept {

@@ -9,6 +9,8 @@ namespace {
 // How far to gather around a path, in its radii: far where the mesh is coarse, so that it is seldom done
 // anew, and near where it is so dense that not all of it would find room.
 constexpr double kFirstMargin = 0.5, kLeastMargin = 0.5, kMostMargin = 2;
+// How far the planes of leaves are kept, in radii: their rounding grows with it.
+constexpr double kPlanesReach = 8;
 
 void gatherAround(SweepMemory& memory, const CollisionMesh& mesh, const SpherePath& path) {
     const Neighbourhood& near = memory.near;
@@ -20,7 +22,7 @@ void gatherAround(SweepMemory& memory, const CollisionMesh& mesh, const SpherePa
 
 SweepHit sweepNear(SweepMemory& memory, const CollisionMesh& mesh, const SpherePath& path,
                    std::span<const Index> excluded) {
-    return mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint, &memory.near);
+    return mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint, &memory.near, &memory.planes);
 }
 
 } // namespace
@@ -32,7 +34,9 @@ SweepHit sweepFrom(SweepMemory& memory, const CollisionMesh& mesh, const SphereP
         memory.leafHint = 0;
         memory.margin = kFirstMargin * path.radius;
         memory.near.radius = -1;
+        memory.planes.reach = -1;
     }
+    if (!memory.planes.hold(path.from)) memory.planes.startAt(path.from, kPlanesReach * path.radius);
     SweepHit hit;
     if (!memory.near.holds(path)) {
         const double length = path.motion.norm();
@@ -44,7 +48,7 @@ SweepHit sweepFrom(SweepMemory& memory, const CollisionMesh& mesh, const SphereP
         if (hit.t <= 1)
             hit.t *= part;
         else if (part < 1)
-            hit = mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint);
+            hit = mesh.tree.sweep(*mesh.soup, path, excluded, memory.leafHint, nullptr, &memory.planes);
     } else {
         hit = sweepNear(memory, mesh, path, excluded);
     }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/collision/collision_mesh.h"
+#include "core/collision/leaf_planes.h"
 
 namespace tactum {
 
@@ -14,6 +15,7 @@ struct SweepMemory {
     Index leafHint = 0;                  ///< where the last sweep hit
     double margin = 0;                   ///< how far around the proxy was gathered, m
     Neighbourhood near;
+    LeafPlanes planes;
 };
 
 /// SphereTree::sweep with a memory. Thread: real time.

@@ -106,9 +106,9 @@ bool insideFace(const Triangle& t, const Vec3& normal, const Vec3& q) noexcept {
            normal.dot((t.a - t.c).cross(q - t.c)) >= 0;
 }
 
-} // namespace
-
-ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
+// closestPoint() with a normal that is found only when it is needed.
+template <class FaceNormal>
+ClosestPoint closestWith(const Triangle& t, const Vec3& p, FaceNormal&& normalOf) noexcept {
     const Vec3 ab = t.b - t.a, ac = t.c - t.a;
     const Vec3 ap = p - t.a, bp = p - t.b, cp = p - t.c;
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -119,7 +119,7 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     if (d6 >= 0 && d5 <= d6) return atVertex(t.c, 2);
     // The signed areas of the foot point, by the normal: d1 d4 - d3 d2 and its like say the same but lose
     // twice as many digits on a thin triangle.
-    const Vec3 normal = faceNormal(t);
+    const Vec3 normal = normalOf();
     const double va = normal.dot(bp.cross(cp)), vb = normal.dot(cp.cross(ap)), vc = normal.dot(ap.cross(bp));
     const double sum = va + vb + vc;
     if (!(sum > 0)) return nearestOfEdges(t, p);
@@ -132,11 +132,10 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     return result;
 }
 
-namespace {
-
 // Everything but a face that is entered from above: edges and vertices, and a sphere that is there already.
-double sweepBesideFace(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
-    const ClosestPoint closest = closestPoint(t, p);
+double sweepBesideFace(const Triangle& t, const Vec3& normal, const Vec3& p, const Vec3& d, double r,
+                       double until) noexcept {
+    const ClosestPoint closest = closestWith(t, p, [&]() -> const Vec3& { return normal; });
     const Vec3 away = p - closest.point;
     const double distance2 = away.squaredNorm(), approach = -away.dot(d);
     // The distance is convex along the path and so stays above its tangent at the start.
@@ -153,14 +152,18 @@ double sweepBesideFace(const Triangle& t, const Vec3& p, const Vec3& d, double r
 
 } // namespace
 
+ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
+    return closestWith(t, p, [&] { return faceNormal(t); });
+}
+
 double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
     const Vec3 normal = faceNormal(t);
     const double doubleArea = normal.norm();
-    if (!(doubleArea > 0)) return sweepBesideFace(t, p, d, r, until);
+    if (!(doubleArea > 0)) return sweepBesideFace(t, normal, p, d, r, until);
     const double height = normal.dot(p - t.a) / doubleArea;
     if (std::abs(height) <= r) {
         // closestPoint() may see the same height a rounding above r.
-        return sweepBesideFace(t, p, d, r, until);
+        return sweepBesideFace(t, normal, p, d, r, until);
     }
     // From outside the slab nothing is touched before the slab is entered.
     const double side = height < 0 ? -1 : 1;
@@ -170,7 +173,7 @@ double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, do
     const double reach = above / descent;
     const Vec3 touched = p + reach * d - (side * r / doubleArea) * normal;
     if (insideFace(t, normal, touched)) return reach <= 1 ? reach : kNoContact;
-    return sweepBesideFace(t, p, d, r, until);
+    return sweepBesideFace(t, normal, p, d, r, until);
 }
 
 } // namespace tactum

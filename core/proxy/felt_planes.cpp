@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/inplace_vector.h"
 #include "core/proxy/passed_bodies.h"
 #include "core/surface/shaded_normal.h"
 #include "core/surface/texture_feel.h"
@@ -63,7 +64,11 @@ public:
 
     const NearestPoint& at(const Vec3& centre) noexcept {
         centre_ = centre;
-        feltCount_ = 0;
+        for (auto* planes : {&true_, &felt_})
+            planes->clear();
+        closest_.clear();
+        material_.clear();
+        owner_.clear();
         double touching = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < on_.contacts.size(); ++i)
             touching = std::max(touching, locate(i));
@@ -76,7 +81,7 @@ public:
             pushing_ = {};
             return result_;
         }
-        pushing_ = nearestPoint(u, {felt_.data(), std::size_t(feltCount_)});
+        pushing_ = nearestPoint(u, felt_.all());
         const int alone = theOnlyPlane();
         if (alone < 0 || !alongTheFeltNormal(u, alone)) secondPass(pushing_.x);
         return result_;
@@ -88,10 +93,10 @@ public:
             if (result_.lambda[i] > 0) on_.contacts[i].material = material_[i];
         }
         state.feltCount = 0;
-        for (int j = 0; j < feltCount_; ++j)
-            if (pushing_.lambda[std::size_t(j)] > 0 && state.feltCount < int(state.felt.size())) {
-                const Contact& contact = on_.contacts[owner_[std::size_t(j)]];
-                state.felt[std::size_t(state.feltCount++)] = {felt_[std::size_t(j)].normal, contact.body,
+        for (std::size_t j = 0; j < felt_.size(); ++j)
+            if (pushing_.lambda[j] > 0 && state.feltCount < int(state.felt.size())) {
+                const Contact& contact = on_.contacts[owner_[j]];
+                state.felt[std::size_t(state.feltCount++)] = {felt_[j].normal, contact.body,
                                                               contact.triangle};
             }
     }
@@ -103,11 +108,11 @@ private:
         const Obstacle& obstacle = on_.obstacles[contact.body];
         const Pose& pose = poseNow(obstacle, on_.movers);
         const Vec3 centre = pose.applyInverse(centre_);
-        closest_[i] = closestPoint(obstacle.triangle(contact.triangle), centre);
+        closest_.push(closestPoint(obstacle.triangle(contact.triangle), centre));
         const Vec3 away = centre - closest_[i].point;
         const double distance = away.norm();
-        true_[i] = {distance > 0 ? pose.rotate(away / distance) : contact.normal, on_.radius - distance};
-        material_[i] = obstacle.material(contact.triangle);
+        true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_.radius - distance});
+        material_.push(obstacle.material(contact.triangle));
         return true_[i].offset;
     }
 
@@ -137,23 +142,21 @@ private:
 
     // A felt plane goes through the proxy's foot on the true one; none asks the proxy to move.
     void add(std::size_t owner, const Vec3& normal) noexcept {
-        if (feltCount_ == kMaxPlanes) return;
+        if (felt_.size() == kMaxPlanes) return;
         const double offset = true_[owner].offset * normal.dot(true_[owner].normal);
-        felt_[std::size_t(feltCount_)] = {normal, std::min(offset, 0.0)};
-        owner_[std::size_t(feltCount_++)] = std::uint8_t(owner);
+        felt_.push({normal, std::min(offset, 0.0)});
+        owner_.push(std::uint8_t(owner));
     }
-
-    std::span<ConstraintPlane> truePlanes() noexcept { return {true_.data(), on_.contacts.size()}; }
 
     // A finger that is outside of everything touches nothing, whichever way a plane is felt to lean.
     bool isAboveAll(const Vec3& u) noexcept {
         return std::ranges::all_of(
-            truePlanes(), [&](const ConstraintPlane& plane) { return plane.normal.dot(u) >= plane.offset; });
+            true_.all(), [&](const ConstraintPlane& plane) { return plane.normal.dot(u) >= plane.offset; });
     }
 
     // The felt plane that pushes, if it is one alone.
     int theOnlyPlane() const noexcept {
-        if (pushing_.active == 0) return feltCount_ == 1 ? 0 : -1;
+        if (pushing_.active == 0) return felt_.size() == 1 ? 0 : -1;
         if (pushing_.active > 1) return -1;
         int which = 0;
         while (pushing_.lambda[std::size_t(which)] <= 0)
@@ -170,7 +173,7 @@ private:
         if (!(depth > 0)) return false;
         const double length = depth / normal.dot(true_[i].normal);
         const Vec3 x = u + length * normal;
-        for (const ConstraintPlane& plane : truePlanes())
+        for (const ConstraintPlane& plane : true_.all())
             if (plane.normal.dot(x) < plane.offset - kOnPlane * on_.radius) return false;
         result_.x = x;
         result_.lambda[i] = depth;
@@ -182,13 +185,12 @@ private:
     // From the sub-goal to the true planes. A multiplier is what pass 1 and pass 2 push along its true normal
     // together: their sum holds the finger.
     void secondPass(const Vec3& subgoal) noexcept {
-        for (int j = 0; j < feltCount_; ++j) {
-            const std::size_t i = owner_[std::size_t(j)];
-            result_.lambda[i] +=
-                pushing_.lambda[std::size_t(j)] * felt_[std::size_t(j)].normal.dot(true_[i].normal);
+        for (std::size_t j = 0; j < felt_.size(); ++j) {
+            const std::size_t i = owner_[j];
+            result_.lambda[i] += pushing_.lambda[j] * felt_[j].normal.dot(true_[i].normal);
         }
         if (!projectBack(subgoal)) {
-            const NearestPoint nearest = nearestReachable(subgoal, truePlanes());
+            const NearestPoint nearest = nearestReachable(subgoal, true_.all());
             result_.x = nearest.x;
             result_.feasible = nearest.feasible;
             for (std::size_t i = 0; i < on_.contacts.size(); ++i)
@@ -216,13 +218,12 @@ private:
 
     const FeltContacts& on_;
     Vec3 centre_ = Vec3::Zero();
-    std::array<ConstraintPlane, kMaxPlanes> true_, felt_;
-    std::array<ClosestPoint, kMaxPlanes> closest_;
-    std::array<Material, kMaxPlanes> material_;
-    std::array<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
-    int feltCount_ = 0;
-    NearestPoint pushing_; ///< of pass 1
-    NearestPoint result_;  ///< of both: the multipliers are the contacts'
+    InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
+    InplaceVector<ClosestPoint, kMaxPlanes> closest_;
+    InplaceVector<Material, kMaxPlanes> material_;
+    InplaceVector<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
+    NearestPoint pushing_;                          ///< of pass 1
+    NearestPoint result_;                           ///< of both: the multipliers are the contacts'
 };
 
 } // namespace

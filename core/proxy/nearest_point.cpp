@@ -19,6 +19,8 @@ namespace tactum {
 namespace {
 
 constexpr int kMaxPivots = 4 * kMaxPlanes;
+// Violations below this part of the lengths in a problem are rounding.
+constexpr double kRounding = 3e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct ActiveSet {
@@ -85,7 +87,7 @@ private:
         double most = scale_;
         for (int k = 0; k < active_.size; ++k)
             most += active_.lambda[k];
-        most *= 3e-14;
+        most *= kRounding;
         for (int i = 0; i < int(planes_.size()); ++i) {
             const double violation = planes_[i].offset - planes_[i].normal.dot(x_);
             if (violation > most && !active_.contains(i)) worst = i, most = violation;
@@ -193,9 +195,22 @@ private:
     ActiveSet active_;
 };
 
+// What the solver below would say, without its pivots: most contacts are alone.
+NearestPoint onOnePlane(const Vec3& u, const ConstraintPlane& plane) noexcept {
+    NearestPoint result;
+    result.x = u;
+    const double violation = plane.offset - plane.normal.dot(u);
+    if (violation <= kRounding * std::max(u.norm(), std::abs(plane.offset))) return result;
+    result.x += violation * plane.normal;
+    result.lambda[0] = violation;
+    result.active = 1;
+    return result;
+}
+
 } // namespace
 
 NearestPoint nearestPoint(const Vec3& u, std::span<const ConstraintPlane> planes) noexcept {
+    if (planes.size() == 1) return onOnePlane(u, planes.front());
     return Solver(u, planes).solve();
 }
 

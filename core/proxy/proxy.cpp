@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/inplace_vector.h"
 #include "core/proxy/carry.h"
 #include "core/proxy/felt_planes.h"
 #include "core/proxy/passed_bodies.h"
@@ -35,7 +36,7 @@ constexpr double kRollFaster = 2;
 // Motion and change of the constraint planes below these parts of the radius count as rest.
 constexpr double kRest = 1e-9;
 // Under a finger that moves, the rounds on a felt surface end with a motion below this part of the radius.
-constexpr double kSettled = 1e-5;
+constexpr double kSettled = 1e-4;
 // A stride on a felt surface that need not turn back may be so much longer next time.
 constexpr double kStrideGrowth = 1.2;
 // A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
@@ -73,6 +74,8 @@ public:
     }
 
 private:
+    using Planes = InplaceVector<ConstraintPlane, kMaxPlanes>;
+
     std::span<Contact> contacts() { return {state_.contacts.data(), std::size_t(state_.contactCount)}; }
 
     // Rounds that go to and fro until they are used up must not leave a plain proxy farther away than it was.
@@ -86,6 +89,14 @@ private:
         if (felt_ || nearestDistance_ >= (finger_ - state_.position).norm()) return;
         state_.position = nearest_;
         refreshContacts();
+    }
+
+    // The constraint planes of all contacts, seen from the proxy.
+    Planes planes() noexcept {
+        Planes planes;
+        for (const Contact& contact : contacts())
+            planes.push({contact.normal, -contact.gap});
+        return planes;
     }
 
     // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
@@ -135,11 +146,7 @@ private:
     bool comesOut() noexcept {
         const auto isInside = [this](const Contact& c) { return c.gap < -kKeep * kSkin * radius_; };
         if (std::ranges::none_of(contacts(), isInside)) return false;
-        std::array<ConstraintPlane, kMaxPlanes> planes;
-        for (int i = 0; i < state_.contactCount; ++i)
-            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const NearestPoint out =
-            nearestPoint(Vec3::Zero(), {planes.data(), std::size_t(state_.contactCount)});
+        const NearestPoint out = nearestPoint(Vec3::Zero(), planes().all());
         if (!out.feasible) return false;
         std::uint32_t body = kNoBody;
         const SweepHit hit = sweep(out.x, body);
@@ -160,11 +167,8 @@ private:
 
     // On facets that feel as they are.
     NearestPoint updatePlain() noexcept {
-        std::array<ConstraintPlane, kMaxPlanes> planes;
-        for (int i = 0; i < state_.contactCount; ++i)
-            planes[i] = {state_.contacts[i].normal, -state_.contacts[i].gap};
-        const NearestPoint nearest =
-            nearestReachable(finger_ - state_.position, {planes.data(), std::size_t(state_.contactCount)});
+        Planes held = planes();
+        const NearestPoint nearest = nearestReachable(finger_ - state_.position, held.all());
         for (int i = 0; i < state_.contactCount; ++i) {
             Contact& contact = state_.contacts[i];
             contact.lambda = nearest.lambda[i];
@@ -202,14 +206,11 @@ private:
     // Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
     // say in it.
     Vec3 seat() noexcept {
-        std::array<ConstraintPlane, kMaxPlanes> planes;
         Vec3 push = Vec3::Zero();
-        for (int i = 0; i < state_.contactCount; ++i) {
-            const Contact& contact = state_.contacts[i];
-            planes[i] = {contact.normal, -contact.gap};
+        for (const Contact& contact : contacts())
             push -= contact.lambda * contact.normal;
-        }
-        return nearestReachable(push, {planes.data(), std::size_t(state_.contactCount)}).x;
+        Planes held = planes();
+        return nearestReachable(push, held.all()).x;
     }
 
     // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
@@ -228,17 +229,17 @@ private:
     // The same on curved constraints. Around an edge or a vertex the C-obstacle is a cylinder or a sphere,
     // and going to the foot on its tangent plane again and again only halves the error.
     Vec3 alongCurvature(const Vec3& flat, double excess) noexcept {
+        std::array<const Contact*, 2> held{};
         int pushing = 0;
-        const Contact* last = nullptr;
-        double bend = 0;
         for (const Contact& contact : contacts()) {
             if (contact.lambda <= 0) continue;
-            ++pushing;
-            last = &contact;
-            bend += contact.lambda * contact.bend * bentPart(contact, flat / excess);
+            if (pushing == 2) return flat;
+            held[std::size_t(pushing++)] = &contact;
         }
-        if (!(bend > 0)) return flat;
-        const Vec3 bent = pushing == 1 ? aroundAlone(*last, flat) : alongBoth(bend, flat);
+        if (pushing == 0) return flat;
+        if (pushing == 1 && !(held[0]->lambda * held[0]->bend * bentPart(*held[0], flat / excess) > 0))
+            return flat;
+        const Vec3 bent = pushing == 1 ? aroundAlone(*held[0], flat) : alongBoth(*held[0], *held[1], flat);
         return isAllowed(bent) ? bent : flat;
     }
 
@@ -266,9 +267,16 @@ private:
     }
 
     // On several constraints one direction is left to go, and the curvature of all in it, the Hessian of the
-    // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method.
-    static Vec3 alongBoth(double bend, const Vec3& flat) noexcept {
-        return bend < kMostBent ? Vec3(flat / (1 - bend)) : Vec3(kRollFaster * flat);
+    // Lagrangian (4), 1 - sum lambda_i Hess(distance_i), tells how far: Newton's method. The way down onto
+    // the planes is not to be stretched with it: it would lead below them.
+    static Vec3 alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexcept {
+        const Vec3 axis = a.normal.cross(b.normal);
+        const double length2 = axis.squaredNorm();
+        if (!(length2 > 0)) return flat;
+        const Vec3 way = axis / std::sqrt(length2);
+        const double bend = a.lambda * a.bend * bentPart(a, way) + b.lambda * b.bend * bentPart(b, way);
+        const double farther = bend < kMostBent ? bend / (1 - bend) : kRollFaster - 1;
+        return flat + farther * way.dot(flat) * way;
     }
 
     // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.

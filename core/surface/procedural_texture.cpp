@@ -82,7 +82,9 @@ struct Fade {
 /// Gradient noise of one octave, from about -1 to 1. Source: Perlin, Improving Noise (2002).
 FlatSample latticeNoise(const Vector2d& at, std::uint32_t seed) noexcept {
     const Vector2d t(repeatPart(at.x()), repeatPart(at.y()));
-    const auto lattice = [](double cell) { return std::uint32_t(std::int64_t(std::round(cell))); };
+    const auto lattice = [](double cell) {
+        return std::uint32_t(std::int64_t(cell < 0 ? cell - 0.5 : cell + 0.5));
+    };
     const std::uint32_t x = lattice(at.x() - t.x()), y = lattice(at.y() - t.y());
     const Vector2d g00 = latticeGradient(x, y, seed), g10 = latticeGradient(x + 1, y, seed),
                    g01 = latticeGradient(x, y + 1, seed), g11 = latticeGradient(x + 1, y + 1, seed);
@@ -94,6 +96,13 @@ FlatSample latticeNoise(const Vector2d& at, std::uint32_t seed) noexcept {
     const double byX = fx.slope * ((n10 - n00) + fy.value * ((n11 - n01) - (n10 - n00)));
     const Vector2d slope = gLower + fy.value * (gUpper - gLower) + Vector2d(byX, fy.slope * (upper - lower));
     return {std::numbers::sqrt2 * (lower + fy.value * (upper - lower)), std::numbers::sqrt2 * slope};
+}
+
+/// How many repeats a metre has in the direction in which it has most.
+double densestOf(const FlatPoint& point) noexcept {
+    const Eigen::Matrix2d square = point.perMetre * point.perMetre.transpose();
+    const double difference = 0.5 * (square(0, 0) - square(1, 1)), mixed = square(0, 1);
+    return std::sqrt(0.5 * square.trace() + std::sqrt(difference * difference + mixed * mixed));
 }
 
 } // namespace
@@ -140,11 +149,9 @@ FlatSample weave(const FlatPoint& point, double smallestFeature) noexcept {
 }
 
 FlatSample noise(int octaves, std::uint32_t seed, const FlatPoint& point, double smallestFeature) noexcept {
-    const Eigen::Matrix2d square = point.perMetre * point.perMetre.transpose();
-    const double densest =
-        std::sqrt(0.5 * square.trace() + std::hypot(0.5 * (square(0, 0) - square(1, 1)), square(0, 1)));
+    const double densest = smallestFeature > 0 ? densestOf(point) : 0;
     FlatSample sum{0.5, Vector2d::Zero()};
-    double height = 0.5 / (2 - std::exp2(1 - octaves)); // all octaves together reach from 0 to 1
+    double height = 0.5 / (2 - std::ldexp(1.0, 1 - octaves)); // all octaves together reach from 0 to 1
     double cells = 1;
     for (int i = 0; i < octaves; ++i, cells *= 2, height /= 2) {
         const double amplitude = height * kept(1 / (cells * densest), smallestFeature);

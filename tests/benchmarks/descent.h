@@ -135,7 +135,8 @@ private:
         if constexpr (kCounted) ++work_.leaves;
         const SphereTree::Leaf& leaf = leaves_[leafIndex];
         Lanes gaps;
-        const Lanes times = pruning_.contactTime(leaf, until_, 0, gaps);
+        Seen seen;
+        const Lanes times = pruning_.contactTime(leaf, until_, 0, gaps, seen);
         unsigned reached = bits(times <= all(until_));
         if (reached == 0) return;
         LaneArray time;
