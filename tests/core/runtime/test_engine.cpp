@@ -149,7 +149,8 @@ private slots:
     void aFrozenWindowCostsNoTick() {
         TouchedPlate plate(500);
         QVERIFY(plate.touch(kDepth));
-        // A thread of higher priority that only counts its own ticks: what it loses the machine took.
+        // A thread of higher priority that only counts its own ticks: what it loses the machine took, and
+        // about as much from another processor.
         std::atomic<bool> done{false};
         std::atomic<int> counted{0};
         RealtimeThread counter;
@@ -167,7 +168,9 @@ private slots:
         const auto ticks = int(plate.polled().servo().ticks - before);
         done = true;
         counter.join();
-        QVERIFY2(ticks >= possible - 5, qPrintable(QString("%1 of %2").arg(ticks).arg(possible)));
+        const int due = 10'000;
+        QVERIFY2(due - ticks <= 10 + 2 * std::max(0, due - possible),
+                 qPrintable(QString("%1 ticks, the counter %2").arg(ticks).arg(possible)));
         QVERIFY(plate.engine.proxy().updates - updates >= std::uint64_t(possible) / 2);
         QVERIFY(plate.engine.proxy().output.contacts > 0);
     }
