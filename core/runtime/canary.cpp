@@ -1,6 +1,6 @@
 #include "core/runtime/canary.h"
 
-#include <sched.h>
+#include <algorithm>
 
 #include "core/runtime/metronome.h"
 
@@ -11,29 +11,31 @@ constexpr int kPriority = 90;           ///< above the guardian and the loops
 constexpr double kRate = 1000;          ///< Hz
 constexpr std::int64_t kLate = 200'000; ///< ns; a wake-up takes some tens of microseconds
 
-void moveTo(int processor) noexcept {
-    cpu_set_t only;
-    CPU_ZERO(&only);
-    CPU_SET(std::size_t(processor), &only);
-    sched_setaffinity(0, sizeof(only), &only); // of this thread; refused, it stays where it is
-}
-
 } // namespace
 
 void Canary::sing() noexcept {
     Metronome metronome(kRate);
     int at = -1;
+    std::size_t next = 0;
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
         const std::int64_t woke = monotonicNanoseconds();
         const auto late = std::int64_t(1e9 * (tick.elapsed - metronome.period()));
         if (late > kLate) {
-            lateFrom_.store(woke - late, std::memory_order_relaxed);
-            lateUntil_.store(woke, std::memory_order_relaxed);
+            Delay& delay = delays_[next++ % delays_.size()];
+            delay.from.store(woke - late, std::memory_order_relaxed);
+            delay.until.store(woke, std::memory_order_relaxed);
         }
         const int processor = processor_.load(std::memory_order_relaxed);
-        if (processor >= 0 && processor != at) moveTo(at = processor);
+        if (processor >= 0 && processor != at) stayOn(at = processor);
     }
+}
+
+bool Canary::wasLate(std::int64_t begin, std::int64_t end) const noexcept {
+    return std::ranges::any_of(delays_, [&](const Delay& delay) {
+        return delay.until.load(std::memory_order_relaxed) >= begin &&
+               delay.from.load(std::memory_order_relaxed) <= end;
+    });
 }
 
 Result<void> Canary::start() {

@@ -1,6 +1,7 @@
 // Tells the machine's delays from our own: a thread that goes before the servo and does nothing.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -27,10 +28,7 @@ public:
     void follow(int processor) noexcept { processor_.store(processor, std::memory_order_relaxed); }
     /// Whether it was late at some moment from `begin` to `end`, ns of CLOCK_MONOTONIC.
     /// Thread: real time.
-    bool wasLate(std::int64_t begin, std::int64_t end) const noexcept {
-        return lateUntil_.load(std::memory_order_relaxed) >= begin &&
-               lateFrom_.load(std::memory_order_relaxed) <= end;
-    }
+    bool wasLate(std::int64_t begin, std::int64_t end) const noexcept;
 
 private:
     void sing() noexcept;
@@ -38,7 +36,10 @@ private:
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};
     std::atomic<int> processor_{-1};
-    std::atomic<std::int64_t> lateFrom_{0}, lateUntil_{0}; ///< of its newest delay, ns
+    struct Delay {
+        std::atomic<std::int64_t> from{0}, until{0}; ///< ns
+    };
+    std::array<Delay, 16> delays_; ///< the newest ones; delays come in bursts
 };
 
 } // namespace tactum

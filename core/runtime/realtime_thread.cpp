@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sched.h>
 #include <sys/mman.h>
 
 namespace tactum {
@@ -23,10 +24,20 @@ void* run(void* body) {
     return nullptr;
 }
 
-int askForFifo(pthread_t thread, int priority) {
+/// Begins with its priority, so that the body can rely on it.
+int create(pthread_t& thread, int priority, std::function<void()>& body) {
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
     sched_param parameters{};
     parameters.sched_priority = priority;
-    return pthread_setschedparam(thread, SCHED_FIFO, &parameters);
+    if (priority > 0) {
+        pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
+        pthread_attr_setschedpolicy(&attributes, SCHED_FIFO);
+        pthread_attr_setschedparam(&attributes, &parameters);
+    }
+    const int failure = pthread_create(&thread, &attributes, run, &body);
+    pthread_attr_destroy(&attributes);
+    return failure;
 }
 
 } // namespace
@@ -34,19 +45,30 @@ int askForFifo(pthread_t thread, int priority) {
 Result<void> RealtimeThread::start(const char* name, int priority, std::function<void()> body) {
     join();
     body_ = std::move(body);
-    const int failure = pthread_create(&thread_, nullptr, run, &body_);
+    refusal_ = create(thread_, priority, body_);
+    const int failure = refusal_ ? create(thread_, 0, body_) : 0; // an ordinary thread then
     if (failure)
         return machineError(std::string("Cannot start the thread ") + name + ": " + std::strerror(failure) +
                             "; close other programs and try again.");
     running_ = true;
     pthread_setname_np(thread_, name);
-    refusal_ = askForFifo(thread_, priority);
     return {};
 }
 
 void RealtimeThread::join() {
     if (running_) pthread_join(thread_, nullptr);
     running_ = false;
+}
+
+void stayOn(int processor) noexcept {
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET(std::size_t(processor), &only);
+    sched_setaffinity(0, sizeof(only), &only); // of this thread
+}
+
+void stayHere() noexcept {
+    if (sched_getscheduler(0) == SCHED_FIFO) stayOn(sched_getcpu());
 }
 
 int lockPresentMemory() {

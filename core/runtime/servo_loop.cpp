@@ -6,6 +6,7 @@
 
 #include "core/base/realtime.h"
 #include "core/runtime/metronome.h"
+#include "core/runtime/realtime_thread.h"
 
 namespace tactum {
 namespace {
@@ -18,6 +19,9 @@ struct Servo {
     ServoState state;
     HalfSecond jitter;
     double period = 0; ///< s, measured
+    struct Delay {
+        std::int64_t from = 0, until = 0; ///< ns
+    } missed;                             ///< of the last tick, if it was
     ServoTelemetry telemetry;
 };
 
@@ -35,7 +39,7 @@ void measurePeriod(Servo& servo, double nominal) noexcept {
         servo.period = nominal + 1e-6 * servo.telemetry.periods.quantile(0.999);
 }
 
-void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period, bool machine) noexcept {
+void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
     const ServoState& state = servo.state;
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
     ServoTelemetry& telemetry = servo.telemetry;
@@ -44,8 +48,6 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     telemetry.ticks = state.ticks;
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
-    telemetry.misses += tick.missed;
-    telemetry.machineMisses += tick.missed && machine;
     telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();
@@ -64,16 +66,23 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
         {tick.time, telemetry.finger, servo.channels.contactModel.value().proxy, output.force});
 }
 
-/// The delay of a late tick reaches from when it was due until it came.
-bool wasTheMachines(const Canary& canary, const Tick& tick) noexcept {
-    const std::int64_t now = monotonicNanoseconds();
-    return canary.wasLate(now - std::int64_t(1e9 * tick.elapsed), now);
+/// A miss is judged one tick later, when the canary has noted its own: it may live on another processor.
+void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept {
+    Servo::Delay& last = servo.missed;
+    if (last.until > 0) servo.telemetry.machineMisses += canary.wasLate(last.from, last.until);
+    last = {};
+    if (!tick.missed) return;
+    ++servo.telemetry.misses;
+    last.until = monotonicNanoseconds();
+    last.from = last.until - std::int64_t(1e9 * tick.elapsed);
 }
 
 } // namespace
 
 void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
                const Watchers& watchers) noexcept {
+    stayHere();
+    watchers.canary.follow(sched_getcpu());
     Servo servo(channels, info);
     Metronome metronome(info.rate);
     DeviceCommand command;
@@ -83,7 +92,6 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
 
         const RealtimeScope scope;
         watchers.guardian.beat();
-        watchers.canary.follow(sched_getcpu());
         const bool fresh = channels.contactModel.update();
         const ServoOutput output =
             servoStep(servo.state, settingsOf(servo),
@@ -91,7 +99,8 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
                       channels.contactModel.value());
         channels.finger.write(output.finger);
         command.force = output.force;
-        report(servo, output, tick, metronome.period(), tick.missed && wasTheMachines(watchers.canary, tick));
+        judgeMisses(servo, watchers.canary, tick);
+        report(servo, output, tick, metronome.period());
         measurePeriod(servo, metronome.period());
     }
     watchers.guardian.rest();
