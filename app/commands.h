@@ -31,8 +31,16 @@ struct TouchOptions {
     std::optional<Sides> sides;  ///< from which every surface is felt
 };
 
+struct PlayOptions {
+    std::filesystem::path recording;
+    std::optional<std::filesystem::path> out;     ///< the touch, CSV
+    std::optional<std::filesystem::path> summary; ///< JSON
+};
+
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.
 Result<int> runTouch(const TouchOptions& options);
+/// Steps through a recording again; 1 when anything differs.
+Result<int> runPlay(const PlayOptions& options);
 /// Objects, surfaces, triangles, mesh health and every parameter with its unit.
 Result<int> runInfo(const std::filesystem::path& scene, bool json);
 /// Every finding with object, sentence and remedy; 1 when there are errors.

@@ -101,11 +101,14 @@ void settleFriction(TouchOptions& options) {
                 options.materials.push_back({&field, given.staticFriction});
 }
 
+using Outputs = std::vector<std::optional<std::filesystem::path>>;
+
 // A result that replaced a model, a path or another result would be work lost.
-void checkOutputs(const TouchOptions& options) {
-    std::vector<std::filesystem::path> taken{std::filesystem::weakly_canonical(options.scene),
-                                             std::filesystem::weakly_canonical(options.path)};
-    for (const auto& output : {options.out, options.summary, options.picture}) {
+void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Outputs& outputs) {
+    std::vector<std::filesystem::path> taken;
+    for (const auto& input : inputs)
+        taken.push_back(std::filesystem::weakly_canonical(input));
+    for (const auto& output : outputs) {
         if (!output) continue;
         const auto file = std::filesystem::weakly_canonical(*output);
         if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
@@ -150,12 +153,26 @@ void addTouch(CLI::App& program, TouchOptions& options) {
                   "Forces are those before the device's limit, whichever device that will be.");
     touch->final_callback([&] {
         settleFriction(options);
-        checkOutputs(options);
+        checkOutputs({options.scene, options.path}, {options.out, options.summary, options.picture});
     });
+}
+
+void addPlay(CLI::App& program, PlayOptions& options) {
+    CLI::App* play =
+        program.add_subcommand("play", "Step through a recording again and compare every bit; exit 1 when "
+                                       "anything differs");
+    play->add_option_function<std::string>(
+            "RECORDING", [&](const std::string& text) { options.recording = text; },
+            "A file that ends in .tactum-recording")
+        ->required();
+    addFile(*play, "--out", options.out, "Write the touch as CSV, one row for each haptic step");
+    addFile(*play, "--summary", options.summary, "Write the summary as JSON");
+    play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
 struct Request {
     TouchOptions touch;
+    PlayOptions play;
     std::filesystem::path scene;
     bool json = false;
 };
@@ -170,6 +187,7 @@ void addSceneVerb(CLI::App& program, const char* name, const char* help, Request
 
 Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("touch")) return runTouch(request.touch);
+    if (program.got_subcommand("play")) return runPlay(request.play);
     if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
     if (program.got_subcommand("check")) return runCheck(request.scene);
     return runDevices();
@@ -179,6 +197,7 @@ int runVerb(int argc, char** argv) {
     CLI::App program{"Tactum: author haptic scenes. Without a verb it opens the window.", "tactum"};
     Request request;
     addTouch(program, request.touch);
+    addPlay(program, request.play);
     addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
     program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
     addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
@@ -201,7 +220,7 @@ int runVerb(int argc, char** argv) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 4> verbs{"touch", "info", "check", "devices"};
+    constexpr std::array<std::string_view, 5> verbs{"touch", "play", "info", "check", "devices"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 

@@ -1,5 +1,4 @@
 #include <chrono>
-#include <fstream>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
@@ -8,7 +7,7 @@
 #include "app/commands.h"
 #include "app/display.h"
 #include "app/picture.h"
-#include "core/base/numbers.h"
+#include "app/results.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
 #include "core/scene/load_scene.h"
@@ -36,28 +35,6 @@ std::size_t hierarchyBytes(const World& world) {
     return bytes;
 }
 
-void appendVector(std::string& out, const Vec3& v) {
-    for (int axis = 0; axis < 3; ++axis) {
-        out += ',';
-        appendNumber(out, v[axis]);
-    }
-}
-
-// The columns of the contract, full double precision.
-std::string touchCsv(const TouchTrace& rows) {
-    std::string out = "t,finger_x,finger_y,finger_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,"
-                      "contacts,update_ns\n";
-    out.reserve(rows.size() * 200);
-    for (const TouchRow& row : rows) {
-        appendNumber(out, row.t);
-        appendVector(out, row.finger);
-        appendVector(out, row.proxy);
-        appendVector(out, row.force);
-        out += ',' + std::to_string(row.contacts) + ',' + std::to_string(row.updateNs) + '\n';
-    }
-    return out;
-}
-
 void applyOverrides(Scene& scene, const TouchOptions& options) {
     if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal);
     if (options.proxyRadius) scene.proxyRadius = *options.proxyRadius;
@@ -68,16 +45,6 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
             if (options.shading) surface.shading.on = *options.shading;
             if (options.sides) surface.sides = *options.sides;
         }
-}
-
-Result<void> writeFile(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out.write(text.data(), std::streamsize(text.size()));
-    out.close();
-    if (!out)
-        return machineError(file.string() +
-                            ": cannot be written; check the folder, its permissions and the free space");
-    return {};
 }
 
 nlohmann::ordered_json summaryOf(const World& world, const TouchTrace& rows, double load, double build) {

@@ -10,7 +10,7 @@ namespace tactum {
 namespace {
 
 // What a hand at a desktop device can go around, in metres; and what a mesh outside of it is scaled to.
-constexpr double kSmallest = 0.02, kLargest = 0.5, kFitted = 0.2;
+constexpr double kSmallest = 0.02, kLargest = 0.5, kFitted = kHandDiagonal;
 
 bool fitsHand(double diagonal) {
     return diagonal >= kSmallest && diagonal <= kLargest;

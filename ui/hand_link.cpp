@@ -12,6 +12,7 @@ constexpr double kBeside = 0.15;       // of the model's diagonal, away from its
 HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)
     : QObject(parent), view_(view), engine_(engine), target_(std::move(target)) {
     connect(&view_, &SceneView::handGoalMoved, this, [this](const Vec3& goal_W) {
+        if (suspended_) return;
         goal_.position = goal_W;
         send();
     });

@@ -23,6 +23,8 @@ public:
     void placeBeside(const Bounds& model);
     /// Once a frame.
     void follow();
+    /// While suspended the hand stays where it is.
+    void setSuspended(bool suspended) { suspended_ = suspended; }
 
 private:
     void send();
@@ -31,6 +33,7 @@ private:
     Engine& engine_;
     std::shared_ptr<HandTarget> target_;
     HandGoal goal_;
+    bool suspended_ = false;
     std::uint64_t arrival_ = 0; ///< servo tick at which a jump is surely over; 0: none under way
 };
 

@@ -16,9 +16,12 @@
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
+#include "ui/panels/playback_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/playback.h"
 #include "ui/recent_files.h"
+#include "ui/recording_saver.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -41,8 +44,9 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
                        const QString& sample, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
       view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
-      start_(new StartPage(sample)), status_(new StatusStrip), hint_(new TouchHint(view_)),
-      hand_(new HandLink(*view_, engine, std::move(hand), this)) {
+      start_(new StartPage(sample)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
+      hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
+      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
@@ -56,6 +60,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectView();
     connectDevice();
     connectDocument();
+    connectRecordings();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -72,6 +77,7 @@ QWidget* MainWindow::makeCentre() {
     column->setSpacing(0);
     column->addWidget(notice_);
     column->addWidget(centre_, 1);
+    column->addWidget(playbackBar_);
     centre_->addWidget(start_);
     centre_->addWidget(view_);
     start_->setRecent(recentFiles());
@@ -80,6 +86,8 @@ QWidget* MainWindow::makeCentre() {
 }
 
 void MainWindow::open(const QString& file) {
+    if (isRecording(file)) return playback_->open(file);
+    playback_->end();
     document_.open(std::filesystem::path(file.toStdU16String()));
 }
 
@@ -89,6 +97,7 @@ void MainWindow::showFault(const QString& sentence) {
 
 void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
+    playback_->end(); // whoever edits wants to see it
     if (change.what == What::Selection) return view_->setSelection(document_.selection());
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     if (change.touchesShape()) {
@@ -135,6 +144,8 @@ void MainWindow::setArmed(bool armed) {
 
 void MainWindow::frame() {
     engine_.poll();
+    saver_->watch();
+    if (playback_->active()) return playFrame();
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());

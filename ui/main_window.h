@@ -21,6 +21,9 @@ namespace tactum {
 
 class HandLink;
 class NoticeBar;
+class Playback;
+class PlaybackBar;
+class RecordingSaver;
 class SceneView;
 class StartPage;
 class StatusStrip;
@@ -69,6 +72,13 @@ private:
     void setArmed(bool armed);
     void frame();
     void watchDevice();
+    // Of recordings: main_window_playback.cpp.
+    void connectRecordings();
+    void saveRecording();
+    void beginPlayback();
+    void endPlayback();
+    void setLive(bool live);
+    void playFrame();
 
     Document& document_;
     Engine& engine_;
@@ -78,13 +88,17 @@ private:
     NoticeBar* notice_;
     QStackedWidget* centre_;
     StartPage* start_;
+    PlaybackBar* playbackBar_;
     StatusStrip* status_;
     TouchHint* hint_;
     HandLink* hand_;
+    Playback* playback_;
+    RecordingSaver* saver_;
     Docks docks_;
     QByteArray shownPanels_; ///< the layout to come back to while all panels are hidden
     std::uint64_t invalidSamples_ = 0;
-    int quietFrames_ = 0; ///< since the device last failed to answer
+    std::uint64_t shownShape_ = 0; ///< of the recorded scene in the view
+    int quietFrames_ = 0;          ///< since the device last failed to answer
     QTimer frames_;
 };
 

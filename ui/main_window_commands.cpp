@@ -12,11 +12,13 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "core/recording/recording_file.h"
 #include "ui/held_key.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/playback.h"
 #include "ui/recent_files.h"
 #include "ui/style.h"
 #include "ui/touch_hint.h"
@@ -32,7 +34,9 @@ QString readableFilter() {
     QStringList patterns;
     for (const std::string& ending : readableEndings())
         patterns << QStringLiteral("*.") + QString::fromStdString(ending);
-    return QObject::tr("Models (%1)").arg(patterns.join(u' '));
+    const QString models = patterns.join(u' ');
+    const QString recordings = QStringLiteral("*.") + QString::fromStdString(std::string(kRecordingEnding));
+    return QObject::tr("Models and recordings (%1 %2);;Models (%1);;Recordings (%2)").arg(models, recordings);
 }
 
 void aboutTactum(QWidget* parent) {
@@ -166,7 +170,9 @@ void MainWindow::connectView() {
     // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
     auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
-    connect(view_, &SceneView::surfacePicked, &document_, &Document::select);
+    connect(view_, &SceneView::surfacePicked, this, [this](std::optional<SurfaceRef> surface) {
+        if (!playback_->active()) document_.select(surface); // a recording shows surfaces of another scene
+    });
     connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
         if (grabbed) hint_->followed();
     });
@@ -200,8 +206,8 @@ void MainWindow::connectDocument() {
 }
 
 void MainWindow::askForFile() {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("Open a model"), recentFiles().value(0), readableFilter());
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a model or a recording"),
+                                                      recentFiles().value(0), readableFilter());
     if (!file.isEmpty()) open(file);
 }
 

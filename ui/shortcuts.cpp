@@ -10,8 +10,11 @@ namespace tactum {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"open", "File", "&Open...", "Ctrl+O", "open", "Open a model: OBJ, PLY, STL, OFF or glTF"},
+    {"open", "File", "&Open...", "Ctrl+O", "open",
+     "Open a model (OBJ, PLY, STL, OFF or glTF) or a recording"},
     {"save-picture", "File", "Save &picture...", "", "picture", "Write the view as a PNG file", false, true},
+    {"save-recording", "File", "Save &recording of the last minute...", "Ctrl+Shift+R", "record",
+     "Everything that was touched and felt in the last minute, to be played again bit for bit", false, true},
     {"quit", "File", "&Quit", "Ctrl+Q", "", "Forces off, and out", false, true},
     {"undo", "Edit", "&Undo", "Ctrl+Z", "undo", "Take the last edit back"},
     {"redo", "Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "redo", "Do the last undone edit again"},
@@ -50,6 +53,7 @@ constexpr Manner kManners[] = {
     {"Middle drag, Alt+drag", "orbit; with Shift pan"},
     {"Wheel", "zoom to the cursor"},
     {"Tab in the view", "hide or show all panels"},
+    {"Space, Left, Right", "in a recording: play or pause, a hundredth of a second back or on"},
     {"Hold Esc for half a second", "forces off"},
 };
 

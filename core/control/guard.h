@@ -74,6 +74,12 @@ public:
     /// The finger was put elsewhere: begin anew from there.
     void begin() noexcept;
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) {
+        visit(self.maxForce_, self.tripSpeed_, self.why_, self.gain_, self.smallFor_, self.lastWanted_,
+              self.lateTicks_, self.anchoring_, self.faults_);
+    }
+
 private:
     Withheld faultOf(const GuardInput& tick) noexcept;
     Withheld pauseOf(const GuardInput& tick) const noexcept;

@@ -15,6 +15,9 @@ public:
     double heat() const noexcept { return heat_; } ///< 0 cold, 1 as warm as it may be
     double limit() const noexcept;                 ///< N, at most maxForce
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) { visit(self.max_, self.continuous_, self.heat_); }
+
 private:
     double max_, continuous_, heat_ = 0;
 };

@@ -18,6 +18,9 @@ public:
     bool operator()(const Vec3& position, double dt) noexcept;
     void forget() noexcept { *this = {}; }
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) { visit(self.axes_); }
+
 private:
     struct Axis {
         double low = 0, high = 0; ///< of the swing that goes on, m
@@ -27,6 +30,10 @@ private:
         int direction = 0; ///< +1 rising, -1 falling, 0 not known yet
         bool begun = false;
 
+        static void fields(auto& visit, auto& self) {
+            visit(self.low, self.high, self.sinceTurn, self.lastSwing, self.halfSwings, self.direction,
+                  self.begun);
+        }
         bool add(double x, double dt) noexcept;
         void turn(double swing) noexcept;
     };

@@ -22,6 +22,11 @@ public:
     double energy() const noexcept { return energy_; }   ///< J, given beyond what was taken
     double damping() const noexcept { return damping_; } ///< N s/m, of the last tick; 0: passive by itself
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) {
+        visit(self.last_, self.force_, self.known_, self.energy_, self.damping_);
+    }
+
 private:
     Vec3 last_ = Vec3::Zero(), force_ = Vec3::Zero();
     bool known_ = false;

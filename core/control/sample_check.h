@@ -25,6 +25,11 @@ public:
     const DeviceSample& believed() const noexcept { return believed_; }
     std::uint64_t refused() const noexcept { return refused_; }
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) {
+        visit(self.fastest_, self.since_, self.good_, self.bad_, self.lost_, self.refused_, self.believed_);
+    }
+
 private:
     bool canBeTrue(const DeviceSample& sample) const noexcept;
 

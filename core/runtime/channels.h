@@ -6,6 +6,7 @@
 //   proxy -- LocalContactModel (newest) --------> servo
 //   proxy -- ProxyTelemetry (newest) -----------> ui         servo -- ServoTelemetry (newest) ---> ui
 //   servo -- TracePoint (queue) ----------------> ui
+//   both --- rows and states (Recorder) --------> ui
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "core/base/wait_free.h"
 #include "core/runtime/haptic_step.h"
 #include "core/runtime/period_histogram.h"
+#include "core/runtime/recorder.h"
 #include "core/runtime/servo_step.h"
 #include "core/runtime/world.h"
 
@@ -61,6 +63,12 @@ struct ServoTelemetry {
     StiffnessCeiling ceiling;
 };
 
+/// What the servo renders, and how many steps of the proxy led to it.
+struct NumberedModel {
+    LocalContactModel model;
+    std::uint64_t steps = 0;
+};
+
 /// One servo tick, for plots.
 struct TracePoint {
     double t = 0; ///< s since the start
@@ -76,14 +84,18 @@ struct EngineCommand {
 };
 
 struct Channels {
+    /// Rates of the loops in Hz, for the recorder's memory.
+    explicit Channels(double servoRate = 1000, double proxyRate = 2000) : recorder(servoRate, proxyRate) {}
+
     std::atomic<const World*> worldIn{nullptr};
     SpscQueue<const World*, 64> worldOut;
     SpscQueue<EngineCommand, 64> commands;
     TripleBuffer<FingerSample> finger;
-    TripleBuffer<LocalContactModel> contactModel;
+    TripleBuffer<NumberedModel> contactModel;
     TripleBuffer<ProxyTelemetry> proxyTelemetry;
     TripleBuffer<ServoTelemetry> servoTelemetry;
     SpscQueue<TracePoint, 8192> trace;
+    Recorder recorder;
     std::atomic<bool> armed{false};           ///< false: the servo commands zero force
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
     std::atomic<bool> stop{false};

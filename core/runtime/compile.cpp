@@ -123,12 +123,11 @@ tl::unexpected<Error> tooManyMovers(std::size_t count) {
                       " can; join those that move alike, or hide some");
 }
 
-} // namespace
-
-Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous,
-                                             const Progress& progress) {
+/// Everything but its numbers.
+Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, const Progress& progress) {
     assertNotRealtime();
     auto world = std::make_shared<World>();
+    world->scene = std::make_shared<const Scene>(scene);
     world->proxyRadius = kProxyRadius.clamped(scene.proxyRadius);
     world->bodies.reserve(scene.objects.size());
     for (const SceneObject& object : scene.objects) {
@@ -155,13 +154,44 @@ Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* pr
         world->obstacles[i].feels = world->bodies[i].feels;
         world->obstacles[i].sides = world->bodies[i].sides;
     }
+    return world;
+}
+
+} // namespace
+
+Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous,
+                                             const Progress& progress) {
+    auto built = build(scene, previous, progress);
+    if (!built) return tl::unexpected(built.error());
+    World* world = built->get();
     // Numbers of the whole program, so that the contacts of one shape are never taken for those of another.
     static std::atomic<std::uint64_t> revisions{0}, shapes{0};
     world->revision = ++revisions;
     world->shapeRevision = previous && sameShape(*world, *previous) ? previous->shapeRevision : ++shapes;
     datePlaces(*world, previous);
     addLesserObstacles(*world);
-    return std::shared_ptr<const World>(std::move(world));
+    return std::shared_ptr<const World>(std::move(*built));
+}
+
+WorldNumbers numbersOf(const World& world) {
+    WorldNumbers numbers{world.revision, world.shapeRevision, {}};
+    for (const Obstacle& obstacle : world.obstacles)
+        numbers.placedIn.push_back(obstacle.placedIn);
+    return numbers;
+}
+
+Result<std::shared_ptr<const World>> compileNumbered(const Scene& scene, const WorldNumbers& numbers,
+                                                     const World* previous, const Progress& progress) {
+    auto built = build(scene, previous, progress);
+    if (!built) return tl::unexpected(built.error());
+    World& world = **built;
+    world.revision = numbers.revision;
+    world.shapeRevision = numbers.shapeRevision;
+    const std::size_t places = std::min(world.obstacles.size(), numbers.placedIn.size());
+    for (std::size_t i = 0; i < places; ++i)
+        world.obstacles[i].placedIn = numbers.placedIn[i];
+    addLesserObstacles(world);
+    return std::shared_ptr<const World>(std::move(*built));
 }
 
 } // namespace tactum

@@ -18,4 +18,10 @@ namespace tactum {
 Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous = nullptr,
                                              const Progress& progress = {});
 
+/// The same World with the numbers that one of an earlier run had: for replays. Two of the same run have to
+/// have the same shapeRevision exactly when they had it then. Thread: any but real time.
+Result<std::shared_ptr<const World>> compileNumbered(const Scene& scene, const WorldNumbers& numbers,
+                                                     const World* previous, const Progress& progress = {});
+WorldNumbers numbersOf(const World& world);
+
 } // namespace tactum

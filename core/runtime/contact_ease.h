@@ -26,6 +26,12 @@ public:
     /// Whether the surroundings are still on their way.
     bool easing() const noexcept { return editing_ || !offset_.isZero(0); }
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) {
+        visit(self.begun_, self.editing_, self.offset_, self.age_, self.revision_, self.restarts_,
+              self.rendered_);
+    }
+
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest, const Vec3& finger, const Vec3& velocity, double ceiling,

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <utility>
 #include <vector>
 
 #include "core/base/realtime.h"
+#include "core/runtime/compile.h"
 #include "core/runtime/proxy_loop.h"
 #include "core/runtime/realtime_thread.h"
 #include "core/runtime/servo_loop.h"
@@ -27,16 +29,26 @@ std::string notePriority(int refusal, int unlocked) {
            "/etc/security/limits.d/tactum.conf, then log in again.";
 }
 
+/// Scenes that were felt are remembered for a minute, but of no more edits than this.
+constexpr std::size_t kMostScenes = 8192;
+constexpr double kSlowestPublish = 2; ///< s, from publish() to the first step in the World, and some more
+
+struct FeltScene {
+    double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is felt still
+    RecordedScene recorded;
+};
+
 } // namespace
 
 struct Engine::Impl {
     std::unique_ptr<HapticDevice> device;
     DeviceInfo info;
-    std::unique_ptr<Channels> channels = std::make_unique<Channels>(); ///< fresh at every start
+    std::unique_ptr<Channels> channels; ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
     Guardian guardian;
     Canary canary;
+    std::deque<FeltScene> felt; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
     bool running = false;
     bool realtime = false;
@@ -49,7 +61,24 @@ struct Engine::Impl {
     void handOver();
     void release(const World* world);
     void releaseRetired();
+    void freshChannels();
+    void remember(const World& world);
 };
+
+void Engine::Impl::freshChannels() {
+    channels = std::make_unique<Channels>(info.rate, kUpdatesPerTick * info.rate);
+    felt.clear();
+    if (!kept.empty()) remember(*kept.back());
+}
+
+void Engine::Impl::remember(const World& world) {
+    const double now = channels->recorder.now();
+    if (!felt.empty()) felt.back().until = now;
+    felt.push_back({0, {numbersOf(world), world.scene}});
+    while (felt.size() > 1 &&
+           (felt.front().until < now - kRecorded - kSlowestPublish || felt.size() > kMostScenes))
+        felt.pop_front();
+}
 
 Result<void> Engine::Impl::startLoops() {
     if (info.real)
@@ -99,6 +128,7 @@ void Engine::Impl::releaseRetired() {
 Engine::Engine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Impl>()) {
     impl_->device = std::move(device);
     impl_->info = impl_->device->info();
+    impl_->freshChannels();
 }
 
 Engine::~Engine() {
@@ -110,7 +140,7 @@ Result<void> Engine::start() {
     if (impl_->running) return {};
     if (Result<void> opened = impl_->device->open(); !opened) return opened;
     impl_->info = impl_->device->info();
-    impl_->channels = std::make_unique<Channels>();
+    impl_->freshChannels();
     impl_->handOver();
     if (Result<void> started = impl_->startLoops(); !started) {
         impl_->endLoops();
@@ -146,6 +176,7 @@ void Engine::publish(std::shared_ptr<const World> world) {
     if (!world) return;
     impl_->releaseRetired();
     impl_->kept.push_back(std::move(world));
+    impl_->remember(*impl_->kept.back());
     impl_->handOver();
 }
 
@@ -176,6 +207,15 @@ const ServoTelemetry& Engine::servo() const {
 }
 bool Engine::popTrace(TracePoint& point) {
     return impl_->channels->trace.pop(point);
+}
+RecordedRun Engine::recorded() const {
+    assertNotRealtime();
+    RecordedRun run = impl_->channels->recorder.copy();
+    run.device = impl_->info;
+    for (const FeltScene& felt : impl_->felt)
+        if (!run.sceneOf(felt.recorded.numbers.revision)) run.scenes.push_back(felt.recorded);
+    trim(run);
+    return run;
 }
 const DeviceInfo& Engine::device() const {
     return impl_->info;

@@ -45,6 +45,10 @@ public:
     /// Takes the next tick for the plots; false when there is none.
     bool popTrace(TracePoint& point);
 
+    /// The last minute since start(), with the scenes that were felt in it. Steps again bit for bit. Costs
+    /// tens of milliseconds and some tens of megabytes; the loops do not notice.
+    RecordedRun recorded() const;
+
     const DeviceInfo& device() const;
     /// True when both loops run under SCHED_FIFO with locked memory.
     bool hasRealtimePriority() const;

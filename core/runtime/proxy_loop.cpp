@@ -18,6 +18,7 @@ struct Proxy {
     SimState state{};
     HalfSecond updates{};
     ProxyTelemetry telemetry{};
+    double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
 
 /// The load first: an exchange at every tick would take the cache line from the ui thread for nothing.
@@ -41,13 +42,27 @@ void obeyCommands(Proxy& proxy) noexcept {
     }
 }
 
+std::uint32_t flagsOf(bool restart, Fidelity fidelity) noexcept {
+    return (restart ? std::uint32_t(ProxyRow::Restart) : 0) | std::uint32_t(fidelity) << ProxyRow::kFidelity;
+}
+
 HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
     const bool restart = proxy.restartDue || finger.anchoring != proxy.anchoring;
     proxy.restartDue = false;
-    proxy.anchoring = proxy.state.model.anchoring = finger.anchoring;
-    const double dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep);
-    return hapticStep(*proxy.world, proxy.state,
-                      {finger.position, finger.velocity, restart, proxy.ladder.fidelity()}, dt);
+    proxy.anchoring = finger.anchoring;
+    ProxyRow row{.time = proxy.begun + tick.time,
+                 .dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep),
+                 .finger = tripleOf(finger.position),
+                 .velocity = tripleOf(finger.velocity),
+                 .world = proxy.world->revision,
+                 .anchoring = finger.anchoring,
+                 .flags = flagsOf(restart, proxy.ladder.fidelity())};
+    Recorder& recorder = proxy.channels.recorder;
+    recorder.begin(row, proxy.state);
+    const HapticOutput output = stepFrom(row, *proxy.world, proxy.state);
+    note(row, output);
+    recorder.end(row);
+    return output;
 }
 
 void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,
@@ -74,7 +89,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
 } // namespace
 
 void proxyLoop(Channels& channels, double rate, double budget) noexcept {
-    Proxy proxy{.channels = channels, .ladder = OverloadLadder(budget)};
+    Proxy proxy{.channels = channels, .ladder = OverloadLadder(budget), .begun = channels.recorder.now()};
     Metronome metronome(rate, kProxyRest);
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
@@ -87,7 +102,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
 
         const std::int64_t begun = monotonicNanoseconds();
         const HapticOutput output = step(proxy, finger, tick);
-        channels.contactModel.write(proxy.state.model);
+        channels.contactModel.write({proxy.state.model, channels.recorder.proxyCount()});
         report(proxy, output, finger.position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
     }
 }

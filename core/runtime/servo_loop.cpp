@@ -23,12 +23,35 @@ struct Servo {
         std::int64_t from = 0, until = 0; ///< ns
     } missed;                             ///< of the last tick, if it was
     ServoTelemetry telemetry;
+    double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
 
-ServoSettings settingsOf(const Servo& servo) noexcept {
-    return {.armed = servo.channels.armed.load(std::memory_order_relaxed),
-            .overrideCeiling = servo.channels.overrideCeiling.load(std::memory_order_relaxed),
-            .period = servo.period};
+/// Everything that this tick depends on.
+ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const Tick& tick, bool fresh) noexcept {
+    const Channels& channels = servo.channels;
+    const auto flag = [](bool on, ServoRow::Flag bit) { return on ? std::uint32_t(bit) : 0; };
+    return {.time = servo.begun + tick.time,
+            .dt = tick.elapsed,
+            .position = tripleOf(sample.position),
+            .velocity = tripleOf(sample.velocity),
+            .model = channels.contactModel.value().steps,
+            .period = servo.period,
+            .buttons = sample.buttons,
+            .flags = flag(sample.valid, ServoRow::Valid) | flag(sample.jumped, ServoRow::Jumped) |
+                     flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
+                     flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
+                     flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
+}
+
+ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
+    const bool fresh = servo.channels.contactModel.update();
+    ServoRow row = rowOf(servo, sample, tick, fresh);
+    Recorder& recorder = servo.channels.recorder;
+    recorder.begin(row, servo.state);
+    const ServoOutput output = stepFrom(row, servo.state, servo.channels.contactModel.value().model);
+    note(row, output, servo.state);
+    recorder.end(row);
+    return output;
 }
 
 /// What all but one tick in a thousand kept: without real-time priority that is worse than the nominal
@@ -63,7 +86,7 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(
-        {tick.time, telemetry.finger, servo.channels.contactModel.value().proxy, output.force});
+        {tick.time, telemetry.finger, servo.channels.contactModel.value().model.proxy, output.force});
 }
 
 /// A miss is judged one tick later, when the canary has noted its own: it may live on another processor.
@@ -84,6 +107,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
     stayHere();
     watchers.canary.follow(sched_getcpu());
     Servo servo(channels, info);
+    servo.begun = channels.recorder.now();
     Metronome metronome(info.rate);
     DeviceCommand command;
     while (!channels.stop.load(std::memory_order_relaxed)) {
@@ -92,11 +116,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
 
         const RealtimeScope scope;
         watchers.guardian.beat();
-        const bool fresh = channels.contactModel.update();
-        const ServoOutput output =
-            servoStep(servo.state, settingsOf(servo),
-                      {.sample = sample, .dt = tick.elapsed, .late = tick.missed, .fresh = fresh},
-                      channels.contactModel.value());
+        const ServoOutput output = step(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;
         judgeMisses(servo, watchers.canary, tick);

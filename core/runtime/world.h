@@ -35,6 +35,12 @@ struct Mover {
     Pose poseAt(double t) const noexcept { return rest * motion->at(t); }
 };
 
+/// What a World owes to the ones before it instead of to its scene.
+struct WorldNumbers {
+    std::uint64_t revision = 0, shapeRevision = 0;
+    std::vector<std::uint64_t> placedIn; ///< of each obstacle
+};
+
 /// Never copied after compile(): obstacles point into bodies.
 struct World {
     std::vector<WorldBody> bodies;
@@ -42,6 +48,7 @@ struct World {
     std::vector<Obstacle> untextured, plain; ///< the same, with less to feel: see Fidelity
     std::vector<Mover> movers;               ///< at most kMaxMovers; Obstacle::mover is an index into them
     double proxyRadius = 0;                  ///< m
+    std::shared_ptr<const Scene> scene;      ///< what it was made of
     std::uint64_t revision = 0;              ///< rises with every compile
     /// Another number when a mesh, a pose, a motion or the proxy radius changed: contacts are void.
     std::uint64_t shapeRevision = 0;

@@ -70,6 +70,9 @@ struct Scene {
 Bounds boundsOf(const Scene& scene);
 std::size_t triangleCount(const Scene& scene);
 
+/// What a mesh that does not fit a hand is scaled to when it is opened. Unit: m.
+inline constexpr double kHandDiagonal = 0.2;
+
 /// Scales every object about the centre of the scene's box so that its diagonal is `diagonal` metres, and
 /// moves that centre to the world origin. Leaves a scene without extent as it is.
 void fitDiagonal(Scene& scene, double diagonal);

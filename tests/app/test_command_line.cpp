@@ -318,6 +318,35 @@ private slots:
         QCOMPARE(shell.exitCode(), 3);
     }
 
+    void playComparesEveryBit() {
+        const QString recording = QStringLiteral(TACTUM_REPLAYS "/few-bumps.tactum-recording");
+        const Ended ended =
+            tactum({"play", recording, "--out", file("again.csv"), "--summary", file("again.json")});
+        QVERIFY2(ended.code == 0, ended.error);
+        QVERIFY2(ended.out.startsWith("1200 steps, 0 differ\n"), ended.out);
+        QVERIFY(ended.out.contains("FAULT: the device was lost\n"));
+        QCOMPARE(rowsOf(file("again.csv")).size(), 800);
+        QFile summary(file("again.json"));
+        QVERIFY(summary.open(QIODevice::ReadOnly));
+        const QJsonObject json = QJsonDocument::fromJson(summary.readAll()).object();
+        QCOMPARE(json["haptic_steps"].toInt(), 800);
+        QCOMPARE(json["servo_ticks"].toInt(), 400);
+        QCOMPARE(json["differ"].toInt(-1), 0);
+        QVERIFY(json["events"].toArray().size() > 5);
+    }
+
+    void whatCannotBePlayedIsOne() {
+        for (const QString& recording :
+             {plate(), file("nothing.tactum-recording"), write("torn.tactum-recording", "TACTUMRC")}) {
+            const Ended ended = tactum({"play", recording});
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QCOMPARE(tactum({"play"}).code, 2);
+        const QString copy = write("copy.tactum-recording", "x");
+        QCOMPARE(tactum({"play", copy, "--out", copy}).code, 2);
+    }
+
     void infoNamesEverything() {
         const Ended text = tactum({"info", plate()});
         QCOMPARE(text.code, 0);

@@ -23,8 +23,9 @@ inline const std::vector<Room> kRooms{
     {"core/control", {"core/base"}},
     {"core/scene", {"core/geometry", "core/surface", "core/dynamics"}},
     {"core/runtime", {"core/scene", "core/control", "core/proxy"}},
+    {"core/recording", {"core/runtime"}},
     {"device", {"core/control"}},
-    {"ui", {"core/runtime"}},
+    {"ui", {"core/recording"}},
     {"app", {"ui", "device", "core/runtime"}},
 };
 
@@ -42,7 +43,7 @@ inline const std::vector<Library> kLibraries{
     {"png.h", {"core/scene/read_png.cpp"}},
     {"jpeglib.h", {"core/scene/read_jpeg.cpp"}},
     {"tiffio.h", {"core/scene/read_tiff.cpp"}},
-    {"nlohmann/", {"core/scene/gltf_model.cpp", "app/"}},
+    {"nlohmann/", {"core/scene/gltf_model.cpp", "core/recording/recording_file.cpp", "app/"}},
     {"CLI/", {"app/"}},
     {"Q", {"ui/", "app/"}},
     {"qopengl.h", {"ui/view/"}},
@@ -62,6 +63,8 @@ inline const std::vector<Library> kLibraries{
 inline const std::vector<std::string_view> kRealtimeFiles{
     "core/base/realtime",
     "core/base/wait_free",
+    "core/base/byte_archive",
+    "core/base/record_ring",
     "core/geometry/sides",
     "core/geometry/triangle",
     "core/collision/sphere_tree_sweep",
@@ -103,6 +106,9 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/runtime/servo_step",
     "core/runtime/fidelity",
     "core/runtime/haptic_step",
+    "core/runtime/recorded_step",
+    "core/runtime/recorder",
+    "core/runtime/state_bytes",
     "core/runtime/proxy_loop",
     "core/runtime/servo_loop",
 };

@@ -215,6 +215,49 @@ private slots:
         QVERIFY(squeezed > 100);
     }
 
+    /// A minute of rows and states while somebody copies them again and again.
+    void theFlightRecorder() {
+        Recorder recorder(1000, 2000);
+        std::atomic<bool> done{false};
+        std::thread reader([&] {
+            while (!done)
+                escape = recorder.copy().proxy.rows.data();
+        });
+        EditedWorlds worlds;
+        worlds.edit();
+        SimState sim;
+        ServoState servo(SimulatedHand(std::make_shared<HandTarget>()).info());
+        PageFaults faults;
+        interposer::reset();
+        for (int i = 0; i < 130'000; ++i) {
+            const double time = 5e-4 * i;
+            ProxyRow proxyRow{.time = time,
+                              .dt = 5e-4,
+                              .finger = tripleOf(wanderingFinger(time)),
+                              .world = worlds.current().revision};
+            ServoRow servoRow{.time = time, .dt = 1e-3, .flags = ServoRow::Valid};
+            const PageFaults before = PageFaults::now();
+
+            const RealtimeScope scope;
+            recorder.begin(proxyRow, sim);
+            note(proxyRow, stepFrom(proxyRow, worlds.current(), sim));
+            recorder.end(proxyRow);
+            if (i % 2 == 0) {
+                recorder.begin(servoRow, servo);
+                note(servoRow, stepFrom(servoRow, servo, sim.model), servo);
+                recorder.end(servoRow);
+            }
+            if (i > 1000) faults.addSince(before);
+        }
+        done = true;
+        reader.join();
+        qInfo("%.1f MB; page faults after warm-up: %ld minor, %ld major", 1e-6 * double(recorder.bytes()),
+              faults.minor, faults.major);
+        QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
+        const RecordedRun run = recorder.copy();
+        QVERIFY(run.proxy.first > 0 && run.proxyStates.size() > 60); // it went round
+    }
+
     void theRunningEngine() {
         const auto target = std::make_shared<HandTarget>();
         Engine engine(std::make_unique<SimulatedHand>(target));

@@ -72,20 +72,30 @@ void ForcePlot::changeEvent(QEvent* event) {
 }
 
 void ForcePlot::take(Engine& engine) {
-    limit_ = std::max(engine.device().maxForce, 0.1);
-    const HapticOutput& touch = engine.proxy().output;
     fresh_.clear();
     TracePoint point;
     while (engine.popTrace(point))
         if (!paused_) fresh_.push_back(point);
+    take(fresh_, engine.proxy().output, engine.device().maxForce);
+}
+
+void ForcePlot::clear() {
+    samples_.clear();
+    ticks_ = 0;
+    tangential_ = 0;
+    update();
+}
+
+void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit) {
+    limit_ = std::max(limit, 0.1);
+    if (paused_) return;
     // Ticks carry no normals, and an old normal makes a wrong tangential force where the surface is bent:
     // between the reports of two frames it is interpolated.
     const double before = tangential_;
     tangential_ = tangentialForce(touch);
-    for (std::size_t i = 0; i < fresh_.size(); ++i)
-        add(fresh_[i], std::lerp(before, tangential_, double(i + 1) / double(fresh_.size())),
+    for (std::size_t i = 0; i < points.size(); ++i)
+        add(points[i], std::lerp(before, tangential_, double(i + 1) / double(points.size())),
             touch.contacts > 0);
-    if (paused_) return;
     fitAxis();
     update();
 }

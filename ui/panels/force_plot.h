@@ -21,6 +21,10 @@ public:
 
     /// Takes what the servo loop recorded since the last frame.
     void take(Engine& engine);
+    /// The same from a recording: `touch` is of the last of the points. limit in N.
+    void take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit);
+    /// Forgets what was; the time of what comes next may be any.
+    void clear();
     bool paused() const { return paused_; }
     void setPaused(bool paused);
     QSize sizeHint() const override { return {480, 150}; }

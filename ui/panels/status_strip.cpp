@@ -89,24 +89,34 @@ void StatusStrip::display(const Engine& engine) {
                                                                             : on ? tr("forces on")
                                                                                  : tr("forces off")));
     stop_->setEnabled(on);
-    showRates(engine);
-    showTouch(engine);
-    const QString note = fault_.isEmpty() ? QString::fromStdString(engine.priorityNote()) : fault_;
-    note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
-    note_->setToolTip(note);
-}
-
-void StatusStrip::showRates(const Engine& engine) {
     const ServoTelemetry& servo = engine.servo();
     const ProxyTelemetry& proxy = engine.proxy();
     servo_->setText(
         tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
     proxy_->setText(tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
+    showTouch(proxy, servo, engine.device());
+    showNote(fault_.isEmpty() ? QString::fromStdString(engine.priorityNote()) : fault_);
 }
 
-void StatusStrip::showTouch(const Engine& engine) {
-    contacts_->setText(touchText(engine.proxy().output));
-    force_->setForce(engine.servo().force.norm(), std::max(0.1, engine.device().maxForce));
+void StatusStrip::display(const ProxyTelemetry& proxy, const ServoTelemetry& servo,
+                          const DeviceInfo& device) {
+    device_->setText(tr("%1 \u00b7 recorded").arg(QString::fromStdString(device.name)));
+    stop_->setEnabled(false);
+    servo_->setText(tr("servo %1").arg(kilohertz(servo.rate)));
+    proxy_->setText(tr("proxy %1").arg(kilohertz(proxy.rate)));
+    showTouch(proxy, servo, device);
+    showNote(tr("A recording is played: the device gets no force."));
+}
+
+void StatusStrip::showTouch(const ProxyTelemetry& proxy, const ServoTelemetry& servo,
+                            const DeviceInfo& device) {
+    contacts_->setText(touchText(proxy.output));
+    force_->setForce(servo.force.norm(), std::max(0.1, device.maxForce));
+}
+
+void StatusStrip::showNote(const QString& note) {
+    note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
+    note_->setToolTip(note);
 }
 
 void StatusStrip::setFault(const QString& sentence) {

@@ -21,6 +21,8 @@ public:
 
     /// Thread: ui, once a frame.
     void display(const Engine& engine);
+    /// A moment of a recording, made with that device.
+    void display(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
     /// One line instead of the priority note, until cleared with an empty one.
     void setFault(const QString& sentence);
 
@@ -29,8 +31,9 @@ signals:
 
 private:
     QLabel* addReading(const QString& name, const QString& meaning, const QString& widest);
-    void showRates(const Engine& engine);
-    void showTouch(const Engine& engine);
+    void showTouch(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
+
+    void showNote(const QString& note);
 
     QLabel* device_;
     QLabel* servo_;

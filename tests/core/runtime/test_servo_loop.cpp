@@ -37,7 +37,7 @@ struct RunningServo {
         model.stiffness = kSpring;
         model.valid = true;
         model.anchoring = channels->finger.read().anchoring;
-        channels->contactModel.write(model);
+        channels->contactModel.write({model, 1});
     }
     /// Publishes models until the command is `wanted`.
     bool pushesSteadily(double wanted) {

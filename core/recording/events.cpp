@@ -1,0 +1,94 @@
+#include "core/recording/events.h"
+
+#include <algorithm>
+
+namespace tactum {
+namespace {
+
+using Events = std::vector<RecordedEvent>;
+
+const char* wordsFor(Fidelity fidelity) {
+    switch (fidelity) {
+    case Fidelity::Full:
+        return "nothing is left out any more";
+    case Fidelity::NoTexture:
+        return "too slow: without texture";
+    case Fidelity::NoShading:
+        return "too slow: without texture and shading";
+    case Fidelity::PlaneOnly:
+        return "too slow: the plane alone";
+    }
+    return "an unknown fidelity";
+}
+
+void addGuard(Events& events, const ServoRow& before, const ServoRow& now) {
+    const bool armed = now.flags & ServoRow::Armed;
+    if (armed != bool(before.flags & ServoRow::Armed))
+        events.push_back({now.time, false, armed ? "forces on" : "forces off"});
+    if (now.withheld == before.withheld) return;
+    const auto why = Withheld(now.withheld);
+    // Off and on again are the person's own doing, and said above.
+    const bool ordinary = why == Withheld::NotArmed || why == Withheld::Settling || why == Withheld::Rising;
+    if (!ordinary) events.push_back({now.time, isFault(why), wordsFor(why)});
+}
+
+void addDevice(Events& events, const ServoRow& before, const ServoRow& now) {
+    if (now.oscillations > before.oscillations)
+        events.push_back({now.time, false, "an oscillation was noticed: less stiffness"});
+    if ((now.flags & ServoRow::Jumped) && !(before.flags & ServoRow::Jumped))
+        events.push_back({now.time, false, "the finger was put elsewhere"});
+    if (!(now.flags & ServoRow::Valid) && (before.flags & ServoRow::Valid))
+        events.push_back({now.time, false, "the device did not answer"});
+}
+
+void addProxy(Events& events, const ProxyRow& before, const ProxyRow& now) {
+    if (now.world != before.world) events.push_back({now.time, false, "the scene was edited"});
+    if (now.flags & ProxyRow::Restart) events.push_back({now.time, false, "the proxy was put on the finger"});
+    if (now.fidelity() != before.fidelity()) events.push_back({now.time, false, wordsFor(now.fidelity())});
+}
+
+} // namespace
+
+const char* wordsFor(Withheld why) {
+    switch (why) {
+    case Withheld::Nothing:
+        return "full force";
+    case Withheld::NotArmed:
+        return "forces off";
+    case Withheld::DeadMan:
+        return "the dead-man switch was let go";
+    case Withheld::Stall:
+        return "the servo or the device stood still";
+    case Withheld::ProxySilent:
+        return "the model did not answer";
+    case Withheld::Settling:
+        return "the force waits until it is small";
+    case Withheld::Rising:
+        return "the force comes back";
+    case Withheld::DeviceLost:
+        return "the device was lost";
+    case Withheld::TooFast:
+        return "the finger was too fast";
+    case Withheld::ForceJump:
+        return "the force jumped";
+    case Withheld::NotFinite:
+        return "the force was no number";
+    case Withheld::Late:
+        return "the servo came too late";
+    }
+    return "an unknown reason";
+}
+
+std::vector<RecordedEvent> eventsOf(const RecordedRun& run) {
+    Events events;
+    for (std::size_t i = 1; i < run.servo.rows.size(); ++i) {
+        addGuard(events, run.servo.rows[i - 1], run.servo.rows[i]);
+        addDevice(events, run.servo.rows[i - 1], run.servo.rows[i]);
+    }
+    for (std::size_t i = 1; i < run.proxy.rows.size(); ++i)
+        addProxy(events, run.proxy.rows[i - 1], run.proxy.rows[i]);
+    std::ranges::stable_sort(events, {}, &RecordedEvent::time);
+    return events;
+}
+
+} // namespace tactum

@@ -1,0 +1,87 @@
+// Steps through a recording: the loops' own functions on the recorded inputs, compared with what came out.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/runtime/channels.h"
+#include "core/runtime/recorded_run.h"
+
+namespace tactum {
+
+/// What a replay has found so far.
+struct ReplayCheck {
+    std::uint64_t proxySteps = 0, servoSteps = 0;
+    std::uint64_t differ = 0; ///< steps whose results are other bits than the recorded ones
+    std::string first;        ///< a sentence about the first of these
+};
+
+/// One haptic step again.
+struct ReplayedStep {
+    const ProxyRow* row = nullptr;
+    HapticOutput output;
+};
+
+/// The time of a replay is the recording's: s on the clock of its rows, from run().begin() to run().end().
+/// Thread: one, any but real time.
+class Player {
+public:
+    /// Compiles every scene of the recording. Fails when a state or a row names what its scene does not have.
+    static Result<Player> open(std::shared_ptr<const RecordedRun> run, const Progress& progress = {});
+
+    const RecordedRun& run() const { return *run_; }
+    double time() const { return time_; }
+    bool atEnd() const { return time_ >= run_->end(); }
+
+    /// Takes all steps up to a time, in the order in which they depended on each other.
+    void advanceTo(double time);
+    /// Goes there from the last kept state before it. At most some seconds are stepped through.
+    /// `before`: that many seconds before it are stepped through as well, for what shows them.
+    void seek(double time, double before = 0);
+
+    // What the last steps gave.
+    /// The World of the last haptic step; of the next one before the first. nullptr when there is none.
+    const World* world() const;
+    const ProxyTelemetry& proxy() const { return proxy_; }
+    const ServoTelemetry& servo() const { return servo_; }
+    /// Every servo tick and every haptic step since the last call of these.
+    std::vector<TracePoint> takeTrace() { return std::exchange(trace_, {}); }
+    std::vector<ReplayedStep> takeSteps() { return std::exchange(steps_, {}); }
+    /// Of all steps since open() or the last seek().
+    const ReplayCheck& check() const { return check_; }
+
+private:
+    explicit Player(std::shared_ptr<const RecordedRun> run);
+
+    Result<void> checkRows() const;
+    Result<void> checkStates() const;
+    struct Beginning {
+        std::size_t proxy = 0, servo = 0; ///< indices of the rows to go on with
+    };
+    Beginning beginningBefore(double time) const;
+    void begin(const Beginning& at);
+    void stepProxy();
+    void stepServo();
+    void differs(const char* loop, std::uint64_t number, double time, const std::string& what);
+    const World* worldOf(std::uint64_t revision) const;
+
+    std::shared_ptr<const RecordedRun> run_;
+    std::map<std::uint64_t, std::shared_ptr<const World>> worlds_; ///< by revision
+    SimState sim_;
+    ServoState servoState_;
+    std::size_t nextProxy_ = 0, nextServo_ = 0;
+    std::uint64_t modelSteps_ = 0; ///< rows of the proxy that led to sim_.model; 0: there is none
+    double time_ = 0;
+    ProxyTelemetry proxy_;
+    ServoTelemetry servo_;
+    std::vector<TracePoint> trace_;
+    std::vector<ReplayedStep> steps_;
+    ReplayCheck check_;
+};
+
+} // namespace tactum

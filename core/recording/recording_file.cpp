@@ -1,0 +1,283 @@
+#include "core/recording/recording_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <new>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/realtime.h"
+#include "core/recording/row_checks.h"
+#include "core/recording/scene_bytes.h"
+#include "core/scene/load_scene.h"
+#include "core/scene/text.h"
+
+namespace tactum {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kMagic = "TACTUMRC";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
+constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
+
+struct DeviceNumber {
+    const char* key;
+    double DeviceInfo::*value;
+};
+constexpr DeviceNumber kDeviceNumbers[] = {{"max_force_N", &DeviceInfo::maxForce},
+                                           {"continuous_force_N", &DeviceInfo::continuousForce},
+                                           {"max_stiffness_N_per_m", &DeviceInfo::maxStiffness},
+                                           {"workspace_radius_m", &DeviceInfo::workspaceRadius},
+                                           {"position_resolution_m", &DeviceInfo::positionResolution},
+                                           {"rate_Hz", &DeviceInfo::rate},
+                                           {"damping_N_s_per_m", &DeviceInfo::damping},
+                                           {"dry_friction_N", &DeviceInfo::dryFriction},
+                                           {"amplifier_lag_s", &DeviceInfo::amplifierLag},
+                                           {"delay_ticks", &DeviceInfo::delay},
+                                           {"trip_speed_m_per_s", &DeviceInfo::tripSpeed}};
+
+std::uint64_t fingerprintOf(std::string_view bytes) {
+    Fingerprint print;
+    print.add(bytes.data(), bytes.size());
+    return print.value();
+}
+
+Json toJson(const DeviceInfo& device) {
+    Json json{{"name", device.name}};
+    for (const DeviceNumber& number : kDeviceNumbers)
+        json[number.key] = device.*number.value;
+    return json;
+}
+
+DeviceInfo deviceOf(const Json& json) {
+    DeviceInfo device;
+    device.name = printable(json.at("name").get<std::string>());
+    for (const DeviceNumber& number : kDeviceNumbers)
+        device.*number.value = json.value(number.key, device.*number.value);
+    return device;
+}
+
+template <class Row, class State>
+Json toJson(const NumberedRows<Row>& rows, const std::vector<State>& states) {
+    return {{"first", rows.first},
+            {"rows", rows.rows.size()},
+            {"row_bytes", sizeof(Row)},
+            {"states", states.size()}};
+}
+
+template <class State> void writeStates(FileOut& out, const std::vector<State>& states) {
+    for (const State& state : states) {
+        std::uint64_t row = state.row, size = state.size;
+        out(row), out(size);
+        out.bytes.append(reinterpret_cast<const char*>(state.bytes.data()), size);
+    }
+}
+
+template <class Row> void writeRows(FileOut& out, const std::vector<Row>& rows) {
+    out.bytes.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
+}
+
+std::string headerOf(const Recording& recording, std::size_t sceneBytes) {
+    const RecordedRun& run = recording.run;
+    Json json{{"format", "tactum-recording"},
+              {"reason", recording.reason},
+              {"seconds", run.end() - run.begin()},
+              {"device", toJson(run.device)},
+              {"sources", Json::array()},
+              {"scene_bytes", sceneBytes},
+              {"proxy", toJson(run.proxy, run.proxyStates)},
+              {"servo", toJson(run.servo, run.servoStates)}};
+    for (const auto& source : recording.sources)
+        json["sources"].push_back(source.string());
+    return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The parts of a file in the order in which they come.
+class Reader {
+public:
+    Reader(std::string_view bytes, const std::filesystem::path& file)
+        : bytes_(bytes), file_(file), name_(printable(file.filename().string())) {}
+
+    Recording read() {
+        readHeader();
+        Recording recording;
+        RecordedRun& run = recording.run;
+        try {
+            recording.reason = printable(header_.at("reason").get<std::string>(), 400);
+            run.device = deviceOf(header_.at("device"));
+            for (const auto& source : header_.at("sources"))
+                recording.sources.emplace_back(source.get<std::string>());
+            FileIn scenes = part(header_.at("scene_bytes").get<std::uint64_t>());
+            run.scenes = readScenes(scenes, [&] { return partsOf(recording.sources); });
+            scenes.demand(scenes.left() == 0, "the scenes are followed by something else");
+            readRows(header_.at("proxy"), run.proxy);
+            readRows(header_.at("servo"), run.servo);
+            readStates(header_.at("proxy"), run.proxy, run.proxyStates);
+            readStates(header_.at("servo"), run.servo, run.servoStates);
+        } catch (const Json::exception&) {
+            fail("its header lacks something or has it wrong; the recording is damaged, use another one");
+        }
+        if (at_ != bytes_.size() - kSeal)
+            fail("is longer than it says; the recording is damaged, use another one");
+        if (const char* fault = faultIn(run))
+            fail(std::string(fault) + "; the recording is damaged, use another one");
+        return recording;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& text) const {
+        throw RecordingFault{{Error::Kind::Input, name_ + ": " + text}};
+    }
+
+    void readHeader() {
+        if (bytes_.size() < kStart + kSeal || !bytes_.starts_with(kMagic))
+            fail("is no recording of Tactum; choose a file that ends in ." + std::string(kRecordingEnding));
+        std::uint32_t version = 0, length = 0;
+        std::memcpy(&version, bytes_.data() + 8, 4);
+        std::memcpy(&length, bytes_.data() + 12, 4);
+        if (version != kVersion)
+            fail("was written by another version of Tactum (format " + std::to_string(version) +
+                 ", this one reads " + std::to_string(kVersion) + "); open it with that one");
+        std::uint64_t seal = 0;
+        std::memcpy(&seal, bytes_.data() + bytes_.size() - kSeal, kSeal);
+        if (seal != fingerprintOf(bytes_.substr(0, bytes_.size() - kSeal)))
+            fail("its fingerprint does not fit: it was cut off or changed; copy it again");
+        if (length > bytes_.size() - kStart - kSeal)
+            fail("its header is longer than the file; use another one");
+        header_ = Json::parse(bytes_.substr(kStart, length), nullptr, false);
+        if (!header_.is_object()) fail("its header is no JSON; the recording is damaged, use another one");
+        at_ = kStart + length;
+    }
+
+    FileIn part(std::uint64_t size) {
+        if (size > bytes_.size() - kSeal - at_)
+            fail("byte " + std::to_string(at_) +
+                 ": it ends too early; the recording is damaged, use another one");
+        FileIn in(bytes_.substr(at_, size), name_, at_);
+        at_ += size;
+        return in;
+    }
+
+    template <class Row> void readRows(const Json& json, NumberedRows<Row>& rows) {
+        rows.first = json.at("first").get<std::uint64_t>();
+        const auto count = json.at("rows").get<std::uint64_t>();
+        if (json.at("row_bytes").get<std::uint64_t>() != sizeof(Row) || count > bytes_.size() / sizeof(Row) ||
+            rows.first > ~std::uint64_t(0) / 2)
+            fail("its rows are not as long as they should be; the recording is damaged, use another one");
+        const FileIn in = part(count * sizeof(Row));
+        rows.rows.resize(count);
+        if (count > 0)
+            std::memcpy(static_cast<void*>(rows.rows.data()), in.rest().data(), count * sizeof(Row));
+    }
+
+    template <class Row, class State>
+    void readStates(const Json& json, const NumberedRows<Row>& rows, std::vector<State>& states) {
+        const auto count = json.at("states").get<std::uint64_t>();
+        std::uint64_t next = rows.first;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            FileIn numbers = part(16);
+            State state;
+            numbers(state.row), numbers(state.size);
+            numbers.demand(state.row >= next && state.row < rows.end(), "a state belongs to no row");
+            numbers.demand(state.size <= state.bytes.size(), "a state is too long");
+            next = state.row + 1;
+            const FileIn in = part(state.size);
+            std::memcpy(state.bytes.data(), in.rest().data(), state.size);
+            states.push_back(state);
+        }
+    }
+
+    /// Beside the recording first: it may have come from another machine together with its model.
+    KnownParts partsOf(const std::vector<std::filesystem::path>& sources) const {
+        KnownParts parts;
+        for (const auto& source : sources)
+            for (const auto& place : {file_.parent_path() / source.filename(), source}) {
+                const auto loaded = loadScene(place);
+                if (!loaded) continue;
+                parts.addAllOf(loaded->scene);
+                Scene fitted = loaded->scene;
+                fitDiagonal(fitted, kHandDiagonal);
+                parts.addAllOf(fitted);
+                break;
+            }
+        return parts;
+    }
+
+    std::string_view bytes_;
+    std::filesystem::path file_;
+    std::string name_;
+    Json header_;
+    std::size_t at_ = 0;
+};
+
+std::string bytesOf(const std::filesystem::path& file) {
+    const std::string name = printable(file.filename().string());
+    std::error_code error;
+    const auto size =
+        std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+    if (error || !std::filesystem::is_regular_file(file, error))
+        throw RecordingFault{
+            {Error::Kind::Input, name + ": there is no such file; check the name and the folder"}};
+    if (size > kLargestFile)
+        throw RecordingFault{
+            {Error::Kind::Input, name + ": is larger than 4 GB, as no recording is; use another one"}};
+    std::string bytes(size, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(bytes.data(), std::streamsize(size));
+    if (!in || std::uint64_t(in.gcount()) != size)
+        throw RecordingFault{
+            {Error::Kind::Machine, name + ": cannot be read; check its permissions and the disk"}};
+    return bytes;
+}
+
+} // namespace
+
+void sealRecording(std::string& bytes) {
+    const std::uint64_t seal = fingerprintOf(std::string_view(bytes).substr(0, bytes.size() - kSeal));
+    std::memcpy(bytes.data() + bytes.size() - kSeal, &seal, kSeal);
+}
+
+std::string recordingBytes(const Recording& recording) {
+    assertNotRealtime();
+    const RecordedRun& run = recording.run;
+    const bool whole = recording.sources.empty() || areSmall(run.scenes);
+    const std::string scenes = sceneBytes(run.scenes, whole);
+    const std::string header = headerOf(recording, scenes.size());
+    FileOut out;
+    out.bytes = kMagic;
+    std::uint32_t version = kVersion, length = std::uint32_t(header.size());
+    out(version), out(length);
+    out.bytes += header;
+    out.bytes += scenes;
+    writeRows(out, run.proxy.rows);
+    writeRows(out, run.servo.rows);
+    writeStates(out, run.proxyStates);
+    writeStates(out, run.servoStates);
+    out.bytes.append(kSeal, '\0');
+    sealRecording(out.bytes);
+    return std::move(out.bytes);
+}
+
+Result<Recording> parseRecording(std::string_view bytes, const std::filesystem::path& file) {
+    assertNotRealtime();
+    try {
+        return Reader(bytes, file).read();
+    } catch (const RecordingFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    }
+}
+
+Result<Recording> readRecording(const std::filesystem::path& file) {
+    try {
+        return parseRecording(bytesOf(file), file);
+    } catch (const RecordingFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    } catch (const std::bad_alloc&) {
+        return machineError(printable(file.filename().string()) +
+                            ": not enough memory to read it; close other programs");
+    }
+}
+
+} // namespace tactum

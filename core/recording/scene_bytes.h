@@ -1,0 +1,30 @@
+// The scenes of a recording as bytes: everything that is felt, each thing once. For this folder only.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/recording/shape_bytes.h"
+#include "core/runtime/recorded_run.h"
+
+namespace tactum {
+
+/// What a scene file offers for what was left out of a recording.
+struct KnownParts {
+    std::vector<std::shared_ptr<const TriangleSoup>> soups;
+    std::vector<std::shared_ptr<const TextureImage>> images;
+
+    void addAllOf(const Scene& scene);
+};
+
+/// `whole`: with all geometry and images, whatever their size.
+std::string sceneBytes(const std::vector<RecordedScene>& scenes, bool whole);
+/// Whether a recording of these is small enough to be self-contained.
+bool areSmall(const std::vector<RecordedScene>& scenes);
+
+/// Throws RecordingFault. Whatever is not in the file is looked for in `known`, which is filled, once, by
+/// `find`.
+std::vector<RecordedScene> readScenes(FileIn& in, const std::function<KnownParts()>& find);
+
+} // namespace tactum

@@ -1,0 +1,117 @@
+// The rows of a recording: all that goes into a step of a loop, and what came out of it.
+//
+// The loops themselves step from the row that they are about to record, through these two functions. So
+// nothing can influence a step that its row does not hold, and a replay is the same call with the same row.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/runtime/haptic_step.h"
+#include "core/runtime/servo_step.h"
+
+namespace tactum {
+
+using Triple = std::array<double, 3>;
+
+inline Triple tripleOf(const Vec3& v) noexcept {
+    return {v.x(), v.y(), v.z()};
+}
+inline Vec3 vectorOf(const Triple& v) noexcept {
+    return {v[0], v[1], v[2]};
+}
+
+/// One hapticStep(). SI, world frame. Its layout is that of the file: no gaps, a multiple of eight bytes.
+struct ProxyRow {
+    enum Flag : std::uint32_t {
+        Restart = 1,   ///< HapticInput::restart
+        Forget = 2,    ///< the sweep memories were emptied: the state before this row was kept
+        kFidelity = 8, ///< from this bit on: Fidelity
+        kAllFlags = 3 | 3 << kFidelity
+    };
+
+    double time = 0; ///< s since the recorder was made: when the loop woke
+    double dt = 0;
+    Triple finger{}, velocity{};
+    std::uint64_t world = 0; ///< revision
+    std::uint32_t anchoring = 0;
+    std::uint32_t flags = 0;
+
+    Triple proxy{}, force{};
+    std::uint64_t contacts = 0;
+
+    Fidelity fidelity() const noexcept { return Fidelity(flags >> kFidelity); }
+};
+
+/// One servoStep(). SI, frame D.
+struct ServoRow {
+    enum Flag : std::uint32_t {
+        Valid = 1,
+        Jumped = 2,
+        Late = 4,
+        Fresh = 8,
+        Armed = 16,
+        Override = 32,
+        kAllFlags = 63
+    };
+
+    double time = 0, dt = 0;
+    Triple position{}, velocity{}; ///< as they were read
+    std::uint64_t model = 0;       ///< how many rows of the proxy led to the model; 0: there was none
+    double period = 0;             ///< ServoSettings::period
+    std::uint32_t buttons = 0, deadMan = 0;
+    std::uint32_t flags = 0;
+
+    std::uint32_t withheld = 0; ///< Withheld
+    Triple force{};             ///< that the device was sent
+    double gain = 0;
+    std::uint64_t faults = 0, oscillations = 0;
+};
+
+static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 144, "the layout of the file");
+
+/// The step of a row's inputs. Thread: real time.
+inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
+    if (row.flags & ProxyRow::Forget) state.proxy.memories = {};
+    state.model.anchoring = row.anchoring;
+    const HapticInput input{.finger = vectorOf(row.finger),
+                            .fingerVelocity = vectorOf(row.velocity),
+                            .restart = (row.flags & ProxyRow::Restart) != 0,
+                            .fidelity = row.fidelity()};
+    return hapticStep(world, state, input, row.dt);
+}
+
+/// Writes down what came out. Thread: real time.
+inline void note(ProxyRow& row, const HapticOutput& output) noexcept {
+    row.proxy = tripleOf(output.proxy);
+    row.force = tripleOf(output.force);
+    row.contacts = std::uint64_t(output.contacts);
+}
+
+/// Thread: real time.
+inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalContactModel& model) noexcept {
+    const auto is = [&row](ServoRow::Flag flag) { return (row.flags & flag) != 0; };
+    const ServoSettings settings{.armed = is(ServoRow::Armed),
+                                 .deadMan = row.deadMan,
+                                 .overrideCeiling = is(ServoRow::Override),
+                                 .period = row.period};
+    const DeviceSample sample{.position = vectorOf(row.position),
+                              .velocity = vectorOf(row.velocity),
+                              .buttons = row.buttons,
+                              .valid = is(ServoRow::Valid),
+                              .jumped = is(ServoRow::Jumped)};
+    return servoStep(
+        state, settings,
+        {.sample = sample, .dt = row.dt, .late = is(ServoRow::Late), .fresh = is(ServoRow::Fresh)}, model);
+}
+
+/// Thread: real time.
+inline void note(ServoRow& row, const ServoOutput& output, const ServoState& state) noexcept {
+    row.force = tripleOf(output.force);
+    row.withheld = std::uint32_t(state.guard.withheld());
+    row.gain = state.guard.gain();
+    row.faults = state.guard.faults();
+    row.oscillations = state.oscillations;
+}
+
+} // namespace tactum

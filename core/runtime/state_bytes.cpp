@@ -1,0 +1,123 @@
+#include "core/runtime/state_bytes.h"
+
+#include <algorithm>
+
+#include "core/base/byte_archive.h"
+
+namespace tactum {
+
+// What each part consists of. A member that is missing here makes replays differ, which the tests notice.
+
+void fields(auto& visit, MaybeConst<ConstraintPlane> auto& plane) {
+    visit(plane.normal, plane.offset);
+}
+void fields(auto& visit, MaybeConst<FrictionLimit> auto& limit) {
+    visit(limit.coefficient, limit.lag);
+}
+void fields(auto& visit, MaybeConst<LocalContactModel> auto& model) {
+    visit.counted(model.plane, model.planes);
+    visit(model.proxy, model.friction, model.stiffness, model.damping, model.velocity, model.valid,
+          model.revision, model.restarts, model.anchoring);
+}
+void fields(auto& visit, MaybeConst<Material> auto& material) {
+    for (const MaterialField& field : kMaterialFields)
+        visit(material.*field.value);
+}
+void fields(auto& visit, MaybeConst<Contact> auto& contact) {
+    visit(contact.body, contact.triangle, contact.slipping, contact.point, contact.normal, contact.gap,
+          contact.bend, contact.edge, contact.lambda, contact.material);
+}
+void fields(auto& visit, MaybeConst<FeltPlane> auto& felt) {
+    visit(felt.normal, felt.body, felt.triangle);
+}
+void fields(auto& visit, MaybeConst<PassedBody> auto& passed) {
+    visit(passed.body, passed.at_B);
+}
+void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
+    visit(proxy.position, proxy.finger);
+    visit.counted(proxy.contacts, proxy.contactCount);
+    visit.counted(proxy.felt, proxy.feltCount);
+    visit(proxy.speed);
+    visit.unbounded(proxy.stride);
+    visit(proxy.stillFor, proxy.slidingOn);
+    visit.counted(proxy.passed, proxy.passedCount);
+}
+void fields(auto& visit, MaybeConst<BodyMotion> auto& body) {
+    visit(body.before, body.now, body.jumped);
+}
+void fields(auto& visit, MaybeConst<SimState> auto& state) {
+    visit(state.proxy, state.model, state.shapeRevision, state.time, state.movers, state.restarts);
+}
+void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
+    visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
+          loop.makersCeiling);
+}
+void fields(auto& visit, MaybeConst<ForceLimiter> auto& limiter) {
+    visit(limiter.maxForce, limiter.clamped, limiter.notFinite);
+}
+void fields(auto& visit, MaybeConst<StiffnessCeiling> auto& ceiling) {
+    visit(ceiling.value, ceiling.reason);
+}
+void fields(auto& visit, MaybeConst<DeviceSample> auto& sample) {
+    visit(sample.position, sample.velocity, sample.buttons, sample.valid, sample.jumped);
+}
+void fields(auto& visit, MaybeConst<ServoState> auto& state) {
+    visit(state.loop, state.check, state.guard, state.ease, state.passivity, state.oscillation, state.heat,
+          state.limiter, state.ticks, state.modelAge, state.calm, state.calmGoal, state.oscillations,
+          state.ceiling, state.anchor, state.touching);
+}
+
+namespace {
+
+// Another size: a member came or went. List it in fields(), there or above, and then its new size here.
+static_assert(sizeof(Guard) == 64 && sizeof(ContactEase) == 344 && sizeof(Passivity) == 72);
+static_assert(sizeof(OscillationDetector) == 144 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 96);
+static_assert(sizeof(LoopFigures) == 56 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 912);
+static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
+static_assert(sizeof(ProxyState) == 7136 + sizeof(ProxyState::memories));
+static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));
+
+template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {
+    ByteWriter writer(to.bytes);
+    writer(state);
+    to.size = writer.fits() ? writer.size() : 0;
+}
+
+template <class State>
+bool readState(std::span<const std::byte> bytes, State& state, NotFinite rule) noexcept {
+    ByteReader reader(bytes, rule);
+    reader(state);
+    return reader.complete();
+}
+
+bool exists(const World& world, std::uint32_t body, Index triangle) noexcept {
+    return body < world.obstacles.size() && triangle < world.obstacles[body].mesh->soup->triangles.size();
+}
+
+} // namespace
+
+void write(const SimState& state, SimStateBytes& to) noexcept {
+    writeState(state, to);
+}
+void write(const ServoState& state, ServoStateBytes& to) noexcept {
+    writeState(state, to);
+}
+bool read(std::span<const std::byte> bytes, SimState& state) noexcept {
+    state.proxy.memories = {};
+    return readState(bytes, state, NotFinite::Refused);
+}
+bool read(std::span<const std::byte> bytes, ServoState& state) noexcept {
+    return readState(bytes, state, NotFinite::Allowed);
+}
+
+bool belongsTo(const SimState& state, const World& world) noexcept {
+    const ProxyState& proxy = state.proxy;
+    return std::all_of(proxy.contacts.begin(), proxy.contacts.begin() + proxy.contactCount,
+                       [&](const Contact& c) { return exists(world, c.body, c.triangle); }) &&
+           std::all_of(proxy.felt.begin(), proxy.felt.begin() + proxy.feltCount,
+                       [&](const FeltPlane& f) { return exists(world, f.body, f.triangle); }) &&
+           std::all_of(proxy.passed.begin(), proxy.passed.begin() + proxy.passedCount,
+                       [&](const PassedBody& p) { return p.body < world.obstacles.size(); });
+}
+
+} // namespace tactum

@@ -1,0 +1,201 @@
+// The flight recorder: what the engine did is stepped through again bit for bit, from the beginning, from the
+// middle and after its rings went round, with edits, swaps, moving bodies and faults in it.
+#include <cmath>
+#include <limits>
+#include <random>
+#include <thread>
+
+#include <QtTest>
+
+#include "core/recording/events.h"
+#include "core/recording/player.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/engine.h"
+#include "device/simulated_hand.h"
+#include "tests/core/runtime/patience.h"
+#include "tests/core/runtime/probe_device.h"
+#include "tests/realtime/bumpy_scene.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+
+/// A hand that strokes a rough plate while its material is edited, other plates come, a body passes through
+/// it, the forces go on and off and the proxy is put elsewhere.
+RecordedRun recordedRun(std::uint64_t ticks) {
+    const auto target = std::make_shared<HandTarget>();
+    Engine engine(std::make_unique<SimulatedHand>(target));
+    const auto first = bumpyPlate(1), second = bumpyPlate(2);
+    std::shared_ptr<const World> world = compile(bumpyScene(first, 0)).value();
+    engine.publish(world);
+    if (!engine.start()) return {};
+    engine.setArmed(true);
+    int frame = 0;
+    (void)eventually([&] {
+        engine.poll();
+        target->write({.position = wanderingFinger(4e-3 * double(++frame))});
+        if (frame % 20 == 0) {
+            world = compile(bumpyScene(frame % 200 < 100 ? first : second, frame), world.get()).value();
+            engine.publish(world);
+        }
+        if (frame % 170 == 0) engine.restartProxy();
+        if (frame % 300 == 0) engine.setArmed(frame % 600 == 0);
+        return engine.servo().ticks >= ticks;
+    });
+    engine.stop();
+    return engine.recorded();
+}
+
+std::shared_ptr<const RecordedRun> shared(RecordedRun run) {
+    return std::make_shared<const RecordedRun>(std::move(run));
+}
+
+ReplayCheck replayed(RecordedRun run) {
+    auto player = Player::open(shared(std::move(run)));
+    if (!player) return {.differ = 1, .first = player.error().text};
+    player->advanceTo(kForEver);
+    return player->check();
+}
+
+} // namespace
+
+class TestRecorder : public QObject {
+    Q_OBJECT
+
+    RecordedRun run_;
+
+private slots:
+    void initTestCase() {
+        run_ = recordedRun(6000);
+        QVERIFY(run_.servo.rows.size() >= 6000);
+        QVERIFY(run_.proxy.rows.size() > 6000);
+        QVERIFY(run_.scenes.size() > 10);
+        QVERIFY(run_.proxyStates.size() >= 4 && run_.servoStates.size() >= 4);
+    }
+
+    void theWholeRunGivesTheSameBits() {
+        const ReplayCheck check = replayed(run_);
+        QVERIFY2(check.differ == 0, check.first.c_str());
+        QCOMPARE(check.proxySteps, run_.proxy.rows.size());
+        QCOMPARE(check.servoSteps, run_.servo.rows.size());
+        int touching = 0, pushed = 0;
+        for (const ProxyRow& row : run_.proxy.rows)
+            touching += row.contacts > 0;
+        for (const ServoRow& row : run_.servo.rows)
+            pushed += vectorOf(row.force).norm() > 0;
+        QVERIFY(touching > 1000 && pushed > 500);
+    }
+
+    void fromTheMiddleToo() {
+        auto player = Player::open(shared(run_));
+        QVERIFY(player.has_value());
+        const double length = run_.end() - run_.begin();
+        for (const double part : {0.9, 0.1, 0.5, 0.7, 0.3}) {
+            player->seek(run_.begin() + part * length);
+            QVERIFY(player->check().servoSteps < 3000); // from a kept state, not from the beginning
+            player->advanceTo(player->time() + 0.2 * length);
+            QVERIFY2(player->check().differ == 0, player->check().first.c_str());
+            QVERIFY(player->check().proxySteps > 0);
+        }
+    }
+
+    void whatIsCutOffAtTheFrontDoesNotMatter() {
+        RecordedRun cut = run_;
+        trim(cut, 2);
+        QVERIFY(cut.proxy.first > 0 && cut.servo.first > 0);
+        QVERIFY(cut.scenes.size() < run_.scenes.size());
+        QVERIFY(cut.end() - cut.begin() < 5);
+        const ReplayCheck check = replayed(cut);
+        QVERIFY2(check.differ == 0, check.first.c_str());
+        QCOMPARE(check.servoSteps, cut.servo.rows.size());
+    }
+
+    void oneBitIsFound() {
+        RecordedRun forged = run_;
+        auto& force = forged.proxy.rows[3000].force[1];
+        force = std::nextafter(force, 1.0);
+        ReplayCheck check = replayed(forged);
+        QCOMPARE(check.differ, 1u);
+        QVERIFY2(check.first.starts_with("haptic step 3000 at "), check.first.c_str());
+
+        forged = run_;
+        auto& push = forged.servo.rows[2000].force[2];
+        push = std::nextafter(push, 1.0);
+        check = replayed(forged);
+        QCOMPARE(check.differ, 1u);
+        QVERIFY2(check.first.starts_with("servo tick 2000 at "), check.first.c_str());
+    }
+
+    void whatWasDoneIsListed() {
+        int edits = 0, armed = 0, restarts = 0;
+        for (const RecordedEvent& event : eventsOf(run_)) {
+            edits += event.text == "the scene was edited";
+            armed += event.text == "forces on" || event.text == "forces off";
+            restarts += event.text == "the proxy was put on the finger";
+        }
+        QVERIFY(edits > 10);
+        QVERIFY(armed >= 2);
+        QVERIFY(restarts >= 2);
+    }
+
+    void faultsAreReplayed() {
+        const auto probe = std::make_shared<Probe>();
+        Engine engine(std::make_unique<ProbeDevice>(probe));
+        engine.publish(compile(bumpyScene(bumpyPlate(1), 3)).value());
+        QVERIFY(engine.start().has_value());
+        engine.setArmed(true);
+        const auto ticks = [&] {
+            engine.poll();
+            return engine.servo().ticks;
+        };
+        QVERIFY(eventually([&] { return ticks() > 500; }));
+        probe->height = 0;
+        QVERIFY(eventually([&] { return ticks() > 1500; }));
+        probe->nonsense = true;
+        QVERIFY(eventually([&] { return ticks() > 0 && engine.servo().faults > 0; }));
+        const std::uint64_t after = ticks() + 1200;
+        QVERIFY(eventually([&] { return ticks() > after; }));
+        const RecordedRun run = engine.recorded(); // while the loops go on
+        const ReplayCheck check = replayed(run);
+        QVERIFY2(check.differ == 0, check.first.c_str());
+        const auto events = eventsOf(run);
+        QVERIFY(std::ranges::any_of(events, &RecordedEvent::fault));
+    }
+
+    void aWriterThatOvertakesTheReaderLosesNoSense() {
+        struct Pair {
+            std::uint64_t number = 0, twice = 0;
+        };
+        constexpr std::size_t kRows = 20'000;
+        RecordRing<Pair> ring(kRows);
+        std::atomic<bool> done{false};
+        std::thread writer([&] {
+            for (std::uint64_t i = 0; !done; ++i) {
+                ring.push({i, 2 * i});
+                if (i % 300 == 0) std::this_thread::sleep_for(std::chrono::microseconds(50));
+            }
+        });
+        std::uint64_t seen = 0, torn = 0, dropped = 0;
+        for (std::uint64_t end = 0; end < 10 * kRows;) {
+            const auto copied = ring.copy();
+            for (std::size_t k = 0; k < copied.rows.size(); ++k)
+                torn += copied.rows[k].number != copied.first + k ||
+                        copied.rows[k].twice != 2 * (copied.first + k);
+            end = copied.end();
+            seen += copied.rows.size();
+            dropped += end > kRows && copied.rows.size() < kRows;
+        }
+        done = true;
+        writer.join();
+        QCOMPARE(torn, 0u);
+        QVERIFY(seen > 0);
+        QVERIFY(dropped > 0); // it was overtaken, and noticed
+        const auto last = ring.copy();
+        QVERIFY(last.rows.size() == std::min<std::size_t>(kRows, last.end()));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRecorder)
+#include "test_recorder.moc"

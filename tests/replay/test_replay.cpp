@@ -1,0 +1,44 @@
+// Every recording in this folder gives the same bits as when it was made.
+#include <filesystem>
+
+#include <QtTest>
+
+#include "core/recording/player.h"
+#include "core/recording/recording_file.h"
+
+using namespace tactum;
+
+class TestReplay : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyRecording_data() {
+        QTest::addColumn<QString>("file");
+        for (const auto& entry : std::filesystem::directory_iterator(TACTUM_REPLAYS))
+            if (entry.path().extension() == "." + std::string(kRecordingEnding))
+                QTest::newRow(entry.path().filename().c_str())
+                    << QString::fromStdString(entry.path().string());
+    }
+
+    void everyRecording() {
+        QFETCH(const QString, file);
+        auto recording = readRecording(file.toStdString());
+        QVERIFY2(recording.has_value(), recording ? "" : recording.error().text.c_str());
+        auto player = Player::open(std::make_shared<const RecordedRun>(recording->run));
+        QVERIFY2(player.has_value(), player ? "" : player.error().text.c_str());
+        player->advanceTo(recording->run.end());
+        const ReplayCheck& check = player->check();
+        QCOMPARE(check.proxySteps, recording->run.proxy.rows.size());
+        QCOMPARE(check.servoSteps, recording->run.servo.rows.size());
+        const std::string text = std::to_string(check.differ) + " steps differ; " + check.first +
+                                 ". If that is meant, run make-replays and say why in the commit";
+        QVERIFY2(check.differ == 0, text.c_str());
+        double most = 0;
+        for (const ServoRow& row : recording->run.servo.rows)
+            most = std::max(most, vectorOf(row.force).norm());
+        QVERIFY(most > 0.1); // N: it is about something
+    }
+};
+
+QTEST_APPLESS_MAIN(TestReplay)
+#include "test_replay.moc"

@@ -1,0 +1,210 @@
+// Recordings in the window: saved on demand and after a fault, opened, scrubbed, played, left again.
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/recording/recording_file.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/panels/playback_bar.h"
+#include "ui/playback.h"
+#include "ui/recording_saver.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+class TestPlayback : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString recording_;
+
+    static Playback& playbackOf(TouchedWindow& program) { return *program.window->findChild<Playback*>(); }
+    static PlaybackBar& barOf(TouchedWindow& program) { return *program.window->findChild<PlaybackBar*>(); }
+    static QString textOf(TouchedWindow& program, const char* name) {
+        return program.window->findChild<QLabel*>(QString::fromLatin1(name))->text();
+    }
+    /// The window's own saver, without the dialog.
+    static bool save(TouchedWindow& program, const QString& file) {
+        auto* saver = program.window->findChild<RecordingSaver*>();
+        QSignalSpy saved(saver, &RecordingSaver::saved);
+        saver->save(file, QStringLiteral("a test wanted it"));
+        return saved.wait(kPatience) && QFile::exists(file);
+    }
+    static void stroke(TouchedWindow& program) {
+        QPoint at = program.centre();
+        program.press(at);
+        program.frames(20);
+        program.wheel(at, 4);
+        for (int i = 0; i < 20; ++i) {
+            at += QPoint(3, 1);
+            program.moveTo(at);
+            program.frames(2);
+        }
+        program.frames(20);
+        program.release(at);
+    }
+    static bool opened(TouchedWindow& program, const QString& file) {
+        program.window->open(file);
+        return QTest::qWaitFor([&] { return playbackOf(program).active(); }, kPatience);
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+    void initTestCase();
+
+    void itIsShownInsteadOfTheLiveScene();
+    void scrubbingGoesThere();
+    void playingGoesOnAtItsSpeed();
+    void historyAndHandAreLeftAlone();
+    void aFaultIsSavedByItself();
+    void aDamagedFileIsOneLine();
+    void everyMomentLooksLikeIt();
+};
+
+/// A stroke over the cube with an edit in it.
+void TestPlayback::initTestCase() {
+    useSettingsIn(folder_.path());
+    QStandardPaths::setTestModeEnabled(true);
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    stroke(program);
+    program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
+    program.frames(20);
+    stroke(program);
+    recording_ = folder_.filePath(QStringLiteral("stroke.tactum-recording"));
+    QVERIFY(save(program, recording_));
+}
+
+void TestPlayback::itIsShownInsteadOfTheLiveScene() {
+    TouchedWindow program;
+    QVERIFY(!barOf(program).isVisible());
+    QVERIFY(opened(program, recording_)); // without any model
+    program.frames(10);
+    QVERIFY(barOf(program).isVisible());
+    QVERIFY(program.window->view().isVisible());
+    QVERIFY(!program.engine.armed());
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("stroke.tactum-recording")));
+    QVERIFY(textOf(program, "status-device").contains(QStringLiteral("recorded")));
+    QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
+                      Qt::LeftButton);
+    program.frames(10);
+    QVERIFY(!barOf(program).isVisible());
+    QVERIFY(!program.window->view().isVisible()); // the start page again
+    QVERIFY(!textOf(program, "status-device").contains(QStringLiteral("recorded")));
+}
+
+void TestPlayback::scrubbingGoesThere() {
+    TouchedWindow program;
+    QVERIFY(opened(program, recording_));
+    auto* scrubber = program.window->findChild<Scrubber*>();
+    const double length =
+        playbackOf(program).player().run().end() - playbackOf(program).player().run().begin();
+    for (const double part : {0.8, 0.3, 0.6}) {
+        const QPoint at(int(part * scrubber->width()), scrubber->height() / 2);
+        QTest::mousePress(scrubber, Qt::LeftButton, {}, at - QPoint(9, 0));
+        QTest::mouseMove(scrubber, at);
+        QTest::mouseRelease(scrubber, Qt::LeftButton, {}, at);
+        program.frames(4);
+        QVERIFY(std::abs(playbackOf(program).time() - part * length) < 0.03 * length);
+        QCOMPARE(playbackOf(program).player().check().differ, 0u);
+        QVERIFY(textOf(program, "playback-verdict").contains(QStringLiteral("same bits")));
+    }
+    const double before = playbackOf(program).time();
+    program.window->view().setFocus();
+    QTest::keyClick(&program.window->view(), Qt::Key_Right);
+    QVERIFY(std::abs(playbackOf(program).time() - before - 0.01) < 1e-9);
+}
+
+void TestPlayback::playingGoesOnAtItsSpeed() {
+    TouchedWindow program;
+    QVERIFY(opened(program, recording_));
+    auto* speed = program.window->findChild<QComboBox*>(QStringLiteral("playback-speed"));
+    speed->setCurrentIndex(speed->count() - 1);
+    QTest::keyClick(&program.window->view(), Qt::Key_Space);
+    QVERIFY(playbackOf(program).playing());
+    QVERIFY(QTest::qWaitFor([&] { return !playbackOf(program).playing(); }, kPatience)); // to the end
+    Player& player = playbackOf(program).player();
+    QVERIFY(player.atEnd());
+    QCOMPARE(player.check().proxySteps, player.run().proxy.rows.size());
+    QCOMPARE(player.check().servoSteps, player.run().servo.rows.size());
+    QVERIFY2(player.check().differ == 0, player.check().first.c_str());
+    QTest::mouseClick(program.window->findChild<QToolButton*>(QStringLiteral("playback-play")),
+                      Qt::LeftButton);
+    QVERIFY(playbackOf(program).playing()); // from the beginning
+    QVERIFY(playbackOf(program).time() < 1);
+}
+
+void TestPlayback::historyAndHandAreLeftAlone() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("500"));
+    const int steps = program.document.history().count();
+    const Scene scene = program.document.scene();
+    QVERIFY(opened(program, recording_));
+    const Vec3 hand = program.finger();
+    stroke(program);
+    QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    program.frames(10);
+    QVERIFY((program.finger() - hand).norm() < 1e-3);
+    QCOMPARE(program.document.history().count(), steps);
+    QVERIFY(program.document.scene() == scene);
+    QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
+                      Qt::LeftButton);
+    QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!(program.document.scene() == scene)); // live again
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+}
+
+void TestPlayback::aFaultIsSavedByItself() {
+    QDir(RecordingSaver::folder()).removeRecursively();
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* saver = program.window->findChild<RecordingSaver*>();
+    QSignalSpy saved(saver, &RecordingSaver::saved);
+    // A hand that is thrown about: faster than anybody who holds the device.
+    for (int i = 0; i < 40 && program.engine.servo().faults == 0; ++i) {
+        program.hand->write({.position = {0.14 * (i % 2 ? 1 : -1), 0.12, 0}});
+        program.frames(6);
+    }
+    if (program.engine.servo().faults == 0) QSKIP("this hand cannot be thrown fast enough");
+    QVERIFY(saved.count() > 0 || saved.wait(kPatience));
+    QVERIFY(saved.front().at(1).toBool());
+    QVERIFY(opened(program, saved.front().at(0).toString()));
+    const auto events = eventsOf(playbackOf(program).player().run());
+    QVERIFY(std::ranges::any_of(events, &RecordedEvent::fault));
+}
+
+void TestPlayback::aDamagedFileIsOneLine() {
+    TouchedWindow program;
+    program.window->open(writeFile(folder_, QStringLiteral("torn.tactum-recording"), "TACTUMRC torn"));
+    const auto* notice = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+    QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral("torn.tactum-recording")), kPatience);
+    QVERIFY(!notice->text().contains(u'\n'));
+    QVERIFY(!playbackOf(program).active());
+}
+
+/// Where the file is looked at by a person: TACTUM_PICTURES=folder.
+void TestPlayback::everyMomentLooksLikeIt() {
+    const QString folder = qEnvironmentVariable("TACTUM_PICTURES");
+    TouchedWindow program({1440, 900});
+    QVERIFY(opened(program, recording_));
+    const Player& player = playbackOf(program).player();
+    const auto deepest = std::ranges::max_element(
+        player.run().servo.rows, {}, [](const ServoRow& row) { return vectorOf(row.force).norm(); });
+    const double time = deepest->time - player.run().begin();
+    playbackOf(program).seek(time, true);
+    program.frames(20);
+    QVERIFY(std::abs(player.servo().force.norm() - vectorOf(deepest->force).norm()) < 0.2);
+    QVERIFY(player.proxy().output.contacts > 0);
+    if (!folder.isEmpty()) program.window->grab().save(folder + QStringLiteral("/playback.png"));
+}
+
+QTEST_MAIN(TestPlayback)
+#include "test_playback.moc"

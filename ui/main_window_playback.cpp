@@ -1,0 +1,157 @@
+// Recordings in the window: saving them, and showing one instead of what is touched now.
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStandardPaths>
+
+#include "core/recording/recording_file.h"
+#include "ui/hand_link.h"
+#include "ui/panels/force_plot.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/playback_bar.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_strip.h"
+#include "ui/playback.h"
+#include "ui/recording_saver.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kKeyStep = 0.01; // s
+constexpr double kSlice = 0.016;  // s
+
+/// What would change the document, the hand or the forces.
+constexpr const char* kLiveActions[] = {"touch", "select", "hide",          "show-all", "remove",
+                                        "armed", "stop",   "restart-proxy", "undo",     "redo"};
+
+QString ending() {
+    return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
+}
+
+QString suggestedFile() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(folder).filePath(
+        QDateTime::currentDateTime().toString(QStringLiteral("'touch' yyyy-MM-dd HH-mm")) + ending());
+}
+
+/// In slices as long as a frame: the plot takes the contacts of one haptic step for each of them.
+void plot(ForcePlot& plot, Player& player) {
+    const std::vector<TracePoint> ticks = player.takeTrace();
+    const std::vector<ReplayedStep> steps = player.takeSteps();
+    std::vector<TracePoint> slice;
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        slice.push_back(ticks[i]);
+        if (i + 1 < ticks.size() && ticks[i].t - slice.front().t < kSlice) continue;
+        while (passed < steps.size() && steps[passed].row->time <= ticks[i].t)
+            ++passed;
+        plot.take(slice, passed > 0 ? steps[passed - 1].output : player.proxy().output,
+                  player.run().device.maxForce);
+        slice.clear();
+    }
+}
+
+} // namespace
+
+void MainWindow::connectRecordings() {
+    connect(&actions_["save-recording"], &QAction::triggered, this, &MainWindow::saveRecording);
+    connect(saver_, &RecordingSaver::failed, notice_, &NoticeBar::showError);
+    connect(saver_, &RecordingSaver::saved, this, [this](const QString& file, bool afterFault) {
+        notice_->showNote(
+            afterFault ? tr("There was a fault. What led to it was saved: open %1 to see it again.").arg(file)
+                       : tr("The last minute was saved to %1.").arg(file));
+    });
+    connect(playback_, &Playback::begun, this, &MainWindow::beginPlayback);
+    connect(playback_, &Playback::ended, this, &MainWindow::endPlayback);
+    connect(playback_, &Playback::failed, notice_, &NoticeBar::showError);
+    connect(playback_, &Playback::progressed, this, [this](double fraction, double secondsLeft) {
+        if (playback_->opening())
+            notice_->showProgress(tr("Opening the recording"), fraction, secondsLeft, false);
+    });
+    const auto onKey = [this](Qt::Key key, auto act) {
+        auto* shortcut = new QShortcut(key, view_, nullptr, nullptr, Qt::WidgetShortcut);
+        shortcut->setEnabled(false); // live, the view has these keys
+        connect(shortcut, &QShortcut::activated, this, act);
+        connect(playback_, &Playback::begun, shortcut, [shortcut] { shortcut->setEnabled(true); });
+        connect(playback_, &Playback::ended, shortcut, [shortcut] { shortcut->setEnabled(false); });
+    };
+    onKey(Qt::Key_Space, [this] { playback_->setPlaying(!playback_->playing()); });
+    onKey(Qt::Key_Left, [this] { playback_->seek(playback_->time() - kKeyStep, true); });
+    onKey(Qt::Key_Right, [this] { playback_->seek(playback_->time() + kKeyStep, true); });
+}
+
+void MainWindow::saveRecording() {
+    QString file = QFileDialog::getSaveFileName(this, tr("Save the last minute"), suggestedFile(),
+                                                tr("Recordings (*%1)").arg(ending()));
+    if (file.isEmpty()) return;
+    if (!isRecording(file)) file += ending();
+    saver_->save(file, tr("Saved on demand"));
+}
+
+void MainWindow::setLive(bool live) {
+    for (const char* id : kLiveActions)
+        actions_[id].setEnabled(live);
+    if (live) {
+        actions_["undo"].setEnabled(document_.history().canUndo());
+        actions_["redo"].setEnabled(document_.history().canRedo());
+        actions_["stop"].setEnabled(engine_.armed());
+    }
+    for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history"})
+        if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
+    hand_->setSuspended(!live);
+    view_->setTool(live && actions_["touch"].isChecked() ? ViewTool::Touch : ViewTool::Select);
+}
+
+void MainWindow::beginPlayback() {
+    engine_.setArmed(false);
+    actions_["armed"].setChecked(false);
+    setLive(false);
+    notice_->endProgress();
+    view_->setSelection(std::nullopt);
+    shownShape_ = 0;
+    centre_->setCurrentWidget(view_);
+    setWindowTitle(tr("%1 - Tactum").arg(QFileInfo(playback_->file()).fileName()));
+    playFrame();
+    view_->fit();
+    view_->setFocus();
+}
+
+void MainWindow::endPlayback() {
+    setLive(true);
+    docks_.plot->clear();
+    status_->setFault(QString());
+    const QString name = QFileInfo(QString::fromStdU16String(document_.path().u16string())).fileName();
+    setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));
+    view_->setScene(document_.scene());
+    view_->setSelection(document_.selection());
+    if (!document_.empty()) view_->fit();
+    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+    notice_->showNote(tr("Live again. The forces are off: Device > Forces on."));
+}
+
+void MainWindow::playFrame() {
+    playback_->frame();
+    Player& player = playback_->player();
+    const DeviceInfo& device = player.run().device;
+    if (const World* world = player.world(); world && world->shapeRevision != shownShape_) {
+        shownShape_ = world->shapeRevision;
+        view_->setScene(*world->scene);
+    }
+    if (view_->isVisible()) view_->setHaptics(player.proxy(), player.servo(), device.maxForce, true);
+    if (playback_->takeJump()) docks_.plot->clear();
+    plot(*docks_.plot, player);
+    for (TracePoint live; engine_.popTrace(live);)
+        continue;
+    status_->display(player.proxy(), player.servo(), device);
+}
+
+} // namespace tactum

@@ -1,0 +1,97 @@
+#include "ui/recording_saver.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include "core/recording/events.h"
+#include "core/recording/recording_file.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kAftermath = 1000; // ms, that are recorded after a fault
+constexpr int kKept = 20;        // recordings of faults
+
+QString pattern() {
+    return QStringLiteral("*.") + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
+}
+
+void dropOldest(const QString& folder) {
+    const QDir dir(folder);
+    const QStringList files = dir.entryList({pattern()}, QDir::Files, QDir::Time);
+    for (const QString& file : files.mid(kKept))
+        QFile::remove(dir.filePath(file));
+}
+
+/// Empty when all went well.
+QString writeAtomically(const QString& file, const std::string& bytes) {
+    QSaveFile out(file);
+    const bool written = out.open(QIODevice::WriteOnly) &&
+                         out.write(bytes.data(), qint64(bytes.size())) == qint64(bytes.size()) &&
+                         out.commit();
+    if (written) return {};
+    return RecordingSaver::tr("%1 cannot be written (%2). Choose another folder, or make room on the disk.")
+        .arg(file, out.errorString());
+}
+
+} // namespace
+
+bool isRecording(const QString& file) {
+    return file.endsWith(pattern().mid(1), Qt::CaseInsensitive);
+}
+
+RecordingSaver::RecordingSaver(const Engine& engine, const Document& document, QObject* parent)
+    : QObject(parent), engine_(engine), document_(document), faults_(engine.servo().faults) {
+    due_.setSingleShot(true);
+    due_.setInterval(kAftermath);
+    connect(&due_, &QTimer::timeout, this, &RecordingSaver::saveFault);
+}
+
+QString RecordingSaver::folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recordings");
+}
+
+void RecordingSaver::watch() {
+    const ServoTelemetry& servo = engine_.servo();
+    if (servo.faults > faults_) {
+        if (isFault(servo.withheld)) reason_ = QString::fromUtf8(wordsFor(servo.withheld));
+        if (!due_.isActive()) due_.start();
+    }
+    faults_ = servo.faults;
+}
+
+void RecordingSaver::saveFault() {
+    if (job_.running()) return due_.start();
+    const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH-mm-ss"));
+    QDir().mkpath(folder());
+    write(folder() + u'/' + name + pattern().mid(1), tr("Fault: %1").arg(reason_), true);
+}
+
+void RecordingSaver::save(const QString& file, const QString& reason) {
+    if (job_.running()) return emit failed(tr("Another recording is being saved. Try again in a moment."));
+    write(file, reason, false);
+}
+
+void RecordingSaver::write(const QString& file, const QString& reason, bool afterFault) {
+    auto recording = std::make_shared<Recording>();
+    recording->run = engine_.recorded();
+    recording->reason = reason.toStdString();
+    if (!document_.path().empty()) recording->sources.push_back(std::filesystem::absolute(document_.path()));
+    if (recording->run.servo.rows.empty() && recording->run.proxy.rows.empty())
+        return emit failed(tr("Nothing was recorded yet: the device has not run. Start it first."));
+    job_.start([this, recording, file, afterFault](const Progress&) -> BackgroundJob::Delivery {
+        const QString fault = writeAtomically(file, recordingBytes(*recording));
+        if (afterFault) dropOldest(folder());
+        return [this, fault, file, afterFault] {
+            if (fault.isEmpty())
+                emit saved(file, afterFault);
+            else
+                emit failed(fault);
+        };
+    });
+}
+
+} // namespace tactum
