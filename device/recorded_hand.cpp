@@ -34,7 +34,8 @@ DeviceInfo RecordedHand::info() const {
             .workspaceRadius = reach,
             .rate = 1000,
             .damping = kGrip,
-            .tripSpeed = kFastest};
+            .tripSpeed = kFastest,
+            .measuresVelocity = true};
 }
 
 Result<void> RecordedHand::open() {

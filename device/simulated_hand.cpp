@@ -46,7 +46,8 @@ DeviceInfo SimulatedHand::info() const {
             .workspaceRadius = profile_.workspaceRadius,
             .rate = kRate,
             .damping = profile_.damping,
-            .tripSpeed = kFastest};
+            .tripSpeed = kFastest,
+            .measuresVelocity = true};
 }
 
 Result<void> SimulatedHand::open() {

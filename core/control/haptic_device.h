@@ -24,12 +24,13 @@ struct DeviceInfo {
     double delay = 1;              ///< ticks between reading and the force that answers it
     bool real = false;             ///< it pushes a hand: a guardian stands by while it is open
     double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
+    bool measuresVelocity = false; ///< false: the servo makes the velocities itself, from the positions
 };
 
 /// One reading of the device. Frame D, SI.
 struct DeviceSample {
     Vec3 position = Vec3::Zero();
-    Vec3 velocity = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero(); ///< where the device measures it
     std::uint32_t buttons = 0;
     bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
     bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be

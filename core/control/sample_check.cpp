@@ -32,6 +32,7 @@ bool SampleCheck::operator()(const DeviceSample& sample, double dt) noexcept {
     believed_ = sample;
     believed_.jumped = sample.jumped || first;
     believed_.valid = !lost_;
+    if (!measuresVelocity_) believed_.velocity = estimate_(sample.position, believed_.jumped, since_);
     since_ = 0;
     bad_ = 0;
     return true;

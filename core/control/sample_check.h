@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/control/haptic_device.h"
+#include "core/control/velocity_estimate.h"
 
 namespace tactum {
 
@@ -13,14 +14,16 @@ inline constexpr int kBadSamplesToLoss = 3;
 /// Frame D, SI. Thread: real time.
 class SampleCheck {
 public:
-    /// tripSpeed in m/s: a finger that seems to go at more than twice that was misread.
-    explicit SampleCheck(double tripSpeed) noexcept : fastest_(2 * tripSpeed) {}
+    /// A finger that seems to go at more than twice the device's tripSpeed was misread.
+    explicit SampleCheck(const DeviceInfo& device) noexcept
+        : fastest_(2 * device.tripSpeed), measuresVelocity_(device.measuresVelocity),
+          estimate_(device.positionResolution) {}
 
     /// `dt`: s since the last reading. Returns whether the reading was believed.
     bool operator()(const DeviceSample& sample, double dt) noexcept;
 
     bool lost() const noexcept { return lost_; }
-    /// The newest that was believed; not valid before the first, nor while the device is lost. The first
+    /// The newest that was believed, with its velocity; not valid before the first, nor while the device is lost. The first
     /// after a loss says that it jumped.
     const DeviceSample& believed() const noexcept { return believed_; }
     std::uint64_t refused() const noexcept { return refused_; }
@@ -33,7 +36,9 @@ public:
 private:
     bool canBeTrue(const DeviceSample& sample) const noexcept;
 
-    double fastest_;   ///< m/s
+    double fastest_; ///< m/s
+    bool measuresVelocity_;
+    VelocityEstimate estimate_;
     double since_ = 0; ///< s since the newest that was believed
     int good_ = 0, bad_ = 0;
     bool lost_ = false;

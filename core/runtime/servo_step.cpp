@@ -5,9 +5,9 @@
 namespace tactum {
 namespace {
 
-/// After a limit cycle the stiffness falls to its half over the first time; it doubles again over the second.
-/// Unit: s.
-constexpr double kFade = 0.05, kRecovery = 5;
+/// After a limit cycle the stiffness falls to its half over the first time; it doubles again over the second,
+/// while nothing is touched: a spring that stiffens under load gives energy. Unit: s.
+constexpr double kFade = 0.05, kRecovery = 2;
 constexpr double kLeastCalm = 1.0 / 32;
 
 /// The device's frame D is the world's so far.
@@ -17,7 +17,7 @@ FingerSample fingerOf(const ServoState& state) noexcept {
 }
 
 void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
-    state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
+    if (!state.touching) state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
     state.calm = std::min(1.0, state.calm + std::clamp(state.calmGoal - state.calm, -0.5 * dt / kFade, 1.0));
     if (seen.jumped) state.oscillation.forget();
     if (!state.oscillation(seen.position, dt) || state.guard.gain() == 0) return;
@@ -64,7 +64,7 @@ Vec3 guarded(ServoState& state, const Wanted& wanted, const FingerSample& finger
 } // namespace
 
 ServoState::ServoState(const DeviceInfo& device) noexcept
-    : loop(loopFigures(device)), check(device.tripSpeed), guard(device.maxForce, device.tripSpeed),
+    : loop(loopFigures(device)), check(device), guard(device.maxForce, device.tripSpeed),
       heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,

@@ -91,6 +91,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/control/passivity",
     "core/control/safe_stiffness",
     "core/control/sample_check",
+    "core/control/velocity_estimate",
     "core/control/hand_target",
     "core/proxy/carry",
     "core/proxy/carry_bounds",

@@ -1,0 +1,51 @@
+#include "tests/physics/servo.h"
+
+#include <algorithm>
+
+#include "core/runtime/proxy_loop.h"
+
+namespace tactum::test {
+
+LocalContactModel wall(double stiffness, double damping) {
+    LocalContactModel model;
+    model.planes = 1;
+    model.plane[0] = {Vec3::UnitZ(), 0};
+    model.stiffness = stiffness;
+    model.damping = damping;
+    model.valid = true;
+    return model;
+}
+
+void Proxy::step(const FingerSample& finger) {
+    const bool restart = finger.anchoring != anchoring_;
+    anchoring_ = state.model.anchoring = finger.anchoring;
+    const double dt = std::clamp(time_ - last_, kShortestStep, kLongestStep);
+    last_ = time_;
+    output = hapticStep(*world, state, {finger.position, finger.velocity, restart}, dt);
+    onTheWay_.push_back({time_ + latency, state.model});
+}
+
+bool Proxy::answer(const FingerSample& finger, double dt, LocalContactModel& model) {
+    time_ += dt;
+    constexpr double kRounding = 1e-9;
+    if (finger.valid && time_ >= due_ - kRounding) {
+        due_ = std::max(due_ + 1 / rate, time_);
+        step(finger);
+    }
+    bool fresh = false;
+    while (!onTheWay_.empty() && onTheWay_.front().time <= time_ + kRounding) {
+        model = onTheWay_.front().model;
+        onTheWay_.pop_front();
+        fresh = true;
+    }
+    return fresh;
+}
+
+Vec3 Servo::operator()(const DeviceSample& sample, double dt) {
+    output = servoStep(state, settings, {.sample = sample, .dt = dt, .late = dt > 2 * period_, .fresh = fresh_},
+                       model);
+    fresh_ = surroundings_.answer(output.finger, dt, model);
+    return output.force;
+}
+
+} // namespace tactum::test

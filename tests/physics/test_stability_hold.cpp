@@ -1,0 +1,72 @@
+// T4: below the ceiling every device in every hand holds still. T5: what would swing is stilled by the
+// passivity controller.
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "tests/physics/press.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kMicrojoule = 1e-6;
+
+QString told(const Bench& bench, const Press& press, const Rest& rest) {
+    return QString("%1 in %2, %3 Hz, %4 late, lag %5 ms, %6 N, %7 m/s: K %8, %9 um, %10 N, lost %11, W %12")
+        .arg(bench.device.name)
+        .arg(bench.hand.name)
+        .arg(bench.timing.rate)
+        .arg(bench.timing.delay)
+        .arg(1e3 * bench.device.amplifierLag, 0, 'f', 2)
+        .arg(press.force)
+        .arg(press.impact)
+        .arg(rest.stiffness)
+        .arg(1e6 * rest.motion)
+        .arg(rest.force)
+        .arg(rest.lost)
+        .arg(rest.given);
+}
+
+} // namespace
+
+class TestStabilityHold : public QObject {
+    Q_OBJECT
+
+private slots:
+    void belowTheCeilingItHoldsStill_data() {
+        QTest::addColumn<int>("device");
+        QTest::addColumn<bool>("lag");
+        for (int i = 0; i < int(kDevices.size()); ++i)
+            for (const bool lag : {false, true})
+                QTest::addRow("%s%s", kDevices[std::size_t(i)].name, lag ? ", 300 Hz" : "") << i << lag;
+    }
+
+    /// T4.
+    void belowTheCeilingItHoldsStill() {
+        QFETCH(int, device);
+        QFETCH(bool, lag);
+        const DeviceProfile profile = lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
+        int cases = 0, bad = 0;
+        for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
+            for (const double rate : {1000.0, 2000.0, 4000.0})
+                for (const int delay : {0, 1, 2})
+                    for (const Press& press : kPresses) {
+                        const Bench bench{profile, hand, {.rate = rate, .delay = delay, .jitter = 0.2}};
+                        const Rest rest = pressServo(bench, press, 5000);
+                        ++cases;
+                        // What is let go swings for long: there the energy decides.
+                        const bool good = hand.mass > 0 ? rest.still(profile.resolution)
+                                                        : rest.given <= kMicrojoule;
+                        if (good) continue;
+                        if (++bad < 20) qWarning("%s", qPrintable(told(bench, press, rest)));
+                    }
+        qInfo("%d of %d", bad, cases);
+        QCOMPARE(bad, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityHold)
+#include "test_stability_hold.moc"
