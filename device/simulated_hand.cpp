@@ -46,6 +46,7 @@ DeviceInfo SimulatedHand::info() const {
             .workspaceRadius = profile_.workspaceRadius,
             .rate = kRate,
             .damping = profile_.damping,
+            .handDamping = 0,
             .tripSpeed = kFastest,
             .measuresVelocity = true};
 }

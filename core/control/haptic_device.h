@@ -18,7 +18,8 @@ struct DeviceInfo {
     double workspaceRadius = 0;    ///< m, largest sphere about the origin of D
     double positionResolution = 0; ///< m
     double rate = 1000;            ///< Hz, exchanges a second that the device expects
-    double damping = 2;            ///< N s/m, its own and of a hand, at least: of a light pinch if not known
+    double damping = 0;            ///< N s/m, its own, at least
+    double handDamping = 2;        ///< N s/m, of the hand that holds it, at least: of a light pinch
     double dryFriction = 0;        ///< N, its own, at least
     double amplifierLag = 0;       ///< s, time constant from command to force
     double delay = 1;              ///< ticks between reading and the force that answers it

@@ -1,26 +1,35 @@
-// Observes whether the rendered surface gives the hand more energy than it took, and damps when it does.
+// Observes whether the rendered surface makes energy, and damps when it does.
 #pragma once
 
-#include "core/base/vec.h"
+#include "core/control/haptic_device.h"
 
 namespace tactum {
 
-/// A passivity observer and controller in the time domain (Hannaford and Ryu): E sums f . dx with the
-/// positions as they were read; of what goes beyond the threshold a damping takes back, with the velocity as
-/// it was read (a filtered one makes it shake). E begins at zero with each contact, and what friction took
-/// for ever is no credit: E is never lower than what the spring can still give back.
-/// Positive energy is work that the device did on the hand. SI, one frame throughout. Thread: real time.
+/// A rendered spring for the energy balance of one tick. SI, one frame throughout.
+struct RenderedSpring {
+    Vec3 force = Vec3::Zero();    ///< N, commanded after all limits
+    double stored = 0;            ///< J, that the spring holds and may still give back
+    Vec3 velocity = Vec3::Zero(); ///< m/s, of the surface: what a moving body does on the hand is its own work
+};
+
+/// A passivity observer and controller in the time domain (Hannaford and Ryu). The balance sums the work on
+/// the hand and what the spring still holds, less what the device's own damping and friction take for
+/// certain: a passive surface never brings it above zero. Of what goes beyond the threshold a damping takes
+/// back. What was taken for ever is no credit, what was given is forgotten slowly: a surface that the finger
+/// bounces on is one contact. SI. Thread: real time.
 class Passivity {
 public:
-    /// The work of the last commanded force up to this position.
-    void observe(const Vec3& position) noexcept;
-    /// The force with as much damping as the balance asks for, looking one tick ahead.
-    Vec3 damped(const Vec3& force, const Vec3& velocity, double dt) noexcept;
-    /// What was commanded after all limits; `stored` J lie in the rendered spring.
-    void commanded(const Vec3& force, bool touching, double stored) noexcept;
+    explicit Passivity(const DeviceInfo& device) noexcept
+        : ownDamping_(device.damping), friction_(device.dryFriction) {}
 
-    double energy() const noexcept { return energy_; }   ///< J, given beyond what was taken
-    double damping() const noexcept { return damping_; } ///< N s/m, of the last tick; 0: passive by itself
+    /// The work of the last command up to this reading, `dt` s later.
+    void observe(const Vec3& position, const Vec3& velocity, double dt) noexcept;
+    /// The damping that the balance asks for now, N s/m; `velocity` is relative to the surface.
+    double damping(double stored, const Vec3& velocity, double dt) noexcept;
+    void commanded(const RenderedSpring& spring) noexcept;
+
+    double energy() const noexcept { return given_ + spring_.stored; } ///< J, made by the surface
+    double lastDamping() const noexcept { return damping_; }           ///< N s/m; 0: passive by itself
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
@@ -28,9 +37,12 @@ public:
     }
 
 private:
-    Vec3 last_ = Vec3::Zero(), force_ = Vec3::Zero();
+    double ownDamping_, friction_;
+    Vec3 last_ = Vec3::Zero();
     bool known_ = false;
-    double energy_ = 0, damping_ = 0;
+    RenderedSpring spring_; ///< of the last tick
+    double given_ = 0;      ///< J
+    double damping_ = 0;
 };
 
 } // namespace tactum

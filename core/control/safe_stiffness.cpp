@@ -9,7 +9,7 @@ LoopFigures loopFigures(const DeviceInfo& device) noexcept {
     return {.period = 1 / device.rate,
             .delay = device.delay / device.rate,
             .amplifierLag = device.amplifierLag,
-            .damping = device.damping,
+            .damping = device.damping + device.handDamping,
             .dryFriction = device.dryFriction,
             .resolution = device.positionResolution,
             .makersCeiling = device.maxStiffness};

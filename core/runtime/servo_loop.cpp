@@ -81,7 +81,7 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     telemetry.calm = state.calm;
     telemetry.heat = state.heat.heat();
     telemetry.energy = state.passivity.energy();
-    telemetry.passivityDamping = state.passivity.damping();
+    telemetry.passivityDamping = state.passivity.lastDamping();
     telemetry.ceiling = state.ceiling;
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.

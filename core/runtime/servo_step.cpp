@@ -34,10 +34,10 @@ double ceilingOf(ServoState& state, const ServoSettings& settings, double stiffn
     return state.calm * (settings.overrideCeiling ? stiffness : std::min(stiffness, state.ceiling.value));
 }
 
-/// What the model asks for, and what the rendered spring then holds.
+/// What the model asks for.
 struct Wanted {
-    Vec3 force = Vec3::Zero();
-    double stored = 0; ///< J
+    RenderedSpring spring;
+    Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
 };
 
 Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
@@ -48,23 +48,27 @@ Wanted render(ServoState& state, const LocalContactModel& model, const FingerSam
     state.anchor = anchor.position;
     state.touching = anchor.touching;
     if (!anchor.touching) return {};
-    return {springForce(eased, anchor.position, finger.position, finger.velocity),
-            0.5 * eased.stiffness * (anchor.position - finger.position).squaredNorm()};
+    return {{springForce(eased, anchor.position, finger.position, finger.velocity),
+             0.5 * eased.stiffness * (anchor.position - finger.position).squaredNorm(), eased.velocity},
+            finger.velocity - eased.velocity};
 }
 
-Vec3 guarded(ServoState& state, const Wanted& wanted, const FingerSample& finger, const GuardInput& tick,
-             double dt) noexcept {
+/// What of it may be rendered.
+RenderedSpring guarded(ServoState& state, const Wanted& wanted, const GuardInput& tick) noexcept {
     const double gain = state.guard(tick);
-    if (gain == 0) return Vec3::Zero();
-    Vec3 force = gain * wanted.force;
-    if (state.touching) force -= state.guard.arrivalDamping() * finger.velocity;
-    return state.passivity.damped(force, finger.velocity, dt);
+    if (gain == 0) return {};
+    RenderedSpring spring = wanted.spring;
+    spring.stored *= gain;
+    const double damping = state.guard.arrivalDamping() +
+                           state.passivity.damping(spring.stored, wanted.sliding, tick.dt);
+    spring.force = gain * spring.force - damping * wanted.sliding;
+    return spring;
 }
 
 } // namespace
 
 ServoState::ServoState(const DeviceInfo& device) noexcept
-    : loop(loopFigures(device)), check(device), guard(device.maxForce, device.tripSpeed),
+    : loop(loopFigures(device)), check(device), guard(device.maxForce, device.tripSpeed), passivity(device),
       heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
@@ -73,10 +77,10 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     state.check(input.sample, input.dt);
     const DeviceSample& seen = state.check.believed();
     if (seen.jumped) state.guard.begin();
-    state.passivity.observe(seen.position);
+    state.passivity.observe(seen.position, seen.velocity, input.dt);
     calmDown(state, seen, input.dt);
 
-    const FingerSample finger = fingerOf(state);
+    FingerSample finger = fingerOf(state);
     const double ceiling = ceilingOf(state, settings, model.stiffness);
     const Wanted wanted = render(state, model, finger, input.fresh, ceiling, input.dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + input.dt;
@@ -89,16 +93,16 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                           .answered = model.valid && model.anchoring == finger.anchoring &&
                                       state.modelAge <= kModelPatience,
                           .speed = finger.velocity.norm(),
-                          .wanted = wanted.force.norm(),
-                          .finite = wanted.force.allFinite()};
-    const Vec3 force = guarded(state, wanted, finger, tick, input.dt);
+                          .wanted = wanted.spring.force.norm(),
+                          .finite = wanted.spring.force.allFinite()};
+    RenderedSpring spring = guarded(state, wanted, tick);
 
     state.limiter.maxForce = state.heat.limit();
-    ServoOutput output{state.limiter(force), finger};
-    output.finger.anchoring = state.guard.anchoring();
-    state.heat.add(output.force.norm(), input.dt);
-    state.passivity.commanded(output.force, state.touching, wanted.stored);
-    return output;
+    spring.force = state.limiter(spring.force);
+    state.heat.add(spring.force.norm(), input.dt);
+    state.passivity.commanded(spring);
+    finger.anchoring = state.guard.anchoring();
+    return {spring.force, finger};
 }
 
 } // namespace tactum

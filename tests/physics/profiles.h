@@ -78,7 +78,8 @@ inline DeviceInfo infoOf(const DeviceProfile& device, const HandProfile& hand, c
     info.workspaceRadius = 0.2;
     info.positionResolution = device.resolution;
     info.rate = timing.rate;
-    info.damping = device.damping + hand.felt();
+    info.damping = device.damping;
+    info.handDamping = hand.felt();
     info.dryFriction = device.friction;
     info.amplifierLag = device.amplifierLag;
     info.delay = timing.delay;

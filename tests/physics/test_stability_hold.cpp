@@ -66,6 +66,37 @@ private slots:
         qInfo("%d of %d", bad, cases);
         QCOMPARE(bad, 0);
     }
+
+    void whatSwingsIsStilled_data() {
+        QTest::addColumn<int>("device");
+        for (int i = 0; i < int(kDevices.size()); ++i)
+            QTest::addRow("%s", kDevices[std::size_t(i)].name) << i;
+    }
+
+    /// T5: what is stiffer than the ceiling, and what the person let go.
+    void whatSwingsIsStilled() {
+        QFETCH(int, device);
+        const DeviceProfile profile = kDevices[std::size_t(device)];
+        int swinging = 0, bad = 0;
+        double worstGift = 0, worstExtra = 0;
+        for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
+            for (const double stiffness : {1000.0, 2000.0, 3000.0})
+                for (const int delay : {0, 1})
+                    for (const Press& press : kPresses) {
+                        const Bench bench{profile, hand, {.delay = delay}};
+                        if (pressPlain(bench, press, stiffness, 4).still(profile.resolution)) continue;
+                        ++swinging;
+                        const Rest rest = pressServo(bench, press, stiffness, 4, [](Servo& servo) {
+                            servo.settings.overrideCeiling = true;
+                        });
+                        worstGift = std::max(worstGift, rest.given);
+                        worstExtra = std::max(worstExtra, rest.peak / press.force);
+                        if (rest.still(profile.resolution)) continue;
+                        if (++bad < 20) qWarning("%s", qPrintable(told(bench, press, rest)));
+                    }
+        qInfo("%d of %d, W up to %.2g mJ", bad, swinging, 1e3 * worstGift);
+        QCOMPARE(bad, 0);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestStabilityHold)
