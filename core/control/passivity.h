@@ -1,6 +1,10 @@
 // Observes whether the rendered surface makes energy, and damps when it does.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/control/haptic_device.h"
 
 namespace tactum {
@@ -14,21 +18,22 @@ struct RenderedSpring {
 
 /// A passivity observer and controller in the time domain (Hannaford and Ryu). The balance sums the work on
 /// the hand and what the spring still holds, less what the device's own damping and friction take for
-/// certain: a passive surface never brings it above zero. Of what goes beyond the threshold a damping takes
-/// back. What was taken for ever is no credit, what was given is forgotten slowly: a surface that the finger
+/// certain: a passive surface never brings it above zero. What goes beyond the threshold a damping takes
+/// back, all of it. What was taken for ever is no credit, what was given is forgotten slowly: a surface that the finger
 /// bounces on is one contact. SI. Thread: real time.
 class Passivity {
 public:
     explicit Passivity(const DeviceInfo& device) noexcept
-        : ownDamping_(device.damping), friction_(device.dryFriction) {}
+        : ownDamping_(device.damping), friction_(device.dryFriction),
+          delay_(std::clamp(int(std::lround(device.delay)), 0, kLongestDelay)) {}
 
-    /// The work of the last command up to this reading, `dt` s later.
+    /// The work up to this reading, `dt` s after the last one, of the command that has reached the device.
     void observe(const Vec3& position, const Vec3& velocity, double dt) noexcept;
     /// The damping that the balance asks for now, N s/m; `velocity` is relative to the surface.
     double damping(double stored, const Vec3& velocity, double dt) noexcept;
     void commanded(const RenderedSpring& spring) noexcept;
 
-    double energy() const noexcept { return given_ + spring_.stored; } ///< J, made by the surface
+    double energy() const noexcept { return given_ + commanded_[0].stored; } ///< J, made by the surface
     double lastDamping() const noexcept { return damping_; }           ///< N s/m; 0: passive by itself
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
@@ -37,11 +42,15 @@ public:
     }
 
 private:
+    static constexpr int kLongestDelay = 7; ///< ticks
+
     double ownDamping_, friction_;
+    int delay_; ///< ticks
     Vec3 last_ = Vec3::Zero();
     bool known_ = false;
-    RenderedSpring spring_; ///< of the last tick
+    std::array<RenderedSpring, kLongestDelay + 1> commanded_{}; ///< newest first
     double given_ = 0;      ///< J
+    bool taking_ = false;   ///< back what was made, until nothing is left of it
     double damping_ = 0;
 };
 

@@ -40,6 +40,12 @@ struct Wanted {
     Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
 };
 
+/// J: what a spring gives back that the device pushes with at most `limit`.
+double storedIn(double stretch, double stiffness, double limit) noexcept {
+    const double rendered = std::min(stretch, limit / std::max(stiffness, 1e-9));
+    return stiffness * rendered * (stretch - 0.5 * rendered);
+}
+
 Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
               double ceiling, double dt) noexcept {
     if (state.guard.gain() == 0) state.ease.restart();
@@ -49,7 +55,8 @@ Wanted render(ServoState& state, const LocalContactModel& model, const FingerSam
     state.touching = anchor.touching;
     if (!anchor.touching) return {};
     return {{springForce(eased, anchor.position, finger.position, finger.velocity),
-             0.5 * eased.stiffness * (anchor.position - finger.position).squaredNorm(), eased.velocity},
+             storedIn((anchor.position - finger.position).norm(), eased.stiffness, state.limiter.maxForce),
+             eased.velocity},
             finger.velocity - eased.velocity};
 }
 
@@ -61,7 +68,8 @@ RenderedSpring guarded(ServoState& state, const Wanted& wanted, const GuardInput
     spring.stored *= gain;
     const double damping = state.guard.arrivalDamping() +
                            state.passivity.damping(spring.stored, wanted.sliding, tick.dt);
-    spring.force = gain * spring.force - damping * wanted.sliding;
+    // Beyond what the device can push no damping would be felt.
+    spring.force = state.limiter(gain * spring.force) - damping * wanted.sliding;
     return spring;
 }
 
@@ -79,6 +87,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     if (seen.jumped) state.guard.begin();
     state.passivity.observe(seen.position, seen.velocity, input.dt);
     calmDown(state, seen, input.dt);
+    state.limiter.maxForce = state.heat.limit();
 
     FingerSample finger = fingerOf(state);
     const double ceiling = ceilingOf(state, settings, model.stiffness);
@@ -96,8 +105,6 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                           .wanted = wanted.spring.force.norm(),
                           .finite = wanted.spring.force.allFinite()};
     RenderedSpring spring = guarded(state, wanted, tick);
-
-    state.limiter.maxForce = state.heat.limit();
     spring.force = state.limiter(spring.force);
     state.heat.add(spring.force.norm(), input.dt);
     state.passivity.commanded(spring);
