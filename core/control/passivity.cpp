@@ -13,13 +13,30 @@ constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes withou
 constexpr double kCredit = 0.75;
 constexpr double kMostDamping = 8;  ///< N s/m; more would shake a light device at 1 kHz itself
 constexpr double kSlowest = 1e-3;   ///< m/s; a finger at rest takes no energy out
+constexpr double kRest = 0.01;      ///< s; at the turn of a swing it is shorter
 } // namespace
 
+void Passivity::notice(const Vec3& position, double dt) noexcept {
+    const bool left = (position - rest_).cwiseAbs().maxCoeff() > 1.5 * resolution_;
+    if (left) rest_ = position;
+    restedFor_ = left ? 0 : restedFor_ + dt;
+}
+
+bool Passivity::resting() const noexcept {
+    return restedFor_ > kRest;
+}
+
+// The reading of a resting finger that goes to and fro between two counts seems to make (Delta / 2) |dF| each
+// time.
 // Friction along each axis, as its joints have it; of all axes together it is at least that of the way.
 void Passivity::observe(const Vec3& position, const Vec3& velocity, double dt) noexcept {
     const double taken = kCredit * (ownDamping_ * velocity.norm() + friction_) * velocity.norm() * dt;
     const RenderedSpring& felt = commanded_[std::size_t(delay_)];
-    if (known_) given_ += felt.force.dot(position - last_ - felt.velocity * dt) - taken;
+    const Vec3 way = position - last_ - felt.velocity * dt;
+    notice(position, dt);
+    const double noise =
+        resting() ? 0.5 * resolution_ * (commanded_[0].force - commanded_[1].force).norm() : 0;
+    if (known_) given_ += felt.force.dot(way) - taken - noise;
     const double stored = commanded_[0].stored;
     given_ = std::clamp(given_, -stored - kThreshold, kMost - stored);
     if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
@@ -32,7 +49,7 @@ double Passivity::damping(double stored, const Vec3& velocity, double dt) noexce
     const double speed2 = velocity.squaredNorm();
     const double excess = given_ + stored;
     taking_ = excess > (taking_ ? 0 : kThreshold);
-    if (taking_ && speed2 > kSlowest * kSlowest)
+    if (taking_ && !resting() && speed2 > kSlowest * kSlowest)
         damping_ = std::min(kMostDamping, excess / (speed2 * dt));
     return damping_;
 }

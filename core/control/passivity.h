@@ -24,7 +24,7 @@ struct RenderedSpring {
 class Passivity {
 public:
     explicit Passivity(const DeviceInfo& device) noexcept
-        : ownDamping_(device.damping), friction_(device.dryFriction),
+        : ownDamping_(device.damping), friction_(device.dryFriction), resolution_(device.positionResolution),
           delay_(std::clamp(int(std::lround(device.delay)), 0, kLongestDelay)) {}
 
     /// The work up to this reading, `dt` s after the last one, of the command that has reached the device.
@@ -44,9 +44,14 @@ public:
 private:
     static constexpr int kLongestDelay = 7; ///< ticks
 
-    double ownDamping_, friction_;
+    void notice(const Vec3& position, double dt) noexcept;
+    bool resting() const noexcept;
+
+    double ownDamping_, friction_, resolution_;
     int delay_; ///< ticks
     Vec3 last_ = Vec3::Zero();
+    Vec3 rest_ = Vec3::Zero(); ///< what the finger has not left by more than a count
+    double restedFor_ = 0;     ///< s
     bool known_ = false;
     std::array<RenderedSpring, kLongestDelay + 1> commanded_{}; ///< newest first
     double given_ = 0;      ///< J
