@@ -4,17 +4,27 @@
 
 namespace tactum {
 namespace {
-constexpr double kSlowest = 1 / (2 * 18.0), kFastest = 1 / (2 * 400.0); ///< s, a half swing
-constexpr double kSwing = 1.6e-4; ///< m, peak to peak: sampling cuts the peaks of 0.2 mm off
-constexpr double kTurn = 0.5;     ///< of the swing before, that the finger must come back to have turned
-constexpr int kEnough = 4;        ///< half swings: 100 ms at 20 Hz
+constexpr double kSlowest = 1 / (2 * 18.0), kFastest = 1 / (2 * 550.0); ///< s, a half swing
+constexpr double kLonger = 1.3;   ///< that one half may be than the mean: bounces dwell above
+constexpr double kSwing = 1.1e-4; ///< m: sampling and counts take up to half of 0.2 mm
+constexpr double kTurn = 0.3;     ///< of the swing before, that the finger must come back to have turned
+constexpr double kUneven = 2.1;   ///< one half swing to the next
+constexpr int kEnough = 3;        ///< half swings: 90 ms at 20 Hz
+constexpr double kLongEnough = 1.0 / 16; ///< s
 } // namespace
 
 /// The swing that ended with a turn counts if it was as fast and as wide as one of a limit cycle.
 void OscillationDetector::Axis::turn(double swing) noexcept {
-    const bool fast = sinceTurn >= kFastest && sinceTurn <= kSlowest;
-    const bool even = lastSwing == 0 || (swing < 3 * lastSwing && lastSwing < 3 * swing);
-    halfSwings = fast && swing >= kSwing ? (even ? halfSwings + 1 : 1) : 0;
+    const bool fast = sinceTurn >= kFastest && sinceTurn <= kLonger * kSlowest;
+    const bool even = swing < kUneven * lastSwing && lastSwing < kUneven * swing;
+    if (!fast || swing < kSwing || !even) {
+        halfSwings = 0;
+        lasted = 0;
+    }
+    if (fast && swing >= kSwing) {
+        ++halfSwings;
+        lasted += sinceTurn;
+    }
     lastSwing = swing;
     sinceTurn = 0;
 }
@@ -26,8 +36,7 @@ bool OscillationDetector::Axis::add(double x, double dt) noexcept {
         begun = true;
         return false;
     }
-    if (sinceTurn > kSlowest) halfSwings = 0;
-    const double back = std::max(0.5 * kSwing, std::min(kTurn * lastSwing, 2 * kSwing));
+    const double back = std::clamp(kTurn * lastSwing, 0.5 * kSwing, 2 * kSwing);
     if (direction >= 0 && x < high - back) {
         turn(high - low);
         direction = -1;
@@ -39,8 +48,9 @@ bool OscillationDetector::Axis::add(double x, double dt) noexcept {
     }
     if (direction >= 0) high = std::max(high, x);
     if (direction <= 0) low = std::min(low, x);
-    if (halfSwings < kEnough) return false;
+    if (halfSwings < kEnough || lasted < kLongEnough || lasted > halfSwings * kSlowest) return false;
     halfSwings = 0;
+    lasted = 0;
     return true;
 }
 

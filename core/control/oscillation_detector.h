@@ -8,13 +8,13 @@
 
 namespace tactum {
 
-/// Counts half swings along each axis that are too fast for a hand (20 to 300 Hz) and at least 0.2 mm wide.
-/// Enough of them in a row, none much smaller than the one before, are a limit cycle. A texture shakes less,
-/// a tap does not come back at that pace. Frame D, SI. Thread: real time.
+/// Counts half swings along each axis that are too fast for a hand (20 to 300 Hz) and 0.2 mm wide or more.
+/// Three in a row, as wide as each other and a sixteenth of a second long together, are a limit cycle. What
+/// a tap sets ringing has died away by then, a texture shakes less, a hand is slower. Frame D, SI.
+/// Thread: real time.
 class OscillationDetector {
 public:
-    /// True once for each limit cycle that has been seen for four half swings and a fifteenth of a second or
-    /// five half swings.
+    /// True once for each limit cycle, a tenth of a second after it began at the latest.
     bool operator()(const Vec3& position, double dt) noexcept;
     void forget() noexcept { *this = {}; }
 
@@ -24,10 +24,11 @@ public:
 private:
     struct Axis {
         double low = 0, high = 0; ///< of the swing that goes on, m
-        double sinceTurn = 0;     ///< s
+        double sinceTurn = 0;     ///< s, since the last turn was noticed
         double lastSwing = 0;     ///< m
-        int halfSwings = 0;
-        int direction = 0; ///< +1 rising, -1 falling, 0 not known yet
+        double lasted = 0;        ///< s, of the half swings that count
+        int halfSwings = 0;       ///< that count
+        int direction = 0;        ///< +1 rising, -1 falling, 0 not known yet
         bool begun = false;
 
         static void fields(auto& visit, auto& self) {

@@ -11,9 +11,9 @@ constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes withou
 /// Of the device's losses: a swing that they alone keep from growing must be noticed too. More than
 /// safeStiffness()'s seven tenths, so that below that ceiling nothing is.
 constexpr double kCredit = 0.75;
-constexpr double kMostDamping = 8;  ///< N s/m; more would shake a light device at 1 kHz itself
-constexpr double kSlowest = 1e-3;   ///< m/s; a finger at rest takes no energy out
-constexpr double kRest = 0.01;      ///< s; at the turn of a swing it is shorter
+constexpr double kMostDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
+constexpr double kSlowest = 1e-3;  ///< m/s; a finger at rest takes no energy out
+constexpr double kRest = 0.01;     ///< s; at the turn of a swing it is shorter
 } // namespace
 
 void Passivity::notice(const Vec3& position, double dt) noexcept {

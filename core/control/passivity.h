@@ -11,16 +11,17 @@ namespace tactum {
 
 /// A rendered spring for the energy balance of one tick. SI, one frame throughout.
 struct RenderedSpring {
-    Vec3 force = Vec3::Zero();    ///< N, commanded after all limits
-    double stored = 0;            ///< J, that the spring holds and may still give back
-    Vec3 velocity = Vec3::Zero(); ///< m/s, of the surface: what a moving body does on the hand is its own work
+    Vec3 force = Vec3::Zero(); ///< N, commanded after all limits
+    double stored = 0;         ///< J, that the spring holds and may still give back
+    Vec3 velocity =
+        Vec3::Zero(); ///< m/s, of the surface: what a moving body does on the hand is its own work
 };
 
 /// A passivity observer and controller in the time domain (Hannaford and Ryu). The balance sums the work on
 /// the hand and what the spring still holds, less what the device's own damping and friction take for
 /// certain: a passive surface never brings it above zero. What goes beyond the threshold a damping takes
-/// back, all of it. What was taken for ever is no credit, what was given is forgotten slowly: a surface that the finger
-/// bounces on is one contact. SI. Thread: real time.
+/// back, all of it. What was taken for ever is no credit, what was given is forgotten slowly: a surface that
+/// the finger bounces on is one contact. SI. Thread: real time.
 class Passivity {
 public:
     explicit Passivity(const DeviceInfo& device) noexcept
@@ -34,7 +35,7 @@ public:
     void commanded(const RenderedSpring& spring) noexcept;
 
     double energy() const noexcept { return given_ + commanded_[0].stored; } ///< J, made by the surface
-    double lastDamping() const noexcept { return damping_; }           ///< N s/m; 0: passive by itself
+    double lastDamping() const noexcept { return damping_; }                 ///< N s/m; 0: passive by itself
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
@@ -54,8 +55,8 @@ private:
     double restedFor_ = 0;     ///< s
     bool known_ = false;
     std::array<RenderedSpring, kLongestDelay + 1> commanded_{}; ///< newest first
-    double given_ = 0;      ///< J
-    bool taking_ = false;   ///< back what was made, until nothing is left of it
+    double given_ = 0;                                          ///< J
+    bool taking_ = false; ///< back what was made, until nothing is left of it
     double damping_ = 0;
 };
 

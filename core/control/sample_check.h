@@ -23,8 +23,8 @@ public:
     bool operator()(const DeviceSample& sample, double dt) noexcept;
 
     bool lost() const noexcept { return lost_; }
-    /// The newest that was believed, with its velocity; not valid before the first, nor while the device is lost. The first
-    /// after a loss says that it jumped.
+    /// The newest that was believed, with its velocity; not valid before the first, nor while the device is
+    /// lost. The first after a loss says that it jumped.
     const DeviceSample& believed() const noexcept { return believed_; }
     std::uint64_t refused() const noexcept { return refused_; }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
-constexpr double kThinnest = 1e-6; ///< m and m/s: what the rate of an edit is divided by
+constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
 
 Vec3 shortened(const Vec3& v, double by) noexcept {
     const double length = v.norm();
@@ -18,16 +18,27 @@ double towards(double value, double target, double step) noexcept {
     return value + std::clamp(target - value, -step, step);
 }
 
+/// The coefficient of friction that keeps the finger's anchor at the model's proxy.
+double gripNeeded(const LocalContactModel& model, const Vec3& finger) noexcept {
+    const NearestPoint nearest =
+        nearestPoint(finger - model.proxy, {model.plane.data(), std::size_t(model.planes)});
+    double most = 0;
+    for (int i = 0; i < model.planes; ++i)
+        most = std::max(most, nearest.lambda[i]);
+    return most > 0 ? nearest.x.norm() / most : 0;
+}
+
 } // namespace
 
-// The rendered proxy goes on from where it was; after a restart from the finger.
+// A proxy that was put elsewhere begins at the finger, without force.
 void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noexcept {
-    const bool restarted = !begun_ || newest.restarts != restarts_;
-    const bool edited = newest.revision != revision_;
-    if (restarted || edited) {
-        const Anchor before = restarted ? Anchor{finger, false} : anchorOf(rendered_, finger);
-        offset_ = before.position - anchorOf(newest, finger).position;
-        editing_ = !restarted;
+    const bool touching = begun_ && anchorOf(rendered_, finger).touching;
+    if (!begun_ || newest.restarts != restarts_ || (newest.revision != revision_ && !touching)) {
+        offset_ = finger - anchorOf(newest, finger).position;
+        editing_ = false;
+        hold_ = 0;
+    } else if (newest.revision != revision_) {
+        edit(newest, finger);
     }
     begun_ = true;
     restarts_ = newest.restarts;
@@ -35,20 +46,34 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noex
     age_ = 0;
 }
 
-void ContactEase::goOn(const LocalContactModel& newest, const Vec3& finger, const Vec3& velocity,
-                       double ceiling, double dt) noexcept {
-    const double stiffness = rendered_.stiffness, damping = rendered_.damping;
+void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noexcept {
+    offset_ = anchorOf(rendered_, finger).position - newest.proxy;
+    editing_ = true;
+    LocalContactModel moved = newest;
+    moved.proxy += offset_;
+    hold_ = gripNeeded(moved, finger);
+}
+
+void ContactEase::goOn(const LocalContactModel& newest) noexcept {
     rendered_ = newest;
     rendered_.proxy += offset_ + std::min(age_, kOldest) * newest.velocity;
-    rendered_.stiffness = std::min(newest.stiffness, ceiling);
+    for (FrictionLimit& friction : rendered_.friction)
+        friction.coefficient = std::max(friction.coefficient, hold_);
+}
+
+// From what was rendered before to what is wanted now, by no more force in a time than the hand bears.
+void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity,
+                           double ceiling, double dt) noexcept {
+    const LocalContactModel wanted = rendered_;
+    const double stiffness = std::min(wanted.stiffness, ceiling);
+    const double depth = (anchorOf(rendered_, finger).position - finger).norm();
+    const double change = (editing_ ? kEditRate : kSurfaceRate) * dt;
+    rendered_.stiffness = towards(before.stiffness, stiffness, change / std::max(depth, kThinnest));
     if (!editing_) return;
-    const Anchor anchor = anchorOf(rendered_, finger);
-    const double depth = (anchor.position - finger).norm();
-    const double target = rendered_.stiffness;
-    rendered_.stiffness = towards(stiffness, target, kEditRate * dt / std::max(depth, kThinnest));
     rendered_.damping =
-        towards(damping, newest.damping, kEditRate * dt / std::max(velocity.norm(), kThinnest));
-    editing_ = rendered_.stiffness != target || rendered_.damping != newest.damping;
+        towards(before.damping, wanted.damping, change / std::max(velocity.norm(), kThinnest));
+    hold_ = std::max(0.0, hold_ - change / std::max(rendered_.stiffness * depth, kThinnest));
+    editing_ = rendered_.stiffness != stiffness || rendered_.damping != wanted.damping || hold_ > 0;
 }
 
 const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest, bool fresh,
@@ -57,9 +82,14 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     age_ += dt;
     offset_ = shortened(offset_, kReturnSpeed * dt);
     if (fresh || !begun_) meet(newest, finger);
-    goOn(newest, finger, velocity, ceiling, dt);
+    const LocalContactModel before = rendered_;
+    goOn(newest);
+    approach(before, finger, velocity, ceiling, dt);
     // Nothing is touched: nothing is left to come back.
-    if (newest.planes == 0) offset_ = Vec3::Zero();
+    if (newest.planes == 0) {
+        offset_ = Vec3::Zero();
+        hold_ = 0;
+    }
     return rendered_;
 }
 

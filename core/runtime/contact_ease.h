@@ -8,12 +8,16 @@ namespace tactum {
 
 /// A surface that was changed under the finger comes to its place at this speed. Unit: m/s.
 inline constexpr double kReturnSpeed = 0.02;
-/// An edited stiffness or damping changes the force by no more than this. Unit: N/s.
+/// An edited stiffness, damping or friction changes the force by no more than this. Unit: N/s.
 inline constexpr double kEditRate = 10;
+/// So does the stiffness where the finger goes from one surface to the next, or the ceiling changes: a step
+/// of it under load would be a kick. Unit: N/s.
+inline constexpr double kSurfaceRate = 300;
 
 /// What the servo renders instead of the newest model. A proxy that was put elsewhere has its surroundings
 /// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
-/// rendered proxy where it was, and the stiffness what it was; both then go to their new values.
+/// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
+/// then go to their new values.
 /// World frame, SI. Thread: real time.
 class ContactEase {
 public:
@@ -34,12 +38,15 @@ public:
 
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
-    void goOn(const LocalContactModel& newest, const Vec3& finger, const Vec3& velocity, double ceiling,
-              double dt) noexcept;
+    void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
+    void goOn(const LocalContactModel& newest) noexcept;
+    void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,
+                  double dt) noexcept;
 
     bool begun_ = false;
     bool editing_ = false;
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
+    double hold_ = 0;            ///< least coefficient of friction, after an edit
     double age_ = 0;             ///< s since the newest model came
     std::uint64_t revision_ = 0;
     std::uint32_t restarts_ = 0;

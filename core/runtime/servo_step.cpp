@@ -66,8 +66,8 @@ RenderedSpring guarded(ServoState& state, const Wanted& wanted, const GuardInput
     if (gain == 0) return {};
     RenderedSpring spring = wanted.spring;
     spring.stored *= gain;
-    const double damping = state.guard.arrivalDamping() +
-                           state.passivity.damping(spring.stored, wanted.sliding, tick.dt);
+    const double damping =
+        state.guard.arrivalDamping() + state.passivity.damping(spring.stored, wanted.sliding, tick.dt);
     // Beyond what the device can push no damping would be felt.
     spring.force = state.limiter(gain * spring.force) - damping * wanted.sliding;
     return spring;

@@ -10,24 +10,25 @@ Vec3 counted(const Vec3& position, double resolution) {
     return position.unaryExpr([=](double x) { return resolution * std::floor(x / resolution + 0.5); });
 }
 
-ClosedLoop::ClosedLoop(const DeviceProfile& device, const HandProfile& hand, const Timing& timing,
-                       Control control, int axes, std::uint64_t seed)
-    : plant(device, hand, axes), device_(device), timing_(timing), control_(std::move(control)),
-      random_(seed), onTheWay_(std::size_t(timing.delay) + 1, Vec3::Zero()) {}
+ClosedLoop::ClosedLoop(const Bench& bench, Control control, int axes, std::uint64_t seed)
+    : plant(bench.device, bench.hand, axes), bench_(bench), control_(std::move(control)), random_(seed),
+      onTheWay_(std::size_t(bench.timing.delay) + 1, Vec3::Zero()) {}
 
 double ClosedLoop::drawPeriod() {
-    const double period = timing_.period();
-    return timing_.jitter > 0 ? period * (1 + uniform(random_, -timing_.jitter, timing_.jitter)) : period;
+    const double period = bench_.timing.period();
+    return bench_.timing.jitter > 0
+               ? period * (1 + uniform(random_, -bench_.timing.jitter, bench_.timing.jitter))
+               : period;
 }
 
 Vec3 ClosedLoop::amplified(const Vec3& force) const {
-    const double most = device_.maxForce;
-    return counted(force, device_.forceStep).cwiseMin(most).cwiseMax(-most);
+    const double most = bench_.device.maxForce;
+    return counted(force, bench_.device.forceStep).cwiseMin(most).cwiseMax(-most);
 }
 
 void ClosedLoop::advance(double dt) {
     const Vec3 held = amplified(onTheWay_.front());
-    const double step = timing_.period() / timing_.substeps;
+    const double step = bench_.timing.period() / bench_.timing.substeps;
     const int steps = std::max(1, int(std::lround(dt / step)));
     for (int i = 0; i < steps; ++i)
         plant.advance(i * step < watchdog ? held : Vec3::Zero(), dt / steps);
@@ -36,7 +37,7 @@ void ClosedLoop::advance(double dt) {
 
 DeviceSample ClosedLoop::read() const {
     DeviceSample sample;
-    sample.position = counted(plant.position(), device_.resolution);
+    sample.position = counted(plant.position(), bench_.device.resolution);
     sample.valid = true;
     return sample;
 }
@@ -53,8 +54,8 @@ void ClosedLoop::tick(double dt) {
 
 void ClosedLoop::warmUp(double seconds) {
     const DeviceSample still = read();
-    for (double t = 0; t < seconds; t += timing_.period())
-        control_(still, timing_.period());
+    for (double t = 0; t < seconds; t += bench_.timing.period())
+        control_(still, bench_.timing.period());
 }
 
 } // namespace tactum::test

@@ -15,8 +15,7 @@ using Control = std::function<Vec3(const DeviceSample&, double dt)>;
 
 class ClosedLoop {
 public:
-    ClosedLoop(const DeviceProfile& device, const HandProfile& hand, const Timing& timing, Control control,
-               int axes = 1, std::uint64_t seed = 1);
+    ClosedLoop(const Bench& bench, Control control, int axes = 1, std::uint64_t seed = 1);
 
     void tick() { tick(drawPeriod()); }
     /// A tick that comes `dt` seconds after the last one.
@@ -35,14 +34,13 @@ public:
     void warmUp(double seconds = 0.8);
 
     Plant plant;
-    double time = 0;                      ///< s
-    Vec3 command = Vec3::Zero();          ///< N, newest
-    Vec3 reading = Vec3::Zero();          ///< m, newest
-    double watchdog = 0.01;               ///< s without a tick, after which the device drops its force
+    double time = 0;                           ///< s
+    Vec3 command = Vec3::Zero();               ///< N, newest
+    Vec3 reading = Vec3::Zero();               ///< m, newest
+    double watchdog = 0.01;                    ///< s without a tick, after which the device drops its force
     std::function<void(DeviceSample&)> tamper; ///< changes what is read
 
-    const DeviceProfile& device() const { return device_; }
-    const Timing& timing() const { return timing_; }
+    const Bench& bench() const { return bench_; }
 
 private:
     double drawPeriod();
@@ -50,8 +48,7 @@ private:
     DeviceSample read() const;
     Vec3 amplified(const Vec3& force) const;
 
-    DeviceProfile device_;
-    Timing timing_;
+    Bench bench_;
     Control control_;
     Rng random_;
     std::deque<Vec3> onTheWay_;

@@ -24,9 +24,8 @@ void PlantAxis::moveHand(double voluntary, double dt) {
 // Karnopp's dry friction: what it can stop within the step it stops. The mean of old and new velocity makes
 // force times way the exact work.
 void PlantAxis::advance(double command, double voluntary, double dt) {
-    force = device_.amplifierLag > 0
-                ? force + (command - force) * -std::expm1(-dt / device_.amplifierLag)
-                : command;
+    force = device_.amplifierLag > 0 ? force + (command - force) * -std::expm1(-dt / device_.amplifierLag)
+                                     : command;
     double push = force;
     if (hand_.rigid)
         push += hand_.armStiffness * (goal - x) - hand_.armDamping * v + voluntary;

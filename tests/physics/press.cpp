@@ -52,7 +52,7 @@ void begin(ClosedLoop& loop, const Press& press) {
 
 Rest pressPlain(const Bench& bench, const Press& press, double stiffness, double seconds) {
     const LocalContactModel model = wall(stiffness);
-    ClosedLoop loop(bench.device, bench.hand, bench.timing, [&](const DeviceSample& sample, double) {
+    ClosedLoop loop(bench, [&](const DeviceSample& sample, double) {
         return contactModelForce(model, sample.position, sample.velocity);
     });
     begin(loop, press);
@@ -64,15 +64,15 @@ Rest pressPlain(const Bench& bench, const Press& press, double stiffness, double
 Rest pressServo(const Bench& bench, const Press& press, double stiffness, double seconds,
                 const std::function<void(Servo&)>& prepare) {
     GivenModel model(wall(stiffness));
-    Servo servo(infoOf(bench.device, bench.hand, bench.timing), model);
+    Servo servo(infoOf(bench), model);
     if (prepare) prepare(servo);
-    ClosedLoop loop(bench.device, bench.hand, bench.timing, servo.control());
+    ClosedLoop loop(bench, servo.control());
     begin(loop, press);
     loop.warmUp();
     Rest rest = watch(loop, seconds);
-    rest.stiffness = servo.state.calm * std::min(stiffness, servo.settings.overrideCeiling
-                                                                ? stiffness
-                                                                : servo.state.ceiling.value);
+    rest.stiffness =
+        servo.state.calm *
+        std::min(stiffness, servo.settings.overrideCeiling ? stiffness : servo.state.ceiling.value);
     return rest;
 }
 

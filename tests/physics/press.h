@@ -11,14 +11,8 @@ struct Press {
     double impact = 0; ///< m/s, with which the finger arrives; 0: it begins on the wall
 };
 
-inline constexpr std::array kPresses{Press{0.3, 0}, Press{1, 0}, Press{2.5, 0}, Press{1, 0.05}, Press{1, 0.3}};
-
-/// A loop before a wall: everything but who renders it.
-struct Bench {
-    DeviceProfile device;
-    HandProfile hand;
-    Timing timing;
-};
+inline constexpr std::array kPresses{Press{0.3, 0}, Press{1, 0}, Press{2.5, 0}, Press{1, 0.05},
+                                     Press{1, 0.3}};
 
 struct Rest {
     double motion = 0;    ///< m, peak to peak, as it really was, in the last half second

@@ -70,8 +70,16 @@ struct Timing {
     double period() const { return 1 / rate; }
 };
 
+/// A loop: everything but who renders.
+struct Bench {
+    DeviceProfile device;
+    HandProfile hand;
+    Timing timing;
+};
+
 /// The device as its driver describes it, in this hand.
-inline DeviceInfo infoOf(const DeviceProfile& device, const HandProfile& hand, const Timing& timing) {
+inline DeviceInfo infoOf(const Bench& bench) {
+    const auto& [device, hand, timing] = bench;
     DeviceInfo info;
     info.name = device.name;
     info.maxForce = device.maxForce;

@@ -49,7 +49,8 @@ private slots:
     void belowTheCeilingItHoldsStill() {
         QFETCH(int, device);
         QFETCH(bool, lag);
-        const DeviceProfile profile = lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
+        const DeviceProfile profile =
+            lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
         int cases = 0, bad = 0;
         for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
             for (const double rate : {1000.0, 2000.0, 4000.0})
@@ -59,8 +60,8 @@ private slots:
                         const Rest rest = pressServo(bench, press, 5000);
                         ++cases;
                         // What is let go swings for long: there the energy decides.
-                        const bool good = hand.mass > 0 ? rest.still(profile.resolution)
-                                                        : rest.given <= kMicrojoule;
+                        const bool good =
+                            hand.mass > 0 ? rest.still(profile.resolution) : rest.given <= kMicrojoule;
                         if (good) continue;
                         if (++bad < 20) qWarning("%s", qPrintable(told(bench, press, rest)));
                     }

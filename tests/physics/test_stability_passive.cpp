@@ -17,7 +17,7 @@ constexpr double kNoLimit = 1e9; ///< N
 
 /// Of a mass on a sampled spring: how much more it moves in the second half of eight seconds.
 double growth(double mass, double damping, double stiffness, int delay) {
-    ClosedLoop loop({"bare", mass, damping, 0, 0, kNoLimit}, kNoHand, {.delay = delay},
+    ClosedLoop loop({{"bare", mass, damping, 0, 0, kNoLimit}, kNoHand, {.delay = delay}},
                     [=](const DeviceSample& sample, double) { return Vec3(-stiffness * sample.position); });
     loop.plant.place({0, 0, 1e-3});
     double early = 0, late = 0;
@@ -57,8 +57,8 @@ double giftAlong(const std::vector<double>& heights, const DeviceProfile& device
     double last = heights.front();
     for (const double z : heights) {
         const double way = z - last;
-        given += force.z() * way - device.damping * way * way / timing.period() -
-                 device.friction * std::abs(way);
+        given +=
+            force.z() * way - device.damping * way * way / timing.period() - device.friction * std::abs(way);
         last = z;
         const double depth = std::max(0.0, -z);
         most = std::max(most, given + (stored ? 0.5 * stiffness * depth * depth : 0));
@@ -190,7 +190,7 @@ private slots:
                      {randomSteps(50'000, 0.002, 0.0005), sawtooth(50'000, -2.5 * device.resolution, 1e-9),
                       sawtooth(50'000, -0.5 * device.resolution, 1e-9)}) {
                     GivenModel model(wall(5000));
-                    Servo servo(infoOf(device, kNoHand, timing), model);
+                    Servo servo(infoOf({device, kNoHand, timing}), model);
                     std::vector<double> warm(std::size_t(rate), 0.0);
                     giftAlong(warm, device, timing, 0, servo.control(), false);
                     std::vector<double> way{0.0};

@@ -1,0 +1,191 @@
+// T7: an edit in contact. T8: a scene swap, or an object that lands on the finger. Both move the hand no
+// faster than it can bear; done at once, or by slowing the force, they do not.
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "tests/physics/event.h"
+#include "tests/physics/press.h"
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kFastest = 0.05; ///< m/s, of the hand in any event
+
+/// A finger that rests on a wall under a force.
+struct Resting {
+    Resting(const Bench& bench, double stiffness, double force, double depth = 0)
+        : model(wall(stiffness)), servo(infoOf(bench), model), loop(bench, servo.control()) {
+        loop.plant.place({0, 0, -depth});
+        loop.plant.voluntary.z() = -force;
+        loop.warmUp();
+        loop.run(3);
+    }
+
+    GivenModel model;
+    Servo servo;
+    ClosedLoop loop;
+};
+
+/// J, that the person's side holds: muscles as a constant force, and the arm's spring.
+double held(const ClosedLoop& loop) {
+    const PlantAxis& axis = loop.plant.axis[2];
+    const HandProfile& hand = loop.bench().hand;
+    const double stretch = axis.handX - axis.goal;
+    return -loop.plant.voluntary.z() * axis.handX + 0.5 * hand.armStiffness * stretch * stretch +
+           0.5 * hand.gripStiffness * std::pow(axis.x - axis.handX, 2);
+}
+
+/// A wall that may move, become stiffer and be slewed: what the product does not do.
+struct WorseWall {
+    double stiffness = 500, height = 0;
+    double slew = 0; ///< N/s; 0: none
+    Vec3 last = Vec3::Zero();
+
+    Vec3 operator()(const DeviceSample& sample, double dt) {
+        const double wanted = std::max(0.0, stiffness * (height - sample.position.z()));
+        const double change = slew > 0 ? slew * dt : 1e9;
+        last.z() += std::clamp(wanted - last.z(), -change, change);
+        return last;
+    }
+};
+
+} // namespace
+
+class TestStabilityChanges : public QObject {
+    Q_OBJECT
+
+private slots:
+    void editIsGentle_data() {
+        QTest::addColumn<int>("hand");
+        QTest::addColumn<double>("force");
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        for (const int hand : {0, 1})
+            for (const double force : {1.0, 3.0}) {
+                QTest::addRow("%s, %g N, stiffer", kHands[std::size_t(hand)].name, force)
+                    << hand << force << 500.0 << 2000.0;
+                QTest::addRow("%s, %g N, softer", kHands[std::size_t(hand)].name, force)
+                    << hand << force << 2000.0 << 500.0;
+            }
+    }
+
+    /// T7.
+    void editIsGentle() {
+        QFETCH(int, hand);
+        QFETCH(double, force);
+        QFETCH(double, from);
+        QFETCH(double, to);
+        const Bench bench{kFalcon, kHands[std::size_t(hand)], {}};
+        Resting resting(bench, from, force);
+        const double before = held(resting.loop);
+        resting.model.model.stiffness = to;
+        ++resting.model.model.revision;
+        const Event event = watchEvent(resting.loop, 4);
+        const double rise = held(resting.loop) - before;
+        qInfo("%.3f m/s, %.2f mJ of %.2f, %.3f N in a tick", event.speed, 1e3 * event.given, 1e3 * rise,
+              event.jump);
+        QCOMPARE(resting.servo.state.ease.easing(), false);
+        QVERIFY(event.speed <= kFastest);
+        QVERIFY(event.given <= std::max(rise, 0.0) + 5e-3);
+        QVERIFY(event.jump <= std::max(from, to) * kFalcon.resolution + 0.05);
+    }
+
+    void editAtOnceIsNot() {
+        for (const HandProfile& hand : {kPinch, kGrasp}) {
+            WorseWall worse;
+            ClosedLoop loop({kFalcon, hand, {}}, std::ref(worse));
+            loop.plant.place(Vec3::Zero());
+            loop.plant.voluntary.z() = -3;
+            loop.run(3);
+            worse.stiffness = 2000;
+            const Event event = watchEvent(loop, 1);
+            qInfo("%.3f m/s, %.1f mJ, %.2f N in a tick", event.speed, 1e3 * event.given, event.jump);
+            QVERIFY(event.speed > 2 * kFastest);
+        }
+    }
+
+    void surfaceThatLandsOnTheFingerComesGently_data() {
+        QTest::addColumn<int>("hand");
+        QTest::addColumn<double>("depth");
+        for (const int hand : {0, 1, 2})
+            for (const double depth : {0.001, 0.005, 0.019})
+                QTest::addRow("%s, %g mm", kHands[std::size_t(hand)].name, 1e3 * depth) << hand << depth;
+    }
+
+    /// T8: the wall was not there, and then it is, with the finger in it.
+    void surfaceThatLandsOnTheFingerComesGently() {
+        QFETCH(int, hand);
+        QFETCH(double, depth);
+        const Bench bench{kFalcon, kHands[std::size_t(hand)], {}};
+        GivenModel model(wall(1500));
+        model.model.planes = 0;
+        Servo servo(infoOf(bench), model);
+        ClosedLoop loop(bench, servo.control());
+        loop.plant.place({0, 0, -depth});
+        loop.warmUp();
+        loop.run(0.1);
+        model.model.planes = 1;
+        ++model.model.restarts;
+        ++model.model.revision;
+        const Event event = watchEvent(loop, 3);
+        qInfo("%.3f m/s, %.3f N in a tick", event.speed, event.jump);
+        QVERIFY(event.speed <= kFastest);
+        QVERIFY(event.jump <= 1500 * kFalcon.resolution + 0.05);
+        QVERIFY(loop.plant.axis[2].x > -1e-3 + 0.2 * (1e-3 - depth)); // it did come
+    }
+
+    /// Rules 1 and 2 switched off: a faster return, a jump, a ramp of the stiffness alone.
+    void surfaceThatComesOtherwiseDoesNot() {
+        const auto speedWith = [](double returnSpeed, double ramp) {
+            WorseWall worse;
+            worse.stiffness = ramp > 0 ? 0 : 1500;
+            worse.height = returnSpeed > 0 ? -0.019 : 0;
+            ClosedLoop loop({kFalcon, kPinch, {}}, std::ref(worse));
+            loop.plant.place({0, 0, -0.019});
+            return watchEvent(loop, 3,
+                              [&](const ClosedLoop&) {
+                                  if (returnSpeed > 0)
+                                      worse.height = std::min(0.0, worse.height + returnSpeed * 1e-3);
+                                  if (ramp > 0)
+                                      worse.stiffness =
+                                          std::min(1500.0, worse.stiffness + 1500 * 1e-3 / ramp);
+                              })
+                .speed;
+        };
+        qInfo("10 mm/s %.3f, 20 mm/s %.3f, 50 mm/s %.3f, jump %.3f, ramp of 2 s %.3f m/s", speedWith(0.01, 0),
+              speedWith(0.02, 0), speedWith(0.05, 0), speedWith(0, 0), speedWith(0, 2));
+        QVERIFY(speedWith(0.02, 0) <= kFastest);
+        QVERIFY(speedWith(0.05, 0) > kFastest);
+        QVERIFY(speedWith(0, 0) > kFastest);
+        QVERIFY(speedWith(0, 2) > kFastest);
+    }
+
+    /// Rule 1 switched off: a force that is slowed down makes a limit cycle.
+    void slowedForceSwings() {
+        const auto swing = [](double slew) {
+            WorseWall worse{.stiffness = 2000, .slew = slew};
+            ClosedLoop loop({kLowFriction, kPinch, {}}, std::ref(worse));
+            loop.plant.place({0, 0, 0.002}, {0, 0, -0.3});
+            loop.plant.voluntary.z() = -1;
+            loop.run(2);
+            double low = 1, high = -1, given = loop.plant.given();
+            loop.run(0.5, [&](const ClosedLoop& now) {
+                low = std::min(low, now.plant.axis[2].x);
+                high = std::max(high, now.plant.axis[2].x);
+            });
+            qInfo("%g N/s: %.1f mm, %.0f mJ", slew, 1e3 * (high - low), 1e3 * given);
+            return high - low;
+        };
+        QVERIFY(swing(0) <= 2 * kLowFriction.resolution);
+        QVERIFY(swing(100) > 0.01);
+        QVERIFY(swing(20) > 0.01);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityChanges)
+#include "test_stability_changes.moc"
