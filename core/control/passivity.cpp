@@ -1,6 +1,7 @@
 #include "core/control/passivity.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tactum {
 namespace {
@@ -16,6 +17,15 @@ constexpr double kSlowest = 1e-3;  ///< m/s; a finger at rest takes no energy ou
 constexpr double kRest = 0.01;     ///< s; at the turn of a swing it is shorter
 } // namespace
 
+double RenderedSpring::stored() const noexcept {
+    const double rendered = stiffness * stretch > limit ? limit / stiffness : stretch;
+    return stiffness * rendered * (stretch - 0.5 * rendered);
+}
+
+Passivity::Passivity(const DeviceInfo& device) noexcept
+    : ownDamping_(device.damping), friction_(device.dryFriction), resolution_(device.positionResolution),
+      delay_(std::clamp(int(std::lround(device.delay)), 0, kLongestDelay)) {}
+
 void Passivity::notice(const Vec3& position, double dt) noexcept {
     const bool left = (position - rest_).cwiseAbs().maxCoeff() > 1.5 * resolution_;
     if (left) rest_ = position;
@@ -26,28 +36,36 @@ bool Passivity::resting() const noexcept {
     return restedFor_ > kRest;
 }
 
-// The reading of a resting finger that goes to and fro between two counts seems to make (Delta / 2) |dF| each
-// time.
+/// J: the reading of a resting finger that goes to and fro between two counts seems to make (Delta / 2) |dF|
+/// each time.
+double Passivity::noise() const noexcept {
+    return resting() ? 0.5 * resolution_ * (commanded_[0].force - commanded_[1].force).norm() : 0;
+}
+
 // Friction along each axis, as its joints have it; of all axes together it is at least that of the way.
 void Passivity::observe(const Vec3& position, const Vec3& velocity, double dt) noexcept {
     const double taken = kCredit * (ownDamping_ * velocity.norm() + friction_) * velocity.norm() * dt;
     const RenderedSpring& felt = commanded_[std::size_t(delay_)];
     const Vec3 way = position - last_ - felt.velocity * dt;
     notice(position, dt);
-    const double noise =
-        resting() ? 0.5 * resolution_ * (commanded_[0].force - commanded_[1].force).norm() : 0;
-    if (known_) given_ += felt.force.dot(way) - taken - noise;
-    const double stored = commanded_[0].stored;
-    given_ = std::clamp(given_, -stored - kThreshold, kMost - stored);
+    if (known_) given_ += felt.force.dot(way) - taken - noise();
+    given_ = std::clamp(given_, -stored_ - kThreshold, kMost - stored_);
     if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
     last_ = position;
     known_ = true;
 }
 
-double Passivity::damping(double stored, const Vec3& velocity, double dt) noexcept {
+/// J, that the spring holds more because it was made stiffer.
+double Passivity::granted(const RenderedSpring& spring) const noexcept {
+    RenderedSpring before = spring;
+    before.stiffness = std::min(spring.stiffness, commanded_[0].stiffness);
+    return spring.stored() - before.stored();
+}
+
+double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, double dt) noexcept {
     damping_ = 0;
     const double speed2 = velocity.squaredNorm();
-    const double excess = given_ + stored;
+    const double excess = given_ + spring.stored() - granted(spring);
     taking_ = excess > (taking_ ? 0 : kThreshold);
     if (taking_ && !resting() && speed2 > kSlowest * kSlowest)
         damping_ = std::min(kMostDamping, excess / (speed2 * dt));
@@ -55,6 +73,8 @@ double Passivity::damping(double stored, const Vec3& velocity, double dt) noexce
 }
 
 void Passivity::commanded(const RenderedSpring& spring) noexcept {
+    given_ -= granted(spring);
+    stored_ = spring.stored();
     std::copy_backward(commanded_.begin(), commanded_.end() - 1, commanded_.end());
     commanded_[0] = spring;
 }

@@ -1,20 +1,23 @@
 // Observes whether the rendered surface makes energy, and damps when it does.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/control/haptic_device.h"
 
 namespace tactum {
 
-/// A rendered spring for the energy balance of one tick. SI, one frame throughout.
+/// What is rendered at one tick. SI, one frame throughout.
 struct RenderedSpring {
-    Vec3 force = Vec3::Zero(); ///< N, commanded after all limits
-    double stored = 0;         ///< J, that the spring holds and may still give back
-    Vec3 velocity =
-        Vec3::Zero(); ///< m/s, of the surface: what a moving body does on the hand is its own work
+    Vec3 force = Vec3::Zero(); ///< N, on the finger, with all that is added to the spring
+    double stiffness = 0;      ///< N/m; that it rises is the work of whoever changed it
+    double stretch = 0;        ///< m
+    double limit = 0;          ///< N, that the device can push with
+    /// m/s, of the surface: what a moving body does on the hand is its own work.
+    Vec3 velocity = Vec3::Zero();
+
+    /// J, that the hand may still get back.
+    double stored() const noexcept;
 };
 
 /// A passivity observer and controller in the time domain (Hannaford and Ryu). The balance sums the work on
@@ -24,18 +27,17 @@ struct RenderedSpring {
 /// the finger bounces on is one contact. SI. Thread: real time.
 class Passivity {
 public:
-    explicit Passivity(const DeviceInfo& device) noexcept
-        : ownDamping_(device.damping), friction_(device.dryFriction), resolution_(device.positionResolution),
-          delay_(std::clamp(int(std::lround(device.delay)), 0, kLongestDelay)) {}
+    explicit Passivity(const DeviceInfo& device) noexcept;
 
     /// The work up to this reading, `dt` s after the last one, of the command that has reached the device.
     void observe(const Vec3& position, const Vec3& velocity, double dt) noexcept;
-    /// The damping that the balance asks for now, N s/m; `velocity` is relative to the surface.
-    double damping(double stored, const Vec3& velocity, double dt) noexcept;
+    /// The damping that the balance asks for if `spring` is rendered, N s/m; `velocity` is relative to the
+    /// surface.
+    double damping(const RenderedSpring& spring, const Vec3& velocity, double dt) noexcept;
     void commanded(const RenderedSpring& spring) noexcept;
 
-    double energy() const noexcept { return given_ + commanded_[0].stored; } ///< J, made by the surface
-    double lastDamping() const noexcept { return damping_; }                 ///< N s/m; 0: passive by itself
+    double energy() const noexcept { return given_ + stored_; } ///< J, made by the surface
+    double lastDamping() const noexcept { return damping_; }    ///< N s/m; 0: passive by itself
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
@@ -45,6 +47,8 @@ public:
 private:
     static constexpr int kLongestDelay = 7; ///< ticks
 
+    double granted(const RenderedSpring& spring) const noexcept;
+    double noise() const noexcept;
     void notice(const Vec3& position, double dt) noexcept;
     bool resting() const noexcept;
 
@@ -55,7 +59,7 @@ private:
     double restedFor_ = 0;     ///< s
     bool known_ = false;
     std::array<RenderedSpring, kLongestDelay + 1> commanded_{}; ///< newest first
-    double given_ = 0;                                          ///< J
+    double given_ = 0, stored_ = 0;                             ///< J
     bool taking_ = false; ///< back what was made, until nothing is left of it
     double damping_ = 0;
 };

@@ -57,6 +57,7 @@ void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noex
 void ContactEase::goOn(const LocalContactModel& newest) noexcept {
     rendered_ = newest;
     rendered_.proxy += offset_ + std::min(age_, kOldest) * newest.velocity;
+    if (!offset_.isZero(0)) rendered_.velocity -= kReturnSpeed * offset_.normalized();
     for (FrictionLimit& friction : rendered_.friction)
         friction.coefficient = std::max(friction.coefficient, hold_);
 }

@@ -40,12 +40,6 @@ struct Wanted {
     Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
 };
 
-/// J: what a spring gives back that the device pushes with at most `limit`.
-double storedIn(double stretch, double stiffness, double limit) noexcept {
-    const double rendered = std::min(stretch, limit / std::max(stiffness, 1e-9));
-    return stiffness * rendered * (stretch - 0.5 * rendered);
-}
-
 Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
               double ceiling, double dt) noexcept {
     if (state.guard.gain() == 0) state.ease.restart();
@@ -54,9 +48,8 @@ Wanted render(ServoState& state, const LocalContactModel& model, const FingerSam
     state.anchor = anchor.position;
     state.touching = anchor.touching;
     if (!anchor.touching) return {};
-    return {{springForce(eased, anchor.position, finger.position, finger.velocity),
-             storedIn((anchor.position - finger.position).norm(), eased.stiffness, state.limiter.maxForce),
-             eased.velocity},
+    return {{springForce(eased, anchor.position, finger.position, finger.velocity), eased.stiffness,
+             (anchor.position - finger.position).norm(), state.limiter.maxForce, eased.velocity},
             finger.velocity - eased.velocity};
 }
 
@@ -65,9 +58,9 @@ RenderedSpring guarded(ServoState& state, const Wanted& wanted, const GuardInput
     const double gain = state.guard(tick);
     if (gain == 0) return {};
     RenderedSpring spring = wanted.spring;
-    spring.stored *= gain;
+    spring.stiffness *= gain;
     const double damping =
-        state.guard.arrivalDamping() + state.passivity.damping(spring.stored, wanted.sliding, tick.dt);
+        state.guard.arrivalDamping() + state.passivity.damping(spring, wanted.sliding, tick.dt);
     // Beyond what the device can push no damping would be felt.
     spring.force = state.limiter(gain * spring.force) - damping * wanted.sliding;
     return spring;
