@@ -11,13 +11,11 @@ constexpr double kLongStall = 0.5;
 /// Faults only count while there is a force to be taken away.
 Withheld Guard::faultOf(const GuardInput& tick) noexcept {
     lateTicks_ = tick.late ? lateTicks_ + 1 : 0;
-    const double rise = tick.wanted - lastWanted_;
-    lastWanted_ = tick.finite ? tick.wanted : 0;
     if (tick.deviceLost) return Withheld::DeviceLost;
     if (!tick.finite) return Withheld::NotFinite;
     if (gain_ == 0) return Withheld::Nothing;
     if (tick.speed > tripSpeed_) return Withheld::TooFast;
-    if (gain_ * rise > kForceJump * maxForce_) return Withheld::ForceJump;
+    if (gain_ * tick.sudden > kForceJump * maxForce_) return Withheld::ForceJump;
     if (lateTicks_ > kLateTicks) return Withheld::Late;
     return Withheld::Nothing;
 }

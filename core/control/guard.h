@@ -17,7 +17,7 @@ enum class Withheld : std::uint8_t {
     Rising,      ///< on its way back
     DeviceLost,  ///< readings that cannot be true, or none
     TooFast,     ///< the finger was let go
-    ForceJump,   ///< the wanted force rose by more than surfaces can
+    ForceJump,   ///< the wanted force rose by more than surfaces and fingers can
     NotFinite,   ///< the wanted force was no number
     Late,        ///< the servo missed tick after tick
 };
@@ -36,7 +36,8 @@ inline constexpr double kFirstGain = 0.15;
 inline constexpr double kArrivalDamping = 8;
 /// Before it rises the force must have been smaller than this for so long. Units: N, s.
 inline constexpr double kSmallForce = 0.2, kSmallForceTime = 0.02;
-/// The wanted force must not rise by more than this part of the device's limit from tick to tick.
+/// The wanted force must not rise by more than this part of the device's limit from tick to tick beyond what
+/// the finger's own way explains.
 inline constexpr double kForceJump = 0.6;
 /// So many late ticks in a row are a fault.
 inline constexpr int kLateTicks = 5;
@@ -51,6 +52,7 @@ struct GuardInput {
     bool answered = false; ///< the proxy knows where the finger is, and said so lately
     double speed = 0;      ///< of the finger, m/s
     double wanted = 0;     ///< magnitude of the force that the model asks for, N
+    double sudden = 0;     ///< how much of it is new and not explained by the finger's way, N
     bool finite = true;    ///< of that force
 };
 
@@ -89,8 +91,7 @@ private:
     double maxForce_, tripSpeed_;
     Withheld why_ = Withheld::NotArmed;
     double gain_ = 0;
-    double smallFor_ = 0;   ///< s
-    double lastWanted_ = 0; ///< N
+    double smallFor_ = 0; ///< s
     int lateTicks_ = 0;
     std::uint32_t anchoring_ = 0;
     std::uint64_t faults_ = 0;

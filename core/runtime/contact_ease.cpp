@@ -32,18 +32,34 @@ double gripNeeded(const LocalContactModel& model, const Vec3& finger) noexcept {
 
 // A proxy that was put elsewhere begins at the finger, without force.
 void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noexcept {
-    const bool touching = begun_ && anchorOf(rendered_, finger).touching;
-    if (!begun_ || newest.restarts != restarts_ || (newest.revision != revision_ && !touching)) {
-        offset_ = finger - anchorOf(newest, finger).position;
+    const Anchor before = begun_ ? anchorOf(rendered_, finger) : Anchor{finger, false};
+    const Anchor after = anchorOf(newest, finger);
+    const bool edited = newest.revision != revision_;
+    if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
+        offset_ = finger - after.position;
+        rendered_ = newest;
         editing_ = false;
         hold_ = 0;
-    } else if (newest.revision != revision_) {
+    } else if (edited) {
         edit(newest, finger);
+    } else if (!affords(newest, before.position, after.position + offset_, finger)) {
+        offset_ = before.position - after.position;
     }
     begun_ = true;
     restarts_ = newest.restarts;
     revision_ = newest.revision;
     age_ = 0;
+}
+
+/// Whether the energy that this model adds to the spring is small enough. It is paid for then.
+bool ContactEase::affords(const LocalContactModel& newest, const Vec3& before, const Vec3& after,
+                          const Vec3& finger) noexcept {
+    const double stiffness = std::max(rendered_.stiffness, newest.stiffness);
+    const double gained =
+        0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm());
+    if (gained > credit_) return false;
+    credit_ -= std::max(gained, 0.0);
+    return true;
 }
 
 void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noexcept {
@@ -81,7 +97,10 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
                                                  const Vec3& finger, const Vec3& velocity, double ceiling,
                                                  double dt) noexcept {
     age_ += dt;
-    offset_ = shortened(offset_, kReturnSpeed * dt);
+    credit_ = std::min(kHandOverEnergy, credit_ + kHandOverPower * dt);
+    const Vec3 left = shortened(offset_, kReturnSpeed * dt);
+    rendered_.proxy += left - offset_;
+    offset_ = left;
     if (fresh || !begun_) meet(newest, finger);
     const LocalContactModel before = rendered_;
     goOn(newest);

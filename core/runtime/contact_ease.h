@@ -14,10 +14,15 @@ inline constexpr double kEditRate = 10;
 /// of it under load would be a kick. Unit: N/s.
 inline constexpr double kSurfaceRate = 300;
 
+/// What a newer model may put into the spring at once: so much in a second, and the most of it together. A
+/// proxy loop that is not much slower than the servo needs less, even where the finger hits a wall.
+/// Units: W, J.
+inline constexpr double kHandOverPower = 1e-3, kHandOverEnergy = 5e-4;
+
 /// What the servo renders instead of the newest model. A proxy that was put elsewhere has its surroundings
 /// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
 /// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
-/// then go to their new values.
+/// then go to their new values. A late model that finds the finger deep in something is met as a restart is.
 /// World frame, SI. Thread: real time.
 class ContactEase {
 public:
@@ -27,6 +32,7 @@ public:
                                         const Vec3& velocity, double ceiling, double dt) noexcept;
     /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
     void restart() noexcept { begun_ = false; }
+    const LocalContactModel& rendered() const noexcept { return rendered_; }
     /// Whether the surroundings are still on their way.
     bool easing() const noexcept { return editing_ || !offset_.isZero(0); }
 
@@ -38,6 +44,8 @@ public:
 
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
+    bool affords(const LocalContactModel& newest, const Vec3& before, const Vec3& after,
+                 const Vec3& finger) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,
@@ -47,6 +55,7 @@ private:
     bool editing_ = false;
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
     double hold_ = 0;            ///< least coefficient of friction, after an edit
+    double credit_ = 0;          ///< J, that a newer model may bring
     double age_ = 0;             ///< s since the newest model came
     std::uint64_t revision_ = 0;
     std::uint32_t restarts_ = 0;

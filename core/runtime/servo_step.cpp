@@ -38,6 +38,7 @@ double ceilingOf(ServoState& state, const ServoSettings& settings, double stiffn
 struct Wanted {
     RenderedSpring spring;
     Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
+    double sudden = 0;           ///< N, that the finger's own way does not explain
 };
 
 Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
@@ -47,10 +48,15 @@ Wanted render(ServoState& state, const LocalContactModel& model, const FingerSam
     const Anchor anchor = anchorOf(eased, finger.position);
     state.anchor = anchor.position;
     state.touching = anchor.touching;
+    const double stretch = (anchor.position - finger.position).norm();
+    const double unexplained = stretch - state.stretch - (finger.position - state.finger).norm();
+    state.stretch = stretch;
+    state.finger = finger.position;
     if (!anchor.touching) return {};
-    return {{springForce(eased, anchor.position, finger.position, finger.velocity), eased.stiffness,
-             (anchor.position - finger.position).norm(), state.limiter.maxForce, eased.velocity},
-            finger.velocity - eased.velocity};
+    return {{springForce(eased, anchor.position, finger.position, finger.velocity), eased.stiffness, stretch,
+             state.limiter.maxForce, eased.velocity},
+            finger.velocity - eased.velocity,
+            eased.stiffness * unexplained};
 }
 
 /// What of it may be rendered.
@@ -96,6 +102,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                                       state.modelAge <= kModelPatience,
                           .speed = finger.velocity.norm(),
                           .wanted = wanted.spring.force.norm(),
+                          .sudden = wanted.sudden,
                           .finite = wanted.spring.force.allFinite()};
     RenderedSpring spring = guarded(state, wanted, tick);
     spring.force = state.limiter(spring.force);

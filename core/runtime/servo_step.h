@@ -61,6 +61,8 @@ struct ServoState {
     std::uint64_t oscillations = 0;
     StiffnessCeiling ceiling;   ///< of this tick
     Vec3 anchor = Vec3::Zero(); ///< of the rendered model, world frame
+    Vec3 finger = Vec3::Zero(); ///< of this tick, world frame
+    double stretch = 0;         ///< from one to the other, m
     bool touching = false;
 };
 

@@ -1,0 +1,151 @@
+// T10: a slow or late proxy loop costs fidelity, not stability.
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "tests/physics/event.h"
+#include "tests/physics/servo.h"
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kRadius = 1e-3;
+const double kOwn = kFalcon.damping + kRigid.felt(); ///< N s/m, of device and hand
+
+Material springy(double stiffness) {
+    Material material = frictionless();
+    material.stiffness = stiffness;
+    return material;
+}
+
+/// A servo that is led along a path, with all that hand-over from model to model gave.
+struct Led {
+    Led(std::shared_ptr<const World> world, double rate, double latency)
+        : proxy(std::move(world), rate, latency), servo(info(), proxy) {}
+
+    static DeviceInfo info() {
+        DeviceInfo info = infoOf({kFalcon, kRigid, {}});
+        info.tripSpeed = 5;
+        return info;
+    }
+
+    void to(const Vec3& position) {
+        const LocalContactModel before = servo.state.ease.rendered();
+        const Vec3 force = servo.output.force;
+        const Vec3 way = position - last;
+        if (begun) work += force.dot(way) - kOwn * way.squaredNorm() / 1e-3 - kFalcon.friction * way.norm();
+        most = std::max(most, work);
+        drag = std::max(drag, force.norm());
+        last = position;
+        begun = true;
+        DeviceSample sample;
+        sample.position = position;
+        sample.valid = true;
+        servo(sample, 1e-3);
+        handOver += std::max(0.0, storedIn(servo.state.ease.rendered(), position, 0) -
+                                      storedIn(before, position, kReturnSpeed * 1e-3));
+    }
+    /// `returned`: how far the surface may come back meanwhile.
+    double storedIn(const LocalContactModel& model, const Vec3& finger, double returned) const {
+        const double stretch = (anchorOf(model, finger).position - finger).norm();
+        const double more = servo.state.ease.easing() ? returned : 0;
+        return 0.5 * model.stiffness * (stretch + more) * (stretch + more);
+    }
+    void rest(double seconds) {
+        for (double t = 0; t < seconds; t += 1e-3)
+            to(last);
+    }
+    void go(const Vec3& target, double speed) {
+        const Vec3 from = last;
+        const int steps = std::max(1, int((target - from).norm() / (speed * 1e-3)));
+        for (int i = 1; i <= steps; ++i)
+            to(from + (target - from) * (double(i) / steps));
+    }
+
+    Proxy proxy;
+    Servo servo;
+    Vec3 last = Vec3::Zero();
+    bool begun = false;
+    double work = 0, most = 0, drag = 0, handOver = 0;
+};
+
+} // namespace
+
+class TestStabilityProxy : public QObject {
+    Q_OBJECT
+
+private slots:
+    void slowProxyCostsNothingButFidelity_data() {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("latency");
+        for (const double rate : {50.0, 100.0, 300.0, 1000.0})
+            for (const double latency : {0.0, 0.005, 0.02})
+                QTest::addRow("%g Hz, %g ms late", rate, 1e3 * latency) << rate << latency;
+    }
+
+    void slowProxyCostsNothingButFidelity() {
+        QFETCH(double, rate);
+        QFETCH(double, latency);
+        // Free motion.
+        Led free(worldOf(sheet(0.1), springy(1500), kRadius), rate, latency);
+        free.to({-0.05, 0, 0.02});
+        free.rest(0.8);
+        free.drag = 0;
+        for (int i = 0; i < 5; ++i) {
+            free.go({0.05, 0, 0.02}, 0.5);
+            free.go({-0.05, 0, 0.02}, 0.5);
+        }
+        QVERIFY2(free.drag <= 0.05, qPrintable(QString::number(free.drag)));
+
+        struct Place {
+            const char* name;
+            std::shared_ptr<const World> world;
+        };
+        for (const Place& place :
+             {Place{"plane", worldOf(sheet(0.1), springy(1500), kRadius)},
+              Place{"ball", worldOf(transformed(*ball(0.03, 4), {Quat::Identity(), Vec3(0, 0, -0.03)}),
+                                    springy(1500), kRadius)},
+              Place{"valley", worldOf(wedge(2.1, 0.1), springy(1500), kRadius)}}) {
+            Led led(place.world, rate, latency);
+            led.to({-0.01, 0, 0.02});
+            led.rest(0.8);
+            const double seconds = led.proxy.state.time;
+            Rng random(1);
+            led.work = led.most = led.handOver = 0;
+            for (int i = 0; i < 60; ++i)
+                led.go({uniform(random, -0.012, 0.012), uniform(random, -0.012, 0.012),
+                        uniform(random, -0.006, 0.006)},
+                       uniform(random, 0.02, 0.3));
+            const double time = led.proxy.state.time - seconds;
+            qInfo("%s: W %.3g mJ, hand-over %.2f mJ/s, %d faults, withheld %d", place.name, 1e3 * led.most,
+                  1e3 * led.handOver / time, int(led.servo.state.guard.faults()),
+                  int(led.servo.state.guard.withheld()));
+            QVERIFY(led.most <= 1e-6);
+            QVERIFY(led.handOver <= 1e-3 * time + kHandOverEnergy);
+            QCOMPARE(led.servo.state.guard.faults(), 0u);
+        }
+    }
+
+    /// Rule 6 switched off: a spring to the proxy itself drags in free motion.
+    void springToThePointDrags() {
+        for (const double rate : {1000.0, 100.0}) {
+            Proxy proxy(worldOf(sheet(0.1), springy(1500), kRadius), rate);
+            LocalContactModel model;
+            double drag = 0;
+            for (int i = 0; i < 1000; ++i) {
+                const Vec3 finger(0.3 * 1e-3 * i, 0, 0.02);
+                proxy.answer({finger, {}, 0, true, 1}, 1e-3, model);
+                if (i > 100) drag = std::max(drag, 1500 * (model.proxy - finger - Vec3(3e-4, 0, 0)).norm());
+            }
+            qInfo("%g Hz: %.2f N", rate, drag);
+            QVERIFY(drag > 0.4);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityProxy)
+#include "test_stability_proxy.moc"
