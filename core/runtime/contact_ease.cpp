@@ -7,6 +7,7 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
+constexpr int kCorrections = 4;
 constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
 
 Vec3 shortened(const Vec3& v, double by) noexcept {
@@ -28,22 +29,27 @@ double gripNeeded(const LocalContactModel& model, const Vec3& finger) noexcept {
     return most > 0 ? nearest.x.norm() / most : 0;
 }
 
+LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept {
+    LocalContactModel result = model;
+    result.proxy += by;
+    return result;
+}
+
 } // namespace
 
 // A proxy that was put elsewhere begins at the finger, without force.
 void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noexcept {
     const Anchor before = begun_ ? anchorOf(rendered_, finger) : Anchor{finger, false};
-    const Anchor after = anchorOf(newest, finger);
+    if (!before.touching) rendered_ = newest; // nothing is under load: no value needs a ramp
     const bool edited = newest.revision != revision_;
     if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
-        offset_ = finger - after.position;
-        rendered_ = newest;
+        offset_ = finger - anchorOf(newest, finger).position;
         editing_ = false;
         hold_ = 0;
     } else if (edited) {
         edit(newest, finger);
-    } else if (!affords(newest, before.position, after.position + offset_, finger)) {
-        offset_ = before.position - after.position;
+    } else {
+        handOver(newest, before.position, finger);
     }
     begun_ = true;
     restarts_ = newest.restarts;
@@ -51,23 +57,26 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noex
     age_ = 0;
 }
 
-/// Whether the energy that this model adds to the spring is small enough. It is paid for then.
-bool ContactEase::affords(const LocalContactModel& newest, const Vec3& before, const Vec3& after,
-                          const Vec3& finger) noexcept {
+// The surroundings stay with the anchor as far as the energy that they add to the spring is not paid for.
+// Planes that meet at an angle take more than one correction.
+void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept {
     const double stiffness = std::max(rendered_.stiffness, newest.stiffness);
-    const double gained =
-        0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm());
-    if (gained > credit_) return false;
-    credit_ -= std::max(gained, 0.0);
-    return true;
+    for (int i = 0;; ++i) {
+        const Vec3 after = anchorOf(moved(newest, offset_), finger).position;
+        const double gained =
+            0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm());
+        if (gained <= credit_ || i == kCorrections) {
+            credit_ -= std::max(gained, 0.0);
+            return;
+        }
+        offset_ += before - after;
+    }
 }
 
 void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noexcept {
     offset_ = anchorOf(rendered_, finger).position - newest.proxy;
     editing_ = true;
-    LocalContactModel moved = newest;
-    moved.proxy += offset_;
-    hold_ = gripNeeded(moved, finger);
+    hold_ = gripNeeded(moved(newest, offset_), finger);
 }
 
 void ContactEase::goOn(const LocalContactModel& newest) noexcept {

@@ -44,8 +44,7 @@ public:
 
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
-    bool affords(const LocalContactModel& newest, const Vec3& before, const Vec3& after,
-                 const Vec3& finger) noexcept;
+    void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,

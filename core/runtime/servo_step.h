@@ -72,7 +72,7 @@ struct ServoOutput {
 };
 
 /// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled.
-/// Deterministic. Thread: real time; bounded, nearestPoint() twice.
+/// Deterministic. Thread: real time; bounded: nearestPoint() a dozen times.
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
                       const LocalContactModel& model) noexcept;
 

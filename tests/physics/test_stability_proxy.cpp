@@ -48,6 +48,7 @@ struct Led {
         servo(sample, 1e-3);
         handOver += std::max(0.0, storedIn(servo.state.ease.rendered(), position, 0) -
                                       storedIn(before, position, kReturnSpeed * 1e-3));
+        time += 1e-3;
     }
     /// `returned`: how far the surface may come back meanwhile.
     double storedIn(const LocalContactModel& model, const Vec3& finger, double returned) const {
@@ -66,11 +67,23 @@ struct Led {
             to(from + (target - from) * (double(i) / steps));
     }
 
+    /// In and out of what is there, for some seconds.
+    void wander() {
+        to({-0.01, 0, 0.02});
+        rest(0.8);
+        work = most = handOver = time = 0;
+        Rng random(1);
+        for (int i = 0; i < 60; ++i)
+            go({uniform(random, -0.012, 0.012), uniform(random, -0.012, 0.012),
+                uniform(random, -0.006, 0.006)},
+               uniform(random, 0.02, 0.3));
+    }
+
     Proxy proxy;
     Servo servo;
     Vec3 last = Vec3::Zero();
     bool begun = false;
-    double work = 0, most = 0, drag = 0, handOver = 0;
+    double work = 0, most = 0, drag = 0, handOver = 0, time = 0;
 };
 
 } // namespace
@@ -90,44 +103,27 @@ private slots:
     void slowProxyCostsNothingButFidelity() {
         QFETCH(double, rate);
         QFETCH(double, latency);
-        // Free motion.
         Led free(worldOf(sheet(0.1), springy(1500), kRadius), rate, latency);
         free.to({-0.05, 0, 0.02});
         free.rest(0.8);
-        free.drag = 0;
         for (int i = 0; i < 5; ++i) {
             free.go({0.05, 0, 0.02}, 0.5);
             free.go({-0.05, 0, 0.02}, 0.5);
         }
         QVERIFY2(free.drag <= 0.05, qPrintable(QString::number(free.drag)));
 
-        struct Place {
-            const char* name;
-            std::shared_ptr<const World> world;
-        };
-        for (const Place& place :
-             {Place{"plane", worldOf(sheet(0.1), springy(1500), kRadius)},
-              Place{"ball", worldOf(transformed(*ball(0.03, 4), {Quat::Identity(), Vec3(0, 0, -0.03)}),
-                                    springy(1500), kRadius)},
-              Place{"valley", worldOf(wedge(2.1, 0.1), springy(1500), kRadius)}}) {
-            Led led(place.world, rate, latency);
-            led.to({-0.01, 0, 0.02});
-            led.rest(0.8);
-            const double seconds = led.proxy.state.time;
-            Rng random(1);
-            led.work = led.most = led.handOver = 0;
-            for (int i = 0; i < 60; ++i)
-                led.go({uniform(random, -0.012, 0.012), uniform(random, -0.012, 0.012),
-                        uniform(random, -0.006, 0.006)},
-                       uniform(random, 0.02, 0.3));
-            const double time = led.proxy.state.time - seconds;
-            qInfo("%s: W %.3g mJ, hand-over %.2f mJ/s, %d faults, withheld %d", place.name, 1e3 * led.most,
-                  1e3 * led.handOver / time, int(led.servo.state.guard.faults()),
-                  int(led.servo.state.guard.withheld()));
+        double given = 0, handOver = 0;
+        for (const Soup& soup :
+             {sheet(0.1), transformed(*ball(0.03, 4), {Quat::Identity(), {0, 0, -0.03}}), wedge(2.1, 0.1)}) {
+            Led led(worldOf(soup, springy(1500), kRadius), rate, latency);
+            led.wander();
+            given = std::max(given, led.most);
+            handOver = std::max(handOver, led.handOver / led.time);
             QVERIFY(led.most <= 1e-6);
-            QVERIFY(led.handOver <= 1e-3 * time + kHandOverEnergy);
+            QVERIFY(led.handOver <= kHandOverPower * led.time + kHandOverEnergy);
             QCOMPARE(led.servo.state.guard.faults(), 0u);
         }
+        qInfo("drag %.3f N, W %.3g mJ, hand-over %.2f mJ/s", free.drag, 1e3 * given, 1e3 * handOver);
     }
 
     /// Rule 6 switched off: a spring to the proxy itself drags in free motion.
