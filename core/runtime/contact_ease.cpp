@@ -7,12 +7,18 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
+constexpr double kSoftest = 20, kWeakest = 0.05; ///< N/m and N, of what is about to be gone
 constexpr int kCorrections = 4;
 constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
 
 Vec3 shortened(const Vec3& v, double by) noexcept {
     const double length = v.norm();
     return length <= by ? Vec3::Zero() : Vec3(v * (1 - by / length));
+}
+
+/// N/s, that the force may change by.
+double editRate(double stiffness) noexcept {
+    return std::min(kEditRate, kReturnSpeed * stiffness);
 }
 
 double towards(double value, double target, double step) noexcept {
@@ -73,6 +79,15 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
     }
 }
 
+// It becomes softer as it does in an edit, until next to nothing is left.
+void ContactEase::leave(const Vec3& finger, double dt) noexcept {
+    const double depth = (anchorOf(rendered_, finger).position - finger).norm();
+    rendered_.stiffness -= editRate(rendered_.stiffness) * dt / std::max(depth, kThinnest);
+    rendered_.damping = 0;
+    leaving_ = rendered_.stiffness > kSoftest && rendered_.stiffness * depth > kWeakest;
+    begun_ = leaving_;
+}
+
 void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noexcept {
     offset_ = anchorOf(rendered_, finger).position - newest.proxy;
     editing_ = true;
@@ -93,7 +108,7 @@ void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, 
     const LocalContactModel wanted = rendered_;
     const double stiffness = std::min(wanted.stiffness, ceiling);
     const double depth = (anchorOf(rendered_, finger).position - finger).norm();
-    const double change = (editing_ ? kEditRate : kSurfaceRate) * dt;
+    const double change = (editing_ ? editRate(before.stiffness) : kSurfaceRate) * dt;
     rendered_.stiffness = towards(before.stiffness, stiffness, change / std::max(depth, kThinnest));
     if (!editing_) return;
     rendered_.damping =
@@ -110,6 +125,9 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_;
     offset_ = left;
+    leaving_ = begun_ && (leaving_ || (newest.restarts != restarts_ && anchorOf(rendered_, finger).touching));
+    if (leaving_) leave(finger, dt);
+    if (leaving_) return rendered_;
     if (fresh || !begun_) meet(newest, finger);
     const LocalContactModel before = rendered_;
     goOn(newest);

@@ -7,8 +7,9 @@
 namespace tactum {
 
 /// A surface that was changed under the finger comes to its place at this speed. Unit: m/s.
-inline constexpr double kReturnSpeed = 0.02;
-/// An edited stiffness, damping or friction changes the force by no more than this. Unit: N/s.
+inline constexpr double kReturnSpeed = 0.015;
+/// An edited stiffness, damping or friction changes the force by no more than this, and on a soft surface by
+/// no more than coming or going with kReturnSpeed would. Unit: N/s.
 inline constexpr double kEditRate = 10;
 /// So does the stiffness where the finger goes from one surface to the next, or the ceiling changes: a step
 /// of it under load would be a kick. Unit: N/s.
@@ -19,7 +20,8 @@ inline constexpr double kSurfaceRate = 300;
 /// Units: W, J.
 inline constexpr double kHandOverPower = 1e-3, kHandOverEnergy = 5e-4;
 
-/// What the servo renders instead of the newest model. A proxy that was put elsewhere has its surroundings
+/// What the servo renders instead of the newest model. When the proxy was put elsewhere, what was touched
+/// before fades away first; then the proxy's new surroundings are
 /// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
 /// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
 /// then go to their new values. A late model that finds the finger deep in something is met as a restart is.
@@ -34,7 +36,7 @@ public:
     void restart() noexcept { begun_ = false; }
     const LocalContactModel& rendered() const noexcept { return rendered_; }
     /// Whether the surroundings are still on their way.
-    bool easing() const noexcept { return editing_ || !offset_.isZero(0); }
+    bool easing() const noexcept { return editing_ || leaving_ || !offset_.isZero(0); }
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
@@ -45,6 +47,7 @@ public:
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
+    void leave(const Vec3& finger, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,
@@ -52,6 +55,7 @@ private:
 
     bool begun_ = false;
     bool editing_ = false;
+    bool leaving_ = false;       ///< what is not there any more
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
     double hold_ = 0;            ///< least coefficient of friction, after an edit
     double credit_ = 0;          ///< J, that a newer model may bring

@@ -1,0 +1,238 @@
+// T12: whatever happens, in whatever order: the force is finite, never above the limit, gone within 10 ms of
+// a fault, and the surface gives no more than the events allow. TACTUM_SEEDS=10000 runs them all.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QtTest>
+
+#include "tests/physics/event.h"
+#include "tests/physics/hand_script.h"
+#include "tests/physics/servo.h"
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSeconds = 10;
+constexpr double kGone = 0.01;   ///< s, from a fault to no force
+constexpr double kEvent = 5e-3;  ///< J, that an event may give beyond what the person's side holds more
+constexpr double kGentle = 0.05; ///< m/s, of a resting hand while the scene changes
+
+enum class Happens { Stall, Unplug, Edit, Swap, SlowProxy, ClockJump, Glitch, Frozen, Nonsense, Rearm };
+
+Material material(double stiffness, double friction) {
+    Material result = rough(friction, 0.7 * friction);
+    result.stiffness = stiffness;
+    return result;
+}
+
+/// Worlds to edit between (the same shape) and to swap between.
+using Worlds = std::vector<std::vector<std::shared_ptr<const World>>>;
+
+Worlds makeWorlds(const std::vector<Soup>& soups) {
+    Worlds worlds;
+    for (const Soup& soup : soups) {
+        std::vector<std::shared_ptr<const World>> same;
+        for (const double stiffness : {200.0, 800.0, 3000.0})
+            for (const double friction : {0.0, 0.5, 1.2}) {
+                Scene scene = sceneOf(soup, material(stiffness, friction));
+                const World* before = same.empty() ? nullptr : same.front().get();
+                same.push_back(compile(scene, before).value());
+            }
+        worlds.push_back(same);
+    }
+    return worlds;
+}
+
+Soup shifted(const Soup& soup, double z) {
+    return transformed(*soup, {Quat::Identity(), Vec3(0, 0, z)});
+}
+
+/// One run of ten seconds.
+class Schedule {
+public:
+    Schedule(std::uint64_t seed, bool gentle)
+        : random_(seed), gentle_(gentle), bench_{kDevices[seed % kDevices.size()],
+                                                 kHands[seed / 5 % kHands.size()],
+                                                 {.delay = int(seed % 3), .jitter = 0.2, .substeps = 10}},
+          proxy_(anyWorld(), 1000), servo_(infoOf(bench_), proxy_), loop_(bench_, servo_.control(), 3, seed),
+          script_(seed, 0) {
+        loop_.plant.place({0, 0, 0.005});
+        loop_.tamper = [this](DeviceSample& sample) { spoil(sample); };
+        loop_.warmUp();
+    }
+
+    void run();
+    QString failure; ///< none: empty
+
+private:
+    const Worlds& worlds() const {
+        static const Worlds all =
+            makeWorlds({sheet(0.1, 4), shifted(ball(0.05, 3), -0.052), wedge(2.4, 0.1)});
+        static const Worlds level =
+            makeWorlds({sheet(0.1, 4), shifted(sheet(0.1), -0.004), shifted(sheet(0.1), 0.006)});
+        return gentle_ ? level : all;
+    }
+    std::shared_ptr<const World> anyWorld() {
+        shape_ = random_() % worlds().size();
+        return worlds()[shape_][random_() % 9];
+    }
+    void lead();
+    void happen(Happens what);
+    void spoil(DeviceSample& sample);
+    void judge();
+    double held() const;
+
+    Rng random_;
+    bool gentle_;
+    Bench bench_;
+    std::size_t shape_ = 0;
+    Proxy proxy_;
+    Servo servo_;
+    ClosedLoop loop_;
+    HandScript script_;
+    double next_ = 2, until_ = 0, spoiledSince_ = -1, disarmedUntil_ = 0;
+    Happens spoiling_ = Happens::Rearm;
+    Vec3 stuck_ = Vec3::Zero();
+    double highest_ = -1e300, first_ = 0;
+    int events_ = 1;
+};
+
+double Schedule::held() const {
+    double sum = 0;
+    for (const PlantAxis& axis : loop_.plant.axis) {
+        const double x = bench_.hand.rigid ? axis.x : axis.handX;
+        const double grip = bench_.hand.rigid ? 0 : axis.x - axis.handX;
+        sum += 0.5 * bench_.hand.armStiffness * std::pow(x - axis.goal, 2) +
+               0.5 * bench_.hand.gripStiffness * grip * grip;
+    }
+    return sum;
+}
+
+void Schedule::lead() {
+    const Vec3 goal = gentle_ ? Vec3(0, 0, -std::min(0.02, 0.02 * loop_.time)) : script_.goal(1e-3);
+    loop_.plant.setGoal(goal);
+}
+
+void Schedule::spoil(DeviceSample& sample) {
+    if (loop_.time >= until_) {
+        spoiledSince_ = -1;
+        return;
+    }
+    switch (spoiling_) {
+    case Happens::Unplug:
+        sample.valid = false;
+        break;
+    case Happens::Nonsense:
+        sample.position.y() = kNan;
+        break;
+    case Happens::Glitch:
+        sample.position.x() += 32768 * std::max(bench_.device.resolution, 1e-5);
+        break;
+    case Happens::Frozen:
+        sample.position = stuck_;
+        break;
+    default:
+        break;
+    }
+}
+
+void Schedule::happen(Happens what) {
+    ++events_;
+    switch (what) {
+    case Happens::Stall:
+        loop_.tick(uniform(random_, 0.002, 0.3));
+        break;
+    case Happens::ClockJump:
+        loop_.tick(uniform(random_, 0.5, 2));
+        break;
+    case Happens::Edit:
+        proxy_.world = worlds()[shape_][random_() % 9];
+        break;
+    case Happens::Swap:
+        proxy_.world = anyWorld();
+        break;
+    case Happens::SlowProxy:
+        proxy_.rate = std::pow(10, uniform(random_, 1.5, 3));
+        proxy_.latency = uniform(random_, 0, 0.03);
+        break;
+    case Happens::Rearm:
+        servo_.settings.armed = false;
+        disarmedUntil_ = loop_.time + 0.05;
+        break;
+    default:
+        spoiling_ = what;
+        stuck_ = loop_.reading;
+        spoiledSince_ = what == Happens::Frozen ? -1 : loop_.time;
+        until_ = loop_.time + uniform(random_, 0.001, 0.2);
+    }
+}
+
+void Schedule::judge() {
+    const Vec3& force = servo_.output.force;
+    if (!force.allFinite()) failure = "not finite";
+    if (force.norm() > bench_.device.maxForce) failure = "above the limit";
+    if (spoiledSince_ >= 0 && loop_.time < until_ && loop_.time - spoiledSince_ > kGone && !force.isZero(0))
+        failure = "force after a fault";
+    highest_ = std::max(highest_, held());
+    const double allowed = highest_ - first_ + events_ * kEvent;
+    if (loop_.plant.given() > allowed)
+        failure = QString("gave %1 mJ of %2").arg(1e3 * loop_.plant.given()).arg(1e3 * allowed);
+    if (gentle_ && loop_.time > 2 && loop_.plant.velocity().norm() > kGentle)
+        failure = QString("%1 m/s").arg(loop_.plant.velocity().norm());
+}
+
+void Schedule::run() {
+    constexpr std::array kChanges{Happens::Edit, Happens::Swap, Happens::SlowProxy};
+    first_ = held();
+    while (loop_.time < kSeconds && failure.isEmpty()) {
+        if (loop_.time > disarmedUntil_) servo_.settings.armed = true;
+        if (loop_.time > next_) {
+            next_ = loop_.time + uniform(random_, 0.05, 2);
+            happen(gentle_ ? kChanges[random_() % kChanges.size()] : Happens(random_() % 10));
+        }
+        lead();
+        loop_.tick();
+        judge();
+    }
+    if (!failure.isEmpty()) failure += QString(" at %1 s").arg(loop_.time);
+}
+
+int seeds(int ordinary) {
+    return qEnvironmentVariableIsSet("TACTUM_SEEDS") ? qEnvironmentVariableIntValue("TACTUM_SEEDS")
+                                                     : ordinary;
+}
+
+} // namespace
+
+class TestStabilityFaults : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anythingMayHappen_data() {
+        QTest::addColumn<bool>("gentle");
+        QTest::newRow("faults of every kind, a busy hand") << false;
+        QTest::newRow("changes of the scene, a resting hand") << true;
+    }
+
+    void anythingMayHappen() {
+        QFETCH(bool, gentle);
+        int bad = 0;
+        const int count = seeds(400) / 2;
+        for (int seed = 0; seed < count; ++seed) {
+            Schedule schedule(std::uint64_t(seed), gentle);
+            schedule.run();
+            if (!schedule.failure.isEmpty() && ++bad < 20)
+                qWarning("seed %d: %s", seed, qPrintable(schedule.failure));
+        }
+        qInfo("%d of %d", bad, count);
+        QCOMPARE(bad, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityFaults)
+#include "test_stability_faults.moc"
