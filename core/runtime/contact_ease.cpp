@@ -7,7 +7,7 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
-constexpr double kSoftest = 20, kWeakest = 0.05; ///< N/m and N, of what is about to be gone
+constexpr double kSoftest = 2, kWeakest = 0.03; ///< N/m and N, of what is about to be gone
 constexpr int kCorrections = 4;
 constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
 

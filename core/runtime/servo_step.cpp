@@ -10,6 +10,12 @@ namespace {
 constexpr double kFade = 0.05, kRecovery = 2;
 constexpr double kLeastCalm = 1.0 / 32;
 
+/// What a clock may say that stood still or went wrong. Unit: s.
+double plausible(double dt) noexcept {
+    constexpr double kShortest = 1e-5, kLongest = 10;
+    return dt > kShortest ? std::min(dt, kLongest) : kShortest;
+}
+
 /// The device's frame D is the world's so far.
 FingerSample fingerOf(const ServoState& state) noexcept {
     const DeviceSample& seen = state.check.believed();
@@ -80,20 +86,21 @@ ServoState::ServoState(const DeviceInfo& device) noexcept
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
                       const LocalContactModel& model) noexcept {
+    const double dt = plausible(input.dt);
     ++state.ticks;
-    state.check(input.sample, input.dt);
+    state.check(input.sample, dt);
     const DeviceSample& seen = state.check.believed();
     if (seen.jumped) state.guard.begin();
-    state.passivity.observe(seen.position, seen.velocity, input.dt);
-    calmDown(state, seen, input.dt);
+    state.passivity.observe(seen.position, seen.velocity, dt);
+    calmDown(state, seen, dt);
     state.limiter.maxForce = state.heat.limit();
 
     FingerSample finger = fingerOf(state);
     const double ceiling = ceilingOf(state, settings, model.stiffness);
-    const Wanted wanted = render(state, model, finger, input.fresh, ceiling, input.dt);
-    state.modelAge = input.fresh ? 0 : state.modelAge + input.dt;
+    const Wanted wanted = render(state, model, finger, input.fresh, ceiling, dt);
+    state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 
-    const GuardInput tick{.dt = input.dt,
+    const GuardInput tick{.dt = dt,
                           .late = input.late,
                           .armed = settings.armed,
                           .held = settings.deadMan == 0 || (seen.buttons & settings.deadMan) != 0,
@@ -106,7 +113,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                           .finite = wanted.spring.force.allFinite()};
     RenderedSpring spring = guarded(state, wanted, tick);
     spring.force = state.limiter(spring.force);
-    state.heat.add(spring.force.norm(), input.dt);
+    state.heat.add(spring.force.norm(), dt);
     state.passivity.commanded(spring);
     finger.anchoring = state.guard.anchoring();
     return {spring.force, finger};

@@ -1,0 +1,158 @@
+// The parts of the servo's guard: readings, velocities, motor heat, the stiffness ceiling.
+#include <cmath>
+#include <limits>
+
+#include <QtTest>
+
+#include "core/control/motor_heat.h"
+#include "core/control/safe_stiffness.h"
+#include "core/control/sample_check.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kTick = 1e-3;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+DeviceSample at(double z) {
+    DeviceSample sample;
+    sample.position = {0, 0, z};
+    sample.valid = true;
+    return sample;
+}
+
+} // namespace
+
+class TestLoopParts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void badReadingsAreNotUsed_data() {
+        QTest::addColumn<double>("height");
+        QTest::addColumn<bool>("valid");
+        QTest::newRow("none") << 0.0 << false;
+        QTest::newRow("no number") << kNan << true;
+        QTest::newRow("far away") << 32768 * 55e-6 << true;
+    }
+
+    void badReadingsAreNotUsed() {
+        QFETCH(double, height);
+        QFETCH(bool, valid);
+        SampleCheck check(DeviceInfo{});
+        check(at(0.001), kTick);
+        QVERIFY(check.believed().jumped); // the first: nobody knows where it came from
+        check(at(0.0011), kTick);
+        QVERIFY(!check.believed().jumped);
+        DeviceSample bad = at(height);
+        bad.valid = valid;
+        for (int i = 1; i < kBadSamplesToLoss; ++i) {
+            QVERIFY(!check(bad, kTick));
+            QVERIFY(!check.lost() && check.believed().valid);
+            QCOMPARE(check.believed().position.z(), 0.0011);
+        }
+        QVERIFY(!check(bad, kTick));
+        QVERIFY(check.lost() && !check.believed().valid);
+        QCOMPARE(check.refused(), std::uint64_t(kBadSamplesToLoss));
+        for (int i = 1; i < kBadSamplesToLoss; ++i) {
+            check(at(0.002), kTick);
+            QVERIFY(check.lost());
+        }
+        check(at(0.002), kTick);
+        QVERIFY(!check.lost() && check.believed().valid && check.believed().jumped);
+    }
+
+    void fastestFingerIsBelieved() {
+        DeviceInfo info;
+        SampleCheck check(info);
+        check(at(0), kTick);
+        QVERIFY(check(at(1.99 * info.tripSpeed * kTick), kTick));
+        QVERIFY(!check(at(4.1 * info.tripSpeed * kTick), kTick));
+        DeviceSample put = at(1);
+        put.jumped = true;
+        QVERIFY(check(put, kTick));
+    }
+
+    void velocityIsThatOfTheFinger_data() {
+        QTest::addColumn<double>("speed");
+        for (const double speed : {0.0, 0.001, 0.01, 0.1, 1.0})
+            QTest::addRow("%g m/s", speed) << speed;
+    }
+
+    /// Within one count over the window, and from one tick to the next at speed.
+    void velocityIsThatOfTheFinger() {
+        QFETCH(double, speed);
+        constexpr double kCount = 50e-6;
+        VelocityEstimate estimate(kCount);
+        double worst = 0;
+        for (int i = 0; i < 400; ++i) {
+            const double x = speed * i * kTick + 1.3e-6;
+            const double v = estimate(Vec3(kCount * std::round(x / kCount), 0, 0), false, kTick).x();
+            if (i > 20) worst = std::max(worst, std::abs(v - speed));
+        }
+        // A count over sixteen ticks; at speed nothing is worse than the newest difference.
+        QVERIFY2(worst <= std::max(2 * kCount / (16 * kTick), 0.12 * speed),
+                 qPrintable(QString::number(worst)));
+    }
+
+    void velocityTurnsAtOnce() {
+        VelocityEstimate estimate(50e-6);
+        Vec3 v = Vec3::Zero();
+        for (int i = 0; i < 20; ++i)
+            v = estimate(Vec3(1e-3 * i, 0, 0), false, kTick);
+        QVERIFY(std::abs(v.x() - 1) < 1e-9);
+        v = estimate(Vec3(18e-3, 0, 0), false, kTick);
+        QVERIFY(std::abs(v.x() + 1) < 1e-9);
+        v = estimate(Vec3(1, 1, 1), true, kTick);
+        QVERIFY(v.isZero(0));
+    }
+
+    /// h' = (F^2 / F_c^2 - h) / tau: heat of one after tau ln(r / (r - 1)) for r = (F / F_c)^2.
+    void heatFollowsTheClosedForm() {
+        constexpr double kTau = 40, kPeak = 3.3, kContinuous = 0.88;
+        MotorHeat heat(kPeak, kContinuous);
+        QCOMPARE(heat.limit(), kPeak);
+        const double ratio = (2.0 / kContinuous) * (2.0 / kContinuous);
+        for (int i = 1; i <= 5000; ++i) {
+            heat.add(2.0, kTick);
+            const double expected = ratio * -std::expm1(-i * kTick / kTau);
+            QVERIFY(std::abs(heat.heat() - expected) < 1e-9 * ratio);
+        }
+        // A press that never ends: the limit settles at what the motors bear, without a step.
+        MotorHeat pressed(kPeak, kContinuous);
+        double last = kPeak;
+        for (int i = 0; i < 600'000; ++i) {
+            const double limit = pressed.limit();
+            QVERIFY(last - limit < 0.01); // 10 N/s
+            last = limit;
+            pressed.add(limit, kTick);
+        }
+        QVERIFY(pressed.heat() <= 1.01);
+        QVERIFY(last >= kContinuous && last < 1.05 * kContinuous);
+    }
+
+    void ceilingIsThatOfTheRule() {
+        // Touch-like in a pinch, 1 kHz, one tick late, 300 Hz: 0.7 * 2.1 / (0.5 + 1 + 0.53 ms).
+        LoopFigures loop{.period = 1e-3,
+                         .delay = 1e-3,
+                         .amplifierLag = 1 / (2 * M_PI * 300),
+                         .damping = 2.1,
+                         .dryFriction = 0,
+                         .resolution = 0,
+                         .makersCeiling = 0};
+        QVERIFY(std::abs(safeStiffness(loop).value - 723.9) < 0.1);
+        QVERIFY(safeStiffness(loop).reason == CeilingReason::Damping);
+        loop.dryFriction = 0.05;
+        loop.resolution = 200e-6;
+        QVERIFY(std::abs(safeStiffness(loop).value - 350) < 1e-9);
+        QVERIFY(safeStiffness(loop).reason == CeilingReason::Resolution);
+        loop.makersCeiling = 100;
+        QCOMPARE(safeStiffness(loop).value, 100.0);
+        QVERIFY(safeStiffness(loop).reason == CeilingReason::Maker);
+        const StiffnessCeiling typical = safeStiffness(loopFigures(DeviceInfo{}));
+        QVERIFY(std::abs(typical.value - 0.7 * 2 / 1.5e-3) < 1e-9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLoopParts)
+#include "test_loop_parts.moc"

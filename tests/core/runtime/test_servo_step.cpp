@@ -1,0 +1,246 @@
+// One servo tick: whatever comes in, the force is finite and within the limit; changes in contact are eased.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <QtTest>
+
+#include "core/runtime/servo_step.h"
+
+using namespace tactum;
+
+namespace {
+
+constexpr double kTick = 1e-3;
+
+/// Any magnitude, now and then no number at all.
+double anyNumber(std::mt19937_64& random) {
+    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    static constexpr double kSpecial[] = {0.0,          -0.0,  kInfinity, -kInfinity,
+                                          std::nan(""), 1e308, -1e308,    5e-324};
+    if (random() % 16 == 0) return kSpecial[random() % std::size(kSpecial)];
+    const double exponent = std::uniform_real_distribution(-12.0, random() % 64 == 0 ? 308.0 : 1.0)(random);
+    return std::pow(10.0, exponent) * (random() % 2 ? 1 : -1);
+}
+
+Vec3 anyVector(std::mt19937_64& random) {
+    return {anyNumber(random), anyNumber(random), anyNumber(random)};
+}
+
+LocalContactModel anyModel(std::mt19937_64& random, std::uint32_t anchoring) {
+    LocalContactModel model;
+    model.proxy = anyVector(random);
+    model.planes = int(random() % (kMaxModelPlanes + 1));
+    for (int i = 0; i < model.planes; ++i) {
+        model.plane[std::size_t(i)] = {
+            random() % 8 ? Vec3(anyVector(random).normalized()) : anyVector(random), anyNumber(random)};
+        model.friction[std::size_t(i)] = {anyNumber(random), anyNumber(random)};
+    }
+    model.stiffness = anyNumber(random);
+    model.damping = anyNumber(random);
+    model.velocity = anyVector(random);
+    model.valid = random() % 8 != 0;
+    model.revision = random() % 3;
+    model.restarts = std::uint32_t(random() % 3);
+    model.anchoring = anchoring;
+    return model;
+}
+
+/// The half-space below z = 0, with a proxy that is on it.
+LocalContactModel wall(double stiffness, double friction = 0) {
+    LocalContactModel model;
+    model.planes = 1;
+    model.plane[0] = {Vec3::UnitZ(), 0};
+    model.friction[0].coefficient = friction;
+    model.stiffness = stiffness;
+    model.valid = true;
+    return model;
+}
+
+/// A servo whose finger stays where the test puts it.
+struct Held {
+    Held() : state(info()) { settings.armed = settings.overrideCeiling = true; }
+    static DeviceInfo info() {
+        DeviceInfo info;
+        info.maxForce = 20;
+        return info;
+    }
+    Vec3 tick(const Vec3& finger) {
+        DeviceSample sample;
+        sample.position = finger;
+        sample.valid = true;
+        sample.buttons = buttons;
+        model.anchoring = state.guard.anchoring();
+        return servoStep(state, settings, {sample, kTick, false, true}, model).force;
+    }
+    void rest(const Vec3& finger, int ticks = 1000) {
+        for (int i = 0; i < ticks; ++i)
+            tick(finger);
+    }
+
+    ServoState state;
+    ServoSettings settings;
+    LocalContactModel model;
+    std::uint32_t buttons = 0;
+};
+
+/// Largest change from tick to tick until nothing changes any more.
+double largestChange(Held& held, const Vec3& finger, const Vec3& before) {
+    double largest = 0;
+    Vec3 last = before;
+    for (int i = 0; i < 6000; ++i) {
+        const Vec3 force = held.tick(finger);
+        largest = std::max(largest, (force - last).norm());
+        last = force;
+    }
+    return largest;
+}
+
+int times(int ordinary) {
+    return qEnvironmentVariableIsSet("TACTUM_SEEDS") ? 1000 * qEnvironmentVariableIntValue("TACTUM_SEEDS")
+                                                     : ordinary;
+}
+
+} // namespace
+
+class TestServoStep : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// TACTUM_SEEDS=10000 makes it 10^7.
+    void forceIsAlwaysFiniteAndWithinTheLimit() {
+        std::mt19937_64 random(8);
+        DeviceInfo info;
+        info.maxForce = 8;
+        info.continuousForce = 2;
+        info.positionResolution = 50e-6;
+        ServoState state(info);
+        ServoSettings settings;
+        LocalContactModel model;
+        int pushed = 0;
+        for (int i = 0, n = times(500'000); i < n; ++i) {
+            // Now and then all is well for a while, so that there is something to spoil.
+            const bool wild = i % 2000 > 1500 && random() % 4 == 0;
+            settings.armed = i % 2000 != 0;
+            DeviceSample sample;
+            sample.position = wild ? anyVector(random) : Vec3(0, 0, -1e-3);
+            sample.velocity = wild ? anyVector(random) : Vec3::Zero();
+            sample.jumped = wild && random() % 8 == 0;
+            sample.valid = !wild || random() % 4 != 0;
+            model = wild ? anyModel(random, state.guard.anchoring()) : wall(800);
+            if (!wild) model.anchoring = state.guard.anchoring();
+            const double dt = wild && random() % 8 == 0 ? std::abs(anyNumber(random)) : kTick;
+            const ServoOutput output =
+                servoStep(state, settings, {sample, dt, random() % 32 == 0, random() % 4 != 0}, model);
+            if (!output.force.allFinite()) QFAIL(qPrintable(QString("not finite at %1").arg(i)));
+            if (output.force.norm() > info.maxForce) QFAIL(qPrintable(QString("too strong at %1").arg(i)));
+            pushed += !output.force.isZero(0);
+        }
+        QVERIFY(pushed > times(500'000) / 10);
+        // Nothing of it stays: it works again when all is well.
+        Vec3 force = Vec3::Zero();
+        for (int i = 0; i < 3000; ++i) {
+            settings.armed = i > 10;
+            DeviceSample sample;
+            sample.position = {0, 0, -1e-3};
+            sample.valid = true;
+            model = wall(800);
+            model.anchoring = state.guard.anchoring();
+            force = servoStep(state, settings, {sample, kTick, false, true}, model).force;
+        }
+        QVERIFY2(force.z() > 0.1, qPrintable(QString::number(force.z())));
+    }
+
+    void editsAreContinuous_data() {
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<double>("friction");
+        QTest::addColumn<double>("tilt");
+        QTest::newRow("stiffer") << 2500.0 << 0.5 << 0.0;
+        QTest::newRow("softer") << 300.0 << 0.5 << 0.0;
+        QTest::newRow("without friction") << 1000.0 << 0.0 << 0.0;
+        QTest::newRow("tilted by a texture") << 1000.0 << 0.0 << 0.3;
+    }
+
+    /// A finger pressed in 3 mm and held aside by friction.
+    void editsAreContinuous() {
+        QFETCH(double, stiffness);
+        QFETCH(double, friction);
+        QFETCH(double, tilt);
+        const Vec3 finger(0.001, 0, -0.003);
+        Held held;
+        held.model = wall(1000, 0.5);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 300; ++i)
+            held.tick(finger * (i / 300.0));
+        const Vec3 before = held.tick(finger);
+        QVERIFY(std::abs(before.z() - 3) < 1e-6 && std::abs(before.x() + 1) < 1e-6);
+        held.model = wall(stiffness, friction);
+        held.model.plane[0].normal = Vec3(std::sin(tilt), 0, std::cos(tilt));
+        ++held.model.revision;
+        const double change = largestChange(held, finger, before);
+        QVERIFY2(change <= 0.05, qPrintable(QString::number(change)));
+        const Vec3 after = held.tick(finger);
+        const Vec3 wanted = contactModelForce(held.model, finger, Vec3::Zero());
+        QVERIFY2((after - wanted).norm() < 1e-6, qPrintable(QString("%1 %2").arg(after.x()).arg(wanted.x())));
+    }
+
+    void sceneThatIsGoneFades() {
+        Held held;
+        held.model = wall(1000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 300; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        const Vec3 before = held.tick({0, 0, -0.003});
+        held.model.planes = 0;
+        ++held.model.restarts;
+        const double change = largestChange(held, {0, 0, -0.003}, before);
+        QVERIFY2(change <= 0.06, qPrintable(QString::number(change)));
+        QVERIFY(held.tick({0, 0, -0.003}).isZero(0));
+    }
+
+    void deadManSwitch() {
+        Held held;
+        held.settings.deadMan = 2;
+        held.model = wall(1000);
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 2;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        held.buttons = 1;
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+    }
+
+    /// Sharp edges and hard hits are no fault.
+    void hardHitIsNoFault() {
+        for (const double speed : {0.3, 1.0, 1.4}) {
+            Held held;
+            held.model = wall(3000);
+            held.model.damping = 20;
+            held.rest({0, 0, 0.02});
+            for (double z = 0.02; z > -0.006; z -= speed * kTick)
+                held.tick({0, 0, z});
+            QCOMPARE(held.state.guard.faults(), 0u);
+            QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
+        }
+    }
+
+    /// From a soft surface onto a stiff one, deep in.
+    void nextSurfaceIsNoFault() {
+        Held held;
+        held.model = wall(200);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 600; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        const Vec3 before = held.tick({0, 0, -0.006});
+        held.model.stiffness = 3000;
+        const double change = largestChange(held, {0, 0, -0.006}, before);
+        QCOMPARE(held.state.guard.faults(), 0u);
+        QVERIFY2(change <= kSurfaceRate * kTick * 1.01, qPrintable(QString::number(change)));
+        QVERIFY(held.tick({0, 0, -0.006}).z() > 17.9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestServoStep)
+#include "test_servo_step.moc"
