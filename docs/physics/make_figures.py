@@ -10,7 +10,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # leaves no folder behind among the pages
 
-from figures import collision, friction, moving, proxy, shading, texture  # noqa: E402
+from figures import collision, friction, moving, proxy, shading, texture, z_width  # noqa: E402
 from figures.touch import Workshop  # noqa: E402
 
 FIGURES = {
@@ -22,6 +22,7 @@ FIGURES = {
     "bumps.svg": texture.bumps,
     "sphere-tree.png": collision.sphere_tree,
     "moving-plate.svg": moving.plate,
+    "z-width.svg": z_width.z_width,
 }
 
 

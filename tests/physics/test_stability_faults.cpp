@@ -98,7 +98,7 @@ private:
     double next_ = 2, until_ = 0, spoiledSince_ = -1, disarmedUntil_ = 0;
     Happens spoiling_ = Happens::Rearm;
     Vec3 stuck_ = Vec3::Zero();
-    double highest_ = -1e300, first_ = 0;
+    double highest_ = -1e300, first_ = 0, eased_ = 0; ///< J
     int events_ = 1;
 };
 
@@ -179,7 +179,9 @@ void Schedule::judge() {
     if (spoiledSince_ >= 0 && loop_.time < until_ && loop_.time - spoiledSince_ > kGone && !force.isZero(0))
         failure = "force after a fault";
     highest_ = std::max(highest_, held());
-    const double allowed = highest_ - first_ + events_ * kEvent;
+    // A surface on its way back pushes the hand before it, whatever the hand does meanwhile.
+    if (servo_.state.ease.easing()) eased_ += 2 * force.norm() * kReturnSpeed * bench_.timing.period();
+    const double allowed = highest_ - first_ + events_ * kEvent + eased_;
     if (loop_.plant.given() > allowed)
         failure = QString("gave %1 mJ of %2").arg(1e3 * loop_.plant.given()).arg(1e3 * allowed);
     if (gentle_ && loop_.time > 2 && loop_.plant.velocity().norm() > kGentle)

@@ -1,0 +1,74 @@
+// The Z-width map against its baseline: a change of the rendered spring, or of the plant, shows here.
+#include <QFile>
+#include <QtTest>
+
+#include "core/control/safe_stiffness.h"
+#include "tests/physics/z_width.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+struct Row {
+    double firstFailure = 0, safe = 0;
+};
+
+std::vector<Row> baseline() {
+    std::vector<Row> rows;
+    QFile file(TACTUM_Z_WIDTH);
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return rows;
+    file.readLine();
+    while (!file.atEnd()) {
+        const QList<QByteArray> cells = file.readLine().trimmed().split(',');
+        if (cells.size() == 6) rows.push_back({cells[4].toDouble(), cells[5].toDouble()});
+    }
+    return rows;
+}
+
+} // namespace
+
+class TestStabilityMap : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Every row is compared on demand (TACTUM_SEEDS), every seventh always.
+    void mapIsThatOfTheBaseline() {
+        const std::vector<Bench> loops = mapLoops();
+        const std::vector<Row> rows = baseline();
+        QCOMPARE(rows.size(), loops.size());
+        const std::size_t step = qEnvironmentVariableIsSet("TACTUM_SEEDS") ? 1 : 7;
+        for (std::size_t i = 0; i < loops.size(); i += step) {
+            const double now = firstFailure(loops[i]);
+            QVERIFY2(std::abs(now / rows[i].firstFailure - 1) <= 0.1,
+                     qPrintable(QString("row %1: %2, was %3").arg(i + 1).arg(now).arg(rows[i].firstFailure)));
+        }
+    }
+
+    /// Rule 5: in every row with a hand the ceiling is below the first failure.
+    void ceilingIsBelowEveryFailure() {
+        const std::vector<Bench> loops = mapLoops();
+        const std::vector<Row> rows = baseline();
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            const double safe = safeStiffness(loopFigures(infoOf(loops[i]))).value;
+            QVERIFY(std::abs(safe - rows[i].safe) <= 1);
+            if (loops[i].hand.mass > 0)
+                QVERIFY2(safe < rows[i].firstFailure || rows[i].firstFailure >= kStiffestWall,
+                         qPrintable(QString("row %1").arg(i + 1)));
+        }
+    }
+
+    /// Rule 4's figures: a pinch on a Touch-like device with a 300 Hz amplifier.
+    void figuresAreThoseThatWereMeasured() {
+        const double measured[3][3] = {{2996, 1518, 1080}, {4209, 2388, 1700}, {4714, 3356, 2675}};
+        for (int i = 0; i < 3; ++i)
+            for (int delay = 0; delay < 3; ++delay) {
+                const Bench bench{lagging(kTouch), kPinch, {.rate = 1000.0 * (1 << i), .delay = delay}};
+                qInfo("%g Hz, %d late: %.0f N/m, was %.0f", bench.timing.rate, delay, firstFailure(bench),
+                      measured[i][delay]);
+            }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityMap)
+#include "test_stability_map.moc"

@@ -1,0 +1,139 @@
+// T11: the whole servo over random meshes: nothing pops through, nothing is above the limit, friction gives
+// nothing. TACTUM_SEEDS=10000 makes it 10^6 paths.
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "tests/physics/servo.h"
+#include "tests/support/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kRadius = 1e-3, kReach = 0.03, kThin = 0.5e-3;
+constexpr int kSteps = 20; ///< of each path, one tick each
+
+int paths(int ordinary) {
+    return qEnvironmentVariableIsSet("TACTUM_SEEDS") ? 100 * qEnvironmentVariableIntValue("TACTUM_SEEDS")
+                                                     : ordinary;
+}
+
+/// A servo and its proxy, led through one place after the other.
+struct Led {
+    Led(std::shared_ptr<const World> world, double rate = 1000)
+        : proxy(std::move(world), rate), servo(infoOf({kFalcon, kFirm, {}}), proxy) {}
+
+    const Vec3& to(const Vec3& position) {
+        DeviceSample sample;
+        sample.position = finger = position;
+        sample.valid = true;
+        return servo(sample, 1e-3), servo.output.force;
+    }
+    void rest(const Vec3& position) {
+        for (int i = 0; i < 800; ++i)
+            to(position);
+    }
+    bool sound() const {
+        const Vec3& force = servo.output.force;
+        return force.allFinite() && force.norm() <= kFalcon.maxForce;
+    }
+
+    Proxy proxy;
+    Servo servo;
+    Vec3 finger = Vec3::Zero();
+};
+
+/// Ridges as sharp as they come.
+Soup ridges() {
+    return heightField(0.1, 40,
+                       [](double x, double) { return 0.003 * std::cos(1e3 * x * M_PI / 5) - 0.003; });
+}
+
+} // namespace
+
+class TestStabilityMeshes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingPopsThrough_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<double>("rate");
+        for (const double rate : {100.0, 1000.0}) {
+            QTest::addRow("plate of half a millimetre, %g Hz", rate) << 0 << rate;
+            QTest::addRow("ridges, %g Hz", rate) << 1 << rate;
+        }
+    }
+
+    void nothingPopsThrough() {
+        QFETCH(int, shape);
+        QFETCH(double, rate);
+        const Soup soup = shape == 0 ? plate(0.1, kThin) : ridges();
+        const double top = shape == 0 ? kThin / 2 : -0.006;
+        Led led(worldOf(soup, rough(0.6, 0.4), kRadius), rate);
+        led.rest({0, 0, 0.01});
+        Rng random(11);
+        for (int i = 0, n = paths(10'000) / 4; i < n; ++i) {
+            const Vec3 from = led.finger;
+            Vec3 to(uniform(random, -kReach, kReach), uniform(random, -kReach, kReach),
+                    uniform(random, -0.01, 0.01));
+            const double most = kSteps * 1.4e-3; // as fast as a finger may go
+            to = from + (to - from) * std::min(1.0, most / std::max((to - from).norm(), 1e-9));
+            for (int step = 1; step <= kSteps; ++step) {
+                led.to(from + (to - from) * (double(step) / kSteps));
+                QVERIFY(led.sound());
+                QVERIFY2(led.proxy.state.proxy.position.z() > top, qPrintable(QString("path %1").arg(i)));
+            }
+        }
+        QCOMPARE(led.servo.state.guard.faults(), 0u);
+    }
+
+    void soupsAreSound() {
+        Rng random(12);
+        for (int mesh = 0; mesh < 20; ++mesh) {
+            Material material = rough(uniform(random, 0, 1.5), 0);
+            material.stiffness = uniform(random, 100, 5000);
+            material.damping = uniform(random, 0, 20);
+            Led led(worldOf(randomSoup(random, 200, kReach), material, kRadius));
+            led.rest({0, 0, 0.05});
+            for (int i = 0, n = paths(10'000) / 40; i < n; ++i) {
+                const Vec3 from = led.finger, to = from + (inBox(random, kReach) - from) * 0.5;
+                for (int step = 1; step <= kSteps; ++step) {
+                    led.to(from + (to - from) * (double(step) / kSteps));
+                    QVERIFY(led.sound());
+                }
+            }
+            QVERIFY(led.servo.state.guard.withheld() != Withheld::ForceJump);
+            QVERIFY(led.servo.state.guard.withheld() != Withheld::NotFinite);
+        }
+    }
+
+    /// Slowly along closed ways in the surface.
+    void frictionGivesNothing() {
+        Led led(worldOf(sheet(0.1), rough(0.6, 0.6), kRadius));
+        led.rest({0, 0, 0.01});
+        for (int i = 0; i <= 800; ++i)
+            led.to({0, 0, 0.01 - 1e-5 * 1.25 * i});
+        Rng random(13);
+        for (int i = 0; i < 100; ++i) {
+            const double size = uniform(random, 1e-4, 1e-2);
+            double given = 0;
+            Vec3 last = led.finger, force = led.servo.output.force;
+            for (int step = 1; step <= 2000; ++step) {
+                const double turn = 2 * M_PI * step / 2000;
+                const Vec3 next(size * (1 - std::cos(turn)), size * std::sin(turn) * std::cos(turn),
+                                last.z());
+                const Vec3 now = led.to(next);
+                given += 0.5 * (force + now).dot(next - last);
+                last = next;
+                force = now;
+            }
+            QVERIFY2(given <= 1e-6, qPrintable(QString("%1: %2 J").arg(i).arg(given)));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStabilityMeshes)
+#include "test_stability_meshes.moc"
