@@ -66,15 +66,16 @@ Wanted render(ServoState& state, const LocalContactModel& model, const FingerSam
 }
 
 /// What of it may be rendered.
-RenderedSpring guarded(ServoState& state, const Wanted& wanted, const GuardInput& tick) noexcept {
+RenderedSpring guarded(ServoState& state, const Wanted& wanted, const Vec3& velocity,
+                       const GuardInput& tick) noexcept {
     const double gain = state.guard(tick);
     if (gain == 0) return {};
     RenderedSpring spring = wanted.spring;
     spring.stiffness *= gain;
-    const double damping =
-        state.guard.arrivalDamping() + state.passivity.damping(spring, wanted.sliding, tick.dt);
+    const double damping = state.passivity.damping(spring, wanted.sliding, tick.dt);
     // Beyond what the device can push no damping would be felt.
     spring.force = state.limiter(gain * spring.force) - damping * wanted.sliding;
+    if (state.touching) spring.force -= state.guard.arrivalDamping() * velocity;
     return spring;
 }
 
@@ -111,7 +112,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                           .wanted = wanted.spring.force.norm(),
                           .sudden = wanted.sudden,
                           .finite = wanted.spring.force.allFinite()};
-    RenderedSpring spring = guarded(state, wanted, tick);
+    RenderedSpring spring = guarded(state, wanted, finger.velocity, tick);
     spring.force = state.limiter(spring.force);
     state.heat.add(spring.force.norm(), dt);
     state.passivity.commanded(spring);
