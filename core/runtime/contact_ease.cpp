@@ -79,6 +79,13 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
     }
 }
 
+/// Whether what is rendered under load is not there any more.
+bool ContactEase::lost(const LocalContactModel& newest, const Vec3& finger) const noexcept {
+    const bool gone =
+        newest.restarts != restarts_ || (newest.revision != revision_ && !anchorOf(newest, finger).touching);
+    return gone && anchorOf(rendered_, finger).touching;
+}
+
 // It becomes softer as it does in an edit, until next to nothing is left.
 void ContactEase::leave(const Vec3& finger, double dt) noexcept {
     const double depth = (anchorOf(rendered_, finger).position - finger).norm();
@@ -125,7 +132,7 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_;
     offset_ = left;
-    leaving_ = begun_ && (leaving_ || (newest.restarts != restarts_ && anchorOf(rendered_, finger).touching));
+    leaving_ = begun_ && (leaving_ || lost(newest, finger));
     if (leaving_) leave(finger, dt);
     if (leaving_) return rendered_;
     if (fresh || !begun_) meet(newest, finger);

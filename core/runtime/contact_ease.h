@@ -47,6 +47,7 @@ public:
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
+    bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
     void leave(const Vec3& finger, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
