@@ -78,8 +78,8 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.maxForce_, self.tripSpeed_, self.why_, self.gain_, self.smallFor_, self.lastWanted_,
-              self.lateTicks_, self.anchoring_, self.faults_);
+        visit(self.maxForce_, self.tripSpeed_, self.why_, self.gain_, self.smallFor_, self.lateTicks_,
+              self.anchoring_, self.faults_);
     }
 
 private:

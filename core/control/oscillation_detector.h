@@ -32,8 +32,8 @@ private:
         bool begun = false;
 
         static void fields(auto& visit, auto& self) {
-            visit(self.low, self.high, self.sinceTurn, self.lastSwing, self.halfSwings, self.direction,
-                  self.begun);
+            visit(self.low, self.high, self.sinceTurn, self.lastSwing, self.lasted, self.halfSwings,
+                  self.direction, self.begun);
         }
         bool add(double x, double dt) noexcept;
         void turn(double swing) noexcept;

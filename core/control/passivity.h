@@ -41,7 +41,9 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.last_, self.force_, self.known_, self.energy_, self.damping_);
+        visit(self.ownDamping_, self.friction_, self.resolution_, self.last_, self.rest_, self.restedFor_,
+              self.known_, self.commanded_, self.given_, self.stored_, self.taking_, self.damping_);
+        visit.index(self.delay_, kLongestDelay + 1);
     }
 
 private:

@@ -30,7 +30,8 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.fastest_, self.since_, self.good_, self.bad_, self.lost_, self.refused_, self.believed_);
+        visit(self.fastest_, self.measuresVelocity_, self.estimate_, self.since_, self.good_, self.bad_,
+              self.lost_, self.refused_, self.believed_);
     }
 
 private:

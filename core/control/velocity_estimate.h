@@ -18,12 +18,19 @@ public:
     /// The velocity with this reading, `dt` s after the last one. A reading that `jumped` begins anew.
     Vec3 operator()(const Vec3& position, bool jumped, double dt) noexcept;
 
+    /// All that it remembers, for the recorder (core/base/byte_archive.h).
+    static void fields(auto& visit, auto& self) {
+        visit(self.resolution_, self.past_);
+        visit.index(self.length_, kWindow + 2);
+    }
+
 private:
     static constexpr int kWindow = 16;
 
     struct Reading {
         Vec3 position = Vec3::Zero();
         double age = 0; ///< s before the newest
+        static void fields(auto& visit, auto& self) { visit(self.position, self.age); }
     };
     double slope(int axis) const noexcept;
     bool fits(int axis, int length, double slope) const noexcept;

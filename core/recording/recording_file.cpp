@@ -33,6 +33,7 @@ constexpr DeviceNumber kDeviceNumbers[] = {{"max_force_N", &DeviceInfo::maxForce
                                            {"position_resolution_m", &DeviceInfo::positionResolution},
                                            {"rate_Hz", &DeviceInfo::rate},
                                            {"damping_N_s_per_m", &DeviceInfo::damping},
+                                           {"hand_damping_N_s_per_m", &DeviceInfo::handDamping},
                                            {"dry_friction_N", &DeviceInfo::dryFriction},
                                            {"amplifier_lag_s", &DeviceInfo::amplifierLag},
                                            {"delay_ticks", &DeviceInfo::delay},
@@ -48,6 +49,7 @@ Json toJson(const DeviceInfo& device) {
     Json json{{"name", device.name}};
     for (const DeviceNumber& number : kDeviceNumbers)
         json[number.key] = device.*number.value;
+    json["measures_velocity"] = device.measuresVelocity;
     return json;
 }
 
@@ -56,6 +58,7 @@ DeviceInfo deviceOf(const Json& json) {
     device.name = printable(json.at("name").get<std::string>());
     for (const DeviceNumber& number : kDeviceNumbers)
         device.*number.value = json.value(number.key, device.*number.value);
+    device.measuresVelocity = json.value("measures_velocity", device.measuresVelocity);
     return device;
 }
 

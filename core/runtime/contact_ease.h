@@ -40,8 +40,8 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.begun_, self.editing_, self.offset_, self.age_, self.revision_, self.restarts_,
-              self.rendered_);
+        visit(self.begun_, self.editing_, self.leaving_, self.offset_, self.hold_, self.credit_, self.age_,
+              self.revision_, self.restarts_, self.rendered_);
     }
 
 private:

@@ -61,18 +61,21 @@ void fields(auto& visit, MaybeConst<StiffnessCeiling> auto& ceiling) {
 void fields(auto& visit, MaybeConst<DeviceSample> auto& sample) {
     visit(sample.position, sample.velocity, sample.buttons, sample.valid, sample.jumped);
 }
+void fields(auto& visit, MaybeConst<RenderedSpring> auto& spring) {
+    visit(spring.force, spring.stiffness, spring.stretch, spring.limit, spring.velocity);
+}
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
     visit(state.loop, state.check, state.guard, state.ease, state.passivity, state.oscillation, state.heat,
           state.limiter, state.ticks, state.modelAge, state.calm, state.calmGoal, state.oscillations,
-          state.ceiling, state.anchor, state.touching);
+          state.ceiling, state.anchor, state.finger, state.stretch, state.touching);
 }
 
 namespace {
 
 // Another size: a member came or went. List it in fields(), there or above, and then its new size here.
-static_assert(sizeof(Guard) == 64 && sizeof(ContactEase) == 344 && sizeof(Passivity) == 72);
-static_assert(sizeof(OscillationDetector) == 144 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 96);
-static_assert(sizeof(LoopFigures) == 56 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 912);
+static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 360 && sizeof(Passivity) == 704);
+static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 664);
+static_assert(sizeof(LoopFigures) == 56 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2176);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
 static_assert(sizeof(ProxyState) == 7136 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));
