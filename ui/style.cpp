@@ -57,7 +57,8 @@ QString styleSheetOf(const Theme& t) {
     const std::pair<const char*, QColor> colours[] = {
         {"@window", t.window},         {"@panel", t.panel},           {"@field", t.field},
         {"@border", t.border},         {"@textDimmed", t.textDimmed}, {"@text", t.text},
-        {"@accentText", t.accentText}, {"@accent", t.accent},         {"@fault", t.fault},
+        {"@accentText", t.accentText}, {"@accent", t.accent},         {"@faultGround", t.faultGround},
+        {"@fault", t.fault},
     };
     for (const auto& [name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());

@@ -2,8 +2,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
+#include <QPushButton>
 #include <QTest>
 
+#include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 
@@ -11,7 +14,10 @@ using namespace tactum;
 
 namespace {
 
-constexpr QSize kSize(1440, 900);
+QSize sizeOf(const QString& text) {
+    const QStringList parts = text.split(u'x');
+    return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize(1440, 900);
+}
 
 void save(TouchedWindow& program, const QDir& folder, const QString& name) {
     const QString file = folder.filePath(name);
@@ -63,11 +69,41 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
     program.release(at);
 }
 
-void takeLightTheme(TouchedWindow& program, const QDir& folder) {
+/// Strokes while a device that stands still for a moment makes the guard pause.
+void takeHealth(TouchedWindow& program, Trouble& trouble, const QDir& folder, const QString& name) {
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
+    trouble.slow = true;
+    program.frames(2);
+    trouble.slow = false;
+    program.frames(120);
+    QPoint at = program.centre() + QPoint(92, -12);
+    program.press(at);
+    program.frames(60);
+    program.wheel(at, 5);
+    strokeTo(program, at, at + QPoint(-100, 40), 50);
+    save(program, folder, name);
+    program.release(at);
+}
+
+/// The device is lost, and the window says so.
+void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, const QString& name) {
+    trouble.nonsense = true;
+    program.frames(60);
+    save(program, folder, name);
+    trouble.nonsense = false;
+    program.frames(10);
+    program.window->findChild<QPushButton*>(QStringLiteral("arm-again"))->click();
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
+    program.frames(60);
+}
+
+void takeLightTheme(TouchedWindow& program, Trouble& trouble, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
     program.frames(30);
     save(program, folder, QStringLiteral("light-theme.png"));
+    takeHealth(program, trouble, folder, QStringLiteral("health-light.png"));
+    takeFault(program, trouble, folder, QStringLiteral("fault-light.png"));
 }
 
 } // namespace
@@ -82,13 +118,17 @@ int main(int argc, char** argv) {
         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
-    TouchedWindow program(kSize, sample);
+    const auto trouble = std::make_shared<Trouble>();
+    const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
+    TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()), sample, around);
     program.frames(20);
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
-    takeLightTheme(program, folder);
+    takeHealth(program, *trouble, folder, QStringLiteral("health.png"));
+    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
+    takeLightTheme(program, *trouble, folder);
     return 0;
 }
