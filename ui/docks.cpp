@@ -73,7 +73,7 @@ Docks addDocks(QMainWindow& window, Document& document) {
     window.resizeDocks({outliner, inspector}, {232, 288}, Qt::Horizontal);
     window.resizeDocks({outliner, problems}, {480, 200}, Qt::Vertical);
     window.resizeDocks({inspector, history}, {520, 180}, Qt::Vertical);
-    window.resizeDocks({plot}, {184}, Qt::Vertical);
+    window.resizeDocks({plot}, {216}, Qt::Vertical);
     QObject::connect(docks.problems, &Problems::counted, problems, [problems](int count) {
         problems->setWindowTitle(count ? QObject::tr("Problems  %1").arg(count) : QObject::tr("Problems"));
     });

@@ -76,9 +76,10 @@ QString GuardWatch::quietNote() const {
     if (!engine_.armed())
         return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")
                                     : QString();
-    if (servo.gain < 1 && lately(sincePause_) && !isPause(servo.withheld))
-        return guardSentences(servo.lastPause);
-    if (servo.gain < 1 && servo.withheld != Withheld::NotArmed) return guardSentences(servo.withheld);
+    // Before the first scene the proxy loop has nothing to say: that is no pause.
+    const Withheld why = lately(sincePause_) ? servo.lastPause : servo.withheld;
+    const bool away = servo.withheld != Withheld::ProxySilent || servo.lastPause == Withheld::ProxySilent;
+    if (servo.gain < 1 && servo.withheld != Withheld::NotArmed && away) return guardSentences(why);
     if (engine_.proxy().fidelity != Fidelity::Full) return fidelityWords(engine_.proxy().fidelity);
     return {};
 }

@@ -8,8 +8,10 @@
 #include <QPainter>
 #include <QPalette>
 #include <QSettings>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
+#include <QWidget>
 
 // Outside of any namespace, as Qt asks: the resources live in a static library.
 static void initIcons() {
@@ -137,6 +139,16 @@ QIcon icon(const QString& name, const QColor& colour) {
 
 QPixmap logo(int size) {
     return drawn(source(QStringLiteral("tactum")), QColor(), size);
+}
+
+void repolish(QWidget& widget) {
+    const auto again = [](QWidget& one) {
+        one.style()->unpolish(&one);
+        one.style()->polish(&one);
+    };
+    again(widget);
+    for (auto* inside : widget.findChildren<QWidget*>())
+        again(*inside);
 }
 
 QFont figureFont(int points) {

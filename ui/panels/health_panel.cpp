@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QStyle>
 
 #include "core/control/motor_heat.h"
 #include "core/control/passivity.h"
@@ -58,6 +57,11 @@ QString kilohertz(double hertz) {
     return hertz < 9950 ? numberText(hertz, 0) : numberText(1e-3 * hertz, 1) + QStringLiteral("k");
 }
 
+QString shortTime(double micros) {
+    return micros < 1000 ? HealthPanel::tr("%1 \u00b5s").arg(numberText(micros, 0))
+                         : HealthPanel::tr("%1 ms").arg(numberText(1e-3 * micros, 0));
+}
+
 QString rateText(double rate, double nominal) {
     return HealthPanel::tr("%1 of %2 Hz").arg(kilohertz(rate), kilohertz(nominal));
 }
@@ -66,8 +70,7 @@ QString rateText(double rate, double nominal) {
 void setAlarming(QLabel* label, bool alarming) {
     if (label->property("limit").toBool() == alarming) return;
     label->setProperty("limit", alarming);
-    label->style()->unpolish(label);
-    label->style()->polish(label);
+    repolish(*label);
 }
 
 } // namespace
@@ -90,7 +93,7 @@ HealthPanel::HealthPanel(QWidget* parent)
 }
 
 QVBoxLayout* HealthPanel::addSection(const QString& title) {
-    auto* section = new QWidget;
+    auto* section = new QWidget(body_);
     section->setMinimumWidth(kColumn);
     section->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* rows = new QVBoxLayout(section);
@@ -242,7 +245,7 @@ void HealthPanel::displayLoops(const ServoTelemetry& servo, const ProxyTelemetry
 
 void HealthPanel::displayPeriods(const ServoTelemetry& servo, const DeviceInfo& device) {
     periods_->setPeriods(servo.periods, 1e6 / device.rate);
-    spread_->setText(tr("99.9 % within %1 \u00b5s").arg(numberText(servo.periods.quantile(0.999), 0)));
+    spread_->setText(tr("99.9 % < %1").arg(shortTime(servo.periods.quantile(0.999))));
 }
 
 void HealthPanel::displayEnergy(const ServoTelemetry& servo) {

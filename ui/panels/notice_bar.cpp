@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 
 #include "ui/numbers.h"
@@ -60,8 +59,7 @@ void NoticeBar::changeEvent(QEvent* event) {
 
 void NoticeBar::setSeverity(const QString& severity) {
     setProperty("severity", severity);
-    style()->unpolish(this);
-    style()->polish(this);
+    repolish(*this);
     const bool progress = severity == QLatin1String("progress");
     bar_->setVisible(progress);
     close_->setVisible(!progress);

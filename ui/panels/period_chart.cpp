@@ -17,7 +17,10 @@ namespace {
 
 constexpr std::size_t kBins = PeriodHistogram::kBounds.size() + 1;
 constexpr double kDecades = 5; // from all ticks down to one in a hundred thousand
-constexpr std::size_t kLabelled[] = {0, 3, 6, 9};
+/// Of the upper ends of bins.
+constexpr std::pair<std::size_t, const char*> kLabels[] = {
+    {0, "2 \u00b5s"}, {3, "20"}, {6, "200"}, {9, "2 ms"}};
+static_assert(PeriodHistogram::kBounds[0] == 2 && PeriodHistogram::kBounds[9] == 2000);
 
 /// 0 to 1, of a share of the ticks.
 double heightOf(double share) {
@@ -81,11 +84,9 @@ void PeriodChart::paintGrid(QPainter& painter) const {
         painter.setPen(theme().textDimmed);
         painter.drawText(QRectF(0, y - 8, a.left() - 5, 16), Qt::AlignRight | Qt::AlignVCenter, label);
     }
-    for (const std::size_t bin : kLabelled) {
+    for (const auto& [bin, label] : kLabels) {
         const double x = edge(bin + 1);
-        const bool last = bin == kLabelled[3];
-        painter.drawText(QRectF(x - 32, a.bottom() + 2, 64, 14), Qt::AlignHCenter | Qt::AlignTop,
-                         numberText(PeriodHistogram::kBounds[bin], 0) + (last ? tr(" \u00b5s") : QString()));
+        painter.drawText(QRectF(x - 32, a.bottom() + 2, 64, 14), Qt::AlignHCenter | Qt::AlignTop, tr(label));
     }
     painter.setPen(theme().border);
     painter.drawLine(a.bottomLeft(), a.bottomRight());

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 
 #include "ui/numbers.h"
 #include "ui/panels/force_meter.h"
@@ -138,8 +137,7 @@ void StatusStrip::setFault(const QString& sentences) {
         reading->setVisible(!fault);
     arm_->setVisible(fault);
     setProperty("fault", fault);
-    style()->unpolish(this);
-    style()->polish(this);
+    repolish(*this);
 }
 
 } // namespace tactum

@@ -69,18 +69,15 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
     program.release(at);
 }
 
-/// Strokes while a device that stands still for a moment makes the guard pause.
-void takeHealth(TouchedWindow& program, Trouble& trouble, const QDir& folder, const QString& name) {
+/// A stroke with the Health dock in front.
+void takeHealth(TouchedWindow& program, const QDir& folder, const QString& name) {
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
-    trouble.slow = true;
-    program.frames(2);
-    trouble.slow = false;
-    program.frames(120);
-    QPoint at = program.centre() + QPoint(92, -12);
+    QPoint at = program.centre() + QPoint(70, 20);
     program.press(at);
     program.frames(60);
     program.wheel(at, 5);
-    strokeTo(program, at, at + QPoint(-100, 40), 50);
+    program.frames(60);
+    strokeTo(program, at, at + QPoint(-60, 10), 20);
     save(program, folder, name);
     program.release(at);
 }
@@ -93,17 +90,14 @@ void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, con
     trouble.nonsense = false;
     program.frames(10);
     program.window->findChild<QPushButton*>(QStringLiteral("arm-again"))->click();
-    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
     program.frames(60);
 }
 
-void takeLightTheme(TouchedWindow& program, Trouble& trouble, const QDir& folder) {
+void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
     program.frames(30);
     save(program, folder, QStringLiteral("light-theme.png"));
-    takeHealth(program, trouble, folder, QStringLiteral("health-light.png"));
-    takeFault(program, trouble, folder, QStringLiteral("fault-light.png"));
 }
 
 } // namespace
@@ -127,8 +121,11 @@ int main(int argc, char** argv) {
     save(program, folder, QStringLiteral("opened.png"));
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
-    takeHealth(program, *trouble, folder, QStringLiteral("health.png"));
     takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
-    takeLightTheme(program, *trouble, folder);
+    takeHealth(program, folder, QStringLiteral("health.png"));
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
+    takeLightTheme(program, folder);
+    takeHealth(program, folder, QStringLiteral("health-light.png")); // TEMP
+    takeFault(program, *trouble, folder, QStringLiteral("fault-light.png")); // TEMP
     return 0;
 }
