@@ -14,6 +14,7 @@ public:
     explicit EventList(QWidget* parent = nullptr);
 
     void setEvents(const std::deque<HealthEvent>& events);
+    QSize sizeHint() const override { return {200, 96}; } ///< takes what is left, asks for little
 
 protected:
     void changeEvent(QEvent* event) override; ///< another theme

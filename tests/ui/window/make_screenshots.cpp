@@ -119,13 +119,11 @@ int main(int argc, char** argv) {
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
+    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
-    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
     takeHealth(program, folder, QStringLiteral("health.png"));
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
     takeLightTheme(program, folder);
-    takeHealth(program, folder, QStringLiteral("health-light.png")); // TEMP
-    takeFault(program, *trouble, folder, QStringLiteral("fault-light.png")); // TEMP
     return 0;
 }
