@@ -31,7 +31,7 @@ void GuardWatch::frame() {
 }
 
 void GuardWatch::setArmed(bool armed) {
-    fault_.reset();
+    if (armed) fault_.reset();
     engine_.setArmed(armed);
 }
 

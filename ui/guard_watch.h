@@ -29,7 +29,7 @@ public:
 
     /// Once a frame, after Engine::poll().
     void frame();
-    /// Forces on or off, by a person: ends the fault.
+    /// Forces on or off, by a person. On ends the fault.
     void setArmed(bool armed);
     /// Until the person arms anew.
     std::optional<Withheld> fault() const { return fault_; }

@@ -46,8 +46,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
       start_(new StartPage(sample)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
-      guard_(new GuardWatch(engine, this)),
-      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)) {
+      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
+      saver_(new RecordingSaver(engine, document, this)) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
@@ -137,9 +137,9 @@ void MainWindow::setArmed(bool armed) {
     const bool faulty = guard_->fault().has_value();
     guard_->setArmed(armed);
     showArmed(armed);
-    if (!armed)
+    if (!armed && !faulty)
         notice_->showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
-    else if (faulty || notice_->property("severity") == QLatin1String("note"))
+    else if (armed && (faulty || notice_->property("severity") == QLatin1String("note")))
         notice_->hide();
 }
 

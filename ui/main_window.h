@@ -84,7 +84,7 @@ private:
     void connectHealth();
     void watchHealth();
     void displayHealth();
-    void showGuardFault(Withheld why);
+    void offerToArm(const QString& more = {});
     void askToOverride(bool on);
 
     Document& document_;

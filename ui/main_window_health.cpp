@@ -6,6 +6,7 @@
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/status_strip.h"
+#include "ui/playback.h"
 
 namespace tactum {
 
@@ -16,7 +17,7 @@ constexpr int kFramesPerDisplay = 6; // more often nobody reads figures
 } // namespace
 
 void MainWindow::connectHealth() {
-    connect(guard_, &GuardWatch::faulted, this, &MainWindow::showGuardFault);
+    connect(guard_, &GuardWatch::faulted, this, [this] { offerToArm(); });
     connect(guard_, &GuardWatch::happened, this, [this] { docks_.health->setEvents(guard_->events()); });
     connect(status_, &StatusStrip::armPressed, this, [this] { setArmed(true); });
     connect(docks_.health, &HealthPanel::overrideAsked, this, &MainWindow::askToOverride);
@@ -25,7 +26,8 @@ void MainWindow::connectHealth() {
 
 void MainWindow::watchHealth() {
     guard_->frame();
-    const auto fault = guard_->fault();
+    // Nobody arms while a recording is shown.
+    const auto fault = playback_->active() ? std::nullopt : guard_->fault();
     status_->setFault(fault ? guardSentences(*fault) : QString());
     status_->setQuietNote(guard_->quietNote());
     if (++healthFrames_ < kFramesPerDisplay) return;
@@ -42,9 +44,10 @@ void MainWindow::displayHealth() {
     docks_.health->displayCeiling(ceiling, stiffestOf(document_.scene()), overridden);
 }
 
-void MainWindow::showGuardFault(Withheld why) {
+void MainWindow::offerToArm(const QString& more) {
     showArmed(false);
-    notice_->offer(guardSentences(why), QStringLiteral("error"), tr("Arm again"), [this] { setArmed(true); });
+    notice_->offer((guardSentences(*guard_->fault()) + u' ' + more).trimmed(), QStringLiteral("error"),
+                   tr("Arm again"), [this] { setArmed(true); });
 }
 
 void MainWindow::askToOverride(bool on) {

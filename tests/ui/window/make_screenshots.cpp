@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 
 #include "tests/ui/window/troubled_hand.h"
@@ -85,7 +86,7 @@ void takeHealth(TouchedWindow& program, const QDir& folder, const QString& name)
 /// The device is lost, and the window says so.
 void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, const QString& name) {
     trouble.nonsense = true;
-    program.frames(60);
+    program.frames(30);
     save(program, folder, name);
     trouble.nonsense = false;
     program.frames(10);
@@ -107,6 +108,7 @@ int main(int argc, char** argv) {
     QApplication app(argc, argv);
     QTemporaryDir settings;
     useSettingsIn(settings.path());
+    QStandardPaths::setTestModeEnabled(true); // a fault is saved as a recording
     const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("."));
     const QString sample =
         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");

@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -78,7 +79,10 @@ class TestHealth : public QObject {
 
 private slots:
     static void initMain() { prepareProcess(); }
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        QStandardPaths::setTestModeEnabled(true); // every fault is saved as a recording
+    }
 
     void everyReasonHasItsWords();
     void aFaultTurnsTheBarRedUntilArmedAgain();
@@ -117,7 +121,7 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
         troubled.trouble->nonsense = true;
         QTRY_VERIFY_WITH_TIMEOUT(troubled.red(), kPatience);
         QCOMPARE(troubled.widget("status-note").toolTip(), sentences);
-        QCOMPARE(troubled.text("notice-text"), sentences);
+        QVERIFY(troubled.text("notice-text").startsWith(sentences));
         QVERIFY(troubled.widget("notice").isVisible() && troubled.widget("arm-again").isVisible());
         // Off by itself, and off it stays when the device is well again.
         QVERIFY(!troubled.program.engine.armed() && !troubled.action("armed").isChecked());
@@ -126,6 +130,10 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
         QVERIFY(troubled.disarmed());
         troubled.program.frames(20);
         QVERIFY(troubled.red() && troubled.program.engine.servo().force.norm() == 0);
+        QTest::keyPress(troubled.program.window.get(), Qt::Key_Escape);
+        troubled.program.frames(50); // held: forces off, which ends no fault
+        QTest::keyRelease(troubled.program.window.get(), Qt::Key_Escape);
+        QVERIFY(troubled.red() && troubled.widget("notice-act").isVisible());
         troubled.click(button);
         QVERIFY(troubled.program.engine.armed() && troubled.action("armed").isChecked());
         QVERIFY(troubled.fullForce());
