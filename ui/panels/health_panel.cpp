@@ -18,7 +18,7 @@ namespace tactum {
 
 namespace {
 
-constexpr int kColumn = 168, kGap = 2 * kRhythm, kMargin = 12; // pixels
+constexpr int kColumn = 156, kGap = 2 * kRhythm, kMargin = 12; // pixels
 
 QString wrapped(const QString& sentences) {
     return QStringLiteral("<p>%1</p>").arg(sentences.toHtmlEscaped());
@@ -130,7 +130,7 @@ void HealthPanel::addLoops() {
 }
 
 void HealthPanel::addPeriods() {
-    QVBoxLayout* rows = addSection(tr("Regularity"));
+    QVBoxLayout* rows = addSection(tr("Periods"));
     auto* title = rows->takeAt(0)->widget();
     auto* line = new QHBoxLayout;
     const QString meaning = tr(

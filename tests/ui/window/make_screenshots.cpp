@@ -91,7 +91,8 @@ void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, con
     trouble.nonsense = false;
     program.frames(10);
     program.window->findChild<QPushButton*>(QStringLiteral("arm-again"))->click();
-    program.frames(60);
+    program.frames(120); // the recording of the fault has been saved, and the window says where
+    program.window->findChild<QWidget*>(QStringLiteral("notice"))->hide();
 }
 
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
