@@ -1,7 +1,6 @@
 #include "ui/panels/event_list.h"
 
 #include <QEvent>
-#include <QHeaderView>
 
 #include "ui/style.h"
 
@@ -12,10 +11,7 @@ EventList::EventList(QWidget* parent)
     setObjectName(QStringLiteral("health-events"));
     setAccessibleName(tr("Last events"));
     setRootIsDecorated(false);
-    setIconSize({16, 16});
-    setColumnCount(2);
-    header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    setWrapping();
     setSelectionMode(QAbstractItemView::NoSelection);
 }
 
@@ -32,13 +28,13 @@ void EventList::changeEvent(QEvent* event) {
 void EventList::fill() {
     clear();
     for (const HealthEvent& event : events_) {
-        auto* item = new QTreeWidgetItem(this, {event.time.toString(QStringLiteral("HH:mm:ss")), event.what});
+        auto* item =
+            new QTreeWidgetItem(this, {event.time.toString(QStringLiteral("HH:mm:ss  ")) + event.what});
         item->setIcon(0, event.fault ? icon(QStringLiteral("error"), theme().fault)
                                      : icon(QStringLiteral("note"), theme().textDimmed));
-        item->setForeground(0, theme().textDimmed);
-        for (const int column : {0, 1})
-            item->setToolTip(column, QStringLiteral("<p>%1</p>").arg(event.sentences.toHtmlEscaped()));
+        item->setToolTip(0, QStringLiteral("<p>%1</p>").arg(event.sentences.toHtmlEscaped()));
     }
+    wrapRows();
 }
 
 } // namespace tactum

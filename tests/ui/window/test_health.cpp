@@ -54,7 +54,7 @@ struct TroubledWindow {
         auto& list = static_cast<QTreeWidget&>(widget("health-events"));
         QString all;
         for (int i = 0; i < list.topLevelItemCount(); ++i)
-            all += list.topLevelItem(i)->text(0) + u' ' + list.topLevelItem(i)->text(1) + u'\n';
+            all += list.topLevelItem(i)->text(0) + u'\n';
         return all;
     }
     /// The guard has seen that the forces are off.
