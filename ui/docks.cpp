@@ -5,6 +5,7 @@
 
 #include "ui/document.h"
 #include "ui/panels/force_plot.h"
+#include "ui/panels/health_panel.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/problems.h"
@@ -31,10 +32,28 @@ QUndoView* historyView(Document& document) {
     return view;
 }
 
+/// Two docks in one place, the first on top. While tabs name them they need no titles.
+void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
+    window.setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    window.tabifyDockWidget(&first, &second);
+    first.raise();
+    for (QDockWidget* dock : {&first, &second}) {
+        auto* bare = new QWidget(dock);
+        const auto follow = [&window, dock, bare] {
+            dock->setTitleBarWidget(window.tabifiedDockWidgets(dock).isEmpty() ? nullptr : bare);
+            bare->setVisible(dock->titleBarWidget());
+        };
+        follow();
+        QObject::connect(dock, &QDockWidget::visibilityChanged, dock, follow);
+        QObject::connect(dock, &QDockWidget::dockLocationChanged, dock, follow);
+    }
+}
+
 } // namespace
 
 Docks addDocks(QMainWindow& window, Document& document) {
-    Docks docks{new Outliner(document), new Inspector(document), new Problems(document), new ForcePlot};
+    Docks docks{new Outliner(document), new Inspector(document), new Problems(document), new ForcePlot,
+                new HealthPanel};
     auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
                              Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
@@ -45,13 +64,16 @@ Docks addDocks(QMainWindow& window, Document& document) {
                             historyView(document), Qt::RightDockWidgetArea);
     auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"), docks.plot,
                          Qt::BottomDockWidgetArea);
+    auto* health = addDock(window, QStringLiteral("dock-health"), QObject::tr("Health"), docks.health,
+                           Qt::BottomDockWidgetArea);
+    shareTabs(window, *plot, *health);
     // The side docks reach down to the status bar; the plot stands under the view alone.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window.resizeDocks({outliner, inspector}, {232, 288}, Qt::Horizontal);
     window.resizeDocks({outliner, problems}, {480, 200}, Qt::Vertical);
     window.resizeDocks({inspector, history}, {520, 180}, Qt::Vertical);
-    window.resizeDocks({plot}, {168}, Qt::Vertical);
+    window.resizeDocks({plot}, {216}, Qt::Vertical);
     QObject::connect(docks.problems, &Problems::counted, problems, [problems](int count) {
         problems->setWindowTitle(count ? QObject::tr("Problems  %1").arg(count) : QObject::tr("Problems"));
     });

@@ -9,6 +9,7 @@ namespace tactum {
 
 class Document;
 class ForcePlot;
+class HealthPanel;
 class Inspector;
 class Outliner;
 class Problems;
@@ -18,6 +19,7 @@ struct Docks {
     Inspector* inspector = nullptr;
     Problems* problems = nullptr;
     ForcePlot* plot = nullptr;
+    HealthPanel* health = nullptr;
 };
 
 /// Adds all docks to a window; it owns them.

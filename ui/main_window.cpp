@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
@@ -30,7 +31,6 @@ namespace tactum {
 namespace {
 
 constexpr int kFrame = 16; // ms
-constexpr int kQuiet = 60; // frames without a failed exchange after which the device counts as well again
 
 QString firstFile(const QMimeData& data) {
     for (const QUrl& url : data.urls())
@@ -46,11 +46,11 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
       start_(new StartPage(sample)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
-      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)) {
+      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
+      saver_(new RecordingSaver(engine, document, this)) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
-    docks_.inspector->setDevice(engine.device());
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -59,6 +59,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connectDevice();
+    connectHealth();
     connectDocument();
     connectRecordings();
     setAcceptDrops(true);
@@ -133,35 +134,30 @@ void MainWindow::hidePanels(bool hidden) {
 }
 
 void MainWindow::setArmed(bool armed) {
-    engine_.setArmed(armed);
+    const bool faulty = guard_->fault().has_value();
+    guard_->setArmed(armed);
+    showArmed(armed);
+    if (!armed && !faulty)
+        notice_->showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
+    else if (armed && (faulty || notice_->property("severity") == QLatin1String("note")))
+        notice_->hide();
+}
+
+void MainWindow::showArmed(bool armed) {
     actions_["armed"].setChecked(armed);
     actions_["stop"].setEnabled(armed);
-    if (!armed)
-        notice_->showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
-    else if (notice_->property("severity") == QLatin1String("note"))
-        notice_->hide();
 }
 
 void MainWindow::frame() {
     engine_.poll();
-    saver_->watch();
+    saver_->watch(); // before a fault switches the forces off
+    watchHealth();
     if (playback_->active()) return playFrame();
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
     docks_.plot->take(engine_);
-    watchDevice();
     status_->display(engine_);
-}
-
-void MainWindow::watchDevice() {
-    const std::uint64_t failed = engine_.servo().invalidSamples;
-    quietFrames_ = failed == invalidSamples_ ? quietFrames_ + 1 : 0;
-    invalidSamples_ = failed;
-    const bool fault = failed > 0 && quietFrames_ < kQuiet;
-    status_->setFault(fault ? tr("The device does not answer. It gets no force until it does. Look at its "
-                                 "cable and its power.")
-                            : QString());
 }
 
 void MainWindow::restore() {

@@ -19,6 +19,7 @@ class QStackedWidget;
 
 namespace tactum {
 
+class GuardWatch;
 class HandLink;
 class NoticeBar;
 class Playback;
@@ -70,8 +71,8 @@ private:
     void savePicture();
     void hidePanels(bool hidden);
     void setArmed(bool armed);
+    void showArmed(bool armed);
     void frame();
-    void watchDevice();
     // Of recordings: main_window_playback.cpp.
     void connectRecordings();
     void saveRecording();
@@ -79,6 +80,12 @@ private:
     void endPlayback();
     void setLive(bool live);
     void playFrame();
+    // Of guard and health: main_window_health.cpp.
+    void connectHealth();
+    void watchHealth();
+    void displayHealth();
+    void offerToArm(const QString& more = {});
+    void askToOverride(bool on);
 
     Document& document_;
     Engine& engine_;
@@ -92,13 +99,14 @@ private:
     StatusStrip* status_;
     TouchHint* hint_;
     HandLink* hand_;
+    GuardWatch* guard_;
     Playback* playback_;
     RecordingSaver* saver_;
     Docks docks_;
-    QByteArray shownPanels_; ///< the layout to come back to while all panels are hidden
-    std::uint64_t invalidSamples_ = 0;
+    QByteArray shownPanels_;       ///< the layout to come back to while all panels are hidden
     std::uint64_t shownShape_ = 0; ///< of the recorded scene in the view
-    int quietFrames_ = 0;          ///< since the device last failed to answer
+    int healthFrames_ = 0;         ///< since the health was last displayed
+    bool riskAccepted_ = false;    ///< of stiffness above the ceiling, until the program ends
     QTimer frames_;
 };
 

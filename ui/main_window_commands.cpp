@@ -185,8 +185,7 @@ void MainWindow::connectDevice() {
     connect(status_, &StatusStrip::stopPressed, this, [this] { setArmed(false); });
     auto* escape = new HeldKey(Qt::Key_Escape, kHoldToStop, this);
     connect(escape, &HeldKey::held, this, [this] { setArmed(false); });
-    actions_["armed"].setChecked(engine_.armed());
-    actions_["stop"].setEnabled(engine_.armed());
+    showArmed(engine_.armed());
 }
 
 void MainWindow::connectDocument() {

@@ -12,6 +12,7 @@
 #include <QStandardPaths>
 
 #include "core/recording/recording_file.h"
+#include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/notice_bar.h"
@@ -66,6 +67,8 @@ void MainWindow::connectRecordings() {
     connect(&actions_["save-recording"], &QAction::triggered, this, &MainWindow::saveRecording);
     connect(saver_, &RecordingSaver::failed, notice_, &NoticeBar::showError);
     connect(saver_, &RecordingSaver::saved, this, [this](const QString& file, bool afterFault) {
+        if (guard_->fault() && !playback_->active())
+            return offerToArm(tr("What led to it was saved: %1.").arg(file));
         notice_->showNote(
             afterFault ? tr("There was a fault. What led to it was saved: open %1 to see it again.").arg(file)
                        : tr("The last minute was saved to %1.").arg(file));
@@ -112,7 +115,8 @@ void MainWindow::setLive(bool live) {
 }
 
 void MainWindow::beginPlayback() {
-    engine_.setArmed(false);
+    if (guard_->fault()) notice_->hide(); // it offers to arm, and nobody does while a recording is shown
+    guard_->setArmed(false);
     actions_["armed"].setChecked(false);
     setLive(false);
     notice_->endProgress();
@@ -128,7 +132,6 @@ void MainWindow::beginPlayback() {
 void MainWindow::endPlayback() {
     setLive(true);
     docks_.plot->clear();
-    status_->setFault(QString());
     const QString name = QFileInfo(QString::fromStdU16String(document_.path().u16string())).fileName();
     setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));
     view_->setScene(document_.scene());

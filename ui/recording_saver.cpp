@@ -5,7 +5,7 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
-#include "core/recording/events.h"
+#include "core/control/guard_words.h"
 #include "core/recording/recording_file.h"
 
 namespace tactum {
@@ -57,7 +57,7 @@ QString RecordingSaver::folder() {
 void RecordingSaver::watch() {
     const ServoTelemetry& servo = engine_.servo();
     if (servo.faults > faults_) {
-        if (isFault(servo.withheld)) reason_ = QString::fromUtf8(wordsFor(servo.withheld));
+        if (isFault(servo.withheld)) reason_ = QString::fromUtf8(guardWords(servo.withheld).brief);
         if (!due_.isActive()) due_.start();
     }
     faults_ = servo.faults;

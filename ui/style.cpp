@@ -8,8 +8,10 @@
 #include <QPainter>
 #include <QPalette>
 #include <QSettings>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
+#include <QWidget>
 
 // Outside of any namespace, as Qt asks: the resources live in a static library.
 static void initIcons() {
@@ -57,7 +59,8 @@ QString styleSheetOf(const Theme& t) {
     const std::pair<const char*, QColor> colours[] = {
         {"@window", t.window},         {"@panel", t.panel},           {"@field", t.field},
         {"@border", t.border},         {"@textDimmed", t.textDimmed}, {"@text", t.text},
-        {"@accentText", t.accentText}, {"@accent", t.accent},         {"@fault", t.fault},
+        {"@accentText", t.accentText}, {"@accent", t.accent},         {"@faultGround", t.faultGround},
+        {"@fault", t.fault},
     };
     for (const auto& [name, colour] : colours)
         sheet.replace(QLatin1String(name), colour.name());
@@ -136,6 +139,16 @@ QIcon icon(const QString& name, const QColor& colour) {
 
 QPixmap logo(int size) {
     return drawn(source(QStringLiteral("tactum")), QColor(), size);
+}
+
+void repolish(QWidget& widget) {
+    const auto again = [](QWidget& one) {
+        one.style()->unpolish(&one);
+        one.style()->polish(&one);
+    };
+    again(widget);
+    for (auto* inside : widget.findChildren<QWidget*>())
+        again(*inside);
 }
 
 QFont figureFont(int points) {

@@ -6,6 +6,8 @@
 
 #include "ui/theme.h"
 
+class QWidget;
+
 namespace tactum {
 
 /// The unit of the layout, in pixels; half of it inside controls.
@@ -28,6 +30,9 @@ QIcon icon(const QString& name, const QColor& colour);
 
 /// The program's own picture, `size` pixels square.
 QPixmap logo(int size);
+
+/// Looks the style sheet up anew for a widget and all in it: one of its properties has changed.
+void repolish(QWidget& widget);
 
 /// A font whose figures all have one width, `points` larger than the application's.
 QFont figureFont(int points = 0);

@@ -32,7 +32,8 @@ struct Theme {
     QColor contact; ///< contact plane and its normal
     QColor stick;
     QColor slip;
-    QColor fault; ///< limits and faults
+    QColor fault;       ///< limits and faults
+    QColor faultGround; ///< behind white words about one
 
     // Plots.
     QColor plotGrid;
@@ -59,6 +60,7 @@ inline const Theme kDarkTheme{
     .stick = {0xf4, 0xd8, 0x4a},
     .slip = {0xb9, 0x8c, 0xff},
     .fault = {0xf0, 0x4f, 0x4f},
+    .faultGround = {0xbf, 0x2d, 0x2d},
     .plotGrid = {0x3a, 0x3f, 0x47},
     .axisX = {0xe0, 0x6c, 0x75},
     .axisY = {0x8c, 0xc2, 0x65},
@@ -85,6 +87,7 @@ inline const Theme kLightTheme{
     .stick = {0xd6, 0xa9, 0x00},
     .slip = {0x83, 0x4d, 0xe0},
     .fault = {0xd0, 0x2c, 0x2c},
+    .faultGround = {0xc4, 0x27, 0x27},
     .plotGrid = {0xd7, 0xdb, 0xe0},
     .axisX = {0xc8, 0x3a, 0x46},
     .axisY = {0x4d, 0x8a, 0x2a},

@@ -25,6 +25,10 @@ enum class Withheld : std::uint8_t {
 inline bool isFault(Withheld why) noexcept {
     return why >= Withheld::DeviceLost;
 }
+/// What takes the force away and gives it back by itself.
+inline bool isPause(Withheld why) noexcept {
+    return why == Withheld::DeadMan || why == Withheld::Stall || why == Withheld::ProxySilent;
+}
 
 /// A reading that is older was overtaken by events: no force at once, and a soft return. Unit: s.
 inline constexpr double kStall = 0.01;

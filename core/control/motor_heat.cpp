@@ -6,7 +6,6 @@
 namespace tactum {
 namespace {
 constexpr double kTimeConstant = 40; ///< s; small desktop motors lie between 30 and 60
-constexpr double kWarm = 0.7;        ///< of the heat that they bear, from where the limit falls
 } // namespace
 
 MotorHeat::MotorHeat(double maxForce, double continuousForce) noexcept
@@ -19,7 +18,7 @@ void MotorHeat::add(double force, double dt) noexcept {
 }
 
 double MotorHeat::limit() const noexcept {
-    const double cool = std::clamp((1 - heat_) / (1 - kWarm), 0.0, 1.0);
+    const double cool = std::clamp((1 - heat_) / (1 - kWarmMotors), 0.0, 1.0);
     return continuous_ + (max_ - continuous_) * cool;
 }
 

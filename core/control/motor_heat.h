@@ -3,6 +3,9 @@
 
 namespace tactum {
 
+/// Of the heat that motors bear, from where the limit falls.
+inline constexpr double kWarmMotors = 0.7;
+
 /// The heat of motors whose windings warm with the square of the force, tau h' = (F / F_continuous)^2 - h:
 /// 1 is what they bear for ever. From seven tenths on the limit falls from the peak to the continuous force,
 /// so that a press that never ends settles there without a step. SI. Thread: real time.

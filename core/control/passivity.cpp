@@ -5,8 +5,6 @@
 
 namespace tactum {
 namespace {
-/// Above what quantised positions make the observer err: (Delta / 2) (TV(F) + F_max). Unit: J.
-constexpr double kThreshold = 1e-3;
 constexpr double kMost = 5e-3;      ///< J, that is remembered at most
 constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes without notice
 /// Of the device's losses: a swing that they alone keep from growing must be noticed too. More than
@@ -49,7 +47,7 @@ void Passivity::observe(const Vec3& position, const Vec3& velocity, double dt) n
     const Vec3 way = position - last_ - felt.velocity * dt;
     notice(position, dt);
     if (known_) given_ += felt.force.dot(way) - taken - noise();
-    given_ = std::clamp(given_, -stored_ - kThreshold, kMost - stored_);
+    given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMost - stored_);
     if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
     last_ = position;
     known_ = true;
@@ -66,7 +64,7 @@ double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, do
     damping_ = 0;
     const double speed2 = velocity.squaredNorm();
     const double excess = given_ + spring.stored() - granted(spring);
-    taking_ = excess > (taking_ ? 0 : kThreshold);
+    taking_ = excess > (taking_ ? 0 : kPassivityThreshold);
     if (taking_ && !resting() && speed2 > kSlowest * kSlowest)
         damping_ = std::min(kMostDamping, excess / (speed2 * dt));
     return damping_;

@@ -7,6 +7,10 @@
 
 namespace tactum {
 
+/// From so much energy on the surface is damped: above what quantised positions make the observer err,
+/// (Delta / 2) (TV(F) + F_max). Unit: J.
+inline constexpr double kPassivityThreshold = 1e-3;
+
 /// What is rendered at one tick. SI, one frame throughout.
 struct RenderedSpring {
     Vec3 force = Vec3::Zero(); ///< N, on the finger, with all that is added to the spring

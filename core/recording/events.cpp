@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/control/guard_words.h"
+
 namespace tactum {
 namespace {
 
@@ -29,7 +31,7 @@ void addGuard(Events& events, const ServoRow& before, const ServoRow& now) {
     const auto why = Withheld(now.withheld);
     // Off and on again are the person's own doing, and said above.
     const bool ordinary = why == Withheld::NotArmed || why == Withheld::Settling || why == Withheld::Rising;
-    if (!ordinary) events.push_back({now.time, isFault(why), wordsFor(why)});
+    if (!ordinary) events.push_back({now.time, isFault(why), guardWords(why).brief});
 }
 
 void addDevice(Events& events, const ServoRow& before, const ServoRow& now) {
@@ -48,36 +50,6 @@ void addProxy(Events& events, const ProxyRow& before, const ProxyRow& now) {
 }
 
 } // namespace
-
-const char* wordsFor(Withheld why) {
-    switch (why) {
-    case Withheld::Nothing:
-        return "full force";
-    case Withheld::NotArmed:
-        return "forces off";
-    case Withheld::DeadMan:
-        return "the dead-man switch was let go";
-    case Withheld::Stall:
-        return "the servo or the device stood still";
-    case Withheld::ProxySilent:
-        return "the model did not answer";
-    case Withheld::Settling:
-        return "the force waits until it is small";
-    case Withheld::Rising:
-        return "the force comes back";
-    case Withheld::DeviceLost:
-        return "the device was lost";
-    case Withheld::TooFast:
-        return "the finger was too fast";
-    case Withheld::ForceJump:
-        return "the force jumped";
-    case Withheld::NotFinite:
-        return "the force was no number";
-    case Withheld::Late:
-        return "the servo came too late";
-    }
-    return "an unknown reason";
-}
 
 std::vector<RecordedEvent> eventsOf(const RecordedRun& run) {
     Events events;

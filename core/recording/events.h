@@ -14,9 +14,6 @@ struct RecordedEvent {
     std::string text; ///< a few words
 };
 
-/// A few words about why there is no force, or less of it.
-const char* wordsFor(Withheld why);
-
 /// Read from the rows, in the order of time: faults and other pauses of the force, forces on and off,
 /// oscillations, edits of the scene, proxies that were put elsewhere, readings that failed.
 /// Thread: any but real time.

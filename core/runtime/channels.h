@@ -55,11 +55,13 @@ struct ServoTelemetry {
     Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
     double gain = 0;                        ///< of the force: 0 none, 1 all
     std::uint64_t faults = 0;
-    std::uint64_t oscillations = 0; ///< limit cycles that were noticed
-    double calm = 1;                ///< part of the stiffness that is left after them
-    double heat = 0;                ///< of the motors: 1 is as warm as they may be for ever
-    double energy = 0;              ///< J that the surface gave beyond what it took
-    double passivityDamping = 0;    ///< N s/m, that takes it back
+    std::uint64_t pauses = 0;               ///< how often force was taken away without a fault
+    Withheld lastPause = Withheld::Nothing; ///< why, the last time: it may be over within a tick
+    std::uint64_t oscillations = 0;         ///< limit cycles that were noticed
+    double calm = 1;                        ///< part of the stiffness that is left after them
+    double heat = 0;                        ///< of the motors: 1 is as warm as they may be for ever
+    double energy = 0;                      ///< J that the surface gave beyond what it took
+    double passivityDamping = 0;            ///< N s/m, that takes it back
     StiffnessCeiling ceiling;
 };
 

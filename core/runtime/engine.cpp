@@ -16,8 +16,6 @@ namespace tactum {
 namespace {
 
 constexpr int kServoPriority = 80, kProxyPriority = 70;
-/// The proxy is updated this many times for each servo tick, where its work allows.
-constexpr double kUpdatesPerTick = 2;
 /// Of a servo tick, what an update may take before something is left out.
 constexpr double kProxyShare = 0.8;
 
@@ -185,6 +183,13 @@ void Engine::setArmed(bool armed) {
 }
 bool Engine::armed() const {
     return impl_->channels->armed.load(std::memory_order_relaxed);
+}
+
+void Engine::setOverrideCeiling(bool on) {
+    impl_->channels->overrideCeiling.store(on, std::memory_order_relaxed);
+}
+bool Engine::overridesCeiling() const {
+    return impl_->channels->overrideCeiling.load(std::memory_order_relaxed);
 }
 
 /// A full queue holds the same order already.

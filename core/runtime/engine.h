@@ -11,6 +11,9 @@
 
 namespace tactum {
 
+/// The proxy is updated this many times for each servo tick, where its work allows.
+inline constexpr double kUpdatesPerTick = 2;
+
 class Engine {
 public:
     /// Thread of every member: one and the same, not real time (the ui thread in the program).
@@ -35,6 +38,9 @@ public:
     /// switched off and on again.
     void setArmed(bool armed);
     bool armed() const;
+    /// Surfaces may be stiffer than safeStiffness(), at the person's own risk. Off after start().
+    void setOverrideCeiling(bool on);
+    bool overridesCeiling() const;
     /// Puts the proxy onto the finger: a new model, a jump of the hand.
     void restartProxy();
 

@@ -62,6 +62,14 @@ void measurePeriod(Servo& servo, double nominal) noexcept {
         servo.period = nominal + 1e-6 * servo.telemetry.periods.quantile(0.999);
 }
 
+/// A finger that was put elsewhere has to begin anew: that is no pause.
+void countPause(const ServoState& state, ServoTelemetry& telemetry) noexcept {
+    const bool taken = telemetry.gain > 0 && state.guard.gain() == 0;
+    if (!taken || !isPause(state.guard.withheld()) || state.check.believed().jumped) return;
+    ++telemetry.pauses;
+    telemetry.lastPause = state.guard.withheld();
+}
+
 void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
     const ServoState& state = servo.state;
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
@@ -74,6 +82,7 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();
+    countPause(state, telemetry);
     telemetry.withheld = state.guard.withheld();
     telemetry.gain = state.guard.gain();
     telemetry.faults = state.guard.faults();

@@ -14,6 +14,30 @@ HintedTree::HintedTree(const QString& hint, QWidget* parent) : QTreeWidget(paren
     header()->setStretchLastSection(false);
 }
 
+void HintedTree::setWrapping() {
+    setUniformRowHeights(false);
+    setWordWrap(true);
+    setTextElideMode(Qt::ElideNone);
+    setIconSize({16, 16});
+    setColumnCount(1);
+    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+}
+
+/// A tree leaves the height of wrapped rows to whoever fills it.
+void HintedTree::wrapRows() {
+    const int width = viewport()->width() - iconSize().width() - 3 * kRhythm;
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const QRect text =
+            fontMetrics().boundingRect(0, 0, width, 10000, Qt::TextWordWrap, topLevelItem(i)->text(0));
+        topLevelItem(i)->setSizeHint(0, QSize(width, text.height() + kRhythm));
+    }
+}
+
+void HintedTree::resizeEvent(QResizeEvent* event) {
+    QTreeWidget::resizeEvent(event);
+    if (wordWrap()) wrapRows();
+}
+
 void HintedTree::paintEvent(QPaintEvent* event) {
     QTreeWidget::paintEvent(event);
     if (topLevelItemCount() > 0) return;

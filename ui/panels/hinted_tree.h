@@ -10,7 +10,12 @@ public:
     explicit HintedTree(const QString& hint, QWidget* parent = nullptr);
 
 protected:
+    /// One column of sentences with an icon, in as many lines as they need.
+    void setWrapping();
+    /// After such rows were filled in.
+    void wrapRows();
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QString hint_;

@@ -1,5 +1,7 @@
 #include "ui/panels/inspector.h"
 
+#include <utility>
+
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QLabel>
@@ -7,7 +9,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/control/safe_stiffness.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/swatch.h"
 #include "ui/style.h"
@@ -157,14 +158,13 @@ QWidget* Inspector::makeSceneSection() {
     return section;
 }
 
-void Inspector::setDevice(const DeviceInfo& device) {
-    const QString name = QString::fromStdString(device.name);
-    const double ceiling = safeStiffness(loopFigures(device)).value;
+void Inspector::setCeiling(const CeilingNow& ceiling, bool overridden) {
+    const QString text = tr("Ceiling, the red tick: %1 N/m, %2")
+                             .arg(numberText(ceiling.value, 0),
+                                  overridden ? tr("overridden at your own risk") : ceiling.reason);
+    if (std::exchange(ceilingText_, text) == text) return;
     for (std::size_t i = 0; i < fields_.size(); ++i)
-        if (kMaterialFields[i].parameter == &kStiffness)
-            fields_[i]->setCeiling(ceiling, tr("Ceiling of the device (%1): %2 N/m, the red tick")
-                                                .arg(name.toHtmlEscaped())
-                                                .arg(ceiling, 0, 'f', 0));
+        if (kMaterialFields[i].parameter == &kStiffness) fields_[i]->setCeiling(ceiling.value, text);
 }
 
 void Inspector::refresh(const SceneChange&) {

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "core/control/haptic_device.h"
 #include "ui/document.h"
+#include "ui/health_words.h"
 
 class QButtonGroup;
 class QCheckBox;
@@ -22,8 +22,8 @@ class Inspector : public QWidget {
 public:
     explicit Inspector(Document& document, QWidget* parent = nullptr);
 
-    /// Shows what the device can do as ticks on the sliders.
-    void setDevice(const DeviceInfo& device);
+    /// The stiffness that is rendered at most, as a tick on its slider; `overridden`: it is not kept.
+    void setCeiling(const CeilingNow& ceiling, bool overridden);
 
 private:
     QWidget* makeSurfaceSection();
@@ -47,6 +47,7 @@ private:
     QCheckBox* fileNormals_;
     ParameterField* creaseAngle_;
     ParameterField* proxyRadius_;
+    QString ceilingText_;
 };
 
 } // namespace tactum

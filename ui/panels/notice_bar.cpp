@@ -1,11 +1,12 @@
 #include "ui/panels/notice_bar.h"
 
+#include <utility>
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 
 #include "ui/numbers.h"
@@ -15,7 +16,7 @@ namespace tactum {
 
 NoticeBar::NoticeBar(QWidget* parent)
     : QWidget(parent), icon_(new QLabel), text_(new QLabel), bar_(new QProgressBar),
-      cancel_(new QPushButton(tr("Cancel"))), close_(new QToolButton) {
+      cancel_(new QPushButton(tr("Cancel"))), act_(new QPushButton), close_(new QToolButton) {
     setObjectName(QStringLiteral("notice"));
     setAttribute(Qt::WA_StyledBackground);
     text_->setObjectName(QStringLiteral("notice-text"));
@@ -25,6 +26,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     bar_->setTextVisible(false);
     bar_->setFixedWidth(20 * kRhythm);
     cancel_->setObjectName(QStringLiteral("notice-cancel"));
+    act_->setObjectName(QStringLiteral("notice-act"));
     close_->setIcon(icon(QStringLiteral("close")));
     close_->setIconSize({16, 16});
     close_->setAccessibleName(tr("Close this message"));
@@ -33,11 +35,16 @@ NoticeBar::NoticeBar(QWidget* parent)
     row->setSpacing(kRhythm);
     row->addWidget(icon_);
     row->addWidget(text_, 1);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_), static_cast<QWidget*>(close_)})
+    for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_),
+                            static_cast<QWidget*>(act_), static_cast<QWidget*>(close_)})
         row->addWidget(widget);
     connect(close_, &QToolButton::clicked, this, &QWidget::hide);
     connect(cancel_, &QPushButton::clicked, this, &NoticeBar::cancelled);
+    connect(act_, &QPushButton::clicked, this, [this] {
+        hide();
+        const auto action = std::exchange(action_, nullptr);
+        if (action) action();
+    });
     hide();
 }
 
@@ -52,8 +59,7 @@ void NoticeBar::changeEvent(QEvent* event) {
 
 void NoticeBar::setSeverity(const QString& severity) {
     setProperty("severity", severity);
-    style()->unpolish(this);
-    style()->polish(this);
+    repolish(*this);
     const bool progress = severity == QLatin1String("progress");
     bar_->setVisible(progress);
     close_->setVisible(!progress);
@@ -61,19 +67,29 @@ void NoticeBar::setSeverity(const QString& severity) {
 }
 
 void NoticeBar::showMessage(const QString& sentence, const QString& severity) {
-    const bool error = severity == QLatin1String("error");
-    icon_->setPixmap(icon(severity, error ? theme().fault : theme().accent).pixmap(16, 16));
+    const bool note = severity == QLatin1String("note");
+    icon_->setPixmap(icon(severity, note ? theme().accent : theme().fault).pixmap(16, 16));
     text_->setText(sentence);
     cancel_->hide();
+    act_->hide();
     setSeverity(severity);
     setAccessibleName(sentence);
     show();
+}
+
+void NoticeBar::offer(const QString& sentence, const QString& severity, const QString& button,
+                      std::function<void()> action) {
+    showMessage(sentence, severity);
+    action_ = std::move(action);
+    act_->setText(button);
+    act_->show();
 }
 
 void NoticeBar::showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable) {
     text_->setText(secondsLeft < 0 ? what : tr("%1 - about %2 left").arg(what, durationText(secondsLeft)));
     bar_->setValue(int(1000 * fraction));
     cancel_->setVisible(cancellable);
+    act_->hide();
     setSeverity(QStringLiteral("progress"));
     show();
 }

@@ -1,6 +1,8 @@
 // One line above the view for what just happened or is under way. Never modal.
 #pragma once
 
+#include <functional>
+
 #include <QWidget>
 
 class QLabel;
@@ -18,6 +20,9 @@ public:
 
     void showError(const QString& sentence) { showMessage(sentence, QStringLiteral("error")); }
     void showNote(const QString& sentence) { showMessage(sentence, QStringLiteral("note")); }
+    /// With a button that does something about it; pressing it closes the message first.
+    void offer(const QString& sentence, const QString& severity, const QString& button,
+               std::function<void()> action);
     /// secondsLeft < 0: not known yet.
     void showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable);
     /// Ends the progress, if that is what is shown; a message stays.
@@ -38,6 +43,8 @@ private:
     QLabel* text_;
     QProgressBar* bar_;
     QPushButton* cancel_;
+    QPushButton* act_;
+    std::function<void()> action_;
     QToolButton* close_;
 };
 

@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -129,8 +128,7 @@ void PlaybackBar::tellVerdict(const ReplayCheck& check) {
                               : QString::fromStdString(check.first));
     if (verdict_->property("fault").toBool() == !same) return;
     verdict_->setProperty("fault", !same);
-    verdict_->style()->unpolish(verdict_);
-    verdict_->style()->polish(verdict_);
+    repolish(*verdict_);
 }
 
 void PlaybackBar::refreshIcon() {

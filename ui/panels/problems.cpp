@@ -1,7 +1,5 @@
 #include "ui/panels/problems.h"
 
-#include <QHeaderView>
-
 #include "ui/style.h"
 
 namespace tactum {
@@ -59,12 +57,7 @@ Problems::Problems(Document& document, QWidget* parent)
     setObjectName(QStringLiteral("problems"));
     setAccessibleName(tr("Problems"));
     setRootIsDecorated(false);
-    setUniformRowHeights(false);
-    setWordWrap(true);
-    setTextElideMode(Qt::ElideNone);
-    setIconSize({16, 16});
-    setColumnCount(1);
-    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    setWrapping();
     connect(this, &QTreeWidget::itemActivated, this, &Problems::selectObjectOf);
     connect(this, &QTreeWidget::itemClicked, this, &Problems::selectObjectOf);
     connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
@@ -85,23 +78,8 @@ void Problems::fill(const std::vector<Finding>& health) {
         add(finding);
     for (const Finding& finding : health) // the reader has said some of it already
         if (!has(finding)) add(finding);
-    wrap();
+    wrapRows();
     emit counted(topLevelItemCount());
-}
-
-void Problems::resizeEvent(QResizeEvent* event) {
-    HintedTree::resizeEvent(event);
-    wrap();
-}
-
-/// A tree leaves the height of wrapped rows to whoever fills it.
-void Problems::wrap() {
-    const int width = viewport()->width() - iconSize().width() - 3 * kRhythm;
-    for (int i = 0; i < topLevelItemCount(); ++i) {
-        const QRect text =
-            fontMetrics().boundingRect(0, 0, width, 10000, Qt::TextWordWrap, topLevelItem(i)->text(0));
-        topLevelItem(i)->setSizeHint(0, QSize(width, text.height() + kRhythm));
-    }
 }
 
 bool Problems::has(const Finding& finding) const {

@@ -19,12 +19,8 @@ public:
 signals:
     void counted(int problems);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void check();
-    void wrap();
     void fill(const std::vector<Finding>& health);
     void add(const Finding& finding);
     bool has(const Finding& finding) const;

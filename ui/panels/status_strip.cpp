@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStyle>
 
 #include "ui/numbers.h"
 #include "ui/panels/force_meter.h"
@@ -62,6 +61,13 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
     note_->setProperty("dimmed", true);
     note_->setMinimumWidth(1); // gives way before the figures do; its tooltip has it all
     row->addWidget(note_, 1);
+    arm_ = new QPushButton(tr("Arm again"));
+    arm_->setObjectName(QStringLiteral("arm-again"));
+    arm_->setToolTip(tr("The force comes back softly. Hold the handle."));
+    arm_->setFocusPolicy(Qt::NoFocus);
+    arm_->hide();
+    row->addWidget(arm_);
+    connect(arm_, &QPushButton::clicked, this, &StatusStrip::armPressed);
     stop_ = new QPushButton(tr("STOP"));
     stop_->setObjectName(QStringLiteral("stop"));
     stop_->setToolTip(tr("Forces off at once. Also: hold Esc for half a second."));
@@ -95,7 +101,9 @@ void StatusStrip::display(const Engine& engine) {
         tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
     proxy_->setText(tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
     showTouch(proxy, servo, engine.device());
-    showNote(fault_.isEmpty() ? QString::fromStdString(engine.priorityNote()) : fault_);
+    showNote(!fault_.isEmpty()   ? fault_
+             : !quiet_.isEmpty() ? quiet_
+                                 : QString::fromStdString(engine.priorityNote()));
 }
 
 void StatusStrip::display(const ProxyTelemetry& proxy, const ServoTelemetry& servo,
@@ -119,12 +127,17 @@ void StatusStrip::showNote(const QString& note) {
     note_->setToolTip(note);
 }
 
-void StatusStrip::setFault(const QString& sentence) {
-    if (sentence == fault_) return;
-    fault_ = sentence;
-    setProperty("fault", !fault_.isEmpty());
-    style()->unpolish(this);
-    style()->polish(this);
+void StatusStrip::setFault(const QString& sentences) {
+    if (sentences == fault_) return;
+    fault_ = sentences;
+    const bool fault = !fault_.isEmpty();
+    // They make room for the sentences; nothing runs that they could tell.
+    for (QWidget* reading : {static_cast<QWidget*>(servo_), static_cast<QWidget*>(proxy_),
+                             static_cast<QWidget*>(contacts_), static_cast<QWidget*>(force_)})
+        reading->setVisible(!fault);
+    arm_->setVisible(fault);
+    setProperty("fault", fault);
+    repolish(*this);
 }
 
 } // namespace tactum

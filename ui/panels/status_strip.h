@@ -13,7 +13,7 @@ namespace tactum {
 class ForceMeter;
 
 /// Device and whether forces are on, rates, jitter, update time, contacts, force against the limit, STOP.
-/// A fault colours the strip and says what happened, what was done and how to go on.
+/// A fault colours the strip and says what happened, what was done and how to go on, with a button for it.
 class StatusStrip : public QWidget {
     Q_OBJECT
 public:
@@ -23,10 +23,13 @@ public:
     void display(const Engine& engine);
     /// A moment of a recording, made with that device.
     void display(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
-    /// One line instead of the priority note, until cleared with an empty one.
-    void setFault(const QString& sentence);
+    /// Instead of figures and note, until cleared with an empty one.
+    void setFault(const QString& sentences);
+    /// Instead of the priority note: why there is less force than usual, or less detail. May be empty.
+    void setQuietNote(const QString& sentences) { quiet_ = sentences; }
 
 signals:
+    void armPressed();
     void stopPressed();
 
 private:
@@ -41,8 +44,9 @@ private:
     QLabel* contacts_;
     ForceMeter* force_;
     QLabel* note_;
+    QPushButton* arm_;
     QPushButton* stop_;
-    QString fault_;
+    QString fault_, quiet_;
 };
 
 } // namespace tactum

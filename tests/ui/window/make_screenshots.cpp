@@ -2,8 +2,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 
+#include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 
@@ -11,7 +15,10 @@ using namespace tactum;
 
 namespace {
 
-constexpr QSize kSize(1440, 900);
+QSize sizeOf(const QString& text) {
+    const QStringList parts = text.split(u'x');
+    return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize(1440, 900);
+}
 
 void save(TouchedWindow& program, const QDir& folder, const QString& name) {
     const QString file = folder.filePath(name);
@@ -63,6 +70,31 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
     program.release(at);
 }
 
+/// A stroke with the Health dock in front.
+void takeHealth(TouchedWindow& program, const QDir& folder, const QString& name) {
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
+    QPoint at = program.centre() + QPoint(70, 20);
+    program.press(at);
+    program.frames(60);
+    program.wheel(at, 5);
+    program.frames(60);
+    strokeTo(program, at, at + QPoint(-60, 10), 20);
+    save(program, folder, name);
+    program.release(at);
+}
+
+/// The device is lost, and the window says so.
+void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, const QString& name) {
+    trouble.nonsense = true;
+    program.frames(30);
+    save(program, folder, name);
+    trouble.nonsense = false;
+    program.frames(10);
+    program.window->findChild<QPushButton*>(QStringLiteral("arm-again"))->click();
+    program.frames(120); // the recording of the fault has been saved, and the window says where
+    program.window->findChild<QWidget*>(QStringLiteral("notice"))->hide();
+}
+
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
@@ -77,18 +109,24 @@ int main(int argc, char** argv) {
     QApplication app(argc, argv);
     QTemporaryDir settings;
     useSettingsIn(settings.path());
+    QStandardPaths::setTestModeEnabled(true); // a fault is saved as a recording
     const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("."));
     const QString sample =
         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
-    TouchedWindow program(kSize, sample);
+    const auto trouble = std::make_shared<Trouble>();
+    const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
+    TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()), sample, around);
     program.frames(20);
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
+    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
+    takeHealth(program, folder, QStringLiteral("health.png"));
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
     takeLightTheme(program, folder);
     return 0;
 }

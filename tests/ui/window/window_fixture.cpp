@@ -48,8 +48,18 @@ QString writeCube(const QTemporaryDir& folder, double scale) {
     return writeFile(folder, scale == 1 ? QStringLiteral("cube.obj") : QStringLiteral("large.obj"), text);
 }
 
-TouchedWindow::TouchedWindow(QSize size, const QString& sample)
-    : hand(std::make_shared<HandTarget>()), engine(std::make_unique<SimulatedHand>(hand)) {
+namespace {
+
+std::unique_ptr<HapticDevice> deviceOf(const std::shared_ptr<HandTarget>& hand,
+                                       const TouchedWindow::Around& around) {
+    std::unique_ptr<HapticDevice> simulated = std::make_unique<SimulatedHand>(hand);
+    return around ? around(std::move(simulated)) : std::move(simulated);
+}
+
+} // namespace
+
+TouchedWindow::TouchedWindow(QSize size, const QString& sample, const Around& around)
+    : hand(std::make_shared<HandTarget>()), engine(deviceOf(hand, around)) {
     std::setlocale(LC_NUMERIC, "C");
     const auto started = engine.start();
     if (!started) qFatal("%s", started.error().text.c_str());

@@ -1,6 +1,7 @@
 // The whole program in a test: engine with a simulated hand, document and window, led by real events.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QPoint>
@@ -30,7 +31,10 @@ QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteA
 
 class TouchedWindow {
 public:
-    explicit TouchedWindow(QSize size = {1200, 800}, const QString& sample = {});
+    /// Makes another device around the simulated hand, one that gives trouble for instance.
+    using Around = std::function<std::unique_ptr<HapticDevice>(std::unique_ptr<HapticDevice>)>;
+
+    explicit TouchedWindow(QSize size = {1200, 800}, const QString& sample = {}, const Around& around = {});
     ~TouchedWindow();
 
     /// Opens a file and waits until it can be felt.

@@ -1,0 +1,93 @@
+#include "ui/guard_watch.h"
+
+#include <utility>
+
+#include "core/control/guard_words.h"
+#include "ui/health_words.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr std::size_t kKept = 100; // events
+constexpr qint64 kShown = 2000;    // ms; the pause itself may be over within a tick
+
+/// Whether a counter has risen; counters begin at zero anew when the engine does.
+bool rose(std::uint64_t& known, std::uint64_t now) {
+    return std::exchange(known, now) < now;
+}
+
+} // namespace
+
+GuardWatch::GuardWatch(Engine& engine, QObject* parent)
+    : QObject(parent), engine_(engine), unread_(engine.servo().invalidSamples),
+      pauses_(engine.servo().pauses), oscillations_(engine.servo().oscillations),
+      stepsDown_(engine.proxy().stepsDown) {}
+
+void GuardWatch::frame() {
+    watchFault();
+    watchPauses();
+    watchProxy();
+}
+
+void GuardWatch::setArmed(bool armed) {
+    if (armed) fault_.reset();
+    engine_.setArmed(armed);
+}
+
+// The guard itself keeps a fault until it is disarmed, so none passes between two frames.
+void GuardWatch::watchFault() {
+    const Withheld why = engine_.servo().withheld;
+    if (!isFault(why) || fault_) return;
+    engine_.setArmed(false);
+    fault_ = why;
+    add(true, tr(guardWords(why).what), guardSentences(why));
+    emit faulted(why);
+}
+
+void GuardWatch::watchPauses() {
+    const ServoTelemetry& servo = engine_.servo();
+    if (rose(pauses_, servo.pauses)) {
+        sincePause_.start();
+        add(false, tr(guardWords(servo.lastPause).what), guardSentences(servo.lastPause));
+    }
+    if (rose(unread_, servo.invalidSamples)) sinceUnread_.start();
+    if (rose(oscillations_, servo.oscillations))
+        add(false, tr("An oscillation was seen: the stiffness was halved."),
+            tr("The device shook against a surface. The stiffness was halved, and comes back within seconds. "
+               "Hold the handle more firmly, or lower the stiffness."));
+}
+
+void GuardWatch::watchProxy() {
+    const ProxyTelemetry& proxy = engine_.proxy();
+    if (rose(stepsDown_, proxy.stepsDown))
+        add(false, fidelityWords(proxy.fidelity),
+            tr("%1 What was left out comes back by itself when there is time for it. Hide objects, or close "
+               "what else keeps the machine busy.")
+                .arg(fidelityWords(proxy.fidelity)));
+}
+
+QString GuardWatch::quietNote() const {
+    const ServoTelemetry& servo = engine_.servo();
+    const auto lately = [](const QElapsedTimer& since) {
+        return since.isValid() && since.elapsed() < kShown;
+    };
+    if (!engine_.running() || fault_) return {};
+    if (!engine_.armed())
+        return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")
+                                    : QString();
+    // Before the first scene the proxy loop has nothing to say: that is no pause.
+    const Withheld why = lately(sincePause_) ? servo.lastPause : servo.withheld;
+    const bool away = servo.withheld != Withheld::ProxySilent || servo.lastPause == Withheld::ProxySilent;
+    if (servo.gain < 1 && servo.withheld != Withheld::NotArmed && away) return guardSentences(why);
+    if (engine_.proxy().fidelity != Fidelity::Full) return fidelityWords(engine_.proxy().fidelity);
+    return {};
+}
+
+void GuardWatch::add(bool fault, const QString& what, const QString& sentences) {
+    events_.push_front({QTime::currentTime(), fault, what, sentences});
+    if (events_.size() > kKept) events_.pop_back();
+    emit happened();
+}
+
+} // namespace tactum

@@ -1,0 +1,58 @@
+// Follows what the guard and the overload ladder do, frame by frame, and keeps the last events.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTime>
+
+#include "core/runtime/engine.h"
+
+namespace tactum {
+
+/// Something that took force or fidelity away.
+struct HealthEvent {
+    QTime time;
+    bool fault = false;
+    QString what;      ///< one sentence
+    QString sentences; ///< with what was done about it and how to go on
+};
+
+/// Switches the forces off with every fault, so that they come back only when a person arms anew.
+/// Thread: ui.
+class GuardWatch : public QObject {
+    Q_OBJECT
+public:
+    explicit GuardWatch(Engine& engine, QObject* parent = nullptr);
+
+    /// Once a frame, after Engine::poll().
+    void frame();
+    /// Forces on or off, by a person. On ends the fault.
+    void setArmed(bool armed);
+    /// Until the person arms anew.
+    std::optional<Withheld> fault() const { return fault_; }
+    /// Why there is less force than usual, or less fidelity; empty when all is well.
+    QString quietNote() const;
+    /// Newest first.
+    const std::deque<HealthEvent>& events() const { return events_; }
+
+signals:
+    void faulted(tactum::Withheld why);
+    void happened();
+
+private:
+    void watchFault();
+    void watchPauses();
+    void watchProxy();
+    void add(bool fault, const QString& what, const QString& sentences);
+
+    Engine& engine_;
+    std::optional<Withheld> fault_;
+    std::uint64_t unread_ = 0, pauses_ = 0, oscillations_ = 0, stepsDown_ = 0;
+    QElapsedTimer sincePause_, sinceUnread_;
+    std::deque<HealthEvent> events_;
+};
+
+} // namespace tactum

@@ -1,0 +1,68 @@
+// Guard and health in the window: what a fault does, and who may render above the ceiling.
+#include "ui/guard_watch.h"
+#include "ui/health_words.h"
+#include "ui/main_window.h"
+#include "ui/panels/health_panel.h"
+#include "ui/panels/inspector.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/status_strip.h"
+#include "ui/playback.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kFramesPerDisplay = 6; // more often nobody reads figures
+
+} // namespace
+
+void MainWindow::connectHealth() {
+    connect(guard_, &GuardWatch::faulted, this, [this] { offerToArm(); });
+    connect(guard_, &GuardWatch::happened, this, [this] { docks_.health->setEvents(guard_->events()); });
+    connect(status_, &StatusStrip::armPressed, this, [this] { setArmed(true); });
+    connect(docks_.health, &HealthPanel::overrideAsked, this, &MainWindow::askToOverride);
+    displayHealth();
+}
+
+void MainWindow::watchHealth() {
+    guard_->frame();
+    // Nobody arms while a recording is shown.
+    const auto fault = playback_->active() ? std::nullopt : guard_->fault();
+    status_->setFault(fault ? guardSentences(*fault) : QString());
+    status_->setQuietNote(guard_->quietNote());
+    if (++healthFrames_ < kFramesPerDisplay) return;
+    healthFrames_ = 0;
+    displayHealth();
+}
+
+void MainWindow::displayHealth() {
+    const bool overridden = engine_.overridesCeiling();
+    const CeilingNow ceiling = ceilingNow(engine_.servo(), engine_.device());
+    docks_.inspector->setCeiling(ceiling, overridden);
+    if (docks_.health->visibleRegion().isEmpty()) return; // behind another tab, for instance
+    docks_.health->display(engine_.servo(), engine_.proxy(), engine_.device());
+    docks_.health->displayCeiling(ceiling, stiffestOf(document_.scene()), overridden);
+}
+
+void MainWindow::offerToArm(const QString& more) {
+    showArmed(false);
+    notice_->offer((guardSentences(*guard_->fault()) + u' ' + more).trimmed(), QStringLiteral("error"),
+                   tr("Arm again"), [this] { setArmed(true); });
+}
+
+void MainWindow::askToOverride(bool on) {
+    if (!on || riskAccepted_) {
+        engine_.setOverrideCeiling(on);
+        return displayHealth();
+    }
+    notice_->offer(
+        tr("Above the ceiling the device may shake or push your hand away. Hold it firmly, and keep "
+           "Esc in reach: held for half a second it ends all force."),
+        QStringLiteral("warning"), tr("I take the risk"), [this] {
+            riskAccepted_ = true;
+            engine_.setOverrideCeiling(true);
+            displayHealth();
+        });
+}
+
+} // namespace tactum
