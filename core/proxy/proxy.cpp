@@ -50,24 +50,25 @@ constexpr double kSamePlane = 1e-12;
 class Step {
 public:
     Step(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-         double radius, const Vec3& finger, double dt, const Vec3& start)
+         double radius, const Vec3& finger, double dt, const Vec3& start, int mostRounds)
         : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius), finger_(finger), dt_(dt),
-          timeLeft_(dt), fingerVelocity_((finger - state.finger) / dt), start_(start) {}
+          timeLeft_(dt), fingerVelocity_((finger - state.finger) / dt), start_(start),
+          mostRounds_(mostRounds) {}
 
     ProxyReport run() noexcept {
         ProxyReport report;
         countStillSteps();
         refreshContacts();
         report.boundHit = true;
-        for (rounds_ = 1; rounds_ <= kMaxRounds; ++rounds_) {
+        for (rounds_ = 1; rounds_ <= mostRounds_; ++rounds_) {
             if (!round()) {
                 report.boundHit = false;
                 break;
             }
-            if (rounds_ > kMaxRounds / 2) noteNearest();
+            if (rounds_ > mostRounds_ / 2) noteNearest();
         }
         if (report.boundHit) returnToNearest();
-        report.rounds = std::min(rounds_, kMaxRounds);
+        report.rounds = std::min(rounds_, mostRounds_);
         report.squeezed = squeezed_;
         finish();
         return report;
@@ -108,7 +109,7 @@ private:
         const double slide = frictionAllows(wish, excess);
         if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
         // Friction that lets go entirely is none; the last rounds take no risks.
-        const bool free = slide == excess && rounds_ < kMaxRounds - 2;
+        const bool free = slide == excess && rounds_ < mostRounds_ - 2;
         const Vec3 motion = felt_  ? alongFelt(wish, slide / excess, free)
                             : free ? alongCurvature(wish, excess)
                                    : Vec3(wish * (slide / excess));
@@ -415,6 +416,7 @@ private:
     Vec3 fingerVelocity_;
     Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
     Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
+    int mostRounds_;
     int rounds_ = 0;
     bool squeezed_ = false;
     Vec3 nearest_ = start_; ///< the nearest place of the last rounds, or the first
@@ -427,9 +429,11 @@ private:
 } // namespace
 
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers) noexcept {
+                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers,
+                          int mostRounds) noexcept {
     const CarryReport carried = carry(state, obstacles, movers, radius);
-    ProxyReport report = Step(state, obstacles, movers, radius, finger_W, dt, carried.start).run();
+    ProxyReport report =
+        Step(state, obstacles, movers, radius, finger_W, dt, carried.start, mostRounds).run();
     report.squeezed |= carried.squeezed;
     report.passed = carried.passed;
     return report;

@@ -15,6 +15,8 @@ namespace tactum {
 /// falls over rough ground need the most: with 24 some steps ended more than a millimetre from their minimum,
 /// with 48 none did on the meshes of docs/performance.md.
 inline constexpr int kMaxRounds = 48;
+/// Where there is no time for all: enough for a corner, and the proxy comes after in the next steps.
+inline constexpr int kFewRounds = 6;
 /// The sweep's sphere is smaller than the proxy by this part of the radius, while constraint planes hold the
 /// proxy at its full radius: a slide along a flat neighbour is then never mistaken for a collision. The
 /// clearance is therefore at least r (1 - kSkin): one nanometre short for a proxy of one millimetre.
@@ -61,7 +63,7 @@ struct ProxyState {
 
 struct ProxyReport {
     int rounds = 0;
-    bool boundHit = false; ///< kMaxRounds ended the step; the state is valid and the next step goes on
+    bool boundHit = false; ///< the rounds ended the step; the state is valid and the next step goes on
     bool squeezed = false; ///< between surfaces that leave less room than the proxy needs
     bool passed = false;   ///< without any room left: a moving body passed over the proxy
 };
@@ -73,8 +75,10 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// After it the clearance is at least r (1 - kSkin) to everything that the proxy was clear of before, the
 /// distance to the finger has grown only where a moving body pushed, and `contacts` holds what is touched.
 /// `movers`: what the obstacles' `mover` names, how each of them moved in this step.
-/// Thread: real time; at most kMaxRounds sweeps of each obstacle.
+/// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there.
+/// Thread: real time; at most as many sweeps of each obstacle.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {}) noexcept;
+                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
+                          int mostRounds = kMaxRounds) noexcept;
 
 } // namespace tactum

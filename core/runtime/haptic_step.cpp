@@ -106,6 +106,10 @@ void moveBodies(const World& world, SimState& state, double dt) {
     }
 }
 
+int roundsAt(Fidelity fidelity) {
+    return fidelity == Fidelity::PlaneOnly ? kFewRounds : kMaxRounds;
+}
+
 } // namespace
 
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept {
@@ -120,7 +124,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     moveBodies(world, state, dt);
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
-                      {state.movers.data(), world.movers.size()});
+                      {state.movers.data(), world.movers.size()}, roundsAt(input.fidelity));
     describeSurroundings(world, state, dt);
     HapticOutput output = reportOf(world, state);
     output.report = report;

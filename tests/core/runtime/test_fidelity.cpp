@@ -96,6 +96,31 @@ private slots:
         QCOMPARE(feltAt(Fidelity::NoShading), 0);
         QCOMPARE(feltAt(Fidelity::PlaneOnly), 0);
     }
+
+    void withFewRoundsTheProxyComesAfterAndStaysOutside() {
+        // A finger that jumps under rough ground sends the proxy on a long way over many facets.
+        const Hand start(worldOf(eggCrate(0.02, 120, 0.001, 0.003), frictionless()));
+        const auto roundsAndRest = [&](Fidelity fidelity) {
+            SimState state;
+            const auto step = [&](const Vec3& finger) {
+                return hapticStep(start.world(), state, {finger, Vec3::Zero(), false, fidelity},
+                                  kMillisecond);
+            };
+            step({-0.0101, 0.0003, 0.004});
+            step({-0.0101, 0.0003, -0.004});
+            int most = 0;
+            HapticOutput output;
+            for (int i = 0; i < 200; ++i) {
+                output = step({0.0042, 0.0017, -0.004});
+                most = std::max(most, output.report.rounds);
+            }
+            return std::pair(most, output.proxy);
+        };
+        const auto full = roundsAndRest(Fidelity::Full), few = roundsAndRest(Fidelity::PlaneOnly);
+        QVERIFY2(full.first > kFewRounds, qPrintable(QString::number(full.first)));
+        QCOMPARE(few.first, kFewRounds);
+        QVERIFY2((few.second - full.second).norm() < 1e-5, "it comes to the same place in the end");
+    }
 };
 
 QTEST_APPLESS_MAIN(TestFidelity)
