@@ -12,6 +12,8 @@ constexpr int kPushes = 16;    ///< in a right-angled corner three are enough
 constexpr int kDoublings = 24; ///< from a radius of a millimetre to beyond every scene
 /// Of the radius: pushed so far beyond touching that the pushes of a corner come to an end.
 constexpr double kClear = 1e-3;
+/// Of the radius: what is nearer than this lies on the surface.
+constexpr double kOn = 1e-6;
 
 struct Placing {
     std::span<const Obstacle> obstacles;
@@ -38,8 +40,10 @@ Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept 
 
     const Triangle shape = obstacle.triangle(near.triangle);
     const Vec3 normal = (shape.b - shape.a).cross(shape.c - shape.a).normalized();
-    Vec3 out = near.distance > 0 ? Vec3((p_B - near.point) / near.distance) : normal;
-    if (inside) out = -out;
+    // So near to the surface the way from it is mostly rounding.
+    const bool on = near.distance <= kOn * radius;
+    Vec3 out = on ? normal : Vec3((p_B - near.point) / near.distance);
+    if (inside && !on) out = -out;
     if (!out.allFinite() || out.isZero(0)) out = Vec3::UnitZ(); // on a segment or a point: any way will do
     return pose.rotate(near.point + radius * (1 + kClear) * out - p_B);
 }

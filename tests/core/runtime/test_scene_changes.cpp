@@ -142,6 +142,16 @@ private slots:
         QVERIFY(side * hand.to({0, 0, height}).proxy.z() >= kRadius * (1 - 2 * kSkin));
     }
 
+    void aStartExactlyInASheetIsBesideItToo() {
+        Rng rng(74);
+        for (int i = 0; i < 1000; ++i) {
+            Hand hand(worldOf(sheet(0.1), frictionless(), kRadius));
+            const Vec3 start(uniform(rng, -0.09, 0.09), uniform(rng, -0.09, 0.09), 0);
+            const Vec3 proxy = hand.to(start).proxy;
+            QVERIFY((proxy - start - kRadius * Vec3::UnitZ()).norm() < 2e-3 * kRadius);
+        }
+    }
+
     void aRestartIsAtTheFinger() {
         Hand hand(worldOf(sheet(0.05), frictionless(), kRadius));
         hand.to({0, 0, 0.01});
