@@ -32,7 +32,21 @@ void die(std::string_view way) {
         std::this_thread::sleep_for(std::chrono::seconds(1));
 }
 
+/// What a sanitizer is told, which would catch the signals and exit: here they have their way.
+constexpr const char* kSignalsHaveTheirWay = "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_abort=0";
+
 } // namespace
+
+// The sanitizers ask for their options by these names.
+extern "C" const char* __asan_default_options() {
+    return kSignalsHaveTheirWay;
+}
+extern "C" const char* __tsan_default_options() {
+    return kSignalsHaveTheirWay;
+}
+extern "C" const char* __ubsan_default_options() {
+    return kSignalsHaveTheirWay;
+}
 
 int main(int argc, char** argv) {
     Motors* motors = argc == 3 ? mapMotors(argv[1]) : nullptr;
