@@ -290,16 +290,25 @@ private:
             contact.slipping = true;
             state_.slidingOn = contact.body;
             const FrictionLimit limit = frictionLimit(contact.material, true);
-            slide = std::min(slide, allowedSlide(limit, excess, contact.lambda, speed, timeLeft_));
+            slide = std::min(slide, allowedSlide(limit, excess, depthOn(contact), speed, timeLeft_));
         }
         return slide;
+    }
+
+    // Normal force on a contact divided by the stiffness, with what planes that lean less than a right angle
+    // from it carry of the load: two halves of a flat floor rub as one.
+    double depthOn(const Contact& contact) noexcept {
+        double depth = 0;
+        for (const Contact& other : contacts())
+            depth += std::max(0.0, other.lambda) * std::max(0.0, other.normal.dot(contact.normal));
+        return depth;
     }
 
     bool isHeld(double excess) noexcept {
         bool held = false;
         for (Contact& contact : contacts()) {
             const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
-            if (contact.lambda > 0 && excess <= limit.coefficient * contact.lambda) held = true;
+            if (contact.lambda > 0 && excess <= limit.coefficient * depthOn(contact)) held = true;
         }
         return held;
     }

@@ -4,6 +4,20 @@
 
 namespace tactum {
 
+namespace {
+
+// As in the proxy's step: what planes that lean less than a right angle from this one carry rubs on it too.
+double depthOn(const LocalContactModel& model, const NearestPoint& nearest, int which) noexcept {
+    double depth = 0;
+    for (int i = 0; i < model.planes; ++i)
+        depth +=
+            std::max(0.0, nearest.lambda[std::size_t(i)]) *
+            std::max(0.0, model.plane[std::size_t(i)].normal.dot(model.plane[std::size_t(which)].normal));
+    return depth;
+}
+
+} // namespace
+
 Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W) noexcept {
     if (!model.valid || model.planes == 0) return {finger_W, false};
     const NearestPoint nearest =
@@ -17,7 +31,7 @@ Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W) noexcept {
         const FrictionLimit cone{model.friction[i].coefficient, 0};
         slide = model.friction[i].lag > 0
                     ? 0
-                    : std::min(slide, allowedSlide(cone, excess, nearest.lambda[i], 0, 0));
+                    : std::min(slide, allowedSlide(cone, excess, depthOn(model, nearest, i), 0, 0));
     }
     return {model.proxy + (excess > 0 ? Vec3(nearest.x * (slide / excess)) : Vec3::Zero()), true};
 }

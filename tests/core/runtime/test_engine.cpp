@@ -149,29 +149,22 @@ private slots:
     void aFrozenWindowCostsNoTick() {
         TouchedPlate plate(500);
         QVERIFY(plate.touch(kDepth));
-        // A thread of higher priority that only counts its own ticks: what it loses the machine took, and
-        // about as much from another processor.
-        std::atomic<bool> done{false};
-        std::atomic<int> counted{0};
-        RealtimeThread counter;
-        QVERIFY(counter.start("counter", 95, [&] {
-            for (Metronome metronome(1000); !done; ++counted)
-                metronome.wait();
-        }));
         const std::uint64_t before = plate.polled().servo().ticks;
         const std::uint64_t updates = plate.engine.proxy().updates;
-        const int countedBefore = counted;
+        const ServoTelemetry was = plate.engine.servo();
         const std::int64_t begun = monotonicNanoseconds();
         while (monotonicNanoseconds() - begun < 10'000'000'000) {
         } // ten seconds in which nothing is polled and no event is handled
-        const int possible = counted - countedBefore;
-        const auto ticks = int(plate.polled().servo().ticks - before);
-        done = true;
-        counter.join();
-        const int due = 10'000;
-        QVERIFY2(due - ticks <= 10 + 2 * std::max(0, due - possible),
-                 qPrintable(QString("%1 ticks, the counter %2").arg(ticks).arg(possible)));
-        QVERIFY(plate.engine.proxy().updates - updates >= std::uint64_t(possible) / 2);
+        const ServoTelemetry& is = plate.polled().servo();
+        const auto ticks = is.ticks - before;
+        // What the machine took is not ours: it is counted, and on an ordinary day it is little.
+        const auto own = (is.misses - was.misses) - (is.machineMisses - was.machineMisses);
+        qInfo("%d ticks, %d missed of our own", int(ticks), int(own));
+        if (plate.engine.hasRealtimePriority()) { // without it everybody may go first
+            QVERIFY2(own <= 5, qPrintable(QString::number(own)));
+            QVERIFY2(ticks >= 9500, qPrintable(QString::number(ticks)));
+        }
+        QVERIFY(plate.engine.proxy().updates - updates >= ticks / 2);
         QVERIFY(plate.engine.proxy().output.contacts > 0);
     }
 

@@ -62,7 +62,31 @@ private slots:
     void steadySlideDoesNotBuzz();
     void frictionlessSurfaceHasNoTangentialForce();
     void anyStickingPlaneHolds();
+    void aSeamRubsAsTheFloorBesideIt_data();
+    void aSeamRubsAsTheFloorBesideIt();
 };
+
+void FrictionStepTest::aSeamRubsAsTheFloorBesideIt_data() {
+    QTest::addColumn<double>("gap");
+    for (const double gap : {0.0, 1e-7, 1e-5, 1e-4})
+        QTest::addRow("%g m wide", gap) << gap;
+}
+
+// Two tiles share the load; the finger slides along the seam between them.
+void FrictionStepTest::aSeamRubsAsTheFloorBesideIt() {
+    QFETCH(double, gap);
+    constexpr double kHalf = 0.05;
+    SoupBuilder tiles;
+    for (const double side : {-1.0, 1.0}) {
+        const double near = 0.5 * side * gap, far = side * kHalf;
+        tiles.quad({near, -kHalf, 0}, {far, -kHalf, 0}, {far, kHalf, 0}, {near, kHalf, 0});
+    }
+    Hand hand = pressed(tiles.build(), rough(0.6, 0.5));
+    hand.go({0, 0.02, hand.finger().z()}, 0.02);
+    QVERIFY(slips(hand));
+    QVERIFY2(about(tangential(hand) / normalForce(hand), 0.5, 0.01),
+             qPrintable(QString::number(tangential(hand) / normalForce(hand))));
+}
 
 void FrictionStepTest::breaksAwayAtStaticFriction() {
     for (double mu : {0.1, 0.3, 0.7, 1.5}) {
