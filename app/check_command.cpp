@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <iostream>
 
 #include "app/commands.h"
-#include "core/scene/load_scene.h"
+#include "core/import/import_scene.h"
 
 namespace tactum {
 
@@ -30,11 +31,12 @@ void print(const Finding& finding) {
 } // namespace
 
 Result<int> runCheck(const std::filesystem::path& scene) {
-    auto loaded = loadScene(scene);
+    auto loaded = importScene(scene);
     if (!loaded) return tl::unexpected(loaded.error());
-    std::vector<Finding> findings = std::move(loaded->findings);
-    for (Finding& finding : validate(loaded->scene))
-        findings.push_back(std::move(finding));
+    const std::vector<Finding>& said = loaded->findings;
+    std::vector<Finding> findings = said;
+    for (Finding& finding : validate(loaded->scene)) // the reader has said some of it already
+        if (std::ranges::find(said, finding) == said.end()) findings.push_back(std::move(finding));
     int errors = 0;
     for (const Finding& finding : findings) {
         print(finding);

@@ -37,12 +37,21 @@ struct PlayOptions {
     std::optional<std::filesystem::path> summary; ///< JSON
 };
 
+struct ConvertOptions {
+    std::filesystem::path in, out;
+    std::optional<std::filesystem::path> report; ///< what was kept, degraded and lost, as JSON
+    std::optional<double> fitDiagonal;           ///< m
+    std::optional<std::filesystem::path> path;   ///< the finger that shows the scene, CSV
+};
+
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.
 Result<int> runTouch(const TouchOptions& options);
 /// Steps through a recording again; 1 when anything differs.
 Result<int> runPlay(const PlayOptions& options);
 /// Objects, surfaces, triangles, mesh health and every parameter with its unit.
 Result<int> runInfo(const std::filesystem::path& scene, bool json);
+/// From any format that is read to any that is written, by the endings; says what is lost on the way.
+Result<int> runConvert(const ConvertOptions& options);
 /// Every finding with object, sentence and remedy; 1 when there are errors.
 Result<int> runCheck(const std::filesystem::path& scene);
 /// What is connected, and why what is not usable is not.

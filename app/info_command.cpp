@@ -5,8 +5,8 @@
 
 #include "app/commands.h"
 #include "core/base/numbers.h"
+#include "core/import/import_scene.h"
 #include "core/scene/describe.h"
-#include "core/scene/load_scene.h"
 
 namespace tactum {
 
@@ -65,6 +65,43 @@ Json motionJson(const std::optional<MotionDescription>& motion) {
     return {{"duration_s", motion->duration}, {"top_speed_m_s", motion->topSpeed}, {"jumps", motion->jumps}};
 }
 
+const char* nameOf(NormalSource normals) {
+    return normals == NormalSource::File ? "file" : "computed";
+}
+
+Json shadingJson(const Shading& shading) {
+    return {{"on", shading.on},
+            {"normals", nameOf(shading.normals)},
+            {std::string(kCreaseAngle.key), {{"value", shading.creaseAngle}, {"unit", kCreaseAngle.unit}}}};
+}
+
+Json layerJson(const LayerDescription& layer) {
+    const auto number = [](const ParameterDescription& parameter) {
+        return Json{{"value", parameter.value}, {"unit", parameter.unit}};
+    };
+    return {{"name", layer.name},
+            {"enabled", layer.enabled},
+            {"source", layer.source},
+            {"image", layer.image},
+            {"mapping", layer.mapping},
+            {"target", layer.target},
+            {"strength", number(layer.strength)},
+            {"blend", layer.blend},
+            {"opacity", number(layer.opacity)}};
+}
+
+Json surfaceJson(const SurfaceDescription& surface) {
+    Json json{{"name", surface.name},
+              {"sides", nameOf(surface.sides)},
+              {"triangles", surface.triangles},
+              {"parameters", parametersJson(surface.parameters)},
+              {"shading", shadingJson(surface.shading)},
+              {"layers", Json::array()}};
+    for (const LayerDescription& layer : surface.layers)
+        json["layers"].push_back(layerJson(layer));
+    return json;
+}
+
 Json objectJson(const ObjectDescription& object) {
     Json json{{"name", object.name},
               {"visible", object.visible},
@@ -75,10 +112,7 @@ Json objectJson(const ObjectDescription& object) {
               {"health", healthJson(object.health)},
               {"surfaces", Json::array()}};
     for (const SurfaceDescription& surface : object.surfaces)
-        json["surfaces"].push_back({{"name", surface.name},
-                                    {"sides", nameOf(surface.sides)},
-                                    {"triangles", surface.triangles},
-                                    {"parameters", parametersJson(surface.parameters)}});
+        json["surfaces"].push_back(surfaceJson(surface));
     return json;
 }
 
@@ -92,13 +126,30 @@ Json sceneJson(const SceneDescription& scene) {
     return json;
 }
 
+std::string textOf(std::string_view key, const ParameterDescription& parameter) {
+    std::string text = std::string(key) + " ";
+    appendNumber(text, parameter.value);
+    if (!parameter.unit.empty()) text += " " + std::string(parameter.unit);
+    return text + (parameter.allowed ? "" : "  (out of range)");
+}
+
 void print(const std::vector<ParameterDescription>& parameters, const std::string& indent) {
-    for (const ParameterDescription& parameter : parameters) {
-        std::string line = indent + std::string(parameter.key) + " ";
-        appendNumber(line, parameter.value);
-        if (!parameter.unit.empty()) line += " " + std::string(parameter.unit);
-        std::cout << line << (parameter.allowed ? "" : "  (out of range)") << '\n';
-    }
+    for (const ParameterDescription& parameter : parameters)
+        std::cout << indent << textOf(parameter.key, parameter) << '\n';
+}
+
+void print(const Shading& shading) {
+    std::string line = "    shading ";
+    line += shading.on ? "on, normals " + std::string(nameOf(shading.normals)) + ", crease-angle " : "off";
+    if (shading.on) appendNumber(line, shading.creaseAngle);
+    std::cout << line << (shading.on ? " rad\n" : "\n");
+}
+
+void print(const LayerDescription& layer) {
+    std::cout << "    layer " << layer.name << (layer.enabled ? "" : " (off)") << ": " << layer.source
+              << (layer.image.empty() ? "" : " ") << layer.image << ", mapping " << layer.mapping << ", "
+              << textOf(layer.target, layer.strength) << ", blend " << layer.blend << ", "
+              << textOf(layer.opacity.key, layer.opacity) << '\n';
 }
 
 void print(const MotionDescription& motion) {
@@ -121,6 +172,9 @@ void print(const ObjectDescription& object) {
         std::cout << "  surface " << surface.name << ": " << surface.triangles << " triangles\n"
                   << "    sides " << nameOf(surface.sides) << '\n';
         print(surface.parameters, "    ");
+        print(surface.shading);
+        for (const LayerDescription& layer : surface.layers)
+            print(layer);
     }
 }
 
@@ -137,7 +191,7 @@ void print(const SceneDescription& scene) {
 } // namespace
 
 Result<int> runInfo(const std::filesystem::path& scene, bool json) {
-    const auto loaded = loadScene(scene);
+    const auto loaded = importScene(scene);
     if (!loaded) return tl::unexpected(loaded.error());
     const SceneDescription description = describe(loaded->scene);
     if (json)

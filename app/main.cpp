@@ -103,14 +103,21 @@ void settleFriction(TouchOptions& options) {
 
 using Outputs = std::vector<std::optional<std::filesystem::path>>;
 
+// Where a name leads. A pipe has none: it is called as the person calls it.
+std::filesystem::path placeOf(const std::filesystem::path& name) {
+    std::error_code fault;
+    const auto place = std::filesystem::weakly_canonical(name, fault);
+    return fault ? name : place;
+}
+
 // A result that replaced a model, a path or another result would be work lost.
 void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Outputs& outputs) {
     std::vector<std::filesystem::path> taken;
     for (const auto& input : inputs)
-        taken.push_back(std::filesystem::weakly_canonical(input));
+        taken.push_back(placeOf(input));
     for (const auto& output : outputs) {
         if (!output) continue;
-        const auto file = std::filesystem::weakly_canonical(*output);
+        const auto file = placeOf(*output);
         if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
             throw CLI::ValidationError(output->string(),
                                        "is also an input or another output; give each its own file");
@@ -131,7 +138,8 @@ void addTouch(CLI::App& program, TouchOptions& options) {
             "The finger: CSV with the header t,x,y,z in seconds and metres")
         ->required()
         ->type_name("FILE");
-    addFile(*touch, "--out", options.out, "Write the touch as CSV, one row for each update");
+    addFile(*touch, "--out", options.out,
+            "Write the touch as CSV, one row for each update; - is standard output");
     addFile(*touch, "--summary", options.summary, "Write the summary as JSON");
     addFile(*touch, "--picture", options.picture, "Write a PNG of scene, paths and force; needs a display");
     addNumber(*touch, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
@@ -150,7 +158,8 @@ void addTouch(CLI::App& program, TouchOptions& options) {
             "From which side every surface is felt; the front sees the corners counter-clockwise",
             [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
     touch->footer("Without --dynamic-friction, dynamic friction is what --static-friction says.\n"
-                  "Forces are those before the device's limit, whichever device that will be.");
+                  "Forces are those before the device's limit, whichever device that will be.\n"
+                  "Standard output gets the summary, unless - sends the touch there.");
     touch->final_callback([&] {
         settleFriction(options);
         checkOutputs({options.scene, options.path}, {options.out, options.summary, options.picture});
@@ -165,13 +174,34 @@ void addPlay(CLI::App& program, PlayOptions& options) {
             "RECORDING", [&](const std::string& text) { options.recording = text; },
             "A file that ends in .tactum-recording")
         ->required();
-    addFile(*play, "--out", options.out, "Write the touch as CSV, one row for each haptic step");
+    addFile(*play, "--out", options.out,
+            "Write the touch as CSV, one row for each haptic step; - is standard output");
     addFile(*play, "--summary", options.summary, "Write the summary as JSON");
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
+void addConvert(CLI::App& program, ConvertOptions& options) {
+    CLI::App* convert = program.add_subcommand(
+        "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
+    convert
+        ->add_option_function<std::string>(
+            "IN", [&](const std::string& text) { options.in = text; }, "Any file that the program opens")
+        ->required();
+    convert
+        ->add_option_function<std::string>(
+            "OUT", [&](const std::string& text) { options.out = text; },
+            "Ends in .glb (everything), .zip (a bundle for others), .x3d (for H3D), .obj, .ply, .stl or .off")
+        ->required();
+    addFile(*convert, "--report", options.report, "Write what is kept, degraded and lost as JSON");
+    addFile(*convert, "--path", options.path,
+            "The finger that shows the scene, kept in .glb and .zip: CSV with the header t,x,y,z");
+    addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
+    convert->final_callback([&] { checkOutputs({options.in}, {options.out, options.report}); });
+}
+
 struct Request {
     TouchOptions touch;
+    ConvertOptions convert;
     PlayOptions play;
     std::filesystem::path scene;
     bool json = false;
@@ -187,6 +217,7 @@ void addSceneVerb(CLI::App& program, const char* name, const char* help, Request
 
 Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("touch")) return runTouch(request.touch);
+    if (program.got_subcommand("convert")) return runConvert(request.convert);
     if (program.got_subcommand("play")) return runPlay(request.play);
     if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
     if (program.got_subcommand("check")) return runCheck(request.scene);
@@ -197,6 +228,7 @@ int runVerb(int argc, char** argv) {
     CLI::App program{"Tactum: author haptic scenes. Without a verb it opens the window.", "tactum"};
     Request request;
     addTouch(program, request.touch);
+    addConvert(program, request.convert);
     addPlay(program, request.play);
     addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
     program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
@@ -220,8 +252,16 @@ int runVerb(int argc, char** argv) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 5> verbs{"touch", "play", "info", "check", "devices"};
+    constexpr std::array<std::string_view, 6> verbs{"touch", "convert", "play", "info", "check", "devices"};
     return std::ranges::find(verbs, word) != verbs.end();
+}
+
+// What is not there and does not look like a file was meant to be a verb.
+int failMissing(const std::filesystem::path& scene) {
+    const std::string name = scene.string();
+    if (scene.has_extension() || scene.has_parent_path())
+        return fail(name + ": no such file; check the path", int(Error::Kind::Input));
+    return fail("'" + name + "' is no verb, and there is no such file; see tactum --help", kUsage);
 }
 
 int runProgram(int argc, char** argv) {
@@ -232,6 +272,9 @@ int runProgram(int argc, char** argv) {
                     kUsage);
     std::optional<std::filesystem::path> scene;
     if (argc > 1) scene = argv[1];
+    std::error_code unknown; // then the reader says more
+    if (scene && std::filesystem::status(*scene, unknown).type() == std::filesystem::file_type::not_found)
+        return failMissing(*scene);
     if (const auto display = checkDisplay(); !display)
         return fail(display.error().text, int(display.error().kind));
     return runWindow(argc, argv, scene);

@@ -1,7 +1,12 @@
 #include "app/results.h"
 
 #include <fstream>
+#include <iostream>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/atomic_file.h"
 #include "core/base/numbers.h"
 
 namespace tactum {
@@ -13,6 +18,22 @@ void appendVector(std::string& out, const Vec3& v) {
         out += ',';
         appendNumber(out, v[axis]);
     }
+}
+
+/// Whether it is where our output goes, by whatever name. If another file took the place of that one,
+/// everything else that we say would be lost with the old one.
+bool isOurOutput(const struct stat& file) {
+    struct stat ours {};
+    return fstat(STDOUT_FILENO, &ours) == 0 && file.st_dev == ours.st_dev && file.st_ino == ours.st_ino;
+}
+
+Result<void> writeInto(std::ostream& out, const std::filesystem::path& file, const std::string& text) {
+    out.write(text.data(), std::streamsize(text.size()));
+    out.flush();
+    if (!out)
+        return machineError(file.string() +
+                            ": cannot be written; check the folder, its permissions and the free space");
+    return {};
 }
 
 } // namespace
@@ -31,14 +52,19 @@ std::string touchCsv(const TouchTrace& rows) {
     return out;
 }
 
+bool isStandardOutput(const std::optional<std::filesystem::path>& file) {
+    return file == "-";
+}
+
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out.write(text.data(), std::streamsize(text.size()));
-    out.close();
-    if (!out)
-        return machineError(file.string() +
-                            ": cannot be written; check the folder, its permissions and the free space");
-    return {};
+    if (isStandardOutput(file)) return writeInto(std::cout, "standard output", text);
+    struct stat there {};
+    const bool isThere = stat(file.c_str(), &there) == 0;
+    if (isThere && isOurOutput(there)) return writeInto(std::cout, file, text);
+    if (!isThere || S_ISREG(there.st_mode) || S_ISDIR(there.st_mode))
+        return writeFileAtomically(file, text, 0);
+    std::ofstream stream(file, std::ios::binary); // a pipe, a device
+    return writeInto(stream, file, text);
 }
 
 } // namespace tactum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -11,6 +12,9 @@ namespace tactum {
 
 /// The columns of the contract, full double precision.
 std::string touchCsv(const TouchTrace& rows);
+/// "-" is standard output.
+bool isStandardOutput(const std::optional<std::filesystem::path>& file);
+/// To a file, or to standard output.
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text);
 
 } // namespace tactum

@@ -1,5 +1,4 @@
 #include <chrono>
-#include <iostream>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -8,9 +7,9 @@
 #include "app/display.h"
 #include "app/picture.h"
 #include "app/results.h"
+#include "core/import/import_scene.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
-#include "core/scene/load_scene.h"
 
 namespace tactum {
 
@@ -86,7 +85,7 @@ Result<int> runTouch(const TouchOptions& options) {
     const auto path = readFingerPath(options.path);
     if (!path) return tl::unexpected(path.error());
     const auto loading = Clock::now();
-    auto loaded = loadScene(options.scene);
+    auto loaded = importScene(options.scene);
     if (!loaded) return tl::unexpected(loaded.error());
     applyOverrides(loaded->scene, options);
     const double load = secondsSince(loading);
@@ -98,8 +97,9 @@ Result<int> runTouch(const TouchOptions& options) {
     const std::string summary = summaryOf(**world, rows, load, build).dump();
     if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
         return tl::unexpected(written.error());
-    std::cout << summary << std::endl;
-    if (!std::cout) return machineError("standard output: cannot be written; check where it leads");
+    if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
+        if (const auto written = writeFile("-", summary + '\n'); !written)
+            return tl::unexpected(written.error());
     return 0;
 }
 

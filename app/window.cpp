@@ -4,13 +4,12 @@
 #include <memory>
 
 #include <QApplication>
-#include <QDir>
-#include <QFileInfo>
 #include <QIcon>
 #include <QLocale>
 
 #include "device/simulated_hand.h"
 #include "ui/main_window.h"
+#include "ui/panels/sample_gallery.h"
 #include "ui/style.h"
 #include "ui/view/surface_format.h"
 
@@ -19,12 +18,12 @@ namespace tactum {
 namespace {
 
 /// Beside an installed program, or in the tree that it was built from; empty when in neither.
-QString sampleScene() {
+QStringList sampleScenes() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& folder :
          {program + QStringLiteral("/../share/tactum"), QStringLiteral(TACTUM_RESOURCES)}) {
-        const QFileInfo file(folder + QStringLiteral("/scenes/teapot.obj"));
-        if (file.exists()) return file.canonicalFilePath();
+        const QStringList samples = samplesIn(folder + QStringLiteral("/scenes"));
+        if (!samples.isEmpty()) return samples;
     }
     return {};
 }
@@ -50,7 +49,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     const auto started = engine.start();
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;
-    MainWindow window(document, engine, hand, sampleScene());
+    MainWindow window(document, engine, hand, sampleScenes());
     QApplication::setWindowIcon(logo(128));
     window.show();
     if (!started) window.showFault(QString::fromStdString(started.error().text));

@@ -2,6 +2,7 @@
 
 option(TACTUM_TESTS "Build the tests" ON)
 option(TACTUM_NATIVE "Compile for the processor of this machine" OFF)
+option(TACTUM_FUZZ "Build the core and tests/fuzz alone, by clang" OFF)
 set(TACTUM_SANITIZE "" CACHE STRING "A sanitizer: address, undefined or thread")
 
 set(CMAKE_CXX_STANDARD 20)
@@ -30,9 +31,9 @@ find_path(TL_EXPECTED_INCLUDE tl/expected.hpp REQUIRED)
 
 add_library(tactum_options INTERFACE)
 target_compile_options(tactum_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor $<$<CXX_COMPILER_ID:GNU>:-Werror>
   # g++ 12 sees overlapping copies in its own std::string when it inlines them at -O3.
-  -Wno-restrict
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # At -O3 it also misses that an std::optional's value is not read while there is none. "Check" still warns.
   $<$<CONFIG:Release>:-Wno-maybe-uninitialized>
   # One multiplication and one addition are two roundings everywhere, so that a native build and a
@@ -52,6 +53,13 @@ if(TACTUM_SANITIZE)
   endif()
 endif()
 
+if(TACTUM_FUZZ)
+  # Every branch reports where it went, and every fault ends the program. Warnings are g++'s business.
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # tactum_room(NAME SOURCES ... USES room ... PRIVATE library ...)
 # One folder, one target. USES are other rooms, seen by whoever uses this one; PRIVATE are outside
 # libraries, which nobody else sees.
@@ -61,18 +69,35 @@ function(tactum_room name)
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
     set(scope PUBLIC)
-    target_link_libraries(${target} PRIVATE tactum_options)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tactum_options>)
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}")
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+    "$<INSTALL_INTERFACE:include/tactum>")
   foreach(other IN LISTS ROOM_USES)
     target_link_libraries(${target} ${scope} tactum_${other})
   endforeach()
   if(ROOM_PRIVATE)
     target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})
   endif()
+endfunction()
+
+# tactum_install(room ...)
+# The rooms that other projects get from find_package(Tactum), with their headers.
+function(tactum_install)
+  foreach(room IN LISTS ARGN)
+    set_target_properties(tactum_${room} PROPERTIES EXPORT_NAME ${room})
+    install(TARGETS tactum_${room} EXPORT TactumTargets ARCHIVE DESTINATION lib)
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/${room}" DESTINATION include/tactum/core
+      FILES_MATCHING PATTERN "*.h")
+  endforeach()
+  install(EXPORT TactumTargets NAMESPACE Tactum:: DESTINATION lib/cmake/Tactum)
+  include(CMakePackageConfigHelpers)
+  write_basic_package_version_file(TactumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES "${PROJECT_SOURCE_DIR}/cmake/TactumConfig.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" DESTINATION lib/cmake/Tactum)
 endfunction()
 
 # tactum_test(NAME SOURCES ... USES room ... [GUI])

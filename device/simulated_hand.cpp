@@ -47,12 +47,14 @@ DeviceInfo SimulatedHand::info() const {
             .rate = kRate,
             .damping = profile_.damping,
             .handDamping = 0,
+            .buttons = 1,
             .tripSpeed = kFastest,
             .measuresVelocity = true};
 }
 
 Result<void> SimulatedHand::open() {
     goal_ = position_ = velocity_ = Vec3::Zero();
+    held_ = false;
     teleported_ = 0;
     return {};
 }
@@ -62,10 +64,15 @@ void SimulatedHand::close() {}
 DeviceSample SimulatedHand::exchange(const DeviceCommand& command, double dt) noexcept {
     const bool jumped = obey(target_->read());
     if (command.force.allFinite()) move(command.force, std::clamp(dt, 0.0, kLongestStep));
-    return {.position = position_, .velocity = velocity_, .buttons = 0, .valid = true, .jumped = jumped};
+    return {.position = position_,
+            .velocity = velocity_,
+            .buttons = held_ ? 1u : 0u,
+            .valid = true,
+            .jumped = jumped};
 }
 
 bool SimulatedHand::obey(const HandGoal& goal) noexcept {
+    held_ = goal.held;
     if (!goal.position.allFinite()) return false;
     goal_ = goal.position;
     if (!goal.teleport || goal.sequence == teleported_) return false;

@@ -22,7 +22,8 @@ struct SimulatedHandProfile {
 /// mass x" = stiffness (goal - x) - damping x' + force, inside a ball whose wall stops the outward motion.
 /// The force really pushes: on the spring it moves the hand by force / stiffness.
 /// Solved exactly over each tick for a constant goal and force, so that it is stable for every dt; a dt
-/// above 20 ms (the machine slept) counts as 20 ms. Position is a plain double: there is no encoder.
+/// above 20 ms (the machine slept) counts as 20 ms. Its button is down while the goal is held. Position is a
+/// plain double: there is no encoder.
 class SimulatedHand final : public HapticDevice {
 public:
     /// `target` is written by whoever leads the hand and shared with them.
@@ -43,6 +44,7 @@ private:
     Vec3 goal_ = Vec3::Zero();
     Vec3 position_ = Vec3::Zero();
     Vec3 velocity_ = Vec3::Zero();
+    bool held_ = false;
     std::uint32_t teleported_ = 0; ///< sequence of the last teleport
 };
 

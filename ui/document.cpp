@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/bundle/bundle.h"
+#include "core/import/import_scene.h"
+#include "core/scene/save_scene.h"
 #include "ui/numbers.h"
 
 namespace tactum {
@@ -80,6 +83,10 @@ private:
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&job_, &BackgroundJob::progressed, this, &Document::openProgressed);
+    connect(&saving_, &BackgroundJob::progressed, this, &Document::saveProgressed);
+    connect(&saving_, &BackgroundJob::finished, this, [this] {
+        if (const auto next = std::exchange(nextSave_, nullptr)) next();
+    });
 }
 
 template <class T>
@@ -190,7 +197,7 @@ void Document::removeObject(ObjectId id) {
 
 void Document::open(const std::filesystem::path& file) {
     job_.start([this, file](const Progress& progress) -> BackgroundJob::Delivery {
-        auto loaded = std::make_shared<Result<LoadedScene>>(loadScene(file, progress));
+        auto loaded = std::make_shared<Result<LoadedScene>>(importScene(file, progress));
         if (!*loaded)
             return [this, loaded] { emit openFailed(QString::fromStdString(loaded->error().text)); };
         Scene fitted = (*loaded)->scene;
@@ -198,10 +205,39 @@ void Document::open(const std::filesystem::path& file) {
         return [this, file, loaded, fitted = std::move(fitted)] {
             adopt(std::move(**loaded), file);
             fit(fitted);
+            history_.setClean(); // nobody has done anything yet that could be lost
             emit opened();
         };
     });
     emit openProgressed(0, -1);
+}
+
+bool Document::hasOwnFile() const {
+    return QString::fromStdU16String(path_.extension().u16string())
+               .compare(u'.' + QString::fromUtf8(kSceneEnding), Qt::CaseInsensitive) == 0;
+}
+
+// The copy of the scene shares meshes and images with it.
+void Document::write(Writer* writer, const std::filesystem::path& file, std::function<void()> done) {
+    saving_.start([=, this, scene = scene_](const Progress& progress) -> BackgroundJob::Delivery {
+        const Result<void> written = writer(scene, file, progress);
+        if (written) return done;
+        return [this, error = written.error()] { emit saveFailed(QString::fromStdString(error.text)); };
+    });
+}
+
+void Document::save(const std::filesystem::path& file) {
+    if (saving_.running()) return void(nextSave_ = [=, this] { save(file); });
+    write(saveScene, file, [this, file, index = history_.index()] {
+        path_ = file;
+        if (history_.index() == index) history_.setClean();
+        emit saved(QString::fromStdU16String(file.u16string()));
+    });
+}
+
+void Document::exportBundle(const std::filesystem::path& file) {
+    if (saving_.running()) return void(nextSave_ = [=, this] { exportBundle(file); });
+    write(saveBundle, file, [this, file] { emit exported(QString::fromStdU16String(file.u16string())); });
 }
 
 void Document::adopt(LoadedScene loaded, const std::filesystem::path& file) {

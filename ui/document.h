@@ -79,6 +79,18 @@ public:
     /// A mesh that does not fit a hand is scaled as the first, undoable step of the new history.
     void open(const std::filesystem::path& file);
     void cancelOpen() { job_.cancel(); }
+
+    /// Writes the scene as it is now, on a worker, and makes `file` its file. Ends with saved() or
+    /// saveFailed(); edits can go on meanwhile. One save at a time: another one waits for the one before.
+    void save(const std::filesystem::path& file);
+    /// Writes a bundle of the scene for others; the scene's own file stays what it is. Ends with exported()
+    /// or saveFailed().
+    void exportBundle(const std::filesystem::path& file);
+    void cancelSave() { saving_.cancel(); }
+    /// Whether an edit is not in the file yet.
+    bool modified() const { return !history_.isClean(); }
+    /// Whether the file is one that save() writes, so that it can be written over.
+    bool hasOwnFile() const;
     bool opening() const { return job_.running(); }
 
 signals:
@@ -87,6 +99,11 @@ signals:
     /// One line for the person.
     void openFailed(const QString& sentence);
     void openProgressed(double fraction, double secondsLeft);
+    void saved(const QString& file);
+    void exported(const QString& file);
+    /// One line for the person; `file` is as it was.
+    void saveFailed(const QString& sentence);
+    void saveProgressed(double fraction, double secondsLeft);
     /// Something done on the person's behalf, and how to take it back.
     void noted(const QString& sentence);
 
@@ -102,6 +119,8 @@ private:
         ObjectId object = 0;
     };
 
+    using Writer = Result<void>(const Scene&, const std::filesystem::path&, const Progress&);
+    void write(Writer* writer, const std::filesystem::path& file, std::function<void()> done);
     void adopt(LoadedScene loaded, const std::filesystem::path& file);
     void fit(const Scene& fitted);
     void announce(const SceneChange& change);
@@ -113,7 +132,8 @@ private:
     std::optional<SurfaceRef> selection_;
     std::optional<SurfaceRef> lost_; ///< what was selected when it went: selected again if it comes back
     QUndoStack history_;
-    BackgroundJob job_;
+    BackgroundJob job_, saving_;
+    std::function<void()> nextSave_; ///< asked for while another one was under way
 };
 
 } // namespace tactum

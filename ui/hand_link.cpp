@@ -16,6 +16,10 @@ HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> 
         goal_.position = goal_W;
         send();
     });
+    connect(&view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
+        goal_.held = grabbed;
+        send();
+    });
 }
 
 void HandLink::placeBeside(const Bounds& model) {

@@ -56,7 +56,8 @@ QString fidelityWords(Fidelity fidelity) {
     return QObject::tr("Only the nearest planes are felt: the scene is too heavy.");
 }
 
-QString lateWords(const ServoTelemetry& servo) {
+QString lateWords(const ServoTelemetry& servo, bool recorded) {
+    if (recorded) return QObject::tr("%1 so far").arg(servo.misses);
     return QObject::tr("%1 of our own, %2 of the machine's")
         .arg(servo.misses - servo.machineMisses)
         .arg(servo.machineMisses);

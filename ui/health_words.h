@@ -23,7 +23,7 @@ CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device);
 QString fidelityWords(Fidelity fidelity);
 
 /// "3 of our own, 12 of the machine's".
-QString lateWords(const ServoTelemetry& servo);
+QString lateWords(const ServoTelemetry& servo, bool recorded = false);
 
 /// The stiffest surface that can be felt.
 struct Stiffest {

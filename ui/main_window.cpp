@@ -41,10 +41,10 @@ QString firstFile(const QMimeData& data) {
 } // namespace
 
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
-                       const QString& sample, QWidget* parent)
+                       const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
       view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
-      start_(new StartPage(sample)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
+      start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
       saver_(new RecordingSaver(engine, document, this)) {
@@ -56,6 +56,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     connectFile();
+    connectSaving();
     connectEdit();
     connectView();
     connectDevice();
@@ -88,8 +89,10 @@ QWidget* MainWindow::makeCentre() {
 
 void MainWindow::open(const QString& file) {
     if (isRecording(file)) return playback_->open(file);
-    playback_->end();
-    document_.open(std::filesystem::path(file.toStdU16String()));
+    leave(tr("opening %1").arg(QFileInfo(file).fileName()), [this, file] {
+        playback_->end();
+        document_.open(std::filesystem::path(file.toStdU16String()));
+    });
 }
 
 void MainWindow::showFault(const QString& sentence) {
@@ -109,15 +112,13 @@ void MainWindow::follow(const SceneChange& change) {
         view_->fit();
         hand_->placeBeside(boundsOf(document_.scene()));
     }
-    actions_["save-picture"].setEnabled(!document_.empty());
+    for (const char* id : {"save", "save-as", "export", "save-picture"})
+        actions_[id].setEnabled(!document_.empty());
     centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
 }
 
 void MainWindow::showOpened() {
-    const QFileInfo file(QString::fromStdU16String(document_.path().u16string()));
-    setWindowTitle(tr("%1 - Tactum").arg(file.fileName()));
-    rememberFile(file.absoluteFilePath());
-    start_->setRecent(recentFiles());
+    showFile();
     view_->setFocus();
     hint_->offer();
 }
@@ -173,7 +174,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
     engine_.setArmed(false);
-    QMainWindow::closeEvent(event);
+    if (leaving_ || !document_.modified()) return QMainWindow::closeEvent(event);
+    event->ignore();
+    leave(tr("closing"), [this] {
+        leaving_ = true;
+        close();
+    });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

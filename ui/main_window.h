@@ -1,6 +1,7 @@
 // The window: puts view, panels and commands together around a document and an engine.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QMainWindow>
@@ -34,9 +35,9 @@ class TouchHint;
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
-    /// Document and engine outlive the window. `sample`: a file for the start page, may be empty.
+    /// Document and engine outlive the window. `samples`: scenes for the start page.
     MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
-               const QString& sample = {}, QWidget* parent = nullptr);
+               const QStringList& samples = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     void open(const QString& file);
@@ -73,6 +74,14 @@ private:
     void setArmed(bool armed);
     void showArmed(bool armed);
     void frame();
+    // Of saving: main_window_saving.cpp.
+    void connectSaving();
+    void save();
+    void saveAs();
+    void exportBundle();
+    void showFile();
+    /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
+    void leave(const QString& intent, std::function<void()> goOn);
     // Of recordings: main_window_playback.cpp.
     void connectRecordings();
     void saveRecording();
@@ -84,6 +93,10 @@ private:
     void connectHealth();
     void watchHealth();
     void displayHealth();
+    void displayRecordedHealth();
+    void showHealthOf(bool recording);
+    void restoreDeadMan();
+    void setDeadMan(bool on);
     void offerToArm(const QString& more = {});
     void askToOverride(bool on);
 
@@ -103,10 +116,12 @@ private:
     Playback* playback_;
     RecordingSaver* saver_;
     Docks docks_;
-    QByteArray shownPanels_;       ///< the layout to come back to while all panels are hidden
-    std::uint64_t shownShape_ = 0; ///< of the recorded scene in the view
-    int healthFrames_ = 0;         ///< since the health was last displayed
-    bool riskAccepted_ = false;    ///< of stiffness above the ceiling, until the program ends
+    QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
+    std::uint64_t shownShape_ = 0;    ///< of the recorded scene in the view
+    int healthFrames_ = 0;            ///< since the health was last displayed
+    std::function<void()> afterSave_; ///< what the person wanted to do next
+    bool leaving_ = false;            ///< the person has agreed to close the window
+    bool riskAccepted_ = false;       ///< of stiffness above the ceiling, until the program ends
     QTimer frames_;
 };
 

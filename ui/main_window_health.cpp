@@ -1,4 +1,6 @@
 // Guard and health in the window: what a fault does, and who may render above the ceiling.
+#include <QSettings>
+
 #include "ui/guard_watch.h"
 #include "ui/health_words.h"
 #include "ui/main_window.h"
@@ -14,13 +16,21 @@ namespace {
 
 constexpr int kFramesPerDisplay = 6; // more often nobody reads figures
 
+QString deadManKey() {
+    return QStringLiteral("device/deadMan");
+}
+
 } // namespace
 
 void MainWindow::connectHealth() {
     connect(guard_, &GuardWatch::faulted, this, [this] { offerToArm(); });
-    connect(guard_, &GuardWatch::happened, this, [this] { docks_.health->setEvents(guard_->events()); });
+    connect(guard_, &GuardWatch::happened, this, [this] {
+        if (!playback_->active()) docks_.health->setEvents(guard_->events());
+    });
     connect(status_, &StatusStrip::armPressed, this, [this] { setArmed(true); });
     connect(docks_.health, &HealthPanel::overrideAsked, this, &MainWindow::askToOverride);
+    connect(&actions_["dead-man"], &QAction::triggered, this, &MainWindow::setDeadMan);
+    restoreDeadMan();
     displayHealth();
 }
 
@@ -36,12 +46,51 @@ void MainWindow::watchHealth() {
 }
 
 void MainWindow::displayHealth() {
+    if (playback_->active()) return displayRecordedHealth();
     const bool overridden = engine_.overridesCeiling();
     const CeilingNow ceiling = ceilingNow(engine_.servo(), engine_.device());
     docks_.inspector->setCeiling(ceiling, overridden);
     if (docks_.health->visibleRegion().isEmpty()) return; // behind another tab, for instance
     docks_.health->display(engine_.servo(), engine_.proxy(), engine_.device());
     docks_.health->displayCeiling(ceiling, stiffestOf(document_.scene()), overridden);
+}
+
+void MainWindow::displayRecordedHealth() {
+    Player& player = playback_->player();
+    const DeviceInfo& device = player.run().device;
+    const ServoRow* tick = player.servoRow();
+    const bool overridden = tick && (tick->flags & ServoRow::Override) != 0;
+    const CeilingNow ceiling = ceilingNow(player.servo(), device);
+    docks_.inspector->setCeiling(ceiling, overridden);
+    if (docks_.health->visibleRegion().isEmpty()) return;
+    docks_.health->display(player.servo(), player.proxy(), device);
+    const World* world = player.world();
+    docks_.health->displayCeiling(ceiling, world ? stiffestOf(*world->scene) : Stiffest{}, overridden);
+    docks_.health->setEvents(playback_->eventsSoFar());
+}
+
+/// Of what is played from now on, or of the loops again.
+void MainWindow::showHealthOf(bool recording) {
+    docks_.health->setRecorded(recording);
+    if (!recording) docks_.health->setEvents(guard_->events());
+    displayHealth();
+}
+
+// How a person wants to hold the device belongs to neither the scene nor its history.
+void MainWindow::restoreDeadMan() {
+    QAction& action = actions_["dead-man"];
+    if (engine_.device().buttons == 0) {
+        action.setEnabled(false);
+        action.setToolTip(tr("This device has no button that could be held"));
+        return;
+    }
+    action.setChecked(QSettings().value(deadManKey()).toBool());
+    engine_.setDeadMan(action.isChecked());
+}
+
+void MainWindow::setDeadMan(bool on) {
+    engine_.setDeadMan(on);
+    QSettings().setValue(deadManKey(), on);
 }
 
 void MainWindow::offerToArm(const QString& more) {

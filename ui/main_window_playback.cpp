@@ -125,12 +125,14 @@ void MainWindow::beginPlayback() {
     centre_->setCurrentWidget(view_);
     setWindowTitle(tr("%1 - Tactum").arg(QFileInfo(playback_->file()).fileName()));
     playFrame();
+    showHealthOf(true);
     view_->fit();
     view_->setFocus();
 }
 
 void MainWindow::endPlayback() {
     setLive(true);
+    showHealthOf(false);
     docks_.plot->clear();
     const QString name = QFileInfo(QString::fromStdU16String(document_.path().u16string())).fileName();
     setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));

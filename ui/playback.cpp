@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/recording/events.h"
 #include "core/recording/recording_file.h"
 #include "ui/panels/playback_bar.h"
 
@@ -39,7 +38,8 @@ void Playback::open(const QString& file) {
 
 void Playback::adopt(Player player, const QString& file) {
     const RecordedRun& run = player.run();
-    bar_.setRecording(run.end() - run.begin(), eventsOf(run), run.begin());
+    events_ = eventsOf(run);
+    bar_.setRecording(run.end() - run.begin(), events_, run.begin());
     player_.emplace(std::move(player));
     file_ = file;
     setPlaying(false);
@@ -67,6 +67,17 @@ void Playback::setPlaying(bool playing) {
 
 double Playback::time() const {
     return player_->time() - player_->run().begin();
+}
+
+std::deque<HealthEvent> Playback::eventsSoFar() const {
+    std::deque<HealthEvent> events;
+    for (const RecordedEvent& event : events_) {
+        if (event.time > player_->time()) break;
+        const QString text = QString::fromStdString(event.text);
+        const int ms = int(1e3 * (event.time - player_->run().begin()));
+        events.push_front({QTime(0, 0).addMSecs(ms), event.fault, text, text});
+    }
+    return events;
 }
 
 void Playback::seek(double time, bool resting) {

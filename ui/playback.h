@@ -1,14 +1,18 @@
 // A recording in the window: read on a worker, stepped through frame by frame.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
 
+#include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "ui/background_job.h"
+#include "ui/guard_watch.h"
 
 namespace tactum {
 
@@ -35,6 +39,8 @@ public:
     /// s since the beginning. `resting`: with all of the force plot's time before it.
     void seek(double time, bool resting);
     double time() const;
+    /// What happened in the recording until now, newest first, each at its time since the beginning.
+    std::deque<HealthEvent> eventsSoFar() const;
 
     /// Only while active.
     Player& player() { return *player_; }
@@ -54,6 +60,7 @@ private:
     BackgroundJob job_;
     std::optional<Player> player_;
     QString file_;
+    std::vector<RecordedEvent> events_;
     QElapsedTimer clock_;
     bool playing_ = false, jumped_ = false;
 };

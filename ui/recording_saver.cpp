@@ -2,9 +2,9 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QSaveFile>
 #include <QStandardPaths>
 
+#include "core/base/atomic_file.h"
 #include "core/control/guard_words.h"
 #include "core/recording/recording_file.h"
 
@@ -24,17 +24,6 @@ void dropOldest(const QString& folder) {
     const QStringList files = dir.entryList({pattern()}, QDir::Files, QDir::Time);
     for (const QString& file : files.mid(kKept))
         QFile::remove(dir.filePath(file));
-}
-
-/// Empty when all went well.
-QString writeAtomically(const QString& file, const std::string& bytes) {
-    QSaveFile out(file);
-    const bool written = out.open(QIODevice::WriteOnly) &&
-                         out.write(bytes.data(), qint64(bytes.size())) == qint64(bytes.size()) &&
-                         out.commit();
-    if (written) return {};
-    return RecordingSaver::tr("%1 cannot be written (%2). Choose another folder, or make room on the disk.")
-        .arg(file, out.errorString());
 }
 
 } // namespace
@@ -83,13 +72,13 @@ void RecordingSaver::write(const QString& file, const QString& reason, bool afte
     if (recording->run.servo.rows.empty() && recording->run.proxy.rows.empty())
         return emit failed(tr("Nothing was recorded yet: the device has not run. Start it first."));
     job_.start([this, recording, file, afterFault](const Progress&) -> BackgroundJob::Delivery {
-        const QString fault = writeAtomically(file, recordingBytes(*recording));
+        const auto written = writeFileAtomically(file.toStdString(), recordingBytes(*recording), 0);
         if (afterFault) dropOldest(folder());
-        return [this, fault, file, afterFault] {
-            if (fault.isEmpty())
+        return [this, written, file, afterFault] {
+            if (written)
                 emit saved(file, afterFault);
             else
-                emit failed(fault);
+                emit failed(QString::fromStdString(written.error().text));
         };
     });
 }

@@ -10,8 +10,14 @@ namespace tactum {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"open", "File", "&Open...", "Ctrl+O", "open",
-     "Open a model (OBJ, PLY, STL, OFF or glTF) or a recording"},
+    {"open", "File", "&Open...", "Ctrl+O", "open", "Open a scene, a model or a recording"},
+    {"save", "File", "&Save", "Ctrl+S", "save", "Write the scene with all its surfaces as glTF (.glb)", false,
+     true},
+    {"save-as", "File", "Save &as...", "Ctrl+Shift+S", "",
+     "Write the scene under another name, and go on with that"},
+    {"export", "File", "&Export a bundle...", "Ctrl+E", "export",
+     "One zip for other programs: glTF, X3D for H3D, images, a finger path with its forces, a report", false,
+     true},
     {"save-picture", "File", "Save &picture...", "", "picture", "Write the view as a PNG file", false, true},
     {"save-recording", "File", "Save &recording of the last minute...", "Ctrl+Shift+R", "record",
      "Everything that was touched and felt in the last minute, to be played again bit for bit", false, true},
@@ -38,6 +44,10 @@ constexpr Command kCommands[] = {
     {"armed", "Device", "&Forces on", "Ctrl+Return", "power",
      "Let the device push. It starts without force and follows", true},
     {"stop", "Device", "&Stop", "", "stop", "Forces off at once; also hold Esc for half a second"},
+    {"dead-man", "Device", "Hold the &button to feel", "", "",
+     "Force only while a button of the device is held. Of the simulated hand: while the mouse holds the "
+     "finger",
+     true},
     {"restart-proxy", "Device", "&Put the proxy on the finger", "Ctrl+R", "",
      "Frees a proxy that is on the wrong side of a surface", false, true},
     {"keyboard", "Help", "&Keyboard", "F1", "keyboard", "All keys on one page"},

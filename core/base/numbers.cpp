@@ -14,10 +14,22 @@ std::optional<double> parseNumber(std::string_view text) {
     return value;
 }
 
-void appendNumber(std::string& out, double value) {
+namespace {
+
+template <class Number> void append(std::string& out, Number value) {
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
     if (error == std::errc()) out.append(digits, end);
+}
+
+} // namespace
+
+void appendNumber(std::string& out, double value) {
+    append(out, value);
+}
+
+void appendNumber(std::string& out, float value) {
+    append(out, value);
 }
 
 } // namespace tactum

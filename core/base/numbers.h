@@ -12,5 +12,7 @@ std::optional<double> parseNumber(std::string_view text);
 
 /// The shortest text that reads back as the same double.
 void appendNumber(std::string& out, double value);
+/// The shortest text that reads back as the same float; seven digits where a double needs seventeen.
+void appendNumber(std::string& out, float value);
 
 } // namespace tactum

@@ -1,6 +1,8 @@
 // Vectors and rigid poses. SI units; a point's suffix names its frame: p_W world, p_B body, p_D device.
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -27,5 +29,11 @@ struct Pose {
         return rotation.coeffs() == other.rotation.coeffs() && translation == other.translation;
     }
 };
+
+/// The rotation of a quaternion of any length but 0. One that has unit length but for rounding keeps its
+/// bits, so that writing and reading it changes nothing.
+inline Quat unitLength(const Quat& q) {
+    return std::abs(q.norm() - 1) <= 1e-12 ? q : q.normalized();
+}
 
 } // namespace tactum

@@ -37,8 +37,9 @@ struct SpherePath {
     Vec3 from = Vec3::Zero();
     Vec3 motion = Vec3::Zero();
     double radius = 0;
-    /// From where each surface of the soup is felt, judged at `from`; empty: all from both sides.
+    /// From where each surface of the soup is felt; empty: all from both sides.
     std::span<const Sides> sides{};
+    Vec3 cameFrom = from; ///< the sphere counts as on the side of a surface that this place is on
 };
 
 struct Neighbourhood;

@@ -11,6 +11,7 @@ struct HandGoal {
     Vec3 position = Vec3::Zero();
     bool teleport = false;      ///< jump there at rest instead of moving: used when a model is opened
     std::uint32_t sequence = 0; ///< raised with every teleport, so that each is carried out once; first 1
+    bool held = false;          ///< the person has hold of it: the simulated hand's one button
 };
 
 /// Thread: one writer (ui), one reader (servo); wait-free.

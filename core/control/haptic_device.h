@@ -23,6 +23,7 @@ struct DeviceInfo {
     double dryFriction = 0;        ///< N, its own, at least
     double amplifierLag = 0;       ///< s, time constant from command to force
     double delay = 1;              ///< ticks between reading and the force that answers it
+    int buttons = 0;               ///< on its handle: the lowest bits of DeviceSample::buttons
     bool real = false;             ///< it pushes a hand: a guardian stands by while it is open
     double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
     bool measuresVelocity = false; ///< false: the servo makes the velocities itself, from the positions
@@ -32,7 +33,7 @@ struct DeviceInfo {
 struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero(); ///< where the device measures it
-    std::uint32_t buttons = 0;
+    std::uint32_t buttons = 0;    ///< a bit for each that is held
     bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
     bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be
 };

@@ -36,7 +36,7 @@ private:
                   self.direction, self.begun);
         }
         bool add(double x, double dt) noexcept;
-        void turn(double swing) noexcept;
+        void turn(double swing, double dt) noexcept;
     };
     std::array<Axis, 3> axes_{};
 };

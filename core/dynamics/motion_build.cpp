@@ -39,6 +39,8 @@ void appendJumps(const Track<Value>& track, std::vector<double>& jumps, Same&& i
 void makeUnit(Track<QuatCoefficients>& rotation) {
     for (std::size_t key = 0; key < rotation.values.size(); ++key) {
         const double length = rotation.values[key].norm();
+        if (std::abs(length - 1) <= 1e-12)
+            continue; // it keeps its bits, so that reading what was written does
         rotation.values[key] /= length;
         if (rotation.interpolation != Interpolation::CubicSpline) continue;
         rotation.arriving[key] /= length;

@@ -26,7 +26,7 @@ inline constexpr std::optional<Sides> sidesNamed(std::string_view name) {
     return std::nullopt;
 }
 
-/// Whether a sphere whose centre is at p touches the triangle. Frame of the triangle. Thread: real time.
+/// Whether a sphere that comes from p touches the triangle. Frame of the triangle. Thread: real time.
 inline bool isFelt(Sides sides, const Triangle& triangle, const Vec3& p) noexcept {
     if (sides == Sides::Both) return true;
     const double height = (triangle.b - triangle.a).cross(triangle.c - triangle.a).dot(p - triangle.a);

@@ -6,6 +6,7 @@
 
 #include "core/proxy/carry_bounds.h"
 #include "core/proxy/passed_bodies.h"
+#include "core/proxy/straddled_bodies.h"
 #include "core/surface/friction.h"
 
 namespace tactum {
@@ -74,14 +75,15 @@ private:
     }
 
     template <class Unwanted> void forget(Unwanted&& unwanted) noexcept {
-        state_.contactCount -= int(std::ranges::remove_if(contacts(), unwanted).size());
+        const auto all = contacts();
+        state_.contactCount = int(std::remove_if(all.begin(), all.end(), unwanted) - all.begin());
     }
 
     void letGoOfJumps() noexcept {
         forget([this](const Contact& contact) { return jumps(contact.body); });
-        const auto kept =
-            std::ranges::remove_if(passed(), [this](const PassedBody& p) { return jumps(p.body); });
-        state_.passedCount -= int(kept.size());
+        const auto all = passed();
+        const auto gone = [this](const PassedBody& p) { return jumps(p.body); };
+        state_.passedCount = int(std::remove_if(all.begin(), all.end(), gone) - all.begin());
     }
 
     // Of all contacts that push, the one that could bear most tangential force. On a body at rest: none.
@@ -177,8 +179,8 @@ private:
             if (hasPassed(state_, body)) continue;
             const Vec3 from_B = poseAt(body, from_).applyInverse(start);
             const Vec3 way_B = poseAt(body, to_).applyInverse(place.at) - from_B;
-            const SpherePath path{from_B, way_B, (radius_ - place.give) * (1 - kSkin),
-                                  obstacles_[body].sides};
+            const SpherePath path{from_B, way_B, (radius_ - place.give) * (1 - kSkin), obstacles_[body].sides,
+                                  cameFrom(state_, body, from_B)};
             const SweepHit hit = sweepBody(body, path);
             if (hit.t < first.hit.t) first = {hit, body, from_B + hit.t * way_B};
         }

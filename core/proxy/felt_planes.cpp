@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "core/base/inplace_vector.h"
-#include "core/proxy/passed_bodies.h"
+#include "core/proxy/surface_under.h"
 #include "core/surface/shaded_normal.h"
-#include "core/surface/texture_feel.h"
 
 namespace tactum {
 namespace {
@@ -16,46 +15,12 @@ namespace {
 constexpr double kOnPlane = 1e-9;
 // What the proxy hovers over, by this part of the radius more than over the nearest, is not felt yet.
 constexpr double kHovering = 4 * kSkin;
-// Slopes below this are flat.
-constexpr double kFlat = 1e-12;
+// Two pairs of planes cross where the product of their sines is above this.
+constexpr double kCrossing = 1e-4;
 constexpr double kFarthest = 2;
 // A slide is good whose end wishes no more than this part of it back.
 constexpr double kOvershoot = 0.1;
 constexpr int kSearches = 8;
-
-const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexcept {
-    if (obstacle.feels.empty()) return nullptr;
-    const SurfaceFeel& feel = obstacle.feels[obstacle.mesh->soup->surfaceOf[triangle]];
-    return feel.normals || feel.texture ? &feel : nullptr;
-}
-
-TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangle& triangle,
-                            const ClosestPoint& closest, const Vec3& normal) noexcept {
-    TexturePoint point;
-    point.position = closest.point;
-    point.normal = normal;
-    const auto& uvs = obstacle.mesh->soup->cornerUvs;
-    if (uvs.empty()) return point;
-    CornerUvs corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = uvs[3 * index + k].cast<double>();
-        point.uv += closest.weights[Eigen::Index(k)] * corners[k];
-    }
-    point.uvGradient = uvGradientOf(triangle, corners);
-    return point;
-}
-
-// The slopes of all planes that a texture gives. One that is flat holds nothing back, but beside a tilted one
-// it would hold the finger on that one's slope.
-int slopesOf(const TextureFeel& feel, std::array<Vec3, 1 + kMostOwnPlanes>& slopes) noexcept {
-    int count = 0;
-    if (feel.slope.norm() > kFlat) slopes[std::size_t(count++)] = feel.slope;
-    for (int i = 0; i < feel.ownPlanes; ++i)
-        if (feel.ownSlopes[std::size_t(i)].norm() > kFlat)
-            slopes[std::size_t(count++)] = feel.ownSlopes[std::size_t(i)];
-    if (count == 0) slopes[std::size_t(count++)] = Vec3::Zero();
-    return count;
-}
 
 // All contacts of a proxy at one place: what is there, what is felt, and the two passes.
 class Passes {
@@ -83,7 +48,8 @@ public:
         }
         pushing_ = nearestPoint(u, felt_.all());
         const int alone = theOnlyPlane();
-        if (alone < 0 || !alongTheFeltNormal(u, alone)) secondPass(pushing_.x);
+        const bool isKnown = alone >= 0 ? alongTheFeltNormal(u, alone) : alongBothNormals(u);
+        if (!isKnown) secondPass(pushing_.x);
         return result_;
     }
 
@@ -134,7 +100,7 @@ private:
             tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, closest, base),
                          on_.smallestFeature);
         material_[i] = modulated(material_[i], touch);
-        std::array<Vec3, 1 + kMostOwnPlanes> slopes;
+        FeltSlopes slopes;
         const int count = slopesOf(touch, slopes);
         for (int k = 0; k < count; ++k)
             add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
@@ -173,8 +139,7 @@ private:
         if (!(depth > 0)) return false;
         const double length = depth / normal.dot(true_[i].normal);
         const Vec3 x = u + length * normal;
-        for (const ConstraintPlane& plane : true_.all())
-            if (plane.normal.dot(x) < plane.offset - kOnPlane * on_.radius) return false;
+        if (!isFree(x)) return false;
         result_.x = x;
         result_.lambda[i] = depth;
         result_.active = 1;
@@ -182,13 +147,58 @@ private:
         return true;
     }
 
-    // From the sub-goal to the true planes. A multiplier is what pass 1 and pass 2 push along its true normal
-    // together: their sum holds the finger.
-    void secondPass(const Vec3& subgoal) noexcept {
+    // Of two planes as well: from the finger along both felt normals onto both true planes, or within the one
+    // that both are felt for. False where their pushes would not be positive or lead below another plane.
+    bool alongBothNormals(const Vec3& u) noexcept {
+        if (pushing_.active != 2) return false;
+        const auto [j, k] = bothPlanes();
+        const std::size_t i = owner_[j], l = owner_[k];
+        const Vec3 &a = felt_[j].normal, &b = felt_[k].normal;
+        const ConstraintPlane& one = true_[i];
+        const ConstraintPlane other =
+            i == l ? ConstraintPlane{one.normal.cross(a.cross(b)).normalized(), 0} : true_[l];
+        const double determinant =
+            one.normal.dot(a) * other.normal.dot(b) - one.normal.dot(b) * other.normal.dot(a);
+        if (!(std::abs(determinant) > kCrossing)) return false;
+        const double depth = one.offset - one.normal.dot(u), deep = other.offset - other.normal.dot(u);
+        const double p = (depth * other.normal.dot(b) - deep * one.normal.dot(b)) / determinant,
+                     q = (deep * one.normal.dot(a) - depth * other.normal.dot(a)) / determinant;
+        if (!(p > 0 && q > 0)) return false;
+        const Vec3 x = u + p * a + q * b;
+        if (!isFree(x)) return false;
+        result_.x = x;
+        pushing_.lambda[j] = p;
+        pushing_.lambda[k] = q;
+        pushAlongTrueNormals();
+        result_.active = 1 + (i != l);
+        return true;
+    }
+
+    std::array<std::size_t, 2> bothPlanes() const noexcept {
+        std::array<std::size_t, 2> both{};
+        int count = 0;
+        for (std::size_t j = 0; j < felt_.size() && count < 2; ++j)
+            if (pushing_.lambda[j] > 0) both[std::size_t(count++)] = j;
+        return both;
+    }
+
+    bool isFree(const Vec3& x) noexcept {
+        return std::ranges::all_of(true_.all(), [&](const ConstraintPlane& plane) {
+            return plane.normal.dot(x) >= plane.offset - kOnPlane * on_.radius;
+        });
+    }
+
+    void pushAlongTrueNormals() noexcept {
         for (std::size_t j = 0; j < felt_.size(); ++j) {
             const std::size_t i = owner_[j];
             result_.lambda[i] += pushing_.lambda[j] * felt_[j].normal.dot(true_[i].normal);
         }
+    }
+
+    // From the sub-goal to the true planes. A multiplier is what pass 1 and pass 2 push along its true normal
+    // together: their sum holds the finger.
+    void secondPass(const Vec3& subgoal) noexcept {
+        pushAlongTrueNormals();
         if (!projectBack(subgoal)) {
             const NearestPoint nearest = nearestReachable(subgoal, true_.all());
             result_.x = nearest.x;

@@ -19,23 +19,31 @@ struct Placing {
     std::span<const Obstacle> obstacles;
     std::span<const BodyMotion> movers;
     double radius;
-    std::uint64_t since;
+    FormerPlace former;
 
+    bool mayNotEnter(const Obstacle& obstacle) const noexcept;
     Vec3 pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept;
     Vec3 largestPush(const Vec3& p_W) const noexcept;
     bool isClear(const Vec3& p_W) const noexcept { return largestPush(p_W).isZero(0); }
     Vec3 nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept;
 };
 
+/// Whether a proxy inside of a closed obstacle cannot have come there by itself.
+bool Placing::mayNotEnter(const Obstacle& obstacle) const noexcept {
+    if (obstacle.placedIn > former.since) return true;
+    return former.at_W &&
+           nearestOn(*obstacle.mesh, poseNow(obstacle, movers).applyInverse(*former.at_W)).front > 0;
+}
+
 /// The way out of one obstacle; zero when it is not overlapped.
 Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept {
     const Pose& pose = poseNow(obstacle, movers);
     const Vec3 p_B = pose.applyInverse(p_W);
-    const bool mayBeInside = obstacle.mesh->closed && obstacle.placedIn > since;
+    const bool mayBeInside = obstacle.mesh->closed && (obstacle.placedIn > former.since || former.at_W);
     const Nearest near =
         mayBeInside ? nearestOn(*obstacle.mesh, p_B) : nearestOn(*obstacle.mesh, p_B, radius);
     if (!std::isfinite(near.distance)) return Vec3::Zero();
-    const bool inside = mayBeInside && near.front < 0;
+    const bool inside = mayBeInside && near.front < 0 && mayNotEnter(obstacle);
     if (!inside && near.distance >= (1 - 2 * kSkin) * radius) return Vec3::Zero();
 
     const Triangle shape = obstacle.triangle(near.triangle);
@@ -73,8 +81,8 @@ Vec3 Placing::nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept 
 } // namespace
 
 std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                               double radius, const Vec3& wanted_W, std::uint64_t since) noexcept {
-    const Placing placing{obstacles, movers, radius, since};
+                               double radius, const Vec3& wanted_W, const FormerPlace& former) noexcept {
+    const Placing placing{obstacles, movers, radius, former};
     const Vec3 first = placing.largestPush(wanted_W);
     Vec3 place = wanted_W;
     for (int push = 0; push < kPushes; ++push) {

@@ -36,6 +36,17 @@ struct PassedBody {
     Vec3 at_B = Vec3::Zero(); ///< where the proxy would be had it stayed outside, body frame
 };
 
+/// Of the bodies with surfaces that are felt from one side alone the proxy can be half through so many at
+/// once; of what is beyond, the side is that of its centre.
+inline constexpr int kMostStraddled = 8;
+
+/// A body with such surfaces that the proxy overlaps: it goes on passing through what it came to from the
+/// wrong side, however far its centre is, until it was clear of the body once.
+struct StraddledBody {
+    std::uint32_t body = 0;     ///< index of the obstacle
+    Vec3 from_B = Vec3::Zero(); ///< where the proxy last was clear of it, body frame
+};
+
 inline constexpr std::uint32_t kNoBody = ~std::uint32_t(0);
 
 struct ProxyState {
@@ -59,6 +70,8 @@ struct ProxyState {
     std::array<SweepMemory, 4> memories{};
     std::array<PassedBody, kMaxMovers> passed{};
     int passedCount = 0;
+    std::array<StraddledBody, kMostStraddled> straddled{};
+    int straddledCount = 0;
 };
 
 struct ProxyReport {

@@ -1,6 +1,7 @@
 #include "core/recording/player.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "core/base/numbers.h"
@@ -147,6 +148,20 @@ Player::Beginning Player::beginningBefore(double time) const {
     return at;
 }
 
+const ServoRow* Player::servoRow() const {
+    return nextServo_ == 0 ? nullptr : &run_->servo.rows[nextServo_ - 1];
+}
+
+void Player::count(const ProxyRow& row) {
+    proxy_.stepsDown += row.fidelity() > proxy_.fidelity;
+    proxy_.fidelity = row.fidelity();
+}
+
+void Player::count(const ServoRow& row) {
+    servo_.periods.add(1e6 * std::abs(row.dt - 1 / run_->device.rate));
+    servo_.misses += (row.flags & ServoRow::Late) != 0;
+}
+
 void Player::begin(const Beginning& at) {
     sim_ = {};
     servoState_ = ServoState(run_->device);
@@ -160,6 +175,11 @@ void Player::begin(const Beginning& at) {
     time_ = run_->begin();
     proxy_ = {};
     servo_ = {};
+    // What only rows tell: no state keeps it.
+    for (std::size_t i = 0; i < nextProxy_; ++i)
+        count(run_->proxy.rows[i]);
+    for (std::size_t i = 0; i < nextServo_; ++i)
+        count(run_->servo.rows[i]);
     trace_.clear();
     steps_.clear();
     check_ = {};
@@ -209,7 +229,10 @@ void Player::stepProxy() {
     proxy_.updates = modelSteps_;
     proxy_.worldRevision = row.world;
     proxy_.time = sim_.time;
-    proxy_.fidelity = row.fidelity();
+    proxy_.boundHits += output.report.boundHit;
+    proxy_.squeezed += output.report.squeezed;
+    proxy_.passed += output.report.passed;
+    count(row);
     steps_.push_back({&row, output});
 }
 
@@ -223,14 +246,8 @@ void Player::stepServo() {
     const std::uint64_t number = run_->servo.first + nextServo_ - 1;
     if (const std::string what = difference(row, now); !what.empty())
         differs("servo tick", number, row.time, what);
-    if (output.finger.valid) servo_.finger = output.finger.position;
-    servo_.force = output.force;
-    servo_.ticks = servoState_.ticks;
-    servo_.withheld = servoState_.guard.withheld();
-    servo_.gain = servoState_.guard.gain();
-    servo_.faults = servoState_.guard.faults();
-    servo_.oscillations = servoState_.oscillations;
-    servo_.ceiling = servoState_.ceiling;
+    note(servo_, output, servoState_);
+    count(row);
     trace_.push_back({row.time, servo_.finger, sim_.proxy.position, output.force});
 }
 

@@ -48,7 +48,10 @@ public:
     /// The World of the last haptic step; of the next one before the first. nullptr when there is none.
     const World* world() const;
     const ProxyTelemetry& proxy() const { return proxy_; }
+    /// With the periods and misses since the recording began; whose misses they were it does not know.
     const ServoTelemetry& servo() const { return servo_; }
+    /// Of the last servo tick; nullptr before the first.
+    const ServoRow* servoRow() const;
     /// Every servo tick and every haptic step since the last call of these.
     std::vector<TracePoint> takeTrace() { return std::exchange(trace_, {}); }
     std::vector<ReplayedStep> takeSteps() { return std::exchange(steps_, {}); }
@@ -65,6 +68,8 @@ private:
     };
     Beginning beginningBefore(double time) const;
     void begin(const Beginning& at);
+    void count(const ProxyRow& row);
+    void count(const ServoRow& row);
     void stepProxy();
     void stepServo();
     void differs(const char* loop, std::uint64_t number, double time, const std::string& what);

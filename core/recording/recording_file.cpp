@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/realtime.h"
+#include "core/import/import_scene.h"
+#include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
 #include "core/recording/scene_bytes.h"
-#include "core/scene/load_scene.h"
 #include "core/scene/text.h"
 
 namespace tactum {
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 
@@ -70,7 +71,7 @@ Json toJson(const NumberedRows<Row>& rows, const std::vector<State>& states) {
             {"states", states.size()}};
 }
 
-template <class State> void writeStates(FileOut& out, const std::vector<State>& states) {
+template <class State> void writeStates(StringOut& out, const std::vector<State>& states) {
     for (const State& state : states) {
         std::uint64_t row = state.row, size = state.size;
         out(row), out(size);
@@ -78,7 +79,7 @@ template <class State> void writeStates(FileOut& out, const std::vector<State>& 
     }
 }
 
-template <class Row> void writeRows(FileOut& out, const std::vector<Row>& rows) {
+template <class Row> void writeRows(StringOut& out, const std::vector<Row>& rows) {
     out.bytes.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
 }
 
@@ -112,7 +113,7 @@ public:
             run.device = deviceOf(header_.at("device"));
             for (const auto& source : header_.at("sources"))
                 recording.sources.emplace_back(source.get<std::string>());
-            FileIn scenes = part(header_.at("scene_bytes").get<std::uint64_t>());
+            ByteIn scenes = part(header_.at("scene_bytes").get<std::uint64_t>());
             run.scenes = readScenes(scenes, [&] { return partsOf(recording.sources); });
             scenes.demand(scenes.left() == 0, "the scenes are followed by something else");
             readRows(header_.at("proxy"), run.proxy);
@@ -131,7 +132,7 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& text) const {
-        throw RecordingFault{{Error::Kind::Input, name_ + ": " + text}};
+        throw ByteFault{{Error::Kind::Input, name_ + ": " + text}};
     }
 
     void readHeader() {
@@ -154,11 +155,11 @@ private:
         at_ = kStart + length;
     }
 
-    FileIn part(std::uint64_t size) {
+    ByteIn part(std::uint64_t size) {
         if (size > bytes_.size() - kSeal - at_)
             fail("byte " + std::to_string(at_) +
                  ": it ends too early; the recording is damaged, use another one");
-        FileIn in(bytes_.substr(at_, size), name_, at_);
+        ByteIn in(bytes_.substr(at_, size), name_, at_, "the recording is damaged, use another one");
         at_ += size;
         return in;
     }
@@ -169,7 +170,7 @@ private:
         if (json.at("row_bytes").get<std::uint64_t>() != sizeof(Row) || count > bytes_.size() / sizeof(Row) ||
             rows.first > ~std::uint64_t(0) / 2)
             fail("its rows are not as long as they should be; the recording is damaged, use another one");
-        const FileIn in = part(count * sizeof(Row));
+        const ByteIn in = part(count * sizeof(Row));
         rows.rows.resize(count);
         if (count > 0)
             std::memcpy(static_cast<void*>(rows.rows.data()), in.rest().data(), count * sizeof(Row));
@@ -180,13 +181,13 @@ private:
         const auto count = json.at("states").get<std::uint64_t>();
         std::uint64_t next = rows.first;
         for (std::uint64_t i = 0; i < count; ++i) {
-            FileIn numbers = part(16);
+            ByteIn numbers = part(16);
             State state;
             numbers(state.row), numbers(state.size);
             numbers.demand(state.row >= next && state.row < rows.end(), "a state belongs to no row");
             numbers.demand(state.size <= state.bytes.size(), "a state is too long");
             next = state.row + 1;
-            const FileIn in = part(state.size);
+            const ByteIn in = part(state.size);
             std::memcpy(state.bytes.data(), in.rest().data(), state.size);
             states.push_back(state);
         }
@@ -197,7 +198,7 @@ private:
         KnownParts parts;
         for (const auto& source : sources)
             for (const auto& place : {file_.parent_path() / source.filename(), source}) {
-                const auto loaded = loadScene(place);
+                const auto loaded = importScene(place);
                 if (!loaded) continue;
                 parts.addAllOf(loaded->scene);
                 Scene fitted = loaded->scene;
@@ -221,16 +222,16 @@ std::string bytesOf(const std::filesystem::path& file) {
     const auto size =
         std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
     if (error || !std::filesystem::is_regular_file(file, error))
-        throw RecordingFault{
+        throw ByteFault{
             {Error::Kind::Input, name + ": there is no such file; check the name and the folder"}};
     if (size > kLargestFile)
-        throw RecordingFault{
+        throw ByteFault{
             {Error::Kind::Input, name + ": is larger than 4 GB, as no recording is; use another one"}};
     std::string bytes(size, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(bytes.data(), std::streamsize(size));
     if (!in || std::uint64_t(in.gcount()) != size)
-        throw RecordingFault{
+        throw ByteFault{
             {Error::Kind::Machine, name + ": cannot be read; check its permissions and the disk"}};
     return bytes;
 }
@@ -248,7 +249,7 @@ std::string recordingBytes(const Recording& recording) {
     const bool whole = recording.sources.empty() || areSmall(run.scenes);
     const std::string scenes = sceneBytes(run.scenes, whole);
     const std::string header = headerOf(recording, scenes.size());
-    FileOut out;
+    StringOut out;
     out.bytes = kMagic;
     std::uint32_t version = kVersion, length = std::uint32_t(header.size());
     out(version), out(length);
@@ -267,7 +268,7 @@ Result<Recording> parseRecording(std::string_view bytes, const std::filesystem::
     assertNotRealtime();
     try {
         return Reader(bytes, file).read();
-    } catch (const RecordingFault& fault) {
+    } catch (const ByteFault& fault) {
         return tl::unexpected<Error>(fault.error);
     }
 }
@@ -275,7 +276,7 @@ Result<Recording> parseRecording(std::string_view bytes, const std::filesystem::
 Result<Recording> readRecording(const std::filesystem::path& file) {
     try {
         return parseRecording(bytesOf(file), file);
-    } catch (const RecordingFault& fault) {
+    } catch (const ByteFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
         return machineError(printable(file.filename().string()) +

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "core/recording/fingerprint.h"
+#include "core/scene/layer_bytes.h"
+#include "core/scene/shape_bytes.h"
+
 namespace tactum {
 namespace {
 
@@ -11,75 +15,22 @@ constexpr std::size_t kMostTriangles = 200'000, kMostTexels = std::size_t(1) << 
 /// Surfaces of all scenes together: more would be no minute's work of a person.
 constexpr std::size_t kMostSurfaces = std::size_t(1) << 22;
 
-template <class T> using Shared = std::shared_ptr<const T>;
-
 /// What objects share, each once.
 struct Tables {
-    std::vector<Shared<TextureImage>> images;
-    std::vector<Shared<TriangleSoup>> soups;
-    std::vector<Shared<Motion>> motions;
+    SharedTable<TextureImage> images;
+    SharedTable<TriangleSoup> soups;
+    SharedTable<Motion> motions;
     std::vector<SceneObject> objects;
 };
-
-/// A reference into a table: 0 for none. Writing fills the table.
-template <class Io, class T> void link(Io& io, Shared<T>& to, std::vector<Shared<T>>& table) {
-    std::uint32_t number = 0;
-    if constexpr (!Io::kReads) {
-        const auto found = std::ranges::find(table, to);
-        number = to ? std::uint32_t(found - table.begin()) + 1 : 0;
-        if (to && found == table.end()) table.push_back(to);
-    }
-    io(number);
-    io.demand(number <= table.size(), "it names what it does not have");
-    if constexpr (Io::kReads) to = number == 0 ? nullptr : table[number - 1];
-}
-
-/// Values of a parameter table by their keys: a recording outlives a change of the table.
-template <class Io, class Table, class Values> void numbers(Io& io, const Table& table, Values& values) {
-    std::uint32_t count = std::uint32_t(table.size());
-    io(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        std::string key;
-        double value = 0;
-        if constexpr (!Io::kReads) {
-            key = std::string(table[i].parameter->key);
-            value = values.*table[i].value;
-        }
-        io(key), io(value);
-        if constexpr (Io::kReads)
-            for (const auto& field : table)
-                if (field.parameter->key == key) values.*field.value = value;
-    }
-}
-
-template <class Io> void pattern(Io& io, TexturePattern& p, Tables& tables) {
-    choose(io, p.source, kTextureSources.size());
-    choose(io, p.mapping, kTextureMappings.size());
-    link(io, p.image, tables.images);
-    io(p.frame);
-    numbers(io, kPatternFields, p);
-}
-
-template <class Io> void layer(Io& io, TextureLayer& l, Tables& tables) {
-    io(l.name), io(l.enabled), io(l.strength), io(l.opacity), io(l.ownPlane);
-    choose(io, l.target, kTextureTargets.size());
-    choose(io, l.blend, kTextureBlends.size());
-    pattern(io, l.pattern, tables);
-    bool masked = l.mask.has_value();
-    io(masked);
-    if (!masked) return;
-    if (!l.mask) l.mask.emplace();
-    pattern(io, *l.mask, tables);
-}
 
 template <class Io> void surface(Io& io, Surface& s, Tables& tables) {
     io(s.name), io(s.colour), io(s.shading.on), io(s.shading.creaseAngle);
     choose(io, s.shading.normals, 2);
     choose(io, s.sides, 3);
-    numbers(io, kMaterialFields, s.material);
+    numbersByKey(io, kMaterialFields, s.material);
     io.count(s.layers, 64);
     for (TextureLayer& each : s.layers)
-        layer(io, each, tables);
+        layerBytes(io, each, tables.images);
 }
 
 template <class Io> void object(Io& io, SceneObject& o, Tables& tables) {
@@ -96,9 +47,9 @@ template <class Io> void object(Io& io, SceneObject& o, Tables& tables) {
     io.demand(known, "a triangle is of a surface that there is not");
 }
 
-template <class T> void writeTable(FileOut& out, std::vector<Shared<T>>& table, bool whole) {
-    out.count(table, 1);
-    for (const Shared<T>& each : table) {
+template <class T> void writeTable(ByteOut& out, SharedTable<T>& table, bool whole) {
+    out.count(table.items, 1);
+    for (const auto& each : table.items) {
         std::uint64_t fingerprint = fingerprintOf(*each);
         out(whole), out(fingerprint);
         if (whole) write(out, *each);
@@ -107,9 +58,9 @@ template <class T> void writeTable(FileOut& out, std::vector<Shared<T>>& table, 
 
 /// `known`: the table of KnownParts.
 template <class T, class Read, class Known>
-void readTable(FileIn& in, std::vector<Shared<T>>& table, Read read, Known known) {
-    in.count(table, 9);
-    for (Shared<T>& each : table) {
+void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known) {
+    in.count(table.items, 9);
+    for (auto& each : table.items) {
         bool whole = false;
         std::uint64_t fingerprint = 0;
         in(whole), in(fingerprint);
@@ -118,13 +69,13 @@ void readTable(FileIn& in, std::vector<Shared<T>>& table, Read read, Known known
             in.demand(fingerprintOf(*each) == fingerprint, "geometry or an image has changed");
             continue;
         }
-        const std::vector<Shared<T>>& parts = known();
+        const auto& parts = known();
         const auto found = std::ranges::find_if(
-            parts, [&](const Shared<T>& part) { return fingerprintOf(*part) == fingerprint; });
+            parts, [&](const auto& part) { return fingerprintOf(*part) == fingerprint; });
         if (found == parts.end())
-            throw RecordingFault{{Error::Kind::Input,
-                                  "the recording: the model that it was made with was changed or is not "
-                                  "there; put the file back beside the recording"}};
+            throw ByteFault{{Error::Kind::Input,
+                             "the recording: the model that it was made with was changed or is not "
+                             "there; put the file back beside the recording"}};
         each = *found;
     }
 }
@@ -191,20 +142,20 @@ bool areSmall(const std::vector<RecordedScene>& list) {
 std::string sceneBytes(const std::vector<RecordedScene>& list, bool whole) {
     std::vector<RecordedScene> copy = list;
     Tables tables;
-    FileOut versions, objects, shapes;
+    StringOut versions, objects, shapes;
     scenes(versions, copy, tables);
     objects.count(tables.objects, 1);
     for (std::size_t i = 0; i < tables.objects.size(); ++i)
         object(objects, tables.objects[i], tables);
     writeTable(shapes, tables.images, whole);
     writeTable(shapes, tables.soups, whole);
-    shapes.count(tables.motions, 1);
-    for (const auto& each : tables.motions)
+    shapes.count(tables.motions.items, 1);
+    for (const auto& each : tables.motions.items)
         write(shapes, *each);
     return shapes.bytes + objects.bytes + versions.bytes;
 }
 
-std::vector<RecordedScene> readScenes(FileIn& in, const std::function<KnownParts()>& find) {
+std::vector<RecordedScene> readScenes(ByteIn& in, const std::function<KnownParts()>& find) {
     Tables tables;
     std::optional<KnownParts> known;
     const auto parts = [&]() -> const KnownParts& { return known ? *known : known.emplace(find()); };
@@ -212,8 +163,8 @@ std::vector<RecordedScene> readScenes(FileIn& in, const std::function<KnownParts
         in, tables.images, readImage, [&]() -> const auto& { return parts().images; });
     readTable(
         in, tables.soups, readSoup, [&]() -> const auto& { return parts().soups; });
-    in.count(tables.motions, 32);
-    for (auto& each : tables.motions)
+    in.count(tables.motions.items, 32);
+    for (auto& each : tables.motions.items)
         each = readMotion(in);
     in.count(tables.objects, 64);
     for (SceneObject& each : tables.objects)

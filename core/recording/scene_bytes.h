@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/recording/shape_bytes.h"
+#include "core/base/byte_stream.h"
 #include "core/runtime/recorded_run.h"
 
 namespace tactum {
@@ -23,8 +23,8 @@ std::string sceneBytes(const std::vector<RecordedScene>& scenes, bool whole);
 /// Whether a recording of these is small enough to be self-contained.
 bool areSmall(const std::vector<RecordedScene>& scenes);
 
-/// Throws RecordingFault. Whatever is not in the file is looked for in `known`, which is filled, once, by
+/// Throws ByteFault. Whatever is not in the file is looked for in `known`, which is filled, once, by
 /// `find`.
-std::vector<RecordedScene> readScenes(FileIn& in, const std::function<KnownParts()>& find);
+std::vector<RecordedScene> readScenes(ByteIn& in, const std::function<KnownParts()>& find);
 
 } // namespace tactum

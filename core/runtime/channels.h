@@ -16,9 +16,8 @@
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
 #include "core/runtime/haptic_step.h"
-#include "core/runtime/period_histogram.h"
 #include "core/runtime/recorder.h"
-#include "core/runtime/servo_step.h"
+#include "core/runtime/servo_telemetry.h"
 #include "core/runtime/world.h"
 
 namespace tactum {
@@ -38,31 +37,6 @@ struct ProxyTelemetry {
     double time = 0;                 ///< s, of the bodies that move by themselves
     Fidelity fidelity = Fidelity::Full;
     std::uint64_t stepsDown = 0; ///< how often the fidelity was lowered
-};
-
-/// What the servo loop tells the window.
-struct ServoTelemetry {
-    Vec3 finger = Vec3::Zero();
-    Vec3 force = Vec3::Zero(); ///< N, after the limiter: what the device was sent
-    std::uint64_t ticks = 0;
-    double rate = 0;                 ///< Hz, over the last half second
-    double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
-    std::uint64_t misses = 0;        ///< ticks that came more than one period late
-    std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (Canary)
-    PeriodHistogram periods;         ///< deviations, since the start
-    std::uint64_t clamped = 0;       ///< commands that the limiter shortened
-    std::uint64_t invalidSamples = 0;
-    Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
-    double gain = 0;                        ///< of the force: 0 none, 1 all
-    std::uint64_t faults = 0;
-    std::uint64_t pauses = 0;               ///< how often force was taken away without a fault
-    Withheld lastPause = Withheld::Nothing; ///< why, the last time: it may be over within a tick
-    std::uint64_t oscillations = 0;         ///< limit cycles that were noticed
-    double calm = 1;                        ///< part of the stiffness that is left after them
-    double heat = 0;                        ///< of the motors: 1 is as warm as they may be for ever
-    double energy = 0;                      ///< J that the surface gave beyond what it took
-    double passivityDamping = 0;            ///< N s/m, that takes it back
-    StiffnessCeiling ceiling;
 };
 
 /// What the servo renders, and how many steps of the proxy led to it.
@@ -99,6 +73,7 @@ struct Channels {
     SpscQueue<TracePoint, 8192> trace;
     Recorder recorder;
     std::atomic<bool> armed{false};           ///< false: the servo commands zero force
+    std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
     std::atomic<bool> stop{false};
 };

@@ -44,9 +44,12 @@ LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept
 } // namespace
 
 // A proxy that was put elsewhere begins at the finger, without force.
-void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger) noexcept {
+void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, double ceiling) noexcept {
     const Anchor before = begun_ ? anchorOf(rendered_, finger) : Anchor{finger, false};
-    if (!before.touching) rendered_ = newest; // nothing is under load: no value needs a ramp
+    if (!before.touching) { // nothing is under load: no value needs a ramp
+        rendered_ = newest;
+        rendered_.stiffness = std::min(newest.stiffness, ceiling);
+    }
     const bool edited = newest.revision != revision_;
     if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
         offset_ = finger - anchorOf(newest, finger).position;
@@ -135,7 +138,7 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     leaving_ = begun_ && (leaving_ || lost(newest, finger));
     if (leaving_) leave(finger, dt);
     if (leaving_) return rendered_;
-    if (fresh || !begun_) meet(newest, finger);
+    if (fresh || !begun_) meet(newest, finger, ceiling);
     const LocalContactModel before = rendered_;
     goOn(newest);
     approach(before, finger, velocity, ceiling, dt);

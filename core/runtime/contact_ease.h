@@ -29,7 +29,8 @@ inline constexpr double kHandOverPower = 1e-3, kHandOverEnergy = 5e-4;
 class ContactEase {
 public:
     /// Call at every servo tick. `fresh`: `newest` is another one than at the last call.
-    /// `ceiling` in N/m: nothing is rendered stiffer.
+    /// `ceiling` in N/m: nothing is met stiffer; what is under load when it falls comes down by kSurfaceRate,
+    /// and in an edit by kEditRate: faster, a resting hand would be thrown.
     const LocalContactModel& operator()(const LocalContactModel& newest, bool fresh, const Vec3& finger,
                                         const Vec3& velocity, double ceiling, double dt) noexcept;
     /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
@@ -45,7 +46,7 @@ public:
     }
 
 private:
-    void meet(const LocalContactModel& newest, const Vec3& finger) noexcept;
+    void meet(const LocalContactModel& newest, const Vec3& finger, double ceiling) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
     void leave(const Vec3& finger, double dt) noexcept;

@@ -6,13 +6,11 @@ namespace tactum {
 
 namespace {
 
-// As in the proxy's step: what planes that lean less than a right angle from this one carry rubs on it too.
 double depthOn(const LocalContactModel& model, const NearestPoint& nearest, int which) noexcept {
     double depth = 0;
     for (int i = 0; i < model.planes; ++i)
-        depth +=
-            std::max(0.0, nearest.lambda[std::size_t(i)]) *
-            std::max(0.0, model.plane[std::size_t(i)].normal.dot(model.plane[std::size_t(which)].normal));
+        depth += depthShare(nearest.lambda[std::size_t(i)], model.plane[std::size_t(i)].normal,
+                            model.plane[std::size_t(which)].normal);
     return depth;
 }
 

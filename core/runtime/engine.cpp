@@ -48,6 +48,7 @@ struct Engine::Impl {
     Canary canary;
     std::deque<FeltScene> felt; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
+    bool deadMan = false;
     bool running = false;
     bool realtime = false;
     std::string priorityNote = "The loops have not been started.";
@@ -61,12 +62,20 @@ struct Engine::Impl {
     void releaseRetired();
     void freshChannels();
     void remember(const World& world);
+    void askForButton();
 };
 
 void Engine::Impl::freshChannels() {
     channels = std::make_unique<Channels>(info.rate, kUpdatesPerTick * info.rate);
+    askForButton();
     felt.clear();
     if (!kept.empty()) remember(*kept.back());
+}
+
+void Engine::Impl::askForButton() {
+    constexpr int kMost = 31;
+    const std::uint32_t all = (std::uint32_t(1) << std::clamp(info.buttons, 0, kMost)) - 1;
+    channels->deadMan.store(deadMan ? all : 0, std::memory_order_relaxed);
 }
 
 void Engine::Impl::remember(const World& world) {
@@ -183,6 +192,14 @@ void Engine::setArmed(bool armed) {
 }
 bool Engine::armed() const {
     return impl_->channels->armed.load(std::memory_order_relaxed);
+}
+
+void Engine::setDeadMan(bool on) {
+    impl_->deadMan = on;
+    impl_->askForButton();
+}
+bool Engine::deadMan() const {
+    return impl_->channels->deadMan.load(std::memory_order_relaxed) != 0;
 }
 
 void Engine::setOverrideCeiling(bool on) {

@@ -38,6 +38,11 @@ public:
     /// switched off and on again.
     void setArmed(bool armed);
     bool armed() const;
+    /// Force only while one of the device's buttons is held: a dead-man switch. Stays so through stop() and
+    /// start(). Without effect on a device that has no buttons: it would never push.
+    void setDeadMan(bool on);
+    /// Whether it is asked for and the device has a button.
+    bool deadMan() const;
     /// Surfaces may be stiffer than safeStiffness(), at the person's own risk. Off after start().
     void setOverrideCeiling(bool on);
     bool overridesCeiling() const;

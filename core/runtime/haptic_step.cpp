@@ -79,18 +79,22 @@ HapticOutput reportOf(const World& world, const SimState& state) {
 }
 
 // At first, and when nobody knows which way the finger went, the proxy begins at the finger. After a change
-// of shape it stays where it is. Where there is something now, it goes to the nearest clear place.
+// of shape it stays where it is. Where there is something now, it goes to the nearest clear place; so it does
+// where it would be inside of what it was outside of, for no way of the finger leads there.
 void startAnew(const World& world, SimState& state, const HapticInput& input) {
     for (std::size_t i = 0; i < world.movers.size(); ++i)
         state.movers[i].now = world.movers[i].poseAt(state.time);
     const bool first = state.shapeRevision == kNoShape;
-    const Vec3 wanted = first || input.restart ? input.finger : state.proxy.position;
+    const bool atFinger = first || input.restart || input.found;
+    const Vec3 wanted = atFinger ? input.finger : state.proxy.position;
+    FormerPlace former{state.shapeRevision};
+    if (input.found && !first) former.at_W = state.proxy.position;
     const Vec3 place = clearPlace(world.obstacles, {state.movers.data(), world.movers.size()},
-                                  world.proxyRadius, wanted, state.shapeRevision)
+                                  world.proxyRadius, wanted, former)
                            .value_or(wanted);
     restart(state.proxy, place);
     state.proxy.finger = input.finger;
-    if (first || input.restart || place != wanted) ++state.restarts;
+    if (atFinger || place != wanted) ++state.restarts;
     state.shapeRevision = world.shapeRevision;
 }
 
@@ -120,7 +124,8 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
         output.proxy = state.proxy.position;
         return output;
     }
-    if (input.restart || state.shapeRevision != world.shapeRevision) startAnew(world, state, input);
+    if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
+        startAnew(world, state, input);
     moveBodies(world, state, dt);
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,

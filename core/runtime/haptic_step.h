@@ -19,6 +19,9 @@ struct HapticInput {
     Vec3 fingerVelocity = Vec3::Zero();
     bool restart = false; ///< first put the proxy onto the finger, or beside it where something is
     Fidelity fidelity = Fidelity::Full;
+    /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
+    /// it stays outside of.
+    bool found = false;
 };
 
 /// One touched place, for the display.

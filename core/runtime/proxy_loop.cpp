@@ -42,12 +42,13 @@ void obeyCommands(Proxy& proxy) noexcept {
     }
 }
 
-std::uint32_t flagsOf(bool restart, Fidelity fidelity) noexcept {
-    return (restart ? std::uint32_t(ProxyRow::Restart) : 0) | std::uint32_t(fidelity) << ProxyRow::kFidelity;
+std::uint32_t flagsOf(bool restart, bool found, Fidelity fidelity) noexcept {
+    return (restart ? std::uint32_t(ProxyRow::Restart) : 0) | (found ? std::uint32_t(ProxyRow::Found) : 0) |
+           std::uint32_t(fidelity) << ProxyRow::kFidelity;
 }
 
 HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
-    const bool restart = proxy.restartDue || finger.anchoring != proxy.anchoring;
+    const bool restart = proxy.restartDue, found = !restart && finger.anchoring != proxy.anchoring;
     proxy.restartDue = false;
     proxy.anchoring = finger.anchoring;
     ProxyRow row{.time = proxy.begun + tick.time,
@@ -56,7 +57,7 @@ HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) no
                  .velocity = tripleOf(finger.velocity),
                  .world = proxy.world->revision,
                  .anchoring = finger.anchoring,
-                 .flags = flagsOf(restart, proxy.ladder.fidelity())};
+                 .flags = flagsOf(restart, found, proxy.ladder.fidelity())};
     Recorder& recorder = proxy.channels.recorder;
     recorder.begin(row, proxy.state);
     const HapticOutput output = stepFrom(row, *proxy.world, proxy.state);

@@ -26,8 +26,9 @@ struct ProxyRow {
     enum Flag : std::uint32_t {
         Restart = 1,   ///< HapticInput::restart
         Forget = 2,    ///< the sweep memories were emptied: the state before this row was kept
+        Found = 4,     ///< HapticInput::found
         kFidelity = 8, ///< from this bit on: Fidelity
-        kAllFlags = 3 | 3 << kFidelity
+        kAllFlags = 7 | 3 << kFidelity
     };
 
     double time = 0; ///< s since the recorder was made: when the loop woke
@@ -77,7 +78,8 @@ inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& 
     const HapticInput input{.finger = vectorOf(row.finger),
                             .fingerVelocity = vectorOf(row.velocity),
                             .restart = (row.flags & ProxyRow::Restart) != 0,
-                            .fidelity = row.fidelity()};
+                            .fidelity = row.fidelity(),
+                            .found = (row.flags & ProxyRow::Found) != 0};
     return hapticStep(world, state, input, row.dt);
 }
 

@@ -37,6 +37,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const Tick& tick,
             .model = channels.contactModel.value().steps,
             .period = servo.period,
             .buttons = sample.buttons,
+            .deadMan = channels.deadMan.load(std::memory_order_relaxed),
             .flags = flag(sample.valid, ServoRow::Valid) | flag(sample.jumped, ServoRow::Jumped) |
                      flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
@@ -62,36 +63,13 @@ void measurePeriod(Servo& servo, double nominal) noexcept {
         servo.period = nominal + 1e-6 * servo.telemetry.periods.quantile(0.999);
 }
 
-/// A finger that was put elsewhere has to begin anew: that is no pause.
-void countPause(const ServoState& state, ServoTelemetry& telemetry) noexcept {
-    const bool taken = telemetry.gain > 0 && state.guard.gain() == 0;
-    if (!taken || !isPause(state.guard.withheld()) || state.check.believed().jumped) return;
-    ++telemetry.pauses;
-    telemetry.lastPause = state.guard.withheld();
-}
-
 void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
-    const ServoState& state = servo.state;
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
     ServoTelemetry& telemetry = servo.telemetry;
-    if (output.finger.valid) telemetry.finger = output.finger.position;
-    telemetry.force = output.force;
-    telemetry.ticks = state.ticks;
+    note(telemetry, output, servo.state);
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
     telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
-    telemetry.clamped = state.limiter.clamped;
-    telemetry.invalidSamples = state.check.refused();
-    countPause(state, telemetry);
-    telemetry.withheld = state.guard.withheld();
-    telemetry.gain = state.guard.gain();
-    telemetry.faults = state.guard.faults();
-    telemetry.oscillations = state.oscillations;
-    telemetry.calm = state.calm;
-    telemetry.heat = state.heat.heat();
-    telemetry.energy = state.passivity.energy();
-    telemetry.passivityDamping = state.passivity.lastDamping();
-    telemetry.ceiling = state.ceiling;
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(
@@ -121,6 +99,8 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
     DeviceCommand command;
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
+        // Nobody has felt the force of before a stall since; now it would be a kick.
+        if (tick.elapsed > kStall) command = DeviceCommand{};
         const DeviceSample sample = device.exchange(command, tick.elapsed);
 
         const RealtimeScope scope;

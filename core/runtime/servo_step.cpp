@@ -111,7 +111,8 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                           .speed = finger.velocity.norm(),
                           .wanted = wanted.spring.force.norm(),
                           .sudden = wanted.sudden,
-                          .finite = wanted.spring.force.allFinite()};
+                          .finite = wanted.spring.force.allFinite() && wanted.sliding.allFinite() &&
+                                    std::isfinite(wanted.sudden)};
     RenderedSpring spring = guarded(state, wanted, finger.velocity, tick);
     spring.force = state.limiter(spring.force);
     state.heat.add(spring.force.norm(), dt);

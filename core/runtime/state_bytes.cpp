@@ -33,6 +33,9 @@ void fields(auto& visit, MaybeConst<FeltPlane> auto& felt) {
 void fields(auto& visit, MaybeConst<PassedBody> auto& passed) {
     visit(passed.body, passed.at_B);
 }
+void fields(auto& visit, MaybeConst<StraddledBody> auto& straddled) {
+    visit(straddled.body, straddled.from_B);
+}
 void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit(proxy.position, proxy.finger);
     visit.counted(proxy.contacts, proxy.contactCount);
@@ -41,6 +44,7 @@ void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit.unbounded(proxy.stride);
     visit(proxy.stillFor, proxy.slidingOn);
     visit.counted(proxy.passed, proxy.passedCount);
+    visit.counted(proxy.straddled, proxy.straddledCount);
 }
 void fields(auto& visit, MaybeConst<BodyMotion> auto& body) {
     visit(body.before, body.now, body.jumped);
@@ -77,7 +81,7 @@ static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 360 && sizeof(Passiv
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 664);
 static_assert(sizeof(LoopFigures) == 56 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2176);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
-static_assert(sizeof(ProxyState) == 7136 + sizeof(ProxyState::memories));
+static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {
@@ -120,7 +124,9 @@ bool belongsTo(const SimState& state, const World& world) noexcept {
            std::all_of(proxy.felt.begin(), proxy.felt.begin() + proxy.feltCount,
                        [&](const FeltPlane& f) { return exists(world, f.body, f.triangle); }) &&
            std::all_of(proxy.passed.begin(), proxy.passed.begin() + proxy.passedCount,
-                       [&](const PassedBody& p) { return p.body < world.obstacles.size(); });
+                       [&](const PassedBody& p) { return p.body < world.obstacles.size(); }) &&
+           std::all_of(proxy.straddled.begin(), proxy.straddled.begin() + proxy.straddledCount,
+                       [&](const StraddledBody& s) { return s.body < world.obstacles.size(); });
 }
 
 } // namespace tactum

@@ -70,10 +70,10 @@ void addObject(LoadedScene& loaded, std::string name, const BuildReport& report,
                std::vector<Surface> surfaces, const Progress& progress) {
     if (soup.triangles.empty()) return;
     SceneObject object;
-    object.name = printable(name);
+    object.name = printable(name, kLongestName);
     object.surfaces = std::move(surfaces);
     for (Surface& surface : object.surfaces)
-        surface.name = printable(surface.name);
+        surface.name = printable(surface.name, kLongestName);
     appendReport(loaded.findings, object.name, report,
                  collapseFlatTriangles(soup, Progress{{}, progress.cancelled}));
     const Result<MeshHealth> health = healthOf(soup, progress);

@@ -27,20 +27,30 @@ std::filesystem::path fileOf(const std::filesystem::path& folder, std::string re
 std::optional<TextureLayer> BumpLayers::layerOf(const MtlBump& bump, std::vector<Finding>& findings) {
     const Image image = imageOf(bump.file, findings);
     if (!image) return std::nullopt;
+    const auto say = [&](Severity severity, std::string sentence, std::string remedy) {
+        if (!said_.insert(sentence).second) return; // of another surface of the same material
+        findings.push_back({severity, "", std::move(sentence), std::move(remedy)});
+    };
     if (bump.placed)
-        findings.push_back({Severity::Note, "",
-                            "bump map " + inQuotes(bump.file) + " is scaled or moved by its library",
-                            "it fills the unit square of the texture coordinates; set its offset and size"});
+        say(Severity::Note, "bump map " + inQuotes(bump.file) + " is scaled or moved by its library",
+            "it fills the unit square of the texture coordinates; set its offset and size");
     TextureLayer layer;
     layer.name = image->name();
     layer.pattern.source = TextureSource::Image;
     layer.pattern.image = image;
     layer.pattern.mapping = TextureMapping::UvUnit;
-    layer.strength = kTextureHeight.clamped(bump.multiplier * kTextureHeight.initial);
-    findings.push_back({Severity::Note, "",
-                        "bump map " + inQuotes(bump.file) + " has no unit; its height is taken as " +
-                            withUnit(layer.strength, "m"),
-                        "set the height of the layer"});
+    const double height = bump.multiplier * kTextureHeight.initial;
+    layer.strength = kTextureHeight.clamped(height);
+    if (layer.strength != height)
+        say(Severity::Warning,
+            bump.where + ": -bm " + withUnit(bump.multiplier, "") + " would be a height of " +
+                withUnit(height, "m") + ", outside " + withUnit(kTextureHeight.minimum, "") + " to " +
+                withUnit(kTextureHeight.maximum, "m"),
+            "clamped to " + withUnit(layer.strength, "m") + "; lower it, or set the height of the layer");
+    say(Severity::Note,
+        "bump map " + inQuotes(bump.file) + " has no unit; its height is taken as " +
+            withUnit(layer.strength, "m"),
+        "set the height of the layer");
     return layer;
 }
 

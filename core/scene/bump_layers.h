@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "core/scene/load_scene.h"
 #include "core/scene/read_mtl.h"
@@ -26,6 +27,7 @@ private:
     std::filesystem::path folder_;
     std::size_t texels_ = 0;              ///< of all of them
     std::map<std::string, Image> images_; ///< empty where it could not be read
+    std::set<std::string> said_;          ///< sentences of findings: one for all surfaces that it is true of
 };
 
 } // namespace tactum

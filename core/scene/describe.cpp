@@ -12,8 +12,24 @@ ParameterDescription described(const Parameter& parameter, double value) {
     return {parameter.key, parameter.unit, value, parameter.allows(value)};
 }
 
+LayerDescription described(const TextureLayer& layer) {
+    const TexturePattern& pattern = layer.pattern;
+    return {.name = layer.name,
+            .enabled = layer.enabled,
+            .source = kTextureSources[std::size_t(pattern.source)].key,
+            .image = pattern.source == TextureSource::Image && pattern.image ? pattern.image->name()
+                                                                             : std::string(),
+            .mapping = kTextureMappings[std::size_t(pattern.mapping)].key,
+            .target = kTextureTargets[std::size_t(layer.target)].key,
+            .blend = kTextureBlends[std::size_t(layer.blend)].key,
+            .strength = described(strengthParameter(layer.target), layer.strength),
+            .opacity = described(kTextureOpacity, layer.opacity)};
+}
+
 SurfaceDescription described(const Surface& surface) {
-    SurfaceDescription result{surface.name, 0, surface.colour, surface.sides, {}};
+    SurfaceDescription result{surface.name, 0, surface.colour, surface.sides, {}, surface.shading, {}};
+    for (const TextureLayer& layer : surface.layers)
+        result.layers.push_back(described(layer));
     for (const MaterialField& field : kMaterialFields)
         result.parameters.push_back(described(*field.parameter, surface.material.*field.value));
     return result;

@@ -18,6 +18,17 @@ struct ParameterDescription {
     bool allowed = true; ///< inside the parameter's range
 };
 
+/// Of a layer of haptic texture, in the keys of texture_layer.h.
+struct LayerDescription {
+    std::string name;
+    bool enabled = true;
+    std::string_view source;
+    std::string image; ///< its name; empty for another source, or when it is missing
+    std::string_view mapping, target, blend;
+    ParameterDescription strength; ///< m for a height, else a ratio
+    ParameterDescription opacity;
+};
+
 struct SurfaceDescription {
     std::string name;
     std::size_t triangles = 0;
@@ -25,6 +36,8 @@ struct SurfaceDescription {
     Sides sides = Sides::Both;
     std::vector<ParameterDescription>
         parameters; ///< every number of the material, in the order of kMaterialFields
+    Shading shading;
+    std::vector<LayerDescription> layers; ///< lowest first
 };
 
 /// Of a body that moves by itself.

@@ -1,8 +1,11 @@
 #include "core/scene/finger_path.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
+#include "core/base/numbers.h"
 #include "core/scene/soup_builder.h"
 #include "core/scene/source.h"
 #include "core/scene/text.h"
@@ -85,17 +88,51 @@ private:
     std::vector<FingerPoint> path_;
 };
 
-} // namespace
-
-Result<std::vector<FingerPoint>> readFingerPath(const std::filesystem::path& file) {
-    constexpr std::uint64_t kLargest = std::uint64_t(4) << 30;
+template <class Open>
+Result<std::vector<FingerPoint>> guarded(const std::filesystem::path& file, const Open& open) {
     try {
-        return PathReader(Source::openFileOrPipe(file, kLargest)).read();
+        const Source source = open();
+        return PathReader(source).read();
     } catch (const ReadFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(file) + ": not enough memory to read it; shorten the path");
     }
+}
+
+} // namespace
+
+bool isFingerPath(std::span<const FingerPoint> points) {
+    double before = -std::numeric_limits<double>::infinity();
+    for (const FingerPoint& point : points) {
+        if (!std::isfinite(point.t) || !(point.t > before) ||
+            !std::ranges::all_of(point.position, isCoordinate))
+            return false;
+        before = point.t;
+    }
+    return !points.empty();
+}
+
+Result<std::vector<FingerPoint>> readFingerPath(const std::filesystem::path& file) {
+    constexpr std::uint64_t kLargest = std::uint64_t(4) << 30;
+    return guarded(file, [&] { return Source::openFileOrPipe(file, kLargest); });
+}
+
+Result<std::vector<FingerPoint>> readFingerPath(std::string_view text, const std::filesystem::path& where) {
+    return guarded(where, [&] { return Source::ofBytes(where, text); });
+}
+
+std::string fingerCsv(std::span<const FingerPoint> points) {
+    std::string text = "t,x,y,z\n";
+    for (const FingerPoint& point : points) {
+        appendNumber(text, point.t);
+        for (const double value : point.position) {
+            text += ',';
+            appendNumber(text, value);
+        }
+        text += '\n';
+    }
+    return text;
 }
 
 } // namespace tactum

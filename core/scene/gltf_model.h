@@ -4,13 +4,13 @@
 #include <tiny_gltf.h>
 
 #include "core/base/vec.h"
-#include "core/scene/source.h"
+#include "core/scene/gltf_file.h"
 
 namespace tactum {
 
-/// Parses the file: every chunk, buffer view and nesting depth is checked, external buffers come only from
+/// Parses the file: every buffer view and nesting depth is checked, external buffers come only from
 /// the asset's folder, images and skins are left out. Throws ReadFault.
-tinygltf::Model parseGltf(const Source& source);
+tinygltf::Model parseGltf(const Source& source, const GltfFile& file);
 
 /// The elements of one accessor, whose place in its buffer has been checked. Throws ReadFault.
 class GltfAccessor {

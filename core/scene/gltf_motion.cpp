@@ -20,9 +20,11 @@ std::string nameOf(int animation) {
     return "animations[" + std::to_string(animation) + "] ";
 }
 
-Interpolation interpolationOf(const std::string& name) {
+/// Nothing for a word that glTF does not know.
+std::optional<Interpolation> interpolationOf(const std::string& name) {
     if (name == "STEP") return Interpolation::Step;
-    return name == "CUBICSPLINE" ? Interpolation::CubicSpline : Interpolation::Linear;
+    if (name == "LINEAR") return Interpolation::Linear;
+    return name == "CUBICSPLINE" ? std::optional(Interpolation::CubicSpline) : std::nullopt;
 }
 
 /// A uniform scale and rotation, no mirror: the scale; otherwise nothing.
@@ -83,6 +85,8 @@ GltfMotions::GltfMotions(const Source& source, const tinygltf::Model& model)
     note(weighted_, "channel", "that animates morph targets", "left out; only rigid motion is felt");
     note(doubled_, "channel", "that animates what another one animates already",
          "left out; export one animation");
+    note(stretched_, "key", "with a rotation that is not of unit length",
+         "brought to unit length; re-export the file");
 }
 
 void GltfMotions::note(std::size_t count, std::string_view noun, const std::string& sentence,
@@ -100,6 +104,8 @@ void GltfMotions::readAnimation(int index, std::vector<Tracks>& tracks) {
         if (!track.times.empty()) return void(++doubled_);
         track = readTrack<typename std::decay_t<decltype(track.values)>::value_type>(index, sampler);
         if (track.times.empty()) return;
+        if constexpr (std::is_same_v<decltype(track), Track<QuatCoefficients>&>)
+            stretched_ += std::size_t(std::ranges::count_if(track.values, needsUnitLength));
         duration = std::max(duration, track.times.back());
         animated.push_back(&of);
     };
@@ -119,7 +125,7 @@ void GltfMotions::readAnimation(int index, std::vector<Tracks>& tracks) {
 
 template <class Value> Track<Value> GltfMotions::readTrack(int animation, int samplerIndex) const {
     constexpr int kSize = Value::RowsAtCompileTime;
-    const auto fail = [&](const char* what) {
+    const auto fail = [&](const std::string& what) {
         source_.fail(nameOf(animation) + what + "; re-export the file");
     };
     const auto& samplers = model_.animations[std::size_t(animation)].samplers;
@@ -129,7 +135,9 @@ template <class Value> Track<Value> GltfMotions::readTrack(int animation, int sa
     const GltfAccessor times(source_, model_, sampler.input, 1),
         values(source_, model_, sampler.output, kSize);
     Track<Value> track;
-    track.interpolation = interpolationOf(sampler.interpolation);
+    const auto interpolation = interpolationOf(sampler.interpolation);
+    if (!interpolation) fail("has the unknown interpolation " + inQuotes(sampler.interpolation));
+    track.interpolation = *interpolation;
     const bool cubic = track.interpolation == Interpolation::CubicSpline;
     if (values.size() < times.size() * (cubic ? 3 : 1)) fail("has fewer values than times");
     const auto value = [&](std::size_t element) {
@@ -142,11 +150,13 @@ template <class Value> Track<Value> GltfMotions::readTrack(int animation, int sa
     };
     for (std::size_t key = 0; key < times.size(); ++key) {
         const double t = times.number(key, 0);
-        if (!(t >= 0 && t <= 1e6) || (key > 0 && t <= track.times.back()))
+        if (key > 0 && t == track.times.back()) fail("has two keys at the same time");
+        if (!(t >= 0 && t <= 1e6) || (key > 0 && t < track.times.back()))
             fail("has times that do not rise from 0 to at most 1e6 s");
         track.times.push_back(t);
         track.values.push_back(value(cubic ? 3 * key + 1 : key));
-        if (kSize == 4 && !(track.values.back().norm() > 1e-6)) fail("has no usable rotation");
+        if constexpr (kSize == 4)
+            if (!isUsable(track.values.back())) fail("has no usable rotation");
         if (!cubic) continue;
         track.arriving.push_back(value(3 * key));
         track.leaving.push_back(value(3 * key + 2));

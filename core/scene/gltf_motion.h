@@ -64,6 +64,7 @@ private:
     std::vector<NodeMotion> motions_;
     std::vector<Finding> findings_;
     std::size_t scaled_ = 0, weighted_ = 0, doubled_ = 0; ///< channels left out
+    std::size_t stretched_ = 0;                           ///< rotations of keys that had to be made unit
 };
 
 } // namespace tactum

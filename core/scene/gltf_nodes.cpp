@@ -1,6 +1,7 @@
 #include "core/scene/gltf_nodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <Eigen/SVD>
@@ -69,17 +70,27 @@ private:
         const tinygltf::Mesh& mesh = model_.meshes[std::size_t(node.mesh)];
         PlacedMesh placed;
         placed.name = node.name.empty() ? mesh.name : node.name;
+        placed.node = chain_.back();
         placed.mesh = node.mesh;
+        if (chain_.size() == 2 && isRigid(chain_[0])) placed.rest = chain_[0];
         placed.deforms = node.skin >= 0 || std::ranges::any_of(mesh.primitives, [](const auto& primitive) {
                              return !primitive.targets.empty();
                          });
         const auto mover =
             std::find_if(chain_.rbegin(), chain_.rend(), [&](int i) { return motions_.moves(i); });
-        if (mover == chain_.rend())
+        if (mover == chain_.rend() && chain_.size() == 1 && isRigid(chain_[0]))
+            placed.pose = rigidOf(source_, model_, chain_[0]); // to the bit
+        else if (mover == chain_.rend())
             placeAtRest(placed, here);
         else
             placeOnMover(placed, mover.base());
         placed_.push_back(std::move(placed));
+    }
+
+    bool isRigid(int index) const {
+        const tinygltf::Node& node = model_.nodes[std::size_t(index)];
+        return node.matrix.empty() &&
+               (node.scale.empty() || scaleOf(model_, index).diagonal() == Vec3::Ones());
     }
 
     static void placeAtRest(PlacedMesh& placed, const Affine& here) {
@@ -146,10 +157,18 @@ Pose rigidOf(const Source& source, const tinygltf::Model& model, int index) {
     Pose pose;
     if (node.translation.size() == 3) pose.translation = Vec3(node.translation.data());
     if (node.rotation.size() != 4) return pose;
-    const Quat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-    if (!(rotation.norm() > 1e-6)) source.fail(whereIs(index) + "has no usable rotation; re-export the file");
-    pose.rotation = rotation.normalized();
+    const QuatCoefficients rotation(node.rotation.data()); // x, y, z, w, as glTF
+    if (!isUsable(rotation)) source.fail(whereIs(index) + "has no usable rotation; re-export the file");
+    pose.rotation = unitLength(Quat(rotation));
     return pose;
+}
+
+bool needsUnitLength(const QuatCoefficients& rotation) {
+    return std::abs(rotation.norm() - 1) > 1 / 127.0;
+}
+
+bool isUsable(const QuatCoefficients& rotation) {
+    return rotation.norm() > 1e-6 && std::isfinite(rotation.norm());
 }
 
 Eigen::AlignedScaling3d scaleOf(const tinygltf::Model& model, int index) {

@@ -16,8 +16,10 @@ struct Format {
     std::string_view ending;
     LoadedScene (*read)(const Source&, const Progress&);
 };
-constexpr Format kFormats[] = {{"obj", readObj}, {"ply", readPly},   {"stl", readStl},
-                               {"off", readOff}, {"gltf", readGltf}, {"glb", readGltf}};
+constexpr Format kFormats[] = {{"obj", readObj},    {"ply", readPly},    {"stl", readStl},
+                               {"off", readOff},    {"gltf", readGltf},  {"glb", readGltf},
+                               {"x3d", readX3d},    {"3ds", readAssimp}, {"fbx", readAssimp},
+                               {"dae", readAssimp}, {"zip", readBundle}};
 
 const Format* formatOf(const std::filesystem::path& file) {
     const std::string ending = lowerCase(file.extension().string());
@@ -39,7 +41,8 @@ struct Disguise {
     const char* sentence;
 };
 constexpr Disguise kDisguises[] = {
-    {"PK\x03\x04", "is a ZIP archive; unpack it and open the model that is inside"},
+    {"PK\x03\x04",
+     "is a ZIP archive; unpack it and open the model that is inside, or call it .zip if it is a bundle"},
     {"\x1f\x8b", "is compressed by gzip; unpack it first"},
     {"BZh", "is compressed by bzip2; unpack it first"},
     {"\xFD"
@@ -53,16 +56,17 @@ constexpr Disguise kDisguises[] = {
     {"<!DOCTYPE html", "is a web page; download the model itself"},
 };
 
-void refuseDisguises(const Source& source) {
+void refuseDisguises(const Source& source, bool mayBeZip) {
     for (const Disguise& disguise : kDisguises)
-        if (source.bytes().starts_with(disguise.magic)) source.fail(disguise.sentence);
+        if (source.bytes().starts_with(disguise.magic) && !(mayBeZip && disguise.magic == "PK\x03\x04"))
+            source.fail(disguise.sentence);
 }
 
 LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
     const Format* format = formatOf(file);
     if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
-    refuseDisguises(source);
+    refuseDisguises(source, format->read == readBundle);
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
     if (loaded.scene.objects.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");

@@ -18,6 +18,8 @@ struct Finding {
     std::string object;   ///< name of the object, empty for the scene
     std::string sentence; ///< what is the matter, with its count
     std::string remedy;   ///< what to do, or what was done
+
+    bool operator==(const Finding&) const = default;
 };
 
 struct LoadedScene {
@@ -25,13 +27,14 @@ struct LoadedScene {
     std::vector<Finding> findings; ///< what the reader repaired, dropped or doubts
 };
 
-/// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb.
+/// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb, x3d, 3ds,
+/// fbx, dae.
 const std::vector<std::string>& readableEndings();
 
-/// Reads a file by its ending. Units in the file are taken as metres. Groups and materials become
-/// surfaces; no face is lost without a finding that counts it.
-/// Errors: one line that names the file, the place in it (line or byte) and the remedy.
-/// Thread: any but real time; long files report progress and stop when cancelled.
+/// Reads a file by its ending. FBX and DAE say their unit; one unit of the others is a metre. Groups and
+/// materials become surfaces; no face is lost without a finding that counts it. Errors: one line that names
+/// the file, the place in it (line or byte) and the remedy. Thread: any but real time; long files report
+/// progress and stop when cancelled.
 Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Everything that `tactum check` says: the health of each mesh and every value out of its range.

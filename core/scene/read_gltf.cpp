@@ -1,64 +1,61 @@
 // glTF 2.0 and glb. Every node with a mesh is an object, every material of the mesh a surface. The rigid part
 // of the node's transform is the object's pose, what is left of it goes into the vertices. A node that is
-// animated, or has an animated ancestor, moves. Axes stay as in the file.
+// animated, or has an animated ancestor, moves. Axes stay as in the file. What our own extension says counts
+// more than what others can read; what neither knows is kept for saving.
+#include <cstring>
 #include <map>
-#include <optional>
+#include <set>
 
+#include "core/scene/gltf_animation.h"
+#include "core/scene/gltf_foreign.h"
+#include "core/scene/gltf_mesh.h"
 #include "core/scene/gltf_motion.h"
 #include "core/scene/gltf_nodes.h"
+#include "core/scene/gltf_standards.h"
+#include "core/scene/gltf_surface.h"
+#include "core/scene/read_image.h"
 #include "core/scene/readers.h"
+#include "core/scene/soup_shelf.h"
 #include "core/scene/text.h"
 
 namespace tactum {
 namespace {
 
-constexpr std::size_t kMostTriangles = std::size_t(1) << 26; // a small file can name one mesh very often
-
-/// A mesh of the file as it is before any transform.
-struct RawMesh {
-    TriangleSoup soup;
-    std::vector<Surface> surfaces;
-    BuildReport report;
-};
-
-/// About how many vertices and indices there are to read.
-std::size_t elementsOf(const tinygltf::Model& model) {
-    std::size_t count = 0;
-    for (const tinygltf::Accessor& accessor : model.accessors)
-        count += std::min(accessor.count, kMostTriangles);
-    return count;
-}
+using Severity = Finding::Severity;
 
 class GltfReader {
 public:
     GltfReader(const Source& source, const Progress& progress)
-        : source_(source), progress_(progress), model_(parseGltf(source)),
-          meter_(progress, elementsOf(model_)) {}
+        : source_(source), progress_(progress), file_(openGltf(source)), model_(parseGltf(source, file_)),
+          meshes_(source, file_, model_, progress) {}
 
     LoadedScene read();
 
 private:
-    RawMesh readMesh(const tinygltf::Mesh& mesh);
-    void readPrimitive(const tinygltf::Primitive& primitive, RawMesh& raw);
-    Index readVertices(const tinygltf::Primitive& primitive);
-    std::vector<Index> indicesOf(const tinygltf::Primitive& primitive, Index first) const;
-    void addElements(SoupBuilder& builder, int mode, const std::vector<Index>& indices, Index surface);
-    PolygonCorner corner(Index vertex) const {
-        return {vertex, hasNormals_ ? vertex : kNone, hasUvs_ ? vertex : kNone};
+    void demandOurVersion() const;
+    void readRoot();
+    void readFinger(int view);
+    void place(const PlacedMesh& placed, const RawMesh& raw);
+    void keep(SceneObject& object, const PlacedMesh& placed) const;
+    Kept keptOf(const char* array, int index) const;
+    void noteLostAttributes(const std::vector<PlacedMesh>& placed);
+    void keepForeign(const std::vector<PlacedMesh>& placed);
+    Surface surfaceOf(int material, const PlacedMesh& placed);
+    std::shared_ptr<const TextureImage> imageAt(int texture);
+    void say(Severity severity, const std::string& object, const std::string& sentence,
+             const std::string& remedy) {
+        loaded_.findings.push_back({severity, object, sentence, remedy});
     }
-    Index surfaceFor(int material, RawMesh& raw);
-    void place(LoadedScene& loaded, const PlacedMesh& placed, const RawMesh& raw);
-    void countTriangles(std::size_t more);
 
     const Source& source_;
     const Progress& progress_;
+    GltfFile file_;
     tinygltf::Model model_;
-    ProgressMeter meter_;
-    std::size_t done_ = 0, triangles_ = 0;
-    VertexPools pools_; ///< of the mesh being read
-    std::map<int, Index> surfaceOf_;
-    SoupBuilder* builder_ = nullptr;
-    bool hasNormals_ = false, hasUvs_ = false; ///< of the primitive being read
+    GltfMeshReader meshes_;
+    std::vector<std::string> copies_ = copiesIn(file_.json); ///< of our own writer
+    LoadedScene loaded_;
+    SoupShelf shelf_;
+    std::map<int, std::shared_ptr<const TextureImage>> images_; ///< by texture
 };
 
 /// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
@@ -84,43 +81,89 @@ TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch, const Vec3& offse
     return soup;
 }
 
+void noteStretchedRotations(const tinygltf::Model& model, std::vector<Finding>& findings) {
+    const auto count = std::ranges::count_if(model.nodes, [](const tinygltf::Node& node) {
+        return node.rotation.size() == 4 && needsUnitLength(QuatCoefficients(node.rotation.data()));
+    });
+    if (count > 0)
+        findings.push_back(
+            {Finding::Severity::Warning, "",
+             counted(std::size_t(count), "node") + " with a rotation that is not of unit length",
+             "brought to unit length; re-export the file"});
+}
+
 LoadedScene GltfReader::read() {
-    LoadedScene loaded;
+    demandOurVersion();
+    readRoot();
     std::map<int, RawMesh> meshes;
     const GltfMotions motions(source_, model_);
-    loaded.findings = motions.findings();
-    for (const PlacedMesh& placed : placedMeshes(source_, model_, motions)) {
+    loaded_.findings = motions.findings();
+    noteStretchedRotations(model_, loaded_.findings);
+    const std::vector<PlacedMesh> all = placedMeshes(source_, model_, motions);
+    for (const PlacedMesh& placed : all) {
         const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
         if (isNew)
-            mesh->second = readMesh(model_.meshes[std::size_t(placed.mesh)]);
+            mesh->second = meshes_.read(placed.mesh);
         else
-            countTriangles(mesh->second.soup.triangles.size());
-        place(loaded, placed, mesh->second);
+            meshes_.countTriangles(mesh->second.soup.triangles.size());
+        place(placed, mesh->second);
     }
-    return loaded;
+    noteLostAttributes(all);
+    keepForeign(all);
+    return std::move(loaded_);
 }
 
-void GltfReader::countTriangles(std::size_t more) {
-    triangles_ += more;
-    if (triangles_ > kMostTriangles)
-        source_.fail("has more than 67 million triangles with all its copies; split or simplify it");
+void GltfReader::demandOurVersion() const {
+    if (const auto later = laterFormat(file_.json))
+        source_.fail("was written by a later Tactum (version " + *later + " of its format, this one reads " +
+                     std::to_string(kFormatMajor) + "); update the program");
 }
 
-void GltfReader::place(LoadedScene& loaded, const PlacedMesh& placed, const RawMesh& raw) {
+void GltfReader::readRoot() {
+    const Json* ours = extensionOf(file_.json);
+    const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
+    if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
+    if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
+}
+
+void GltfReader::readFinger(int view) {
+    std::vector<FingerPoint> finger;
+    if (view >= 0) {
+        const tinygltf::BufferView& of = model_.bufferViews[std::size_t(view)];
+        const unsigned char* data = model_.buffers[std::size_t(of.buffer)].data.data() + of.byteOffset;
+        std::array<double, 4> row{};
+        for (std::size_t at = 0; at + sizeof row <= of.byteLength; at += sizeof row) {
+            std::memcpy(row.data(), data + at, sizeof row);
+            finger.push_back({row[0], Vec3(row.data() + 1)});
+        }
+    }
+    if (isFingerPath(finger))
+        loaded_.scene.finger = std::make_shared<const std::vector<FingerPoint>>(std::move(finger));
+    else
+        say(Severity::Warning, "", "its finger path has no rows of rising time",
+            "left out; give it another one");
+}
+
+void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
     const bool asItIs = placed.stretch == Mat3::Identity() && placed.offset.isZero(0);
     TriangleSoup soup = asItIs ? raw.soup : stretched(raw.soup, placed.stretch, placed.offset);
     for (const Vec3& p : soup.positions)
         if (!isCoordinate(p.cwiseAbs().maxCoeff()))
             source_.fail("coordinate of node " + inQuotes(placed.name) + " is beyond 1e6 m; scale the model");
-    const std::size_t before = loaded.scene.objects.size();
-    addObject(loaded, placed.name.empty() ? stemOf(source_) : placed.name, raw.report, std::move(soup),
-              raw.surfaces, Progress{{}, progress_.cancelled});
-    if (loaded.scene.objects.size() == before) return;
-    SceneObject& object = loaded.scene.objects.back();
+    std::vector<Surface> surfaces;
+    for (const int material : raw.materials)
+        surfaces.push_back(surfaceOf(material, placed));
+    const std::size_t before = loaded_.scene.objects.size();
+    addObject(loaded_, placed.name.empty() ? stemOf(source_) : placed.name, raw.report, std::move(soup),
+              std::move(surfaces), Progress{{}, progress_.cancelled});
+    if (loaded_.scene.objects.size() == before) return;
+    SceneObject& object = loaded_.scene.objects.back();
+    object.geometry = shelf_.shared(object.geometry);
     object.pose = placed.pose;
     object.motion = placed.motion;
+    keep(object, placed);
     const auto warn = [&](bool applies, const char* sentence, const char* remedy) {
-        if (applies) loaded.findings.push_back({Finding::Severity::Warning, object.name, sentence, remedy});
+        if (applies) say(Severity::Warning, object.name, sentence, remedy);
     };
     warn(placed.bends, "is scaled or sheared while it moves",
          "only its rigid motion is felt; give its ancestors an even scale");
@@ -128,146 +171,125 @@ void GltfReader::place(LoadedScene& loaded, const PlacedMesh& placed, const RawM
          "felt in the shape that it has at rest");
 }
 
-RawMesh GltfReader::readMesh(const tinygltf::Mesh& mesh) {
-    RawMesh raw;
-    pools_ = {};
-    surfaceOf_.clear();
-    SoupBuilder builder(pools_);
-    builder_ = &builder;
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-        readPrimitive(primitive, raw);
-    raw.soup = builder.finish(std::move(pools_.positions), raw.report);
-    return raw;
+/// What our extension of the node says, and all that nobody here knows.
+void GltfReader::keep(SceneObject& object, const PlacedMesh& placed) const {
+    object.kept = keptOf("nodes", placed.node);
+    object.keptMesh = keptOf("meshes", placed.mesh);
+    const Json& node = file_.json["nodes"][std::size_t(placed.node)];
+    const Json* ours = extensionOf(node);
+    if (!ours) return;
+    const Json* visible = member(*ours, "visible");
+    if (visible && visible->is_boolean()) object.visible = visible->get<bool>();
+    const Json* motion = member(*ours, "motion");
+    if (!motion || placed.rest < 0) return;
+    const auto exact = motionOf(*motion);
+    if (!exact) return;
+    object.motion = std::make_shared<const Motion>(*exact);
+    object.pose = rigidOf(source_, model_, placed.rest);
 }
 
-void GltfReader::readPrimitive(const tinygltf::Primitive& primitive, RawMesh& raw) {
-    if (!primitive.attributes.count("POSITION")) return; // glTF: to be ignored
-    const Index first = readVertices(primitive);
-    const std::vector<Index> indices = indicesOf(primitive, first);
-    countTriangles(indices.size());
-    addElements(*builder_, primitive.mode, indices, surfaceFor(primitive.material, raw));
+/// An element without what the reader makes of it. Its place counts only in the foreign part of the file.
+Kept GltfReader::keptOf(const char* array, int index) const {
+    const auto all = file_.json.find(array);
+    if (all == file_.json.end() || index < 0 || std::size_t(index) >= all->size()) return {};
+    const Json* ours = extensionOf(file_.json);
+    const Json* foreign = ours ? member(*ours, "foreign") : nullptr;
+    const std::size_t count = !ours ? all->size() : foreign ? foreign->value(array, std::size_t(0)) : 0;
+    Json element = (*all)[std::size_t(index)];
+    for (const char* key :
+         {"primitives", "mesh", "children", "translation", "rotation", "scale", "matrix", "skin", "weights"})
+        element.erase(key);
+    eraseCopies(element, copies_);
+    return {std::size_t(index) < count ? index : -1, std::make_shared<const std::string>(element.dump(
+                                                         -1, ' ', false, Json::error_handler_t::replace))};
 }
 
-/// Appends the vertices of a primitive to the pools; returns the place of its first.
-Index GltfReader::readVertices(const tinygltf::Primitive& primitive) {
-    const auto attribute = [&](const char* name, std::size_t components) -> std::optional<GltfAccessor> {
-        const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end()) return std::nullopt;
-        return GltfAccessor(source_, model_, found->second, components);
-    };
-    const auto positions = attribute("POSITION", 3);
-    const auto normals = attribute("NORMAL", 3);
-    const auto uvs = attribute("TEXCOORD_0", 2);
-    const std::size_t first = pools_.positions.size(), count = positions->size();
-    if (first + count > kMostTriangles)
-        source_.fail("has more than 67 million vertices; split or simplify it");
-    hasNormals_ = normals && normals->size() >= count;
-    hasUvs_ = uvs && uvs->size() >= count;
-    for (std::size_t i = 0; i < count; ++i) {
-        demandGoingOn(meter_, ++done_);
-        const Vec3 p(positions->number(i, 0), positions->number(i, 1), positions->number(i, 2));
-        if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
-            source_.fail("coordinate of vertex " + std::to_string(i) +
-                         " is not a number of at most 1e6 m; scale the model");
-        pools_.positions.push_back(p);
-    }
-    pools_.normals.resize(first + count, Eigen::Vector3f::Zero());
-    pools_.uvs.resize(first + count, Eigen::Vector2f::Zero());
-    for (std::size_t i = 0; hasNormals_ && i < count; ++i)
-        pools_.normals[first + i] =
-            Vec3(normals->number(i, 0), normals->number(i, 1), normals->number(i, 2)).cast<float>();
-    for (std::size_t i = 0; hasUvs_ && i < count; ++i) // v counts downward there, upward here
-        pools_.uvs[first + i] = Eigen::Vector2d(uvs->number(i, 0), 1 - uvs->number(i, 1)).cast<float>();
-    return Index(first);
+/// What a mesh has for the eye alone, and what saving does not keep.
+void GltfReader::noteLostAttributes(const std::vector<PlacedMesh>& placed) {
+    std::set<std::string> lost;
+    for (const PlacedMesh& each : placed)
+        for (const tinygltf::Primitive& primitive : model_.meshes[std::size_t(each.mesh)].primitives)
+            for (const auto& [name, accessor] : primitive.attributes)
+                if (name.starts_with("COLOR_") || (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0"))
+                    lost.insert(name);
+    for (const std::string& name : lost)
+        say(Severity::Note, "", name + " of its meshes is for the eye alone",
+            "not written when the scene is saved");
 }
 
-std::vector<Index> GltfReader::indicesOf(const tinygltf::Primitive& primitive, Index first) const {
-    const std::size_t vertices = pools_.positions.size() - first;
-    std::vector<Index> indices;
-    if (primitive.indices < 0) {
-        indices.resize(vertices);
-        for (Index i = 0; i < vertices; ++i)
-            indices[i] = first + i;
-        return indices;
-    }
-    const GltfAccessor accessor(source_, model_, primitive.indices, 1);
-    if (!accessor.isUnsigned())
-        source_.fail("has indices that are not unsigned whole numbers; re-export the file");
-    indices.reserve(accessor.size());
-    for (std::size_t i = 0; i < accessor.size(); ++i) {
-        const std::uint32_t vertex = accessor.integer(i);
-        if (vertex >= vertices)
-            source_.fail("index " + std::to_string(i) + " refers to vertex " + std::to_string(vertex) +
-                         ", but only " + std::to_string(vertices) +
-                         " are defined (from 0); re-export the file");
-        indices.push_back(first + vertex);
-    }
-    return indices;
+void GltfReader::keepForeign(const std::vector<PlacedMesh>& placed) {
+    std::vector<int> nodes;
+    for (const PlacedMesh& each : placed)
+        nodes.push_back(each.node);
+    std::ranges::sort(nodes);
+    std::vector<std::string> missing;
+    loaded_.scene.kept.foreign = foreignOf(source_, file_, model_, nodes, missing);
+    for (const std::string& image : missing)
+        say(Severity::Note, "", "its picture " + inQuotes(image) + " is not in its folder or of another kind",
+            "not needed for touch; put it beside the file to keep it when saving");
 }
 
-/// What is left over at the end of a list that its mode cannot use is ignored, as glTF demands.
-void GltfReader::addElements(SoupBuilder& builder, int mode, const std::vector<Index>& v, Index surface) {
-    const std::size_t n = v.size();
-    const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
-        demandGoingOn(meter_, done_ += 3);
-        builder.add(std::array{corner(v[a]), corner(v[b]), corner(v[c])}, surface);
-    };
-    const auto segment = [&](std::size_t a, std::size_t b) {
-        builder.addSegment(corner(v[a]), corner(v[b]), surface);
-    };
-    switch (mode) {
-    case TINYGLTF_MODE_POINTS:
-        for (Index vertex : v)
-            builder.addPoint(corner(vertex), surface);
-        break;
-    case TINYGLTF_MODE_LINE:
-        for (std::size_t i = 0; i + 1 < n; i += 2)
-            segment(i, i + 1);
-        break;
-    case TINYGLTF_MODE_LINE_LOOP:
-    case TINYGLTF_MODE_LINE_STRIP:
-        for (std::size_t i = 0; i + 1 < n; ++i)
-            segment(i, i + 1);
-        if (mode == TINYGLTF_MODE_LINE_LOOP && n > 2) segment(n - 1, 0);
-        break;
-    case TINYGLTF_MODE_TRIANGLE_STRIP:
-        for (std::size_t i = 0; i + 2 < n; ++i)
-            triangle(i, i + 1 + i % 2, i + 2 - i % 2);
-        break;
-    case TINYGLTF_MODE_TRIANGLE_FAN:
-        for (std::size_t i = 1; i + 1 < n; ++i)
-            triangle(0, i, i + 1);
-        break;
-    case TINYGLTF_MODE_TRIANGLES:
-    case -1:
-        for (std::size_t i = 0; i + 2 < n; i += 3)
-            triangle(i, i + 1, i + 2);
-        break;
-    default:
-        source_.fail("a primitive has the unknown mode " + std::to_string(mode) + "; re-export the file");
-    }
-}
-
-Index GltfReader::surfaceFor(int material, RawMesh& raw) {
-    const bool known = material >= 0 && std::size_t(material) < model_.materials.size();
-    const auto [place, isNew] = surfaceOf_.try_emplace(known ? material : -1, Index(raw.surfaces.size()));
-    if (!isNew) return place->second;
+Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed) {
     Surface surface = namedSurface("surface");
-    if (known) {
-        const tinygltf::Material& m = model_.materials[std::size_t(material)];
-        surface.name = m.name.empty() ? "material " + std::to_string(material) : m.name;
-        const std::vector<double>& base = m.pbrMetallicRoughness.baseColorFactor;
-        for (std::size_t i = 0; i < 3 && i < base.size(); ++i)
-            if (std::isfinite(base[i])) surface.colour[int(i)] = float(std::clamp(base[i], 0.0, 1.0));
+    const auto image = [&](int texture) { return imageAt(texture); };
+    std::vector<std::string> said;
+    if (!extensionOf(file_.json))
+        readStandards(file_.json, file_.json["nodes"][std::size_t(placed.node)],
+                      file_.json["meshes"][std::size_t(placed.mesh)], image, surface, said);
+    for (const std::string& sentence : said)
+        say(Severity::Note, printable(placed.name), sentence,
+            "set it in the inspector if it should be another");
+    if (material < 0) return surface;
+    const tinygltf::Material& m = model_.materials[std::size_t(material)];
+    surface.name = m.name.empty() ? "material " + std::to_string(material) : m.name;
+    const std::vector<double>& base = m.pbrMetallicRoughness.baseColorFactor;
+    for (std::size_t i = 0; i < 3 && i < base.size(); ++i)
+        if (std::isfinite(base[i])) surface.colour[int(i)] = float(std::clamp(base[i], 0.0, 1.0));
+    surface.kept = keptOf("materials", material);
+    const Json* ours = extensionOf(file_.json["materials"][std::size_t(material)]);
+    if (!ours) return surface;
+    std::vector<std::string> complaints;
+    readSurfaceJson(*ours, image, surface, complaints);
+    for (const std::string& complaint : complaints)
+        say(Severity::Warning, "", "material " + inQuotes(surface.name) + ": " + complaint,
+            "the initial value is used");
+    return surface;
+}
+
+std::shared_ptr<const TextureImage> GltfReader::imageAt(int texture) {
+    const auto [found, isNew] = images_.try_emplace(texture);
+    if (!isNew) return found->second;
+    const Json& root = file_.json;
+    const auto count = [&](const char* array) {
+        return root.contains(array) && root[array].is_array() ? root[array].size() : 0;
+    };
+    const bool known = texture >= 0 && std::size_t(texture) < count("textures");
+    const int image = known ? indexIn(root["textures"][std::size_t(texture)], "source", count("images")) : -1;
+    const std::string where = "texture " + std::to_string(texture);
+    if (image < 0) {
+        say(Severity::Warning, "", where + " of a layer is not there",
+            "the layer is not felt; choose its image again");
+        return nullptr;
     }
-    raw.surfaces.push_back(std::move(surface));
-    return place->second;
+    const Json& json = root["images"][std::size_t(image)];
+    const auto read =
+        readImage(imageBytes(source_, json, model_), json.value("name", std::string()), source_.path());
+    if (!read)
+        say(Severity::Warning, "", where + " of a layer cannot be read: " + read.error().text,
+            "the layer is not felt; choose its image again");
+    else
+        found->second = read->image;
+    return found->second;
 }
 
 } // namespace
 
 LoadedScene readGltf(const Source& source, const Progress& progress) {
-    return GltfReader(source, progress).read();
+    try {
+        return GltfReader(source, progress).read();
+    } catch (const Json::exception& fault) { // a value has a type that nobody expects
+        source.fail("has JSON that is not glTF (" + printable(fault.what(), 160) + "); re-export it");
+    }
 }
 
 } // namespace tactum

@@ -28,12 +28,22 @@ DecodedImage decode(const Source& source) {
     source.fail("is not a PNG, JPEG or TIFF picture; save it as one of them");
 }
 
-LoadedImage load(const std::filesystem::path& file) {
-    const Source source = Source::open(file, kLargestFile);
+LoadedImage load(const Source& source, std::string name) {
     DecodedImage decoded = decode(source);
     return {std::make_shared<const TextureImage>(decoded.width, decoded.height, std::move(decoded.texels),
-                                                 printable(file.filename().string(), 200), decoded.bits),
+                                                 std::move(name), decoded.bits),
             decoded.note};
+}
+
+template <class Read> Result<LoadedImage> guarded(const std::filesystem::path& file, const Read& read) {
+    assertNotRealtime();
+    try {
+        return read();
+    } catch (const ReadFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    } catch (const std::bad_alloc&) {
+        return machineError(shownPath(file) + ": not enough memory for the picture; scale it down");
+    }
 }
 
 } // namespace
@@ -55,14 +65,14 @@ void failDamaged(const Source& source, const char* words) {
 }
 
 Result<LoadedImage> readImage(const std::filesystem::path& file) {
-    assertNotRealtime();
-    try {
-        return load(file);
-    } catch (const ReadFault& fault) {
-        return tl::unexpected<Error>(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": not enough memory for the picture; scale it down");
-    }
+    return guarded(file, [&] {
+        return load(Source::open(file, kLargestFile), printable(file.filename().string(), 200));
+    });
+}
+
+Result<LoadedImage> readImage(std::string_view bytes, const std::string& name,
+                              const std::filesystem::path& where) {
+    return guarded(where, [&] { return load(Source::ofBytes(where, bytes), printable(name, 200)); });
 }
 
 } // namespace tactum

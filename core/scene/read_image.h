@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/surface/texture_image.h"
@@ -21,5 +22,10 @@ struct LoadedImage {
 /// side and kMostTexels in all, checked before anything is allocated for them.
 /// Errors: one line that names the file and the remedy. Thread: any but real time.
 Result<LoadedImage> readImage(const std::filesystem::path& file);
+
+/// The same of a picture in memory, e.g. one inside a glTF file. `name`: what the image is called; `where`:
+/// the file in front of the error.
+Result<LoadedImage> readImage(std::string_view bytes, const std::string& name,
+                              const std::filesystem::path& where);
 
 } // namespace tactum

@@ -1,6 +1,7 @@
 #include "core/scene/read_mtl.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/scene/text.h"
 
@@ -48,26 +49,40 @@ bool readPlacement(Fields& fields, double nothing) {
     return says;
 }
 
-std::optional<MtlBump> readBump(Fields fields) {
+/// The number of -bm; 1, and a finding, where there is none.
+double readMultiplier(Fields& fields, const std::string& where, std::vector<Finding>& findings) {
+    const std::string_view field = fields.next();
+    double multiplier = 0;
+    if (parseNumber(field, multiplier) && std::isfinite(multiplier)) return multiplier;
+    findings.push_back({Finding::Severity::Warning, "",
+                        where + ": -bm " + inQuotes(field) + " is not a number",
+                        "taken as 1; write a number there"});
+    return 1;
+}
+
+std::optional<MtlBump> readBump(Fields fields, std::string where, std::vector<Finding>& findings) {
     MtlBump bump;
+    bump.where = std::move(where);
     while (fields.rest().starts_with('-')) {
         const std::string_view word = fields.next();
-        double multiplier = 0;
-        if (word == "-bm" && parseNumber(fields.next(), multiplier))
-            bump.multiplier = multiplier;
+        if (word == "-bm")
+            bump.multiplier = readMultiplier(fields, bump.where, findings);
         else if (word == "-s" || word == "-o" || word == "-t")
             bump.placed = readPlacement(fields, word == "-s" ? 1 : 0) || bump.placed;
         else
             skipOption(word, fields);
     }
     bump.file = fields.rest(); // names may have blanks
-    if (bump.file.empty()) return std::nullopt;
-    return bump;
+    if (!bump.file.empty()) return bump;
+    findings.push_back({Finding::Severity::Warning, "", bump.where + ": bump map names no picture",
+                        "left out; write the name of one there"});
+    return std::nullopt;
 }
 
 } // namespace
 
-void readMaterials(const std::filesystem::path& file, MtlMaterials& materials) {
+void readMaterials(const std::filesystem::path& file, MtlMaterials& materials,
+                   std::vector<Finding>& findings) {
     constexpr std::uint64_t kLargest = 16 << 20;
     const Source source = Source::open(file, kLargest);
     std::string material;
@@ -79,7 +94,8 @@ void readMaterials(const std::filesystem::path& file, MtlMaterials& materials) {
         if (word == "kd")
             if (const auto colour = readColour(fields)) materials[material].colour = colour;
         if (word == "bump" || word == "map_bump")
-            if (auto bump = readBump(fields)) materials[material].bump = std::move(bump);
+            if (auto bump = readBump(fields, source.name() + ":" + std::to_string(lines.number()), findings))
+                materials[material].bump = std::move(bump);
     }
 }
 

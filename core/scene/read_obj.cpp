@@ -297,7 +297,7 @@ void ObjReader::readLibraries(LoadedScene& loaded) {
         const auto file = insideFolder(source_.path().parent_path(), library);
         try {
             if (file.empty()) source_.fail("not in the folder of the model");
-            readMaterials(file, library_);
+            readMaterials(file, library_, loaded.findings);
         } catch (const ReadFault&) {
             loaded.findings.push_back(
                 {Finding::Severity::Note, "",

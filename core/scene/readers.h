@@ -14,6 +14,9 @@ LoadedScene readPly(const Source& source, const Progress& progress);
 LoadedScene readStl(const Source& source, const Progress& progress);
 LoadedScene readOff(const Source& source, const Progress& progress);
 LoadedScene readGltf(const Source& source, const Progress& progress); ///< glb as well
+LoadedScene readBundle(const Source& source, const Progress& progress);
+LoadedScene readX3d(const Source& source, const Progress& progress);
+LoadedScene readAssimp(const Source& source, const Progress& progress); ///< 3ds, fbx and dae
 
 /// Adds an object: makes its soup fit for touching, and says in the findings what was done or is doubtful.
 /// Surface names and the object's are made printable. Throws ReadFault when cancelled.

@@ -10,6 +10,8 @@
 #include "core/dynamics/motion.h"
 #include "core/geometry/sides.h"
 #include "core/geometry/triangle_soup.h"
+#include "core/scene/finger_path.h"
+#include "core/scene/kept.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
 #include "core/surface/texture_layer.h"
@@ -34,7 +36,8 @@ struct Surface {
     Shading shading;
     std::vector<TextureLayer> layers;               ///< of haptic texture, lowest first
     Eigen::Vector3f colour = {0.72f, 0.72f, 0.74f}; ///< linear RGB, 0 to 1; only for the eye
-    Sides sides = Sides::Both;                      ///< from which it is felt; no file format says so
+    Sides sides = Sides::Both;                      ///< from which it is felt
+    Kept kept;                                      ///< of its glTF material
 
     bool operator==(const Surface&) const = default;
 };
@@ -50,6 +53,8 @@ struct SceneObject {
     std::shared_ptr<const TriangleSoup> geometry; ///< body frame, shared and immutable
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
     bool visible = true;
+    Kept kept;     ///< of its glTF node
+    Kept keptMesh; ///< of its glTF mesh
 
     bool operator==(const SceneObject&) const = default;
 };
@@ -57,6 +62,9 @@ struct SceneObject {
 struct Scene {
     std::vector<SceneObject> objects;
     double proxyRadius = kProxyRadius.initial; ///< m
+    /// A stroke that shows what there is to feel; null: none was given. Shared and immutable.
+    std::shared_ptr<const std::vector<FingerPoint>> finger;
+    KeptFile kept; ///< of the glTF file
 
     bool operator==(const Scene&) const = default;
 

@@ -75,7 +75,9 @@ void SoupBuilder::fillNormals(TriangleSoup& soup, BuildReport& report) const {
             normalOf_[i] == kNone ? Eigen::Vector3f::Zero().eval() : pools_->normals[normalOf_[i]];
         const float length = normal.norm();
         if (length > 1e-20f && std::isfinite(length)) {
-            soup.cornerNormals[i] = normal / length;
+            // One that is of unit length but for rounding keeps its bits: reading what was written changes
+            // nothing.
+            soup.cornerNormals[i] = std::abs(length - 1) < 1e-6f ? normal : (normal / length).eval();
             continue;
         }
         ++report.filledNormals;

@@ -62,6 +62,14 @@ std::string shownPath(const fs::path& file) {
 
 Source::Source(const fs::path& file) : path_(file), name_(shownPath(file)) {}
 
+Source Source::ofBytes(const fs::path& name, std::string_view bytes) {
+    Source source(name);
+    source.size_ = bytes.size();
+    source.data_ = std::make_unique_for_overwrite<char[]>(bytes.size());
+    std::ranges::copy(bytes, source.data_.get());
+    return source;
+}
+
 Source Source::openFileOrPipe(const fs::path& file, std::uint64_t limit) {
     if (!isPipe(file)) return open(file, limit);
     const Stream stream = openStream(file);
@@ -73,11 +81,7 @@ Source Source::openFileOrPipe(const fs::path& file, std::uint64_t limit) {
     }
     if (bytes.empty())
         throw ReadFault{{Error::Kind::Input, shownPath(file) + ": nothing came through the pipe"}};
-    Source source(file);
-    source.size_ = bytes.size();
-    source.data_ = std::make_unique_for_overwrite<char[]>(bytes.size());
-    std::ranges::copy(bytes, source.data_.get());
-    return source;
+    return ofBytes(file, bytes);
 }
 
 Source Source::open(const fs::path& file, std::uint64_t limit, const Progress& progress) {

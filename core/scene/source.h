@@ -25,6 +25,9 @@ public:
     /// The same, or a pipe up to its end. It waits for whoever writes, so only where a person can stop it.
     static Source openFileOrPipe(const std::filesystem::path& file, std::uint64_t limit);
 
+    /// Bytes that are in memory already; `name` stands for them in sentences.
+    static Source ofBytes(const std::filesystem::path& name, std::string_view bytes);
+
     std::string_view bytes() const { return {data_.get(), size_}; }
     const std::string& name() const { return name_; } ///< the path as given, printable
     const std::filesystem::path& path() const { return path_; }

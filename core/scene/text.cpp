@@ -57,6 +57,19 @@ std::string inQuotes(std::string_view text) {
     return "\"" + printable(text) + "\"";
 }
 
+std::string withoutPercents(std::string_view uri) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        int value = 0;
+        const bool coded =
+            uri[i] == '%' && i + 2 < uri.size() &&
+            std::from_chars(uri.data() + i + 1, uri.data() + i + 3, value, 16).ptr == uri.data() + i + 3;
+        text += coded ? char(value) : uri[i];
+        if (coded) i += 2;
+    }
+    return text;
+}
+
 bool isBlank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
@@ -83,16 +96,20 @@ bool parseNumber(std::string_view token, std::int64_t& value) {
     return parseWhole(token, value);
 }
 
-std::string_view Fields::next() {
+std::string_view takeSeparated(std::string_view& rest, bool (*separates)(char)) {
     std::size_t start = 0;
-    while (start < rest_.size() && isBlank(rest_[start]))
+    while (start < rest.size() && separates(rest[start]))
         ++start;
     std::size_t end = start;
-    while (end < rest_.size() && !isBlank(rest_[end]))
+    while (end < rest.size() && !separates(rest[end]))
         ++end;
-    const std::string_view field = rest_.substr(start, end - start);
-    rest_.remove_prefix(end);
+    const std::string_view field = rest.substr(start, end - start);
+    rest.remove_prefix(end);
     return field;
+}
+
+std::string_view Fields::next() {
+    return takeSeparated(rest_, isBlank);
 }
 
 std::string_view Lines::raw() {

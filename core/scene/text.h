@@ -9,8 +9,13 @@ namespace tactum {
 
 /// Text from a file made safe to print: valid UTF-8 without control characters, at most `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit = 60);
+/// Of an object, a surface or a layer: bytes.
+inline constexpr std::size_t kLongestName = 1000;
 /// The same in quotes.
 std::string inQuotes(std::string_view text);
+
+/// A reference of a URI with its %20 and the like as the bytes that they stand for.
+std::string withoutPercents(std::string_view uri);
 
 bool isBlank(char c); ///< space, tab, carriage return, vertical tab, form feed
 std::string_view trimmed(std::string_view text);
@@ -19,6 +24,9 @@ std::string lowerCase(std::string_view text); ///< of the letters a to z
 /// The whole of `token` as a number, an optional + included. "nan" and "inf" count as numbers here.
 bool parseNumber(std::string_view token, double& value);
 bool parseNumber(std::string_view token, std::int64_t& value);
+
+/// Takes the next field away from a text whose fields such characters separate; empty at its end.
+std::string_view takeSeparated(std::string_view& rest, bool (*separates)(char));
 
 /// The blank-separated fields of a line, one after the other.
 class Fields {

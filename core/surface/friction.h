@@ -1,6 +1,9 @@
 // Static, dynamic and viscous friction as a bound on how far the proxy may slide (sections 4.1 and 4.2).
 #pragma once
 
+#include <algorithm>
+
+#include "core/base/vec.h"
 #include "core/surface/material.h"
 
 namespace tactum {
@@ -22,9 +25,17 @@ inline bool hasFriction(const Material& material) noexcept {
     return material.staticFriction > 0 || material.dynamicFriction > 0 || material.viscosity > 0;
 }
 
+/// What a plane that pushes with the multiplier `lambda`, in m, along `normal` adds to the depth of the plane
+/// `on`: its part along that normal, and nothing across it or against it, so that two halves of a flat floor
+/// rub as one. Normals of unit length, in the same frame. The depth of a plane is the sum over all planes, it
+/// among them. Thread: real time.
+inline double depthShare(double lambda, const Vec3& normal, const Vec3& on) noexcept {
+    return std::max(0.0, lambda) * std::max(0.0, normal.dot(on));
+}
+
 /// How far the proxy slides in a time.
 /// `excess`: distance from the proxy to where it would go without friction, that is tangential force / k, at
-/// the end of the time. `depth`: normal force / k, the multiplier of the plane. `speed`: of the finger in the
+/// the end of the time. `depth`: normal force / k, the sum of depthShare(). `speed`: of the finger in the
 /// direction of the slide, m/s, so that the excess was excess - speed dt when the time began. Units: m, s.
 ///
 /// Equation (21) in magnitudes along the slide, b e' = b speed - k (e - mu depth), is linear: solved exactly

@@ -19,8 +19,9 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-Ended tactum(const QStringList& arguments, const QString& display = {}) {
+Ended tactum(const QStringList& arguments, const QString& display = {}, const QString& folder = {}) {
     QProcess process;
+    process.setWorkingDirectory(folder);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
     if (!display.isEmpty()) environment.insert("DISPLAY", display);
@@ -84,6 +85,17 @@ private:
     // A square plate of two triangles in the plane z = 0, 0.2 m wide.
     QString plate() const {
         return write("plate.obj", "v -0.1 -0.1 0\nv 0.1 -0.1 0\nv 0.1 0.1 0\nv -0.1 0.1 0\nf 1 2 3 4\n");
+    }
+
+    // Two groups of one material with a picture of heights, which is a layer on each.
+    QString bumpyPlate() const {
+        write("grain.png",
+              QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAA"
+                                     "AggCBd81ytgAAAABJRU5ErkJggg=="));
+        write("grain.mtl", "newmtl grainy\nmap_bump grain.png\n");
+        return write("bumpy.obj", "mtllib grain.mtl\nv 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\n"
+                                  "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl grainy\n"
+                                  "g low\nf 1/1 2/2 3/3\ng high\nf 1/1 3/3 4/4\n");
     }
 
     // Straight down onto the plate to `depth`, then along x by `along`, at 1 kHz.
@@ -192,6 +204,28 @@ private slots:
         QCOMPARE(runs[0], runs[1]);
     }
 
+    void aDashIsStandardOutput() {
+        const QString path = pressAndSlide(0.002, 0);
+        const QString recording = QStringLiteral(TACTUM_REPLAYS "/few-bumps.tactum-recording");
+        for (const auto& [arguments, rows] :
+             {std::pair{QStringList{"touch", plate(), "--path", path, "--out", "-"}, 601},
+              std::pair{QStringList{"play", recording, "--out", "-"}, 800}}) {
+            const Ended ended = tactum(arguments + QStringList{"--summary", "s.json"}, {}, folder_.path());
+            QVERIFY2(ended.code == 0, ended.error);
+            const QList<QByteArray> lines = ended.out.trimmed().split('\n'); // the table, and nothing else
+            QCOMPARE(lines.size(), rows + 1);
+            QVERIFY(lines.first().startsWith("t,finger_x"));
+            for (const QByteArray& line : lines)
+                QCOMPARE(line.count(','), 11);
+            QVERIFY(!QFile::exists(file("-")));
+            QVERIFY(QFile::exists(file("s.json")));
+        }
+        const Ended summary = tactum({"touch", plate(), "--path", path, "--summary", "-"});
+        QVERIFY2(!oneLine(summary.out).isEmpty(), summary.out); // once
+        for (const char* verb : {"touch", "play"})
+            QVERIFY2(tactum({verb, "--help"}).out.contains("- is standard output"), verb);
+    }
+
     void frictionHoldsAndSlidesAsGiven() {
         const QString path = pressAndSlide(0.004, 0.02);
         QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("f.csv"), "--proxy-radius", "0.001",
@@ -290,6 +324,15 @@ private slots:
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
     }
 
+    void whatCannotBeOpenedIsSaidBeforeTheDisplay() {
+        const Ended missing = tactum({file("missing.obj")});
+        QCOMPARE(missing.code, 1);
+        QVERIFY2(oneLine(missing.error).contains("missing.obj: no such file"), missing.error);
+        const Ended mistyped = tactum({"chekc"});
+        QCOMPARE(mistyped.code, 2);
+        QVERIFY2(oneLine(mistyped.error).contains("'chekc' is no verb"), mistyped.error);
+    }
+
     void aDisplayThatCannotBeReachedIsThree() {
         const QString path = pressAndSlide(0.002, 0);
         for (const QStringList& arguments :
@@ -316,6 +359,31 @@ private slots:
         shell.start("sh", {"-c", QStringLiteral("'%1' devices > /dev/full").arg(TACTUM_PROGRAM)});
         QVERIFY(shell.waitForFinished());
         QCOMPARE(shell.exitCode(), 3);
+    }
+
+    // A new file would take the place of a pipe; or of the file with everything else that we say.
+    void resultsGoIntoPipesDevicesAndOurOwnOutput() {
+        const auto path = write("stream.csv", "t,x,y,z\n0,0,0.01,0\n0.001,0,0.009,0\n");
+        const QString touch =
+            QStringLiteral("'%1' touch '%2' --path '%3' --out ").arg(TACTUM_PROGRAM, plate(), path);
+        const QString all = file("all.txt"), pipe = file("pipe");
+        for (const QString& command :
+             {touch + "/dev/stdout | cat > '" + all + "'", touch + "/dev/stdout > '" + all + "'",
+              touch + "'" + all + "' > '" + all + "'",
+              "mkfifo '" + pipe + "'; cat '" + pipe + "' > '" + all + "' & " + touch + "'" + pipe + "' >> '" +
+                  all + ".later'; wait; cat '" + all + ".later' >> '" + all + "'"}) {
+            QProcess shell;
+            shell.start("sh", {"-c", command});
+            QVERIFY(shell.waitForFinished(60000));
+            QFile in(all);
+            QVERIFY(in.open(QIODevice::ReadOnly));
+            const QList<QByteArray> lines = in.readAll().split('\n');
+            QCOMPARE(lines.size(), 5); // a header, two rows, the summary, and nothing after it
+            QVERIFY2(lines[0].startsWith("t,finger_x") && lines[3].startsWith("{\"triangles\""), lines[0]);
+        }
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/null"}).code, 0);
+        QVERIFY(!QFileInfo("/dev/null").isFile());
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/full"}).code, 3);
     }
 
     void playComparesEveryBit() {
@@ -366,6 +434,42 @@ private slots:
         QCOMPARE(surface["sides"].toString(), QString("both"));
         QVERIFY(text.out.contains("sides both"));
         QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
+    }
+
+    void infoShowsShadingAndLayers() {
+        const Ended text = tactum({"info", bumpyPlate()});
+        QVERIFY2(text.code == 0, text.error);
+        QCOMPARE(text.out.count("    shading off\n"), 2);
+        QCOMPARE(text.out.count("    layer grain.png: image grain.png, mapping uv-unit, height 2e-04 m, "
+                                "blend add, opacity 1\n"),
+                 2);
+        const QJsonObject scene =
+            QJsonDocument::fromJson(tactum({"info", bumpyPlate(), "--json"}).out).object();
+        const QJsonObject surface =
+            scene["objects"].toArray().at(0).toObject()["surfaces"].toArray().at(1).toObject();
+        QCOMPARE(surface["shading"].toObject()["on"], QJsonValue(false));
+        const QJsonObject layer = surface["layers"].toArray().at(0).toObject();
+        for (const auto& [key, value] : {std::pair{"name", "grain.png"},
+                                         {"source", "image"},
+                                         {"image", "grain.png"},
+                                         {"mapping", "uv-unit"},
+                                         {"target", "height"},
+                                         {"blend", "add"}})
+            QCOMPARE(layer[key].toString(), QString(value));
+        QCOMPARE(layer["strength"].toObject()["value"].toDouble(), 2e-4);
+        QCOMPARE(layer["strength"].toObject()["unit"].toString(), QString("m"));
+    }
+
+    void checkSaysEverythingOnce() {
+        for (const QString& scene : {plate(), bumpyPlate()}) {
+            const Ended check = tactum({"check", scene});
+            QCOMPARE(check.code, 0);
+            const QList<QByteArray> lines = check.out.trimmed().split('\n');
+            QVERIFY(check.out.contains("open rim"));
+            for (const QByteArray& line : lines)
+                QVERIFY2(lines.count(line) == 1, line);
+        }
+        QVERIFY(tactum({"check", bumpyPlate()}).out.contains("has no unit"));
     }
 
     void checkAndDevicesAnswer() {

@@ -48,6 +48,15 @@ class TestSimulatedHand : public QObject {
     Q_OBJECT
 
 private slots:
+    void itsButtonIsDownWhileTheGoalIsHeld() {
+        Hand hand;
+        QVERIFY(hand.device.info().buttons == 1);
+        for (const bool held : {false, true, false}) {
+            hand.target->write({.position = Vec3::Zero(), .held = held});
+            QCOMPARE(hand.go(0.01).buttons, held ? 1u : 0u);
+        }
+    }
+
     void followsAGoalStepAsADampedOscillator_data() {
         QTest::addColumn<double>("damping");
         QTest::newRow("underdamped") << 1.0;

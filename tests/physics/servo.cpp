@@ -17,11 +17,12 @@ LocalContactModel wall(double stiffness, double damping) {
 }
 
 void Proxy::step(const FingerSample& finger) {
-    const bool restart = finger.anchoring != anchoring_;
+    const bool found = finger.anchoring != anchoring_;
     anchoring_ = state.model.anchoring = finger.anchoring;
     const double dt = std::clamp(time_ - last_, kShortestStep, kLongestStep);
     last_ = time_;
-    output = hapticStep(*world, state, {finger.position, finger.velocity, restart}, dt);
+    output = hapticStep(*world, state,
+                        {.finger = finger.position, .fingerVelocity = finger.velocity, .found = found}, dt);
     onTheWay_.push_back({time_ + latency, state.model});
 }
 

@@ -139,6 +139,56 @@ private slots:
         QVERIFY(loop.plant.axis[2].x > -1e-3 + 0.2 * (1e-3 - depth)); // it did come
     }
 
+    void lostInsideComesBackGently_data() {
+        QTest::addColumn<int>("hand");
+        QTest::addColumn<double>("moved");
+        for (const int hand : {0, 1, 2})
+            for (const double moved : {0.0, 0.015})
+                QTest::addRow("%s, %g mm on", kHands[std::size_t(hand)].name, 1e3 * moved) << hand << moved;
+    }
+
+    /// A device that is lost while the finger presses a closed body: armed again, the finger is led out of it
+    /// as slowly as by a surface that lands on it. While it is lost it sinks in, and may be `moved`.
+    void lostInsideComesBackGently() {
+        QFETCH(int, hand);
+        QFETCH(double, moved);
+        constexpr double kRadius = 1e-3, kBall = 0.05;
+        const Bench bench{kFalcon, kHands[std::size_t(hand)], {}};
+        Material material = frictionless();
+        material.stiffness = 1500;
+        const Pose below{Quat::Identity(), Vec3(0, 0, -kBall - kRadius)}; // its proxy rests at z = 0
+        Proxy proxy(worldOf(ball(kBall, 4), material, kRadius, below), 1000);
+        Servo servo(infoOf(bench), proxy);
+        ClosedLoop loop(bench, servo.control(), 3);
+        loop.plant.place({0, 0, 0.002});
+        loop.plant.setGoal({0, 0, -0.01});
+        loop.warmUp();
+        loop.run(1);
+        QVERIFY(proxy.output.contacts > 0 && loop.command.z() > 0.1);
+
+        loop.tamper = [](DeviceSample& sample) { sample.valid = false; };
+        loop.plant.setGoal({moved, 0, -0.01});
+        loop.run(1);
+        QCOMPARE(servo.state.guard.withheld(), Withheld::DeviceLost);
+        QVERIFY(loop.plant.position().z() < -0.004); // deep, and without force
+        loop.tamper = nullptr;
+        servo.settings.armed = false;
+        loop.run(0.05);
+        servo.settings.armed = true;
+        const Vec3 centre = below.translation;
+        double innermost = 1;
+        const Event event = watchEvent(loop, 4, [&](const ClosedLoop&) {
+            innermost = std::min(innermost, (proxy.state.proxy.position - centre).norm());
+        });
+        qInfo("%.3f m/s, %.3f N in a tick, proxy at %.2f mm, finger at %.2f mm, force %.2f N", event.speed,
+              event.jump, 1e3 * innermost, 1e3 * loop.plant.position().z(), loop.command.norm());
+        QVERIFY(innermost > kBall);
+        QVERIFY(event.speed <= kFastest);
+        QVERIFY(event.jump <= 1500 * bench.device.resolution + 0.05);
+        QVERIFY(proxy.output.contacts > 0 && loop.command.norm() > 0.1); // it is felt again
+        QVERIFY((loop.plant.position() - centre).norm() > kBall - 2e-3); // and was led to the surface
+    }
+
     /// Rules 1 and 2 switched off: a faster return, a jump, a ramp of the stiffness alone.
     void surfaceThatComesOtherwiseDoesNot() {
         const auto speedWith = [](double returnSpeed, double ramp) {

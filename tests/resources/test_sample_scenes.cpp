@@ -1,11 +1,15 @@
-// The sample that the program opens by itself: whole, of a hand's size, and what its generator writes.
+// The samples: whole, of a hand's size, felt by a finger, and what their generator writes.
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/bundle/sample_stroke.h"
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/triangle.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/replay.h"
 #include "core/scene/finger_path.h"
 #include "core/scene/load_scene.h"
 
@@ -32,6 +36,10 @@ double distanceTo(const Scene& scene, const Vec3& p) {
     return nearest;
 }
 
+Result<LoadedScene> sample(const std::string& name) {
+    return loadScene(kFolder + name + ".glb");
+}
+
 } // namespace
 
 class TestSampleScenes : public QObject {
@@ -39,13 +47,125 @@ class TestSampleScenes : public QObject {
 
 private slots:
     void theFilesAreWhatTheGeneratorWrites() {
-        QTemporaryDir folder;
-        QCOMPARE(QProcess::execute(MAKE_SAMPLES, {folder.path()}), 0);
-        for (const char* name : {"teapot.obj", "teapot.mtl", "teapot-finger.csv"}) {
-            const QByteArray committed = contentOf(QString::fromStdString(kFolder + name));
-            QVERIFY(!committed.isEmpty());
-            QVERIFY2(contentOf(folder.filePath(name)) == committed, name);
+        QTemporaryDir made;
+        QCOMPARE(QProcess::execute(MAKE_SAMPLES, {made.path()}), 0);
+        const QStringList names = QDir(made.path()).entryList(QDir::Files);
+        QCOMPARE(QDir(QString::fromStdString(kFolder)).entryList(QDir::Files), names);
+        qint64 total = 0;
+        for (const QString& name : names) {
+            const QByteArray committed = contentOf(QString::fromStdString(kFolder) + name);
+            QVERIFY2(contentOf(made.filePath(name)) == committed, qPrintable(name));
+            if (!name.startsWith("teapot.obj") && !name.endsWith(".csv"))
+                QVERIFY2(committed.size() < 300'000, qPrintable(name));
+            if (name.endsWith(".glb") || name.endsWith(".png")) total += committed.size();
         }
+        QVERIFY(total < 2'000'000);
+    }
+
+    void aSampleHasItsSurfacesAndNothingToMend_data() {
+        QTest::addColumn<QString>("objects");
+        const auto row = [](const char* name, const char* objects) { QTest::newRow(name) << objects; };
+        row("teapot", "teapot(body,lid,spout,handle) table(table)");
+        row("friction-ladder",
+            "plate 1(mu 0) plate 2(mu 0.2) plate 3(mu 0.4) plate 4(mu 0.6) plate 5(mu 0.8) plate 6(mu 1) "
+            "board(board,studs)");
+        row("viscosity-ladder",
+            "plate 1(b 0 N s/m) plate 2(b 4 N s/m) plate 3(b 8 N s/m) plate 4(b 12 N s/m) "
+            "plate 5(b 16 N s/m) plate 6(b 20 N s/m) board(board,studs)");
+        row("stiffness-ladder", "plate 1(k 50 N/m) plate 2(k 100 N/m) plate 3(k 200 N/m) plate 4(k 400 N/m) "
+                                "plate 5(k 800 N/m) plate 6(k 1600 N/m) board(board,studs)");
+        row("texture-wall", "brick(brick,mortar) tiles(tile,grout) corduroy(cord,valley) "
+                            "sandpaper(grit,shining grit) wall(plaster)");
+        row("layered-leather", "cushion(leather,thread) board(wood)");
+        row("relief-coin", "coin(field,relief,rim) tray(felt)");
+        row("thin-wall-maze", "walls(wall) floor(floor) start(start) goal(goal)");
+        row("blind-box", "box(walls,lid) hidden shape(shape)");
+    }
+    void aSampleHasItsSurfacesAndNothingToMend() {
+        QFETCH(QString, objects);
+        const auto loaded = sample(QTest::currentDataTag());
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        QStringList found;
+        for (const SceneObject& object : loaded->scene.objects) {
+            QStringList surfaces;
+            for (const Surface& surface : object.surfaces)
+                surfaces << QString::fromStdString(surface.name);
+            found << QStringLiteral("%1(%2)").arg(QString::fromStdString(object.name), surfaces.join(u','));
+        }
+        QCOMPARE(found.join(u' '), objects);
+        const Vec3 size = boundsOf(loaded->scene).high - boundsOf(loaded->scene).low;
+        QVERIFY(size.maxCoeff() >= 0.1 && size.maxCoeff() <= 0.21);
+        for (const auto& findings : {loaded->findings, validate(loaded->scene)})
+            for (const Finding& finding : findings)
+                QVERIFY2(finding.severity == Finding::Severity::Note,
+                         (finding.object + ": " + finding.sentence).c_str());
+    }
+
+    void aStrokeTouchesEverySampleGently_data() { aSampleHasItsSurfacesAndNothingToMend_data(); }
+    void aStrokeTouchesEverySampleGently() {
+        const auto loaded = sample(QTest::currentDataTag());
+        QVERIFY(loaded);
+        const auto world = compile(loaded->scene);
+        QVERIFY(world);
+        double greatest = 0;
+        int touched = 0;
+        for (const TouchRow& row : replay(**world, sampleStroke(**world))) {
+            QVERIFY(row.force.allFinite() && row.proxy.allFinite());
+            greatest = std::max(greatest, row.force.norm());
+            touched += row.contacts > 0;
+        }
+        qInfo("%d of 4001 steps touch, with at most %.2f N", touched, greatest);
+        QVERIFY(touched > 1000);
+        QVERIFY(greatest > 0.1 && greatest < 30);
+    }
+
+    void theLaddersRise() {
+        const auto values = [](const char* name, double Material::*value) {
+            std::vector<double> all;
+            const auto loaded = sample(name);
+            for (std::size_t i = 0; loaded && i < 6; ++i)
+                all.push_back(loaded->scene.objects[i].surfaces[0].material.*value);
+            return all;
+        };
+        using Values = std::vector<double>;
+        const Values rest = values("friction-ladder", &Material::staticFriction);
+        const Values slide = values("friction-ladder", &Material::dynamicFriction);
+        QCOMPARE(rest, (Values{0, 0.2, 0.4, 0.6, 0.8, 1}));
+        for (std::size_t i = 1; i < rest.size(); ++i)
+            QVERIFY(slide[i] < rest[i] && slide[i] > slide[i - 1]);
+        QCOMPARE(values("viscosity-ladder", &Material::viscosity), (Values{0, 4, 8, 12, 16, 20}));
+        QCOMPARE(values("stiffness-ladder", &Material::stiffness), (Values{50, 100, 200, 400, 800, 1600}));
+    }
+
+    void picturesKeepTheirSixteenBits() {
+        for (const auto& [name, object, layer] : {std::tuple{"texture-wall", 0, 0},
+                                                  {"texture-wall", 1, 0},
+                                                  {"layered-leather", 0, 2},
+                                                  {"relief-coin", 0, 0}}) {
+            const auto loaded = sample(name);
+            QVERIFY(loaded);
+            const auto& layers = loaded->scene.objects[std::size_t(object)].surfaces[0].layers;
+            QVERIFY(std::size_t(layer) < layers.size());
+            const TextureLayer& found = layers[std::size_t(layer)];
+            QVERIFY(found.pattern.image && found.pattern.image->bits() == 16);
+            QVERIFY(found.strength >= 1e-4 && found.strength <= 1e-3);
+        }
+    }
+
+    /// Pressed sideways from a way into the next one: the proxy, 2 mm across, stays before 1.6 mm of wall.
+    void nobodyGetsThroughAWallOfTheMaze() {
+        const auto loaded = sample("thin-wall-maze");
+        QVERIFY(loaded);
+        const auto world = compile(loaded->scene);
+        QVERIFY(world);
+        const double outside = boundsOf(*loaded->scene.objects[0].geometry).low.x();
+        std::vector<FingerPoint> path;
+        for (int i = 0; i <= 2000; ++i)
+            path.push_back({i * 1e-3, {outside + 0.009 - 0.02 * i / 2000.0, 0.003, 0.055}});
+        const TouchTrace trace = replay(**world, path);
+        QVERIFY(trace.back().contacts > 0);
+        QVERIFY(trace.back().finger.x() < outside && trace.back().proxy.x() > outside + 0.0016);
+        QVERIFY(trace.back().force.x() > 5); // N, back inside
     }
 
     void theTeapotIsClosedAndOfAHandsSize() {

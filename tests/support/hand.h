@@ -97,6 +97,12 @@ public:
         touched_ = true;
         return output_ = hapticStep(*world_, state, {finger, velocity}, dt_);
     }
+    /// Puts the finger there, and nobody knows how it came there.
+    const HapticOutput& find(const Vec3& finger) {
+        finger_ = finger;
+        touched_ = true;
+        return output_ = hapticStep(*world_, state, {.finger = finger, .found = true}, dt_);
+    }
     /// Goes straight at a speed, calling seen(*this) after each step; ends at the target exactly.
     template <class Seen> void go(const Vec3& target, double speed, Seen&& seen) {
         const Vec3 from = finger_;

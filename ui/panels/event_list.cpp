@@ -1,5 +1,7 @@
 #include "ui/panels/event_list.h"
 
+#include <algorithm>
+
 #include <QEvent>
 
 #include "ui/style.h"
@@ -16,6 +18,10 @@ EventList::EventList(QWidget* parent)
 }
 
 void EventList::setEvents(const std::deque<HealthEvent>& events) {
+    const auto same = [](const HealthEvent& a, const HealthEvent& b) {
+        return a.time == b.time && a.what == b.what;
+    };
+    if (std::ranges::equal(events, events_, same)) return;
     events_ = events;
     fill();
 }

@@ -235,7 +235,7 @@ void HealthPanel::displayLoops(const ServoTelemetry& servo, const ProxyTelemetry
                                const DeviceInfo& device) {
     servo_->setText(rateText(servo.rate, device.rate));
     proxy_->setText(rateText(proxy.rate, kUpdatesPerTick * device.rate));
-    late_->setText(tr("Late ticks: %1").arg(lateWords(servo)));
+    late_->setText(tr("Late ticks: %1").arg(lateWords(servo, recorded_)));
     QString words = fidelityWords(proxy.fidelity);
     if (proxy.stepsDown > 0)
         words += proxy.stepsDown == 1 ? tr(" Lowered once.") : tr(" Lowered %1 times.").arg(proxy.stepsDown);
@@ -268,6 +268,11 @@ void HealthPanel::displayCeiling(const CeilingNow& ceiling, const Stiffest& stif
     stiffnessBar_->setLevel(stiffest.value, ceiling.value, 1.25 * std::max(stiffest.value, ceiling.value),
                             tr("ceiling"));
     override_->setChecked(overridden);
+}
+
+void HealthPanel::setRecorded(bool recorded) {
+    recorded_ = recorded;
+    override_->setEnabled(!recorded);
 }
 
 void HealthPanel::setEvents(const std::deque<HealthEvent>& events) {

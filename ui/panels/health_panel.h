@@ -32,6 +32,8 @@ public:
     void display(const ServoTelemetry& servo, const ProxyTelemetry& proxy, const DeviceInfo& device);
     void displayCeiling(const CeilingNow& ceiling, const Stiffest& stiffest, bool overridden);
     void setEvents(const std::deque<HealthEvent>& events);
+    /// What is displayed is a recording's: nothing can be decided, and some is not known.
+    void setRecorded(bool recorded);
     QSize minimumSizeHint() const override { return {200, 96}; }
 
 signals:
@@ -57,6 +59,7 @@ private:
     QGridLayout* grid_;
     std::vector<QWidget*> sections_;
     int columns_ = 0;
+    bool recorded_ = false;
     QLabel *servo_, *proxy_, *late_, *fidelity_;
     QLabel* spread_;
     PeriodChart* periods_;

@@ -4,15 +4,17 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "ui/panels/sample_gallery.h"
 #include "ui/style.h"
 
 namespace tactum {
 
 namespace {
 
-constexpr int kColumn = 60 * kRhythm; // pixels
+constexpr int kColumn = 78 * kRhythm; // pixels
 
 QLabel* line(const QString& text, int points, bool dimmed) {
     auto* label = new QLabel(text);
@@ -30,7 +32,7 @@ QString shortened(const QString& path) {
 
 } // namespace
 
-StartPage::StartPage(const QString& sample, QWidget* parent) : QWidget(parent), recent_(new QWidget) {
+StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(parent), recent_(new QWidget) {
     setObjectName(QStringLiteral("startPage"));
     setAttribute(Qt::WA_StyledBackground);
     auto* body = new QWidget;
@@ -39,23 +41,34 @@ StartPage::StartPage(const QString& sample, QWidget* parent) : QWidget(parent), 
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(kRhythm);
     addHeading();
-    addButtons(sample);
+    addButtons();
+    if (!samples.isEmpty()) addSamples(samples);
     column_->addSpacing(2 * kRhythm);
     column_->addWidget(recent_);
     new QVBoxLayout(recent_);
-    auto* centred = new QVBoxLayout(this);
+    auto* page = new QWidget;
+    auto* centred = new QVBoxLayout(page);
     centred->addStretch(2);
     centred->addWidget(body, 0, Qt::AlignHCenter);
     centred->addStretch(3);
+    auto* scrolled = new QScrollArea; // a small window stays small
+    scrolled->setWidgetResizable(true);
+    scrolled->setWidget(page);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scrolled);
 }
 
 void StartPage::addHeading() {
     auto* picture = new QLabel;
     picture->setPixmap(logo(64));
     picture->setFixedSize(64, 64);
-    column_->addWidget(picture);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2 * kRhythm);
+    row->addWidget(picture);
+    row->addWidget(line(tr("Touch a model"), 11, false), 1);
+    column_->addLayout(row);
     column_->addSpacing(kRhythm);
-    column_->addWidget(line(tr("Touch a model"), 11, false));
     auto* what = line(tr("Open a 3-D model, give each of its surfaces a feel, and touch it: with a "
                          "force-feedback device, or with the mouse as a simulated hand."),
                       1, true);
@@ -66,7 +79,7 @@ void StartPage::addHeading() {
     column_->addSpacing(2 * kRhythm);
 }
 
-void StartPage::addButtons(const QString& sample) {
+void StartPage::addButtons() {
     auto* row = new QHBoxLayout;
     row->setSpacing(kRhythm);
     auto* open = new QPushButton(tr("Open a model..."));
@@ -74,16 +87,18 @@ void StartPage::addButtons(const QString& sample) {
     open->setObjectName(QStringLiteral("start-open"));
     connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
     row->addWidget(open);
-    if (!sample.isEmpty()) {
-        auto* button = new QPushButton(tr("Try the sample"));
-        button->setObjectName(QStringLiteral("start-sample"));
-        button->setToolTip(sample);
-        connect(button, &QPushButton::clicked, this, [this, sample] { emit fileChosen(sample); });
-        row->addWidget(button);
-    }
     row->addStretch();
     column_->addLayout(row);
-    column_->addWidget(line(tr("or drop a file on this window: OBJ, PLY, STL, OFF, glTF"), 0, true));
+    column_->addWidget(
+        line(tr("or drop a file on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS"), 0, true));
+}
+
+void StartPage::addSamples(const QStringList& samples) {
+    auto* gallery = new SampleGallery(samples);
+    connect(gallery, &SampleGallery::fileChosen, this, &StartPage::fileChosen);
+    column_->addSpacing(2 * kRhythm);
+    column_->addWidget(line(tr("Samples"), 0, true));
+    column_->addWidget(gallery);
 }
 
 void StartPage::setRecent(const QStringList& files) {

@@ -10,8 +10,8 @@ namespace tactum {
 class StartPage : public QWidget {
     Q_OBJECT
 public:
-    /// `sample`: a file to try, empty when there is none.
-    explicit StartPage(const QString& sample, QWidget* parent = nullptr);
+    /// `samples`: scenes to try, each with a picture beside it.
+    explicit StartPage(const QStringList& samples, QWidget* parent = nullptr);
 
     void setRecent(const QStringList& files);
 
@@ -21,7 +21,8 @@ signals:
 
 private:
     void addHeading();
-    void addButtons(const QString& sample);
+    void addButtons();
+    void addSamples(const QStringList& samples);
 
     QVBoxLayout* column_;
     QWidget* recent_;

@@ -67,6 +67,19 @@ Soup withRandomNormals(const Soup& soup, Rng& rng) {
     return result;
 }
 
+// A right-angled valley along y whose normals lean along it by a slope.
+Soup leaningGroove(double slope) {
+    auto soup = std::make_shared<TriangleSoup>(*wedge(0.5 * kPi, 0.1));
+    for (std::size_t i = 0; i < soup->triangles.size(); ++i) {
+        const Triangle t = triangleOf(*soup, i);
+        Vec3 up = (t.b - t.a).cross(t.c - t.a).normalized();
+        if (up.z() < 0) up = -up;
+        for (int k = 0; k < 3; ++k)
+            soup->cornerNormals.push_back((up - slope * Vec3::UnitY()).normalized().cast<float>());
+    }
+    return soup;
+}
+
 Soup smoothed(const Soup& soup) {
     auto result = std::make_shared<TriangleSoup>(*soup);
     result->cornerNormals = cornerNormalsOf(*soup, kPi).value();
@@ -90,6 +103,7 @@ class ShadingTest : public QObject {
 private slots:
     void prismFeelsRound_data();
     void prismFeelsRound();
+    void whatIsLeftIsTheProxysRadius();
     void theWayRoundMakesNoDifference();
     void gapsAreNotFelt();
     void ballFeelsRound_data();
@@ -98,10 +112,13 @@ private slots:
     void loopsGiveNoEnergy();
     void creviceHoldsUpToTheFeltNormals();
     void grooveLeansAlong();
+    void frictionAlongALeaningGroove_data();
+    void frictionAlongALeaningGroove();
     void hollowComesToRest();
     void frictionConeStandsOnTheFeltNormal();
     void aFingerOutsideIsFree();
     void anythingGoes();
+    void whatSticksStandsStill();
 };
 
 // Figure 6: the finger on a circle inside a ten-sided prism.
@@ -122,6 +139,17 @@ void ShadingTest::prismFeelsRound() {
     QVERIFY2(round.largestJump <= 1, qPrintable(text(round)));
     QVERIFY2(std::abs(round.energy) < 1e-9, qPrintable(text(round)));
     QVERIFY2(round.rounds <= 8, qPrintable(text(round)));
+}
+
+// The normal between two corners points from the axis to the foot, and the proxy is r above that: the force
+// passes the axis at r sin(a), a being the angle of the normal to the facet's, at most half of a tenth turn.
+void ShadingTest::whatIsLeftIsTheProxysRadius() {
+    const Soup prism = roundPipe(kR, 0.1, 10);
+    for (double radius : {2e-3, 5e-3, 8e-3}) {
+        const Round round = roundThePrism(prism, radius, true);
+        const double expected = std::asin(radius * std::sin(kPi / 10) / (kR - kInside)) * 180 / kPi;
+        QVERIFY2(std::abs(round.worstDirection - expected) <= 0.01, qPrintable(text(round)));
+    }
 }
 
 void ShadingTest::theWayRoundMakesNoDifference() {
@@ -233,15 +261,7 @@ void ShadingTest::creviceHoldsUpToTheFeltNormals() {
 // Both faces of a groove lean along it: so does the force, and the proxy stays on both.
 void ShadingTest::grooveLeansAlong() {
     const double s = 0.2, r = 1e-3;
-    const Soup groove = wedge(0.5 * kPi, 0.1);
-    auto soup = std::make_shared<TriangleSoup>(*groove);
-    for (std::size_t i = 0; i < soup->triangles.size(); ++i) {
-        const Triangle t = triangleOf(*soup, i);
-        Vec3 up = (t.b - t.a).cross(t.c - t.a).normalized();
-        if (up.z() < 0) up = -up;
-        for (int k = 0; k < 3; ++k)
-            soup->cornerNormals.push_back((up - s * Vec3::UnitY()).normalized().cast<float>());
-    }
+    const Soup soup = leaningGroove(s);
     Hand hand(shadedWorld(soup, frictionless(), r));
     hand.to({0, 0.003, 4e-3});
     hand.go({0, 0.003, 0}, 0.05, [&](const Hand& h) {
@@ -257,8 +277,7 @@ void ShadingTest::grooveLeansAlong() {
     for (int i = 0; i < 2; ++i)
         QVERIFY(std::abs(hand.output().contact[std::size_t(i)].normalForce -
                          force.z() / std::numbers::sqrt2) < 1e-6);
-    // Uphill along the groove the sub-goal is above both faces. It goes back onto them, and viscosity is
-    // felt.
+    // Uphill along the groove the sub-goal is above both faces. It goes back onto them.
     ProxyState state = hand.state.proxy;
     const NearestPoint uphill = updateFelt(
         state,
@@ -268,14 +287,37 @@ void ShadingTest::grooveLeansAlong() {
     for (int i = 0; i < 2; ++i)
         height = std::min(height, state.contacts[i].normal.dot(uphill.x) + state.contacts[i].gap);
     QVERIFY2(std::abs(height) < 1e-9, qPrintable(QString::number(height)));
-    const double b = 5, v = 0.05;
-    Hand viscous(shadedWorld(soup, rough(0, 0, b), r));
-    viscous.to({0, -0.01, 4e-3});
-    viscous.go({0, -0.01, 0}, 0.05);
-    viscous.go({0, 0.02, 0}, v);
-    const Vec3 drag = viscous.output().force;
-    QVERIFY2(std::abs(-drag.y() - s * std::numbers::sqrt2 * drag.z() - b * v) < 0.1 * b * v,
-             qPrintable(QString::number(-drag.y() - s * std::numbers::sqrt2 * drag.z())));
+}
+
+void ShadingTest::frictionAlongALeaningGroove_data() {
+    QTest::addColumn<double>("slope");
+    for (double slope : {0.0, 0.2, 0.5, 0.8})
+        QTest::addRow("slope %g", slope) << slope;
+}
+
+// In a right-angled groove whose normals lean along it by the slope s the force leans by s sqrt 2, and a hand
+// that slides has to overcome that, b v, and mu times what each face bears: f_z / sqrt 2.
+void ShadingTest::frictionAlongALeaningGroove() {
+    QFETCH(double, slope);
+    const double r = 1e-3, v = 0.05;
+    const Soup groove = leaningGroove(slope);
+    for (const double sign : {1.0, -1.0})
+        for (const double mu : {0.0, 0.3})
+            for (const double b : {0.0, 5.0}) {
+                Hand hand(shadedWorld(groove, rough(mu, mu, b), r));
+                hand.to({0, -sign * 0.01, 4e-3});
+                hand.go({0, -sign * 0.01, 0}, 0.05);
+                hand.go({0, sign * 0.02, 0}, v);
+                const Vec3 force = hand.output().force;
+                const double drag = -sign * force.y() - sign * slope * std::numbers::sqrt2 * force.z();
+                const double expected = mu * force.z() / std::numbers::sqrt2 + b * v;
+                QVERIFY2(std::abs(drag - expected) < 0.003 * expected + 1e-4,
+                         qPrintable(QString("mu %1, b %2: %3 instead of %4")
+                                        .arg(sign * mu)
+                                        .arg(b)
+                                        .arg(drag)
+                                        .arg(expected)));
+            }
 }
 
 // Deeper than the radius of curvature, where going straight for the sub-goal would swing ever wider.
@@ -354,6 +396,32 @@ void ShadingTest::anythingGoes() {
         }
     }
     QCOMPARE(moving, 0);
+}
+
+// The same with friction and a finger several radii deep: once it rests, so does the proxy, to the last bit.
+void ShadingTest::whatSticksStandsStill() {
+    for (int run = 0; run < 240; ++run) {
+        Rng rng(7000 + std::uint64_t(run));
+        const Soup plain = run % 3 == 0   ? ball(0.008, 2)
+                           : run % 3 == 1 ? eggCrate(0.012, 20, 0.0015, 0.006)
+                                          : randomSoup(rng, 200, 0.01);
+        const double mu = uniform(rng, 0.1, 1.5), part = uniform(rng, 0.3, 1);
+        const double viscosity = run % 4 == 3 ? uniform(rng, 0, 5) : 0;
+        const Soup soup = withRandomNormals(plain, rng);
+        Hand hand(shadedWorld(soup, rough(mu, part * mu, viscosity), 1e-3));
+        hand.to({0, 0, 0.02});
+        for (int press = 0; press < 5; ++press) {
+            hand.go(inBox(rng, 0.008), 0.1);
+            for (int i = 0; i < 250; ++i)
+                hand.to(hand.finger());
+            const Vec3 rest = hand.output().proxy;
+            for (int i = 0; i < 20; ++i)
+                hand.to(hand.finger());
+            const double way = (hand.output().proxy - rest).norm();
+            QVERIFY2(way <= 1e-12,
+                     qPrintable(QString("soup %1, press %2: %3 m").arg(run).arg(press).arg(way)));
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(ShadingTest)

@@ -24,7 +24,12 @@ constexpr double kForEver = std::numeric_limits<double>::infinity();
 
 /// A hand that strokes a rough plate while its material is edited, other plates come, a body passes through
 /// it, the forces go on and off and the proxy is put elsewhere.
-RecordedRun recordedRun(std::uint64_t ticks) {
+struct Felt {
+    RecordedRun run;
+    ServoTelemetry servo; ///< when it ended
+};
+
+Felt feltRun(std::uint64_t ticks) {
     const auto target = std::make_shared<HandTarget>();
     Engine engine(std::make_unique<SimulatedHand>(target));
     const auto first = bumpyPlate(1), second = bumpyPlate(2);
@@ -45,7 +50,7 @@ RecordedRun recordedRun(std::uint64_t ticks) {
         return engine.servo().ticks >= ticks;
     });
     engine.stop();
-    return engine.recorded();
+    return {engine.recorded(), engine.servo()};
 }
 
 std::shared_ptr<const RecordedRun> shared(RecordedRun run) {
@@ -65,10 +70,13 @@ class TestRecorder : public QObject {
     Q_OBJECT
 
     RecordedRun run_;
+    ServoTelemetry servo_; ///< live, at its end
 
 private slots:
     void initTestCase() {
-        run_ = recordedRun(6000);
+        const Felt felt = feltRun(6000);
+        run_ = felt.run;
+        servo_ = felt.servo;
         QVERIFY(run_.servo.rows.size() >= 6000);
         QVERIFY(run_.proxy.rows.size() > 6000);
         QVERIFY(run_.scenes.size() > 10);
@@ -86,6 +94,30 @@ private slots:
         for (const ServoRow& row : run_.servo.rows)
             pushed += vectorOf(row.force).norm() > 0;
         QVERIFY(touching > 1000 && pushed > 500);
+    }
+
+    void theGuardIsSeenAsItWasSeenLive() {
+        auto player = Player::open(shared(run_));
+        QVERIFY(player.has_value());
+        player->advanceTo(kForEver);
+        const ServoTelemetry &live = servo_, &again = player->servo();
+        QVERIFY(live.ticks >= 6000 && live.pauses + live.clamped > 0);
+        QCOMPARE(again.ticks, live.ticks);
+        QCOMPARE(again.finger, live.finger);
+        QCOMPARE(again.force, live.force);
+        QCOMPARE(again.withheld, live.withheld);
+        QCOMPARE(again.gain, live.gain);
+        QCOMPARE(again.faults, live.faults);
+        QCOMPARE(again.pauses, live.pauses);
+        QCOMPARE(again.lastPause, live.lastPause);
+        QCOMPARE(again.clamped, live.clamped);
+        QCOMPARE(again.invalidSamples, live.invalidSamples);
+        QCOMPARE(again.oscillations, live.oscillations);
+        QCOMPARE(again.calm, live.calm);
+        QCOMPARE(again.heat, live.heat);
+        QCOMPARE(again.energy, live.energy);
+        QCOMPARE(again.passivityDamping, live.passivityDamping);
+        QCOMPARE(again.ceiling.value, live.ceiling.value);
     }
 
     void fromTheMiddleToo() {

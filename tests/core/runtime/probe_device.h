@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "core/control/haptic_device.h"
@@ -24,6 +26,7 @@ struct Probe {
     std::atomic<bool> nonsense{false}; ///< the finger's position is no number
     std::atomic<bool> refusesToOpen{false};
     std::atomic<bool> isOpen{false};
+    std::atomic<int> pause{0};   ///< ms, that the next exchange stands still
     std::atomic<double> push{0}; ///< newest command along z, N
     std::vector<Exchange> log;
     int exchangesWhileClosed = 0;
@@ -53,6 +56,8 @@ public:
         probe_->exchangesWhileClosed += !probe_->isOpen;
         probe_->push = command.force.z();
         if (probe_->log.size() < probe_->log.capacity()) probe_->log.push_back({command.force, dt});
+        if (const int pause = probe_->pause.exchange(0))
+            std::this_thread::sleep_for(std::chrono::milliseconds(pause));
         height_ += std::clamp(probe_->height - height_, -kSpeed * dt, kSpeed * dt);
         const double height = probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : height_;
         return {.position = {0, 0, height}, .valid = probe_->valid};

@@ -52,6 +52,7 @@ private slots:
     void modelGivesTheForceOfTheStep_data();
     void modelGivesTheForceOfTheStep();
     void modelFollowsTheFingerAlongThePlane();
+    void modelRubsOnAllPlanesOfAFloor();
     void mixesMaterialsByTheirPush();
 };
 
@@ -200,6 +201,22 @@ void HapticStepTest::modelFollowsTheFingerAlongThePlane() {
     QVERIFY((within - 800 * Vec3(-0.0004, 0, kRadius)).norm() < 1e-6);
     const Vec3 beyond = contactModelForce(held.state.model, {0.002, 0, 0}, Vec3::Zero());
     QVERIFY((beyond - 800 * Vec3(-0.0005, 0, kRadius)).norm() < 1e-5);
+}
+
+// Along a shallow groove, faces leaning by a to either side: each carries d / (2 cos a) and bears on the
+// other by cos 2a, so that the finger drags the proxy by all but mu d cos a.
+void HapticStepTest::modelRubsOnAllPlanesOfAFloor() {
+    constexpr double kMu = 0.5, kDepth = 1e-3, kAlong = 2e-3;
+    for (const double lean : {1e-6, 1e-3, 0.1, 0.5}) {
+        LocalContactModel model{.planes = 2, .stiffness = 800, .valid = true};
+        for (int i = 0; i < 2; ++i) {
+            model.plane[std::size_t(i)].normal = {(i ? -1 : 1) * std::sin(lean), 0, std::cos(lean)};
+            model.friction[std::size_t(i)].coefficient = kMu;
+        }
+        const Anchor anchor = anchorOf(model, {0, kAlong, -kDepth});
+        const Vec3 expected(0, kAlong - kMu * kDepth * std::cos(lean), 0);
+        QVERIFY2((anchor.position - expected).norm() < 1e-9, qPrintable(QString::number(lean)));
+    }
 }
 
 void HapticStepTest::mixesMaterialsByTheirPush() {

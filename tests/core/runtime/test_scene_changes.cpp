@@ -117,6 +117,30 @@ private slots:
         QVERIFY(hand.output().proxy.norm() < kBall);
     }
 
+    void aFingerThatIsFoundInsideHasItsProxyOutside() {
+        Editing edit(ballAndSheet());
+        edit.hand.to({0, 0, 0.04});
+        edit.hand.go({0, 0, 0.02}, 0.05);
+        const std::uint32_t restarts = edit.hand.state.model.restarts;
+        const Vec3 finger(0.021, 0, 0.004); // elsewhere inside of it, near another wall
+        const Vec3 proxy = edit.hand.find(finger).proxy;
+        QVERIFY(clearanceOf(*edit.world, proxy) >= kRadius * (1 - 2 * kSkin));
+        QVERIFY(!isInside(edit.world->obstacles[0], proxy));
+        QVERIFY((proxy - (kBall + kRadius) * finger.normalized()).norm() < 2e-3);
+        QCOMPARE(edit.hand.state.model.restarts, restarts + 1);
+        // Outside of everything it begins at the finger, wherever the proxy was.
+        QCOMPARE(edit.hand.find({0, 0.05, 0}).proxy, Vec3(0, 0.05, 0));
+    }
+
+    void aFingerThatIsFoundInItsHollowStaysThere() {
+        Hand hand(worldOf(ball(kBall, 3), frictionless(), kRadius));
+        hand.to({0, 0, 0.01});
+        QCOMPARE(hand.find({0, 0.01, 0}).proxy, Vec3(0, 0.01, 0));
+        // Having left it unseen, it is outside, and the hollow is closed to it from then on.
+        QCOMPARE(hand.find({0, 0, 0.04}).proxy, Vec3(0, 0, 0.04));
+        QVERIFY(hand.find({0, 0, 0.01}).proxy.norm() > kBall);
+    }
+
     void anEditElsewhereLeavesTheProxyInItsHollow() {
         Editing edit(ballAndSheet());
         edit.hand.to({0, 0, 0.01});
@@ -188,7 +212,7 @@ private slots:
         const Soup walls = channel(1, 1.5 * kRadius); // a metre long: nowhere near is there room
         const CollisionMesh mesh{walls, SphereTree(*walls)};
         const std::vector<Obstacle> obstacles{{.mesh = &mesh}};
-        const auto place = clearPlace(obstacles, {}, kRadius, Vec3::Zero(), kNoShape);
+        const auto place = clearPlace(obstacles, {}, kRadius, Vec3::Zero(), {kNoShape});
         QVERIFY(!place || nearestOn(mesh, *place).distance >= kRadius);
     }
 };

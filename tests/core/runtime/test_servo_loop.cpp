@@ -83,6 +83,24 @@ private slots:
         QVERIFY(std::all_of(servo.probe->log.begin(), servo.probe->log.end(), isZero));
     }
 
+    /// Whoever watches over the device has let go of the hand meanwhile: the old force would be a kick.
+    void afterAStallTheOldForceDoesNotGoOut() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        servo.probe->pause = 50;
+        QVERIFY(eventually([&] { return servo.probe->push == 0; }));
+        servo.stop();
+        int stalls = 0;
+        for (const Exchange& each : servo.probe->log)
+            if (each.dt > kStall) {
+                QVERIFY(isZero(each));
+                ++stalls;
+            }
+        QVERIFY(stalls > 0);
+    }
+
     void withheldForceComesBackByItsGain() {
         RunningServo servo;
         servo.channels->armed = true;

@@ -107,6 +107,29 @@ class TestServoStep : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A tap: the finger comes from free space into a wall that is stiffer than the device bears.
+    void aWallIsMetNoStifferThanTheCeiling() {
+        Held held;
+        held.settings.overrideCeiling = false;
+        held.model = wall(10000);
+        held.rest({0, 0, 0.01});
+        QVERIFY(held.state.guard.gain() == 1);
+        for (int i = 0; i < 100; ++i) {
+            held.tick({0, 0, -3e-4 * i});
+            QVERIFY2(held.state.ease.rendered().stiffness <= held.state.ceiling.value,
+                     qPrintable(QString("tick %1: %2 N/m").arg(i).arg(held.state.ease.rendered().stiffness)));
+        }
+    }
+    void aModelWithoutASpeedIsAFault() {
+        Held held;
+        held.model = wall(800);
+        held.rest({0, 0, -0.001});
+        held.model.velocity = Vec3::Constant(std::nan(""));
+        const Vec3 force = held.tick({0, 0, -0.001});
+        QVERIFY(force.isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::NotFinite);
+    }
+
     /// TACTUM_SEEDS=10000 makes it 10^7.
     void forceIsAlwaysFiniteAndWithinTheLimit() {
         std::mt19937_64 random(8);

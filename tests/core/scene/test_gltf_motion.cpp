@@ -216,6 +216,34 @@ private slots:
         QVERIFY(saysIn(validate(loaded.scene), "65 objects move by themselves, but at most 64 can"));
     }
 
+    // 1.01 is beyond what rounding to bytes does to a length, 1.001 is not.
+    void rotationsAreBroughtToUnitLengthAndSaid() {
+        const std::string turned = R"("nodes":[{"mesh":0,"rotation":[0,0,0.7071067811865476,)";
+        QVERIFY(!said(read(turned + "0.7071067811865476]}]", {turning(0)}), "unit length"));
+        const LoadedScene node = read(turned + "0.75]},{\"rotation\":[0,0,0,1.001]}]", {});
+        QVERIFY(said(node, "1 node with a rotation that is not of unit length"));
+        const Quat q = node.scene.objects.at(0).pose.rotation;
+        QVERIFY(std::abs(q.norm() - 1) < 1e-12 && std::abs(q.z() / q.w() - 0.7071067811865476 / 0.75) < 1e-9);
+
+        WrittenChannel channel = turning(0);
+        for (double& component : channel.values[2])
+            component *= 1.01;
+        for (double& component : channel.values[3])
+            component *= 1.001;
+        const LoadedScene keys = read(R"("nodes":[{"mesh":0}])", {channel});
+        QVERIFY(said(keys, "animation: 1 key with a rotation that is not of unit length"));
+        QVERIFY(error(keys.scene.objects.at(0), turningAt) < 1e-6);
+    }
+
+    void rotationsThatAreNoneAreRefused() {
+        for (const char* rotation : {"0,0,0,0", "0,0,0,1e200", "1e-9,0,0,0"}) {
+            const std::string nodes = R"("nodes":[{"mesh":0,"rotation":[)" + std::string(rotation) + "]}]";
+            const auto loaded = folder_.load("a.glb", asAnimatedGlb(tetrahedron(), nodes, {}));
+            QVERIFY2(!loaded, rotation);
+            QVERIFY(loaded.error().text.find("no usable rotation") != std::string::npos);
+        }
+    }
+
     void liesAreRefused_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("error");
@@ -227,7 +255,9 @@ private slots:
         row("no such node", sliding(4), "moves a node that is not there");
         WrittenChannel channel = sliding(0);
         channel.times = {0, 1, 1};
-        row("times stand still", channel, "times that do not rise");
+        row("times stand still", channel, "has two keys at the same time");
+        channel.times = {0, 1, 0.5};
+        row("times fall", channel, "times that do not rise");
         channel.times = {0, NAN, 2};
         row("times are no numbers", channel, "times that do not rise");
         channel.times = {-1, 0, 1};
@@ -244,6 +274,13 @@ private slots:
         channel = turning(0);
         channel.values[2] = {0, 0, 0, 0};
         row("no rotation", channel, "no usable rotation");
+        channel = turning(0);
+        channel.interpolation = "CATMULLROM";
+        row("unknown interpolation", channel, "unknown interpolation \"CATMULLROM\"");
+        channel = turning(0);
+        channel.values[2] = {NAN, 0, 0, 1};
+        row("rotation is no number", channel, "not a number of at most 1e6");
+        channel = turning(0);
         channel.path = "translation";
         row("four numbers for three", channel, "has a type that does not fit");
     }

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/scene/read_image.h"
+#include "core/scene/write_png.h"
 #include "tests/core/scene/image_files.h"
 #include "tests/core/scene/mesh_files.h"
 
@@ -63,6 +64,27 @@ class TestReadImage : public QObject {
     Q_OBJECT
 
 private slots:
+    void writtenTexelsComeBack() {
+        std::mt19937 random(7);
+        for (const int step : {1, 257})
+            for (int trial = 0; trial < 20; ++trial) {
+                const int width = 1 + int(random() % 40), height = 1 + int(random() % 40);
+                std::vector<std::uint16_t> texels(std::size_t(width * height));
+                for (auto& texel : texels)
+                    texel = std::uint16_t(random() % 256 * unsigned(step));
+                const TextureImage image(width, height, texels, "a");
+                const std::string file = encodePng(image);
+                QCOMPARE(file, encodePng(image));
+                const auto again = readImage(file, "a", "memory");
+                QVERIFY2(again, again ? "" : again.error().text.c_str());
+                QCOMPARE(again->image->width(), width);
+                const auto& finest = again->image->level(0);
+                for (int y = 0; y < height; ++y)
+                    QVERIFY(std::equal(texels.begin() + y * width, texels.begin() + (y + 1) * width,
+                                       again->image->row(finest, y)));
+            }
+    }
+
     void greysOfEightBitsAreExactAndTheLowestRowIsTheFirst() {
         for (bool interlaced : {false, true}) {
             const auto image = read("a.png", asPng(3, 2, sixGreys(), {8, 0, interlaced, {}}));

@@ -56,6 +56,28 @@ class TestSceneChecks : public QObject {
 private slots:
     void aSoundSceneHasNoFindings() { QCOMPARE(validate(soundScene()).size(), std::size_t(0)); }
 
+    void shadingAndLayersAreDescribed() {
+        Scene scene = soundScene();
+        Surface& top = scene.objects[0].surfaces[0];
+        top.shading = {true, NormalSource::Computed, 0.5};
+        TextureLayer layer;
+        layer.name = "grip";
+        layer.enabled = false;
+        layer.pattern.source = TextureSource::Dots;
+        layer.target = TextureTarget::Viscosity;
+        layer.blend = TextureBlend::Multiply;
+        layer.strength = 3;
+        top.layers = {layer};
+        const std::vector<SurfaceDescription> surfaces = describe(scene).objects.at(0).surfaces;
+        QVERIFY(surfaces[0].shading == top.shading && !surfaces[1].shading.on);
+        QVERIFY(surfaces[1].layers.empty());
+        const LayerDescription& grip = surfaces[0].layers.at(0);
+        QCOMPARE(grip.name, std::string("grip"));
+        QVERIFY(!grip.enabled && grip.image.empty());
+        QVERIFY(grip.source == "dots" && grip.mapping == "triplanar" && grip.blend == "multiply");
+        QVERIFY(grip.target == "viscosity" && grip.strength.unit.empty() && grip.strength.value == 3);
+    }
+
     void oneSideOfAnUnevenMeshIsDoubted() {
         Scene scene = soundScene();
         scene.objects[0].surfaces[1].sides = Sides::Front;

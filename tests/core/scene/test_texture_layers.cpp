@@ -75,6 +75,34 @@ private slots:
         QVERIFY(!said(*load("bump -s 1 1 a bump.png"), "is scaled or moved"));
     }
 
+    void whatBecomesOfAnOddMultiplierIsSaid_data() {
+        QTest::addColumn<QString>("multiplier");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<QString>("sentence");
+        const double usual = kTextureHeight.initial, most = kTextureHeight.maximum;
+        QTest::newRow("word") << "x" << usual << "m.mtl:2: -bm \"x\" is not a number";
+        QTest::newRow("nan") << "nan" << usual << "m.mtl:2: -bm \"nan\" is not a number";
+        QTest::newRow("infinite") << "-inf" << usual << "m.mtl:2: -bm \"-inf\" is not a number";
+        QTest::newRow("high") << "1000" << most << "m.mtl:2: -bm 1000 would be a height of 0.2 m";
+        QTest::newRow("deep") << "-1000" << -most << "m.mtl:2: -bm -1000 would be a height of -0.2 m";
+    }
+    void whatBecomesOfAnOddMultiplierIsSaid() {
+        QFETCH(QString, multiplier);
+        QFETCH(double, height);
+        QFETCH(QString, sentence);
+        folder_.write("b.png", asPng(2, 1, {"\x10", "\x20"}));
+        const auto loaded = load("bump -bm " + multiplier.toStdString() + " b.png");
+        QVERIFY(loaded);
+        QCOMPARE(loaded->scene.objects[0].surfaces[0].layers.at(0).strength, height);
+        const auto warning = std::ranges::find_if(loaded->findings, [&](const Finding& finding) {
+            return finding.severity == Severity::Warning &&
+                   finding.sentence.find(sentence.toStdString()) != std::string::npos;
+        });
+        QVERIFY(warning != loaded->findings.end());
+        QVERIFY(!warning->remedy.empty());
+        QVERIFY(said(*load("bump -bm b.png"), "m.mtl:2: bump map names no picture")); // it was the multiplier
+    }
+
     void surfacesOfOneMaterialShareItsImage() {
         folder_.write("b.png", asPng(2, 1, {"\x10", "\x20"}));
         folder_.write("m.mtl", "newmtl a\nbump b.png\nnewmtl c\nKd 1 0 0\nmap_bump b.png\n");

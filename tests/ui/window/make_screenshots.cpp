@@ -9,6 +9,7 @@
 
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/panels/sample_gallery.h"
 #include "ui/view/scene_view.h"
 
 using namespace tactum;
@@ -55,15 +56,21 @@ void takeFirstTouch(TouchedWindow& program, const QDir& folder) {
     program.release(at);
 }
 
-/// A viscous surface lets go slowly: the picture is taken while the proxy slides.
-void takeSlip(TouchedWindow& program, const QDir& folder) {
-    program.type(QStringLiteral("viscosity"), QStringLiteral("12"));
+/// Presses into the body beside its middle and strokes it to the left; where the mouse is then.
+QPoint pressAndStroke(TouchedWindow& program) {
     QPoint at = program.centre() + QPoint(70, 20);
     program.press(at);
     program.frames(60);
     program.wheel(at, 5);
     program.frames(60);
     strokeTo(program, at, at + QPoint(-60, 10), 20);
+    return at;
+}
+
+/// A viscous surface lets go slowly: the picture is taken while the proxy slides.
+void takeSlip(TouchedWindow& program, const QDir& folder) {
+    program.type(QStringLiteral("viscosity"), QStringLiteral("12"));
+    QPoint at = pressAndStroke(program);
     for (int i = 0; i < 80 && !program.touch().contact[0].slipping; ++i)
         strokeTo(program, at, at + QPoint(-2, 0), 1, 1);
     save(program, folder, QStringLiteral("friction-slip.png"));
@@ -73,12 +80,7 @@ void takeSlip(TouchedWindow& program, const QDir& folder) {
 /// A stroke with the Health dock in front.
 void takeHealth(TouchedWindow& program, const QDir& folder, const QString& name) {
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
-    QPoint at = program.centre() + QPoint(70, 20);
-    program.press(at);
-    program.frames(60);
-    program.wheel(at, 5);
-    program.frames(60);
-    strokeTo(program, at, at + QPoint(-60, 10), 20);
+    const QPoint at = pressAndStroke(program);
     save(program, folder, name);
     program.release(at);
 }
@@ -117,7 +119,8 @@ int main(int argc, char** argv) {
 
     const auto trouble = std::make_shared<Trouble>();
     const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
-    TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()), sample, around);
+    TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()),
+                          samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")), around);
     program.frames(20);
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));

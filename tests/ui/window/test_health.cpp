@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
 #include <QTreeWidget>
@@ -42,8 +43,9 @@ struct TroubledWindow {
     void click(const char* name) { QTest::mouseClick(&widget(name), Qt::LeftButton); }
     bool red() { return widget("statusStrip").property("fault").toBool(); }
     QAction& action(const char* name) {
-        for (QAction* action : widget("tools").actions())
-            if (action->objectName() == QLatin1String(name)) return *action;
+        for (const auto* where : {&widget("tools"), &widget("Device")})
+            for (QAction* action : where->actions())
+                if (action->objectName() == QLatin1String(name)) return *action;
         qFatal("no action %s", name);
     }
     void showHealth() {
@@ -94,6 +96,8 @@ private slots:
     void whatLimitsTheStiffnessIsSaid();
     void motorsWarmUp();
     void theCeilingIsOverriddenOnceItsRiskIsTaken();
+    void theButtonMustBeHeldToFeel();
+    void aDeviceWithoutButtonsIsNotAskedForOne();
     void theDockIsRemembered();
 };
 
@@ -301,6 +305,50 @@ void TestHealth::theCeilingIsOverriddenOnceItsRiskIsTaken() {
     // The scene's stiffest surface is followed.
     program.type(QStringLiteral("stiffness"), QStringLiteral("1250"));
     QTRY_COMPARE_WITH_TIMEOUT(troubled.text("health-stiffest"), QStringLiteral("1250 N/m"), kPatience);
+}
+
+void TestHealth::theButtonMustBeHeldToFeel() {
+    const QString sentences = guardSentences(Withheld::DeadMan);
+    QVERIFY(sentences.contains(QStringLiteral("Hold the button to feel")));
+    {
+        TroubledWindow troubled;
+        TouchedWindow& program = troubled.program;
+        QVERIFY(program.open(writeCube(folder_)));
+        program.window->view().showStandardView(StandardView::Front);
+        QVERIFY(troubled.fullForce()); // nobody asked for it
+        QAction& action = troubled.action("dead-man");
+        QVERIFY(action.isEnabled() && !action.isChecked());
+        action.trigger();
+        const auto withheld = [&] { return program.engine.servo().withheld; };
+        QTRY_COMPARE_WITH_TIMEOUT(withheld(), Withheld::DeadMan, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(troubled.widget("status-note").toolTip(), sentences, kPatience);
+        QVERIFY(!troubled.red() && program.engine.armed()); // no fault
+        program.press(program.centre());
+        QVERIFY(troubled.fullForce());
+        QTRY_VERIFY_WITH_TIMEOUT(program.engine.servo().force.norm() > 0.1, kPatience);
+        program.release(program.centre());
+        QTRY_COMPARE_WITH_TIMEOUT(withheld(), Withheld::DeadMan, kPatience);
+        QCOMPARE(program.engine.servo().force.norm(), 0.0);
+        program.window->close();
+    }
+    TroubledWindow again; // it is remembered
+    QAction& action = again.action("dead-man");
+    QVERIFY(action.isChecked() && again.program.engine.deadMan());
+    QVERIFY(again.program.open(writeCube(folder_)));
+    QTRY_COMPARE_WITH_TIMEOUT(again.program.engine.servo().withheld, Withheld::DeadMan, kPatience);
+    action.trigger();
+    QVERIFY(again.fullForce());
+}
+
+void TestHealth::aDeviceWithoutButtonsIsNotAskedForOne() {
+    QSettings().setValue(QStringLiteral("device/deadMan"), true); // left by another device
+    auto trouble = std::make_shared<Trouble>();
+    trouble->buttons = 0;
+    TroubledWindow troubled(trouble);
+    QVERIFY(!troubled.action("dead-man").isEnabled() && !troubled.program.engine.deadMan());
+    QVERIFY(troubled.program.open(writeCube(folder_)));
+    QVERIFY(troubled.fullForce());
+    QSettings().remove(QStringLiteral("device/deadMan"));
 }
 
 void TestHealth::theDockIsRemembered() {

@@ -1,15 +1,19 @@
 // Recordings in the window: saved on demand and after a fault, opened, scrubbed, played, left again.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "core/recording/recording_file.h"
+#include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/playback_bar.h"
 #include "ui/playback.h"
@@ -62,6 +66,7 @@ private slots:
     void itIsShownInsteadOfTheLiveScene();
     void scrubbingGoesThere();
     void playingGoesOnAtItsSpeed();
+    void healthIsTheRecordings();
     void historyAndHandAreLeftAlone();
     void aFaultIsSavedByItself();
     void aDamagedFileIsOneLine();
@@ -141,6 +146,43 @@ void TestPlayback::playingGoesOnAtItsSpeed() {
     QVERIFY(playbackOf(program).time() < 1);
 }
 
+/// Nothing of the live loops: here they have not felt any scene.
+void TestPlayback::healthIsTheRecordings() {
+    TouchedWindow program;
+    auto* override = program.window->findChild<QCheckBox*>(QStringLiteral("health-override"));
+    const auto* events = program.window->findChild<QTreeWidget*>(QStringLiteral("health-events"));
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-health"))->raise();
+    program.frames(20);
+    QCOMPARE(textOf(program, "health-stiffest"), QStringLiteral("nothing yet"));
+    QVERIFY(opened(program, recording_));
+    Player& player = playbackOf(program).player();
+    const double length = player.run().end() - player.run().begin();
+    for (const double part : {0.3, 0.95}) {
+        playbackOf(program).seek(part * length, true);
+        program.frames(20);
+        QCOMPARE(textOf(program, "health-stiffest"), QStringLiteral("800 N/m"));
+        QVERIFY(
+            textOf(program, "health-servo").startsWith(QString::number(std::lround(player.servo().rate))));
+        QVERIFY(textOf(program, "health-late").endsWith(QStringLiteral("so far")));
+        QCOMPARE(events->topLevelItemCount(), int(playbackOf(program).eventsSoFar().size()));
+    }
+    const QString edited = QStringLiteral("the scene was edited");
+    QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty() && !override->isEnabled());
+    std::uint64_t ticks = 0, misses = 0;
+    for (const std::uint32_t count : player.servo().periods.count)
+        ticks += count;
+    for (const ServoRow& row : player.run().servo.rows)
+        misses += row.time <= player.time() && (row.flags & ServoRow::Late) != 0;
+    QVERIFY(ticks > 0.8 * double(player.run().servo.rows.size())); // also those that seeking left out
+    QCOMPARE(player.servo().misses, misses);
+    QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
+                      Qt::LeftButton);
+    program.frames(20);
+    QCOMPARE(textOf(program, "health-stiffest"), QStringLiteral("nothing yet"));
+    QVERIFY(textOf(program, "health-late").contains(QStringLiteral("machine")));
+    QVERIFY(events->findItems(edited, Qt::MatchContains).isEmpty() && override->isEnabled());
+}
+
 void TestPlayback::historyAndHandAreLeftAlone() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
@@ -164,16 +206,15 @@ void TestPlayback::historyAndHandAreLeftAlone() {
 
 void TestPlayback::aFaultIsSavedByItself() {
     QDir(RecordingSaver::folder()).removeRecursively();
-    TouchedWindow program;
+    const auto trouble = std::make_shared<Trouble>();
+    TouchedWindow program(
+        {1200, 800}, {}, [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); });
     QVERIFY(program.open(writeCube(folder_)));
     auto* saver = program.window->findChild<RecordingSaver*>();
     QSignalSpy saved(saver, &RecordingSaver::saved);
-    // A hand that is thrown about: faster than anybody who holds the device.
-    for (int i = 0; i < 40 && program.engine.servo().faults == 0; ++i) {
-        program.hand->write({.position = {0.14 * (i % 2 ? 1 : -1), 0.12, 0}});
-        program.frames(6);
-    }
-    if (program.engine.servo().faults == 0) QSKIP("this hand cannot be thrown fast enough");
+    QTRY_COMPARE_WITH_TIMEOUT(program.engine.servo().gain, 1.0, kPatience); // no fault without force
+    trouble->nonsense = true;
+    QTRY_VERIFY_WITH_TIMEOUT(program.engine.servo().faults > 0, kPatience);
     QVERIFY(saved.count() > 0 || saved.wait(kPatience));
     QVERIFY(saved.front().at(1).toBool());
     QVERIFY(opened(program, saved.front().at(0).toString()));

@@ -17,6 +17,7 @@ struct Trouble {
     std::atomic<bool> slow{false};     ///< every exchange takes 30 ms
     double continuousForce = 0;        ///< N, of DeviceInfo
     double maxStiffness = 0;           ///< N/m, of DeviceInfo
+    int buttons = 1;                   ///< of DeviceInfo
 };
 
 class TroubledHand final : public HapticDevice {
@@ -28,6 +29,7 @@ public:
         DeviceInfo info = hand_->info();
         info.continuousForce = trouble_->continuousForce;
         info.maxStiffness = trouble_->maxStiffness;
+        info.buttons = trouble_->buttons;
         return info;
     }
     Result<void> open() override { return hand_->open(); }

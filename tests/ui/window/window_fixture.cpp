@@ -58,14 +58,14 @@ std::unique_ptr<HapticDevice> deviceOf(const std::shared_ptr<HandTarget>& hand,
 
 } // namespace
 
-TouchedWindow::TouchedWindow(QSize size, const QString& sample, const Around& around)
+TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Around& around)
     : hand(std::make_shared<HandTarget>()), engine(deviceOf(hand, around)) {
     std::setlocale(LC_NUMERIC, "C");
     const auto started = engine.start();
     if (!started) qFatal("%s", started.error().text.c_str());
     engine.setArmed(true);
     applyTheme(rememberedTheme());
-    window = std::make_unique<MainWindow>(document, engine, hand, sample);
+    window = std::make_unique<MainWindow>(document, engine, hand, samples);
     window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");

@@ -34,7 +34,8 @@ public:
     /// Makes another device around the simulated hand, one that gives trouble for instance.
     using Around = std::function<std::unique_ptr<HapticDevice>(std::unique_ptr<HapticDevice>)>;
 
-    explicit TouchedWindow(QSize size = {1200, 800}, const QString& sample = {}, const Around& around = {});
+    explicit TouchedWindow(QSize size = {1200, 800}, const QStringList& samples = {},
+                           const Around& around = {});
     ~TouchedWindow();
 
     /// Opens a file and waits until it can be felt.

@@ -1,0 +1,106 @@
+#include "core/bundle/bundle.h"
+
+#include <fstream>
+#include <iterator>
+#include <new>
+
+#include "core/archive/bundle_files.h"
+#include "core/base/atomic_file.h"
+#include "core/bundle/preview.h"
+#include "core/bundle/sample_stroke.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/replay.h"
+#include "core/scene/load_scene.h"
+#include "core/scene/loss_report.h"
+#include "core/scene/write_gltf.h"
+#include "core/scene/write_x3d.h"
+
+namespace tactum {
+namespace {
+
+/// What each point of a path must feel, as rows of forces.csv.
+std::string forcesCsv(const World& world, const std::vector<FingerPoint>& finger) {
+    std::vector<FingerPoint> forces;
+    for (const TouchRow& row : replay(world, finger))
+        forces.push_back({row.t, row.force});
+    return fingerCsv(forces);
+}
+
+std::vector<Loss> reportOf(const Scene& scene, const X3dExport& x3d) {
+    std::vector<Loss> losses;
+    for (const ExportTarget target : {ExportTarget::Glb, ExportTarget::Mpeg, ExportTarget::KhrPhysics})
+        for (Loss& loss : lossesOf(scene, target))
+            losses.push_back(std::move(loss));
+    losses.insert(losses.end(), x3d.losses.begin(), x3d.losses.end());
+    return losses;
+}
+
+Result<std::string> readWhole(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes(std::istreambuf_iterator<char>(in), {});
+    if (!in.good() && !in.eof()) return machineError(file.string() + ": cannot be read; check its rights");
+    return bytes;
+}
+
+} // namespace
+
+Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
+    const auto reached = [&](double part) {
+        if (progress.report) progress.report(part);
+        return !progress.isCancelled();
+    };
+    const auto world = compile(scene);
+    if (!world) return tl::unexpected<Error>(world.error());
+    if (!reached(0.2)) return cancelledError();
+    auto glb = glbOf(scene, partOf(progress, 0.2, 0.3));
+    if (!glb) return tl::unexpected<Error>(glb.error());
+    if (!reached(0.3)) return cancelledError();
+    X3dExport x3d = x3dOf(scene);
+    if (!reached(0.6)) return cancelledError();
+    const std::vector<FingerPoint> finger = scene.finger ? *scene.finger : sampleStroke(**world);
+    std::vector<ZipEntry> files{{bundle_name::kScene, std::move(*glb)},
+                                {bundle_name::kFinger, fingerCsv(finger)},
+                                {bundle_name::kForces, forcesCsv(**world, finger)},
+                                {bundle_name::kPreview, previewOf(scene)},
+                                {bundle_name::kReport, reportMarkdown(reportOf(scene, x3d))},
+                                {bundle_name::kX3d, std::move(x3d.scene)},
+                                {bundle_name::kDevice, std::move(x3d.device)}};
+    for (X3dImage& image : x3d.images)
+        files.push_back({std::move(image.name), std::move(image.bytes)});
+    if (!reached(0.8)) return cancelledError();
+    return packBundle(files);
+}
+
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+    try {
+        const auto bundle = bundleOf(scene, partOf(progress, 0, 0.95));
+        if (!bundle) return tl::unexpected<Error>(bundle.error());
+        return writeFileAtomically(file, *bundle);
+    } catch (const std::bad_alloc&) {
+        return machineError(file.string() + ": not enough memory to export the scene; close other programs");
+    }
+}
+
+Result<Bundle> openBundle(const std::filesystem::path& file) {
+    auto loaded = loadScene(file);
+    if (!loaded) return tl::unexpected<Error>(loaded.error());
+    const auto bytes = readWhole(file);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    const auto files = BundleFiles::open(*bytes);
+    if (!files) return inputError(file.string() + ": " + files.error().text);
+    Bundle bundle;
+    bundle.scene = std::move(loaded->scene);
+    auto finger = readFingerPath(files->file(bundle_name::kFinger), file / bundle_name::kFinger);
+    if (!finger) return tl::unexpected<Error>(finger.error());
+    const auto forces = readFingerPath(files->file(bundle_name::kForces), file / bundle_name::kForces);
+    if (!forces) return tl::unexpected<Error>(forces.error());
+    bundle.finger = std::move(*finger);
+    for (const FingerPoint& force : *forces)
+        bundle.forces.push_back(force.position);
+    if (bundle.forces.size() != bundle.finger.size())
+        return inputError(file.string() +
+                          ": its forces.csv has other rows than finger.csv; export the bundle again");
+    return bundle;
+}
+
+} // namespace tactum

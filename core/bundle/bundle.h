@@ -1,0 +1,38 @@
+// A scene as one file for others: for every target its form, with the proof of what it must feel like.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/scene/finger_path.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+/// The ending of bundles, without dot.
+inline constexpr const char* kBundleEnding = "zip";
+
+/// The bytes of a bundle (docs/format.md): scene.glb, scene.x3d with its images and deviceinfo.x3d, a finger
+/// path and what it must feel, preview.png, report.md, and a manifest. The same scene gives the same bytes.
+/// Errors: cancelled, a scene that cannot be touched or written. Thread: any but real time.
+Result<std::string> bundleOf(const Scene& scene, const Progress& progress = {});
+
+/// The same, written whole or not at all; the last three versions stay beside it.
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
+
+/// What a bundle is opened for when somebody wants to know whether a renderer feels as it should.
+struct Bundle {
+    Scene scene;
+    std::vector<FingerPoint> finger; ///< the path
+    std::vector<Vec3>
+        forces; ///< N, world frame: what each of its points must feel, before any device's limit
+};
+
+/// Opens a bundle in this process; importScene() is for files nobody trusts. Errors: one line with the path.
+/// Thread: any but real time.
+Result<Bundle> openBundle(const std::filesystem::path& file);
+
+} // namespace tactum

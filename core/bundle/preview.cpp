@@ -1,0 +1,129 @@
+#include "core/bundle/preview.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/scene/write_png.h"
+
+namespace tactum {
+namespace {
+
+// World axes as the picture has them: x right, y up, z toward the eye. 35 degrees around y, 25 down.
+Mat3 viewRotation() {
+    return (Eigen::AngleAxisd(0.436, Vec3::UnitX()) * Eigen::AngleAxisd(-0.611, Vec3::UnitY()))
+        .toRotationMatrix();
+}
+
+/// Light values from 0 to 1, and how near to the eye each pixel's surface is.
+class Picture {
+public:
+    Picture(int width, int height)
+        : width_(width), height_(height), colour_(std::size_t(width) * std::size_t(height), kBackground),
+          depth_(colour_.size(), -std::numeric_limits<double>::infinity()) {}
+
+    /// Corners in pixels, z toward the eye.
+    void draw(const std::array<Vec3, 3>& t, const Eigen::Vector3d& colour) {
+        const double area = cross(t[1] - t[0], t[2] - t[0]);
+        if (std::abs(area) < 1e-12) return;
+        const auto [left, right] = range(t, 0, width_);
+        const auto [top, bottom] = range(t, 1, height_);
+        for (int y = top; y <= bottom; ++y)
+            for (int x = left; x <= right; ++x) {
+                const Vec3 p(x + 0.5, y + 0.5, 0);
+                const double b = cross(p - t[0], t[2] - t[0]) / area, c = cross(t[1] - t[0], p - t[0]) / area;
+                if (b < 0 || c < 0 || b + c > 1) continue;
+                put(x, y, t[0].z() + b * (t[1].z() - t[0].z()) + c * (t[2].z() - t[0].z()), colour);
+            }
+    }
+
+    std::string png() const {
+        std::vector<std::uint16_t> values;
+        for (const Eigen::Vector3d& light : colour_)
+            for (const double value : light) // from linear light to what a screen expects
+                values.push_back(
+                    std::uint16_t(std::lround(65535 * std::pow(std::clamp(value, 0.0, 1.0), 1 / 2.2))));
+        return encodePng(width_, height_, 3, 8, values);
+    }
+
+private:
+    static inline const Eigen::Vector3d kBackground{0.035, 0.04, 0.05};
+
+    static double cross(const Vec3& a, const Vec3& b) { return a.x() * b.y() - a.y() * b.x(); }
+    static std::pair<int, int> range(const std::array<Vec3, 3>& t, int axis, int size) {
+        const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+        return {int(std::clamp(low - 1, 0.0, double(size))),
+                int(std::clamp(high + 1, -1.0, double(size - 1)))};
+    }
+    void put(int x, int y, double z, const Eigen::Vector3d& colour) {
+        const std::size_t pixel = std::size_t(y) * std::size_t(width_) + std::size_t(x);
+        if (z <= depth_[pixel]) return;
+        depth_[pixel] = z;
+        colour_[pixel] = colour;
+    }
+
+    int width_, height_;
+    std::vector<Eigen::Vector3d> colour_;
+    std::vector<double> depth_;
+};
+
+/// From the world to pixels: the scene's box fills nine tenths of the picture.
+class Camera {
+public:
+    Camera(const Scene& scene, int width, int height)
+        : turn_(viewRotation()), middle_(width / 2.0, height / 2.0) {
+        Bounds seen;
+        for (const SceneObject& object : scene.objects)
+            if (object.visible)
+                for (const Vec3& p : object.geometry->positions)
+                    seen.add(turn_ * object.pose.apply(p));
+        if (seen.empty()) return;
+        centre_ = seen.centre();
+        const Vec3 size = (seen.high - seen.low).cwiseMax(1e-9);
+        scale_ = 0.9 * std::min(width / size.x(), height / size.y());
+    }
+    Vec3 pixel(const Vec3& world) const {
+        const Vec3 p = scale_ * (turn_ * world - centre_);
+        return {middle_.x() + p.x(), middle_.y() - p.y(), p.z()};
+    }
+    /// How bright a facet is; its two sides look alike.
+    double light(const Vec3& normal) const {
+        const Vec3 n = turn_ * normal;
+        static const Vec3 kLamp = Vec3(-0.3, 0.6, 0.74).normalized();
+        return 0.15 + 0.85 * std::abs(n.dot(kLamp));
+    }
+
+private:
+    Mat3 turn_;
+    Eigen::Vector2d middle_;
+    Vec3 centre_ = Vec3::Zero();
+    double scale_ = 1;
+};
+
+} // namespace
+
+std::string previewOf(const Scene& scene, int width, int height) {
+    Picture picture(width, height);
+    const Camera camera(scene, width, height);
+    for (const SceneObject& object : scene.objects) {
+        if (!object.visible) continue;
+        const TriangleSoup& soup = *object.geometry;
+        for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+            std::array<Vec3, 3> corner;
+            for (std::size_t i = 0; i < 3; ++i)
+                corner[i] = object.pose.apply(soup.positions[soup.triangles[f][i]]);
+            const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+            if (normal.norm() == 0) continue;
+            const Eigen::Vector3d colour = object.surfaces[soup.surfaceOf[f]].colour.cast<double>();
+            for (Vec3& p : corner)
+                p = camera.pixel(p);
+            picture.draw(corner, camera.light(normal.normalized()) * colour);
+        }
+    }
+    return picture.png();
+}
+
+} // namespace tactum

@@ -1,0 +1,37 @@
+// What the servo loop tells the window, live or from a recording.
+#pragma once
+
+#include "core/runtime/period_histogram.h"
+#include "core/runtime/servo_step.h"
+
+namespace tactum {
+
+struct ServoTelemetry {
+    Vec3 finger = Vec3::Zero();
+    Vec3 force = Vec3::Zero(); ///< N, after the limiter: what the device was sent
+    std::uint64_t ticks = 0;
+    double rate = 0;                 ///< Hz, over the last half second
+    double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
+    std::uint64_t misses = 0;        ///< ticks that came more than one period late
+    std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (Canary)
+    PeriodHistogram periods;         ///< deviations, since the start
+    std::uint64_t clamped = 0;       ///< commands that the limiter shortened
+    std::uint64_t invalidSamples = 0;
+    Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
+    double gain = 0;                        ///< of the force: 0 none, 1 all
+    std::uint64_t faults = 0;
+    std::uint64_t pauses = 0;               ///< how often force was taken away without a fault
+    Withheld lastPause = Withheld::Nothing; ///< why, the last time: it may be over within a tick
+    std::uint64_t oscillations = 0;         ///< limit cycles that were noticed
+    double calm = 1;                        ///< part of the stiffness that is left after them
+    double heat = 0;                        ///< of the motors: 1 is as warm as they may be for ever
+    double energy = 0;                      ///< J that the surface gave beyond what it took
+    double passivityDamping = 0;            ///< N s/m, that takes it back
+    StiffnessCeiling ceiling;
+};
+
+/// Everything that a tick itself tells. When the ticks came is for whoever has a clock: rate, jitter, periods
+/// and misses stay as they are. Call it after each tick: it counts pauses. Thread: real time.
+void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState& state) noexcept;
+
+} // namespace tactum

@@ -1,0 +1,20 @@
+// Saves a scene as the file that opens as the same scene.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+/// The ending of the program's own files, without dot.
+inline constexpr const char* kSceneEnding = "glb";
+
+/// Writes the scene as .glb, whole or not at all, with the last three versions beside it. A file that a later
+/// major version of the format wrote is not replaced: what this version does not know would be lost. Errors:
+/// one line with the path and the remedy. Thread: any but real time.
+Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
+
+} // namespace tactum

@@ -1,0 +1,61 @@
+// Writes the sample scenes, a picture of each, and the teapot as a bare mesh: make-samples FOLDER.
+// resources/scenes holds what this program writes; a test compares them.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "core/bundle/preview.h"
+#include "core/scene/write_gltf.h"
+#include "resources/make_samples/samples.h"
+
+namespace tactum::samples {
+
+std::vector<Sample> allSamples() {
+    return {{"teapot", teapot()},
+            {"friction-ladder", frictionLadder()},
+            {"viscosity-ladder", viscosityLadder()},
+            {"stiffness-ladder", stiffnessLadder()},
+            {"texture-wall", textureWall()},
+            {"layered-leather", layeredLeather()},
+            {"relief-coin", reliefCoin()},
+            {"thin-wall-maze", thinWallMaze()},
+            {"blind-box", blindBox()}};
+}
+
+} // namespace tactum::samples
+
+namespace {
+
+bool write(const std::filesystem::path& file, const std::string& bytes) {
+    std::ofstream out(file, std::ios::binary);
+    out << bytes;
+    return out.flush().good();
+}
+
+/// The scene and its picture.
+bool write(const std::filesystem::path& folder, const tactum::samples::Sample& sample) {
+    const auto glb = tactum::glbOf(sample.scene);
+    if (!glb) {
+        std::cerr << "make-samples: " << sample.name << ": " << glb.error().text << "\n";
+        return false;
+    }
+    return write(folder / (sample.name + ".glb"), *glb) &&
+           write(folder / (sample.name + ".png"), tactum::previewOf(sample.scene, 320, 240));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: make-samples FOLDER\n";
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    bool good = tactum::samples::writeTeapotFiles(folder);
+    for (const tactum::samples::Sample& sample : tactum::samples::allSamples())
+        good = good && write(folder, sample);
+    if (good) return 0;
+    std::cerr << "make-samples: cannot write into " << folder
+              << "; check the folder and the space on its disk\n";
+    return 3;
+}

@@ -1,0 +1,32 @@
+// Every sample scene by name. Unit: metre, y up, each of a hand's size.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace tactum::samples {
+
+struct Sample {
+    std::string name; ///< of its files, without ending
+    Scene scene;
+};
+
+Scene teapot();          ///< several surfaces, felt round instead of faceted (section 3)
+Scene frictionLadder();  ///< six plates, static and dynamic friction from nothing to 1
+Scene viscosityLadder(); ///< six plates, b of equation (21) from 0 to 20 N s/m
+Scene stiffnessLadder(); ///< six plates, 50 to 1600 N/m
+Scene textureWall();     ///< brick, corduroy, sandpaper and tiles: haptic texture from pictures and formulas
+Scene layeredLeather();  ///< layers, blends and a mask: grain, stitches, a worn place
+Scene reliefCoin();      ///< one picture of 16 bits over a whole face
+Scene thinWallMaze();    ///< walls thinner than the proxy, which must not go through them
+Scene blindBox();        ///< a shape that the eye does not see and the finger has to find out
+
+std::vector<Sample> allSamples();
+
+/// teapot.obj, teapot.mtl and teapot-finger.csv. False when they could not be written.
+bool writeTeapotFiles(const std::filesystem::path& folder);
+
+} // namespace tactum::samples

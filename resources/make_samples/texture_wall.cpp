@@ -1,0 +1,199 @@
+// Four panels on a leaning wall: two height pictures, two patterns from formulas; 0.15 to 0.6 mm high.
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "resources/make_samples/height_image.h"
+#include "resources/make_samples/mesh.h"
+#include "resources/make_samples/samples.h"
+
+namespace tactum::samples {
+namespace {
+
+constexpr double kPanelWidth = 0.08, kPanelHeight = 0.056; // m
+constexpr double kLean = 0.7;                              // rad, backward from upright
+constexpr double kUvLength = 0.1; // m: how long one unit of the texture coordinates is
+
+// m. Whole repeats fill a panel. The low part, mortar or grout, lies around each repeat's corner.
+constexpr double kBrick = 0.02, kCourse = 0.008, kMortar = 0.0016;
+constexpr double kTile = 0.016, kGrout = 0.002;
+constexpr double kCord = 0.004;
+
+/// How far `x` is from the nearest multiple of `period`.
+double fromLine(double x, double period) {
+    return std::abs(x - period * std::round(x / period));
+}
+
+/// Distance to the mortar's middle line; every other course is moved by half a brick. m.
+double fromMortar(double x, double y) {
+    const bool odd = int(std::floor(y / kCourse)) % 2 != 0;
+    return std::min(fromLine(y, kCourse), fromLine(x + (odd ? kBrick / 2 : 0), kBrick));
+}
+
+double fromGrout(double x, double y) {
+    return std::min(fromLine(y, kTile), fromLine(x, kTile));
+}
+
+TextureLayer layer(std::string name, TextureSource source, double size, double height) {
+    TextureLayer made;
+    made.name = std::move(name);
+    made.pattern.source = source;
+    made.pattern.mapping = TextureMapping::Uv;
+    made.pattern.size = size;
+    made.strength = height;
+    return made;
+}
+
+/// One brick and two courses; the bricks' faces are a little uneven.
+TextureLayer bricks() {
+    TextureLayer made = layer("bricks", TextureSource::Image, kBrick, 0.6e-3);
+    made.pattern.image = heightImage("bricks", 160, 128, [](double u, double v) {
+        const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
+        const double uneven = std::sin(3 * a + std::sin(2 * b)) * std::sin(4 * b + std::sin(5 * a));
+        const double edge = smoothStep(0.3e-3, 1.2e-3, fromMortar(u * kBrick, v * 2 * kCourse));
+        return edge * (0.9 + 0.1 * uneven);
+    });
+    return made;
+}
+
+TextureLayer tiles() {
+    TextureLayer made = layer("tiles", TextureSource::Image, kTile, 0.4e-3);
+    made.pattern.image = heightImage("tiles", 96, 96, [](double u, double v) {
+        return smoothStep(0.6e-3, 1.6e-3, fromGrout(u * kTile, v * kTile));
+    });
+    return made;
+}
+
+TextureLayer cords() {
+    TextureLayer made = layer("cords", TextureSource::Grooves, kCord, 0.5e-3);
+    made.pattern.fill = 0.6;
+    made.pattern.softness = 0.5;
+    return made;
+}
+
+TextureLayer grit() {
+    TextureLayer made = layer("grit", TextureSource::Noise, 0.0015, 0.15e-3);
+    made.pattern.octaves = 2;
+    return made;
+}
+
+/// Two surfaces with one texture: what is high and what is low differ in colour and friction.
+struct Panel {
+    std::string name;
+    TextureLayer layer;
+    std::vector<double> xs, ys; ///< m: lines between cells
+    Mesh::SurfaceAt surfaceAt;  ///< 0 or 1
+    std::array<Surface, 2> surfaces;
+};
+
+/// From 0 to `end`, a line on both sides of each multiple of `period`.
+std::vector<double> linesAround(double period, double halfWidth, double end) {
+    std::vector<double> all{0};
+    for (int i = 0; i * period < end + halfWidth; ++i)
+        for (const double x : {i * period - halfWidth, i * period + halfWidth})
+            if (x > 0 && x < end) all.push_back(x);
+    all.push_back(end);
+    return all;
+}
+
+Panel brickPanel() {
+    return {"brick",
+            bricks(),
+            linesAround(kBrick / 2, kMortar / 2, kPanelWidth),
+            linesAround(kCourse, kMortar / 2, kPanelHeight),
+            [](double x, double y) { return Index(fromMortar(x, y) < kMortar / 2); },
+            {surface("brick", {0.42f, 0.12f, 0.07f}, {.staticFriction = 0.6, .dynamicFriction = 0.5}),
+             surface("mortar", {0.52f, 0.48f, 0.42f}, {.staticFriction = 0.8, .dynamicFriction = 0.7})}};
+}
+
+Panel tilePanel() {
+    return {"tiles",
+            tiles(),
+            linesAround(kTile, kGrout / 2, kPanelWidth),
+            linesAround(kTile, kGrout / 2, kPanelHeight),
+            [](double x, double y) { return Index(fromGrout(x, y) < kGrout / 2); },
+            {surface("tile", {0.10f, 0.32f, 0.42f}, {.staticFriction = 0.2, .dynamicFriction = 0.15}),
+             surface("grout", {0.70f, 0.70f, 0.66f}, {.staticFriction = 0.6, .dynamicFriction = 0.5})}};
+}
+
+Panel corduroyPanel() {
+    return {"corduroy",
+            cords(),
+            linesAround(kCord, 0.3 * kCord, kPanelWidth),
+            {0, kPanelHeight},
+            [](double x, double) { return Index(fromLine(x, kCord) > 0.3 * kCord); },
+            {surface("cord", {0.20f, 0.22f, 0.10f},
+                     {.stiffness = 500, .staticFriction = 0.4, .dynamicFriction = 0.35}),
+             surface("valley", {0.09f, 0.10f, 0.04f},
+                     {.stiffness = 500, .staticFriction = 0.4, .dynamicFriction = 0.35})}};
+}
+
+/// Some grains shine.
+Panel sandpaperPanel() {
+    const auto shines = [](double x, double y) {
+        const auto cell = std::uint32_t(x / 2e-3) * 374761393U + std::uint32_t(y / 2e-3) * 668265263U;
+        const std::uint32_t mixed = (cell ^ (cell >> 13)) * 1274126177U;
+        return Index((mixed ^ (mixed >> 16)) % 3 == 0);
+    };
+    const Material rough{.staticFriction = 0.8, .dynamicFriction = 0.7};
+    return {"sandpaper",
+            grit(),
+            evenly(0, kPanelWidth, 40),
+            evenly(0, kPanelHeight, 28),
+            shines,
+            {surface("grit", {0.46f, 0.32f, 0.18f}, rough),
+             surface("shining grit", {0.56f, 0.41f, 0.25f}, rough)}};
+}
+
+/// `place`: of its lower left corner on the wall's face, m.
+SceneObject objectOf(const Panel& panel, const Eigen::Vector2d& place) {
+    Mesh mesh;
+    mesh.grid(
+        panel.xs, panel.ys, [](double x, double y) { return Vec3(x, y, 0); }, panel.surfaceAt,
+        [](double x, double y) { return Uv(float(x / kUvLength), float(y / kUvLength)); });
+    SceneObject made = object(panel.name, mesh, {panel.surfaces[0], panel.surfaces[1]});
+    for (Surface& each : made.surfaces)
+        each.layers = {panel.layer};
+    made.pose.rotation = Quat(Eigen::AngleAxisd(-kLean, Vec3::UnitX()));
+    made.pose.translation = made.pose.rotate({place.x(), place.y(), 0.0003}); // just before the wall
+    return made;
+}
+
+/// A wedge below the panels.
+SceneObject wall() {
+    const double side = kPanelWidth + 0.007, height = 2 * kPanelHeight + 0.014, low = -0.006;
+    const auto onFace = [](double y) { return Vec3(0, y * std::cos(kLean), -y * std::sin(kLean)); };
+    const Vec3 front = onFace(low), ridge = onFace(height + low);
+    const Vec3 back(0, ridge.y(), ridge.z() - 0.012), foot(0, front.y(), back.z() - 0.012);
+    Mesh mesh;
+    std::array<Index, 4> left, right;
+    std::size_t i = 0;
+    for (const Vec3& p : {front, ridge, back, foot}) {
+        left[i] = mesh.point(p - Vec3(side, 0, 0));
+        right[i++] = mesh.point(p + Vec3(side, 0, 0));
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+        mesh.quad(left[k], right[k], right[(k + 1) % 4], left[(k + 1) % 4]);
+    mesh.quad(left[0], left[1], left[2], left[3]);
+    mesh.quad(right[0], right[3], right[2], right[1]);
+    return object(
+        "wall", mesh,
+        {surface("plaster", {0.50f, 0.50f, 0.48f}, {.staticFriction = 0.4, .dynamicFriction = 0.35})});
+}
+
+} // namespace
+
+Scene textureWall() {
+    constexpr double kApart = 0.002;
+    const double left = -kPanelWidth - kApart / 2, right = kApart / 2;
+    const double high = kPanelHeight + kApart;
+    Scene scene;
+    scene.add(objectOf(brickPanel(), {left, high}));
+    scene.add(objectOf(tilePanel(), {right, high}));
+    scene.add(objectOf(corduroyPanel(), {left, 0}));
+    scene.add(objectOf(sandpaperPanel(), {right, 0}));
+    scene.add(wall());
+    return scene;
+}
+
+} // namespace tactum::samples

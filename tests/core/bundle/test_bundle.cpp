@@ -1,0 +1,131 @@
+// A bundle: the same bytes for the same scene, the forces that it promises, and no changed file unnoticed.
+#include <fstream>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/archive/bundle_files.h"
+#include "core/bundle/bundle.h"
+#include "core/bundle/preview.h"
+#include "core/bundle/sample_stroke.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/replay.h"
+#include "core/scene/load_scene.h"
+#include "core/scene/read_image.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/soups.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+/// A plate of 0.2 m at the height 0.
+Scene plate() {
+    Scene scene;
+    SceneObject object;
+    object.name = "plate";
+    object.geometry =
+        SoupBuilder()
+            .quad({-0.1, 0, -0.1}, {-0.1, 0, 0.1}, {0.1, 0, 0.1}, {0.1, 0, -0.1})
+            .quad({-0.1, -0.02, -0.1}, {0.1, -0.02, -0.1}, {0.1, -0.02, 0.1}, {-0.1, -0.02, 0.1})
+            .build();
+    object.surfaces.resize(1);
+    object.surfaces[0].name = "top";
+    object.surfaces[0].material.stiffness = 500;
+    scene.add(object);
+    return scene;
+}
+
+std::string bytesOf(const Scene& scene) {
+    const auto bytes = bundleOf(scene);
+    return bytes ? *bytes : throw std::runtime_error(bytes.error().text);
+}
+
+} // namespace
+
+class TestBundle : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    std::filesystem::path write(const std::string& bytes) {
+        const std::filesystem::path file = folder_.filePath(QStringLiteral("a.zip")).toStdString();
+        std::ofstream(file, std::ios::binary) << bytes;
+        return file;
+    }
+
+private slots:
+    void theSameSceneGivesTheSameBytes() {
+        for (unsigned seed = 0; seed < 5; ++seed) {
+            Scene scene = SceneDice(seed).scene();
+            QVERIFY(bytesOf(scene) == bytesOf(SceneDice(seed).scene()));
+            const auto loaded = loadScene(write(bytesOf(scene)));
+            QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+            QCOMPARE(difference(scene, loaded->scene), std::string());
+            QVERIFY(bytesOf(loaded->scene) == bytesOf(scene));
+        }
+    }
+
+    void theForcesAreThoseThatAreFelt() {
+        const auto bundle = openBundle(write(bytesOf(plate())));
+        QVERIFY2(bundle, bundle ? "" : bundle.error().text.c_str());
+        const auto world = compile(bundle->scene);
+        const TouchTrace rows = replay(**world, bundle->finger);
+        QCOMPARE(rows.size(), bundle->forces.size());
+        double most = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QVERIFY(rows[i].force == bundle->forces[i]);
+            most = std::max(most, rows[i].force.norm());
+        }
+        // One hundredth of the diagonal deeper than where the proxy first touched, and up to a tick further.
+        const double depth = 0.01 * boundsOf(plate()).diagonal();
+        QVERIFY2(most >= 500 * depth && most < 500 * (depth + 1e-3), qPrintable(QString::number(most)));
+    }
+
+    void everyFileIsHeldAgainstTheManifest() {
+        const auto files = BundleFiles::open(bytesOf(plate()));
+        QVERIFY(files);
+        for (const char* name :
+             {bundle_name::kScene, bundle_name::kX3d, bundle_name::kDevice, bundle_name::kFinger,
+              bundle_name::kForces, bundle_name::kPreview, bundle_name::kReport})
+            QVERIFY2(!files->file(name).empty(), name);
+        const auto zip = readZip(bytesOf(plate()));
+        for (std::size_t i = 1; i < zip->size(); ++i) {
+            std::vector<ZipEntry> changed = *zip;
+            changed[i].bytes[changed[i].bytes.size() / 2] ^= 1;
+            QVERIFY(BundleFiles::open(writeZip(changed)).error().text.find(changed[i].name) !=
+                    std::string::npos);
+            changed = *zip;
+            changed.erase(changed.begin() + int(i));
+            QVERIFY(!BundleFiles::open(writeZip(changed)));
+        }
+        std::vector<ZipEntry> more = *zip;
+        more.push_back({"more.txt", "x"});
+        QVERIFY(!BundleFiles::open(writeZip(more)));
+        QVERIFY(!BundleFiles::open(writeZip(std::vector<ZipEntry>(zip->begin() + 1, zip->end()))));
+    }
+
+    void aStrokeTouchesWhatLiesBelowTheMiddle() {
+        const auto world = compile(plate());
+        int touching = 0;
+        for (const TouchRow& row : replay(**world, sampleStroke(**world)))
+            touching += row.contacts > 0;
+        QVERIFY(touching > 2000); // the two seconds of the circle, and more
+    }
+
+    void thePreviewShowsTheScene() {
+        const auto picture = readImage(previewOf(plate(), 64, 48), "preview", "memory");
+        QVERIFY(picture);
+        const auto& level = picture->image->level(0);
+        QVERIFY(picture->image->texel(level, 32, 24) > 2 * picture->image->texel(level, 1, 1));
+        Scene hidden = plate();
+        hidden.objects[0].visible = false;
+        const auto empty = readImage(previewOf(hidden, 64, 48), "preview", "memory");
+        QCOMPARE(empty->image->texel(empty->image->level(0), 32, 24),
+                 empty->image->texel(empty->image->level(0), 1, 1));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestBundle)
+#include "test_bundle.moc"

@@ -1,0 +1,142 @@
+// Writes the files that fuzzing begins with: make-fuzz-corpus FOLDER.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <QBuffer>
+#include <QImage>
+#include <QImageWriter>
+
+#include "core/archive/bundle_files.h"
+#include "core/recording/recording_file.h"
+#include "core/scene/finger_path.h"
+#include "core/scene/write_gltf.h"
+#include "core/scene/write_x3d.h"
+#include "tests/core/recording/hand_made_run.h"
+#include "tests/core/scene/image_files.h"
+#include "tests/core/scene/mesh_files.h"
+#include "tests/core/scene/rare_files.h"
+#include "tests/support/random_scene.h"
+
+using namespace tactum;
+
+namespace {
+
+/// A folded sheet with a line and a point: every kind of face in few bytes.
+TriangleSoup folded() {
+    TriangleSoup soup;
+    soup.positions = {{0, 0, 0}, {0.125, 0, 0}, {0, 0.125, 0}, {0.125, 0.125, 0.0625}, {0.25, 0, 0.125}};
+    soup.triangles = {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {3, 4, 4}, {4, 4, 4}};
+    soup.surfaceOf.assign(soup.triangles.size(), 0);
+    return soup;
+}
+
+class Corpus {
+public:
+    explicit Corpus(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    void add(const std::string& target, const std::string& name, const std::string& bytes) const {
+        std::filesystem::create_directories(folder_ / target);
+        std::ofstream(folder_ / target / name, std::ios::binary) << bytes;
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+void addMeshes(const Corpus& corpus) {
+    for (const WrittenMesh& mesh : inEveryFormat(folded()))
+        corpus.add(mesh.name.substr(mesh.name.rfind('.') + 1), mesh.name, mesh.content);
+    corpus.add("obj", "materials.obj",
+               "mtllib m.mtl\no lid\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\n"
+               "usemtl red\ng a b\ns 1\nf 1/1/1 2/2/1 3/3/1 4//1\nusemtl blue\nl 1 2 -1\np 3\nf -1 -2 -3\n"
+               "#mtl\nnewmtl red\nKd 1 0 0\nmap_bump -bm 0.5 -s 2 2 1 h.png\nnewmtl blue\nbump h.png\n");
+    corpus.add(
+        "ply", "lists.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+        "property double z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar red\n"
+        "element face 1\nproperty list uchar uint vertex_indices\nproperty list uchar float texcoord\n"
+        "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0 0 0 1 9\n"
+        "1 0 0 0 0 1 9\n1 1 0 0 0 1 9\n0 1 0 0 0 1 9\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n0 2\n");
+    corpus.add("off", "polygons.off",
+               "COFF\n4 2 0\n0 0 0 1 0 0 1\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n2 0 2\n");
+    WrittenChannel slide{0, "translation", "CUBICSPLINE", {0, 1}, {}};
+    slide.values.assign(6, {0, 0.125, 0});
+    const WrittenChannel turn{0, "rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {1, 0, 0, 0}}};
+    corpus.add("glb", "moving.glb", asAnimatedGlb(folded(), "", {slide, turn}));
+    corpus.add(
+        "gltf", "tree.gltf",
+        asGltf(folded(),
+               R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1,2],"scale":[2,-1,1]},)"
+               R"({"mesh":0,"rotation":[0,0,1,0]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]}])"));
+    corpus.add("3ds", "a.3ds", as3ds(folded(), "lid", "red"));
+    corpus.add("dae", "a.dae", asDae("<unit name='inch' meter='0.0254'/>"));
+    corpus.add("fbx", "a.fbx", asFbx(2));
+}
+
+void addScenes(const Corpus& corpus) {
+    for (unsigned seed = 0, added = 0; added < 6; ++seed) {
+        const Scene scene = test::SceneDice(seed).scene();
+        const std::string glb = glbOf(scene).value();
+        if (glb.size() > 12'000) continue;
+        const std::string number = std::to_string(added++);
+        corpus.add("own", "scene-" + number + ".glb", glb);
+        const X3dExport x3d = x3dOf(scene);
+        if (x3d.scene.size() < 20'000) corpus.add("x3d", "scene-" + number + ".x3d", x3d.scene);
+        if (added % 3 == 0)
+            corpus.add("zip", "bundle-" + number + ".zip",
+                       packBundle(std::vector<ZipEntry>{{bundle_name::kScene, glb}}));
+    }
+    corpus.add(
+        "x3d", "polygons.x3d",
+        "<X3D profile='H3DAPI'><Scene><Transform DEF='T' translation='1 0 0' rotation='0 1 0 1' scale='2 1 "
+        "1'>"
+        "<Shape DEF='S'><Appearance><Material diffuseColor='1 0 0'/><FrictionalSurface stiffness='0.5'/>"
+        "</Appearance><IndexedFaceSet coordIndex='0 1 2 3 -1 0 2 1' convex='false' creaseAngle='1'>"
+        "<Coordinate point='0 0 0, 1 0 0, 1 1 0, 0 1 0'/></IndexedFaceSet></Shape></Transform>"
+        "<Transform USE='T'/><Shape><Box size='1 2 3'/></Shape><Shape USE='S'/></Scene></X3D>\n");
+}
+
+void addPictures(const Corpus& corpus) {
+    const std::vector<std::string> grey(6, "\x40"), deep(6, std::string("\x40\x80")), colour(6, "abc");
+    corpus.add("image", "grey.png", asPng(3, 2, grey));
+    corpus.add("image", "deep.png", asPng(3, 2, deep, {.depth = 16, .extra = {}}));
+    corpus.add("image", "interlaced.png",
+               asPng(3, 2, colour, {.colour = 2, .interlaced = true, .extra = {}}));
+    corpus.add(
+        "image", "palette.png",
+        asPng(3, 2, std::vector<std::string>(6, "\x01"), {.colour = 3, .extra = pngChunk("PLTE", "abcdef")}));
+    corpus.add("image", "strip.tiff", asTiff(3, 2, std::string(6, 'x')));
+    corpus.add("image", "float.tiff",
+               asTiff(2, 1, std::string("\0\0\0\x3f\0\0\0\x3f", 8), {.bits = 32, .format = 3}));
+    corpus.add("image", "tile.tiff",
+               asTiff(3, 2, std::string(768, 'x'), {.samples = 3, .photometric = 2, .tile = 16}));
+    QImage picture(9, 7, QImage::Format_RGB32);
+    picture.fill(Qt::darkCyan);
+    for (const bool progressive : {false, true}) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        QImageWriter writer(&buffer, "jpeg");
+        writer.setProgressiveScanWrite(progressive);
+        writer.write(picture);
+        corpus.add("image", progressive ? "progressive.jpg" : "plain.jpg", bytes.toStdString());
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    const Corpus corpus(argv[1]);
+    addMeshes(corpus);
+    addScenes(corpus);
+    addPictures(corpus);
+    const std::vector<FingerPoint> path{{0, {0, 0, 0}}, {0.001, {1e-3, -2, 0.5}}};
+    corpus.add("finger", "two.csv", fingerCsv(path));
+    Scene touched;
+    SceneObject sheet;
+    sheet.geometry = std::make_shared<const TriangleSoup>(folded());
+    sheet.surfaces.resize(1);
+    touched.add(std::move(sheet));
+    corpus.add("recording", "short.tactum-recording",
+               recordingBytes({handMadeRun(4, touched), "a few steps", {}}));
+}

@@ -1,0 +1,140 @@
+#include "tests/fuzz/targets.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "core/import/scene_transfer.h"
+#include "core/recording/player.h"
+#include "core/recording/recording_file.h"
+#include "core/scene/finger_path.h"
+#include "core/scene/read_image.h"
+#include "core/scene/readers.h"
+#include "core/scene/write_gltf.h"
+#include "tests/support/random_touch.h"
+
+namespace tactum::fuzz {
+namespace {
+
+[[noreturn]] void found(const std::string& what) {
+    std::cerr << "FOUND: " << what << '\n';
+    std::abort();
+}
+
+void demandOneLine(const Error& error) {
+    if (error.text.empty() || error.text.find('\n') != std::string::npos)
+        found("an error that is not one line: " + error.text);
+}
+
+/// A folder of this process alone, for readers that look beside their file.
+const std::filesystem::path& folder() {
+    static const std::filesystem::path made = [] {
+        std::string name = (std::filesystem::temp_directory_path() / "tactum-fuzz-XXXXXX").string();
+        if (!mkdtemp(name.data())) found("no folder to work in");
+        static const std::string kept = name;
+        std::atexit([] { std::filesystem::remove_all(kept); });
+        return std::filesystem::path(name);
+    }();
+    return made;
+}
+
+/// What loadScene() gives goes to another process, is checked there, and is felt.
+void demandSound(const LoadedScene& loaded) {
+    StringOut out;
+    writeTransfer(out, loaded);
+    try {
+        readTransfer(out.bytes);
+    } catch (const ByteFault& fault) {
+        found("the import process would be refused its scene: " + fault.error.text);
+    }
+    const std::string fault = test::faultOfTouch(loaded.scene);
+    if (!fault.empty()) found(fault);
+}
+
+template <LoadedScene (*read)(const Source&, const Progress&)>
+void readAs(std::string_view name, std::string_view bytes) {
+    try {
+        demandSound(read(Source::ofBytes(folder() / name, bytes), {}));
+    } catch (const ReadFault& fault) {
+        demandOneLine(fault.error);
+    }
+}
+
+/// What stands behind the line "#mtl" is the library beside it.
+void readObjAndMtl(std::string_view bytes) {
+    constexpr std::string_view kRest = "\n#mtl\n";
+    const std::size_t cut = bytes.find(kRest);
+    const std::string_view library = cut == bytes.npos ? "" : bytes.substr(cut + kRest.size());
+    std::ofstream(folder() / "m.mtl", std::ios::binary) << library;
+    readAs<readObj>("a.obj", bytes.substr(0, cut));
+}
+
+/// Our own files can be saved again, and then opened again.
+void readOwn(std::string_view bytes) {
+    try {
+        const LoadedScene loaded = readGltf(Source::ofBytes(folder() / "a.glb", bytes), {});
+        demandSound(loaded);
+        const auto saved = glbOf(loaded.scene);
+        if (!saved) return demandOneLine(saved.error());
+        if (readGltf(Source::ofBytes(folder() / "b.glb", *saved), {}).scene.objects.size() !=
+            loaded.scene.objects.size())
+            found("saving lost an object");
+    } catch (const ReadFault& fault) {
+        demandOneLine(fault.error);
+    }
+}
+
+/// A library with known faults, which is why it runs in a process of its own; that one catches as well.
+void readRare(std::string_view name, std::string_view bytes) {
+    try {
+        readAs<readAssimp>(name, bytes);
+    } catch (const std::exception&) {
+    }
+}
+
+void readPicture(std::string_view bytes) {
+    const auto loaded = readImage(bytes, "picture", "a.glb");
+    if (!loaded) demandOneLine(loaded.error());
+}
+
+void readFinger(std::string_view bytes) {
+    const auto path = readFingerPath(bytes, "a.csv");
+    if (!path) demandOneLine(path.error());
+}
+
+void readRun(std::string_view bytes) {
+    std::string sealed(bytes); // else hardly any would get beyond its fingerprint
+    sealRecording(sealed);
+    auto recording = parseRecording(sealed, folder() / "a.tactum-recording");
+    if (!recording) return demandOneLine(recording.error());
+    auto player = Player::open(std::make_shared<const RecordedRun>(std::move(recording->run)));
+    if (!player) return demandOneLine(player.error());
+    player->advanceTo(player->run().begin() + 0.1);
+}
+
+constexpr Target kTargets[] = {
+    {"obj", readObjAndMtl},
+    {"ply", [](std::string_view bytes) { readAs<readPly>("a.ply", bytes); }},
+    {"stl", [](std::string_view bytes) { readAs<readStl>("a.stl", bytes); }},
+    {"off", [](std::string_view bytes) { readAs<readOff>("a.off", bytes); }},
+    {"gltf", [](std::string_view bytes) { readAs<readGltf>("a.gltf", bytes); }},
+    {"glb", [](std::string_view bytes) { readAs<readGltf>("a.glb", bytes); }},
+    {"own", readOwn, true},
+    {"x3d", [](std::string_view bytes) { readAs<readX3d>("a.x3d", bytes); }},
+    {"zip", [](std::string_view bytes) { readAs<readBundle>("a.zip", bytes); }},
+    {"image", readPicture},
+    {"finger", readFinger},
+    {"recording", readRun},
+    {"3ds", [](std::string_view bytes) { readRare("a.3ds", bytes); }},
+    {"fbx", [](std::string_view bytes) { readRare("a.fbx", bytes); }},
+    {"dae", [](std::string_view bytes) { readRare("a.dae", bytes); }},
+};
+
+} // namespace
+
+std::span<const Target> targets() {
+    return kTargets;
+}
+
+} // namespace tactum::fuzz

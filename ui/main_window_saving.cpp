@@ -1,0 +1,115 @@
+// Saving the scene, and not losing it.
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "core/bundle/bundle.h"
+#include "core/scene/save_scene.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/start_page.h"
+#include "ui/playback.h"
+#include "ui/recent_files.h"
+
+namespace tactum {
+
+namespace {
+
+QString fileOf(const Document& document) {
+    return QString::fromStdU16String(document.path().u16string());
+}
+
+std::filesystem::path pathOf(const QString& file) {
+    return std::filesystem::path(file.toStdU16String());
+}
+
+/// Empty when the person thinks better of it. Not by the static function: its dialog would not add the
+/// ending.
+QString askWhere(QWidget* parent, const QString& title, const QString& kind, const char* ending,
+                 const QString& now) {
+    const QString suffix = QString::fromUtf8(ending);
+    QFileDialog dialog(parent, title, QFileInfo(now).path(), QStringLiteral("%1 (*.%2)").arg(kind, suffix));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(QFileInfo(now).completeBaseName() + u'.' + suffix);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+} // namespace
+
+void MainWindow::connectSaving() {
+    connect(&actions_["save"], &QAction::triggered, this, &MainWindow::save);
+    connect(&actions_["save-as"], &QAction::triggered, this, &MainWindow::saveAs);
+    connect(&actions_["export"], &QAction::triggered, this, &MainWindow::exportBundle);
+    connect(&document_, &Document::exported, this, [this](const QString& file) {
+        notice_->showNote(tr("The bundle was written to %1.").arg(file));
+    });
+    connect(&document_, &Document::saveProgressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Saving"), fraction, secondsLeft, true);
+    });
+    connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelSave);
+    connect(&document_, &Document::saveFailed, this, [this](const QString& sentence) {
+        afterSave_ = nullptr;
+        notice_->showError(sentence);
+    });
+    connect(&document_, &Document::saved, this, [this](const QString& file) {
+        showFile();
+        notice_->showNote(tr("The scene was saved to %1.").arg(file));
+        if (const auto goOn = std::exchange(afterSave_, nullptr)) goOn();
+    });
+    connect(&document_.history(), &QUndoStack::cleanChanged, this,
+            [this](bool clean) { setWindowModified(!clean); });
+}
+
+void MainWindow::save() {
+    if (document_.hasOwnFile())
+        document_.save(document_.path());
+    else
+        saveAs();
+}
+
+void MainWindow::saveAs() {
+    const QString file = askWhere(this, tr("Save the scene"), tr("Scenes"), kSceneEnding, fileOf(document_));
+    if (file.isEmpty())
+        afterSave_ = nullptr;
+    else
+        document_.save(pathOf(file));
+}
+
+void MainWindow::exportBundle() {
+    const QString file =
+        askWhere(this, tr("Export a bundle"), tr("Bundles"), kBundleEnding, fileOf(document_));
+    if (!file.isEmpty()) document_.exportBundle(pathOf(file));
+}
+
+void MainWindow::showFile() {
+    const QFileInfo file(fileOf(document_));
+    setWindowTitle(tr("%1[*] - Tactum").arg(file.fileName()));
+    setWindowFilePath(file.absoluteFilePath());
+    setWindowModified(document_.modified());
+    rememberFile(file.absoluteFilePath());
+    start_->setRecent(recentFiles());
+}
+
+void MainWindow::leave(const QString& intent, std::function<void()> goOn) {
+    if (!document_.modified()) return goOn();
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Unsaved changes"),
+        tr("Save the changes to %1 before %2?").arg(QFileInfo(fileOf(document_)).fileName(), intent),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    question->setObjectName(QStringLiteral("unsaved"));
+    question->setInformativeText(tr("They are lost otherwise."));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, goOn = std::move(goOn)](int answer) {
+        if (answer == QMessageBox::Discard) return goOn();
+        if (answer != QMessageBox::Save) return;
+        afterSave_ = goOn;
+        save();
+    });
+    question->open();
+}
+
+} // namespace tactum
