@@ -4,11 +4,11 @@
 #include "app/results.h"
 #include "core/base/atomic_file.h"
 #include "core/bundle/bundle.h"
+#include "core/files/loss_report.h"
+#include "core/files/mesh/write_mesh.h"
+#include "core/files/save_scene.h"
+#include "core/files/x3d/write_x3d.h"
 #include "core/import/import_scene.h"
-#include "core/scene/loss_report.h"
-#include "core/scene/save_scene.h"
-#include "core/scene/write_mesh.h"
-#include "core/scene/write_x3d.h"
 
 namespace tactum {
 

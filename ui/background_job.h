@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
 
 namespace tactum {
 

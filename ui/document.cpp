@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/bundle/bundle.h"
+#include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
-#include "core/scene/save_scene.h"
 #include "ui/numbers.h"
 
 namespace tactum {

@@ -10,7 +10,7 @@
 #include <QString>
 #include <QUndoStack>
 
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/background_job.h"

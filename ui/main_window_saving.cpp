@@ -8,7 +8,7 @@
 #include <QPushButton>
 
 #include "core/bundle/bundle.h"
-#include "core/scene/save_scene.h"
+#include "core/files/save_scene.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/playback.h"

@@ -8,12 +8,13 @@
 #include "core/base/atomic_file.h"
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/load_scene.h"
+#include "core/files/loss_report.h"
+#include "core/files/read_finger_path.h"
+#include "core/files/x3d/write_x3d.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
-#include "core/scene/load_scene.h"
-#include "core/scene/loss_report.h"
-#include "core/scene/write_gltf.h"
-#include "core/scene/write_x3d.h"
 
 namespace tactum {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/scene/write_png.h"
+#include "core/files/images/write_png.h"
 
 namespace tactum {
 namespace {

@@ -6,11 +6,11 @@
 #include <new>
 
 #include "core/base/realtime.h"
+#include "core/base/text.h"
+#include "core/files/source.h"
 #include "core/import/scene_transfer.h"
 #include "core/import/wire.h"
 #include "core/import/worker_process.h"
-#include "core/scene/source.h"
-#include "core/scene/text.h"
 
 namespace tactum {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
 
 namespace tactum {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "core/base/text.h"
 #include "core/scene/layer_bytes.h"
 #include "core/scene/shape_bytes.h"
-#include "core/scene/text.h"
 
 namespace tactum {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/byte_stream.h"
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
 
 namespace tactum {
 

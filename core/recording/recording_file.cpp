@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/realtime.h"
+#include "core/base/text.h"
 #include "core/import/import_scene.h"
 #include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
 #include "core/recording/scene_bytes.h"
-#include "core/scene/text.h"
 
 namespace tactum {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/scene/soup_builder.h"
+#include "core/geometry/soup_builder.h"
 
 namespace tactum {
 namespace {

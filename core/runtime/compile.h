@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "core/runtime/world.h"
-#include "core/scene/load_scene.h"
 #include "core/scene/scene.h"
 
 namespace tactum {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/scene/soup_builder.h"
-#include "core/scene/text.h"
+#include "core/base/text.h"
+#include "core/geometry/soup_builder.h"
 
 namespace tactum {
 namespace {

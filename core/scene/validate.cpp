@@ -4,8 +4,7 @@
 #include "core/dynamics/body_motion.h"
 #include "core/geometry/mesh_health.h"
 #include "core/scene/describe.h"
-#include "core/scene/load_scene.h"
-#include "core/scene/readers.h"
+#include "core/scene/findings.h"
 #include "core/scene/value_checks.h"
 
 namespace tactum {

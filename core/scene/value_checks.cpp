@@ -3,8 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/scene/readers.h"
-#include "core/scene/text.h"
+#include "core/base/text.h"
 #include "core/surface/texture_stack.h"
 
 namespace tactum {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/load_scene.h"
+#include "core/scene/findings.h"
 
 namespace tactum {
 

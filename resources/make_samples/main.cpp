@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "core/bundle/preview.h"
-#include "core/scene/write_gltf.h"
+#include "core/files/gltf/write_gltf.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {

@@ -119,8 +119,8 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/scene/a.cpp", "<libusb-1.0/libusb.h>", false);
     add("core/geometry/topology.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
     add("core/geometry/soup.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
-    add("core/scene/gltf_model.h", "<tiny_gltf.h>", true);
-    add("core/scene/read_gltf.cpp", "<tiny_gltf.h>", false);
+    add("core/files/gltf/gltf_model.h", "<tiny_gltf.h>", true);
+    add("core/files/gltf/read_gltf.cpp", "<tiny_gltf.h>", false);
     add("device/a.cpp", "<QTimer>", false);
     add("ui/inspector/a.cpp", "<QWidget>", true);
     add("ui/inspector/a.cpp", "<vtkActor.h>", false);

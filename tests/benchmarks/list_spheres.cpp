@@ -5,7 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/collision/sphere_tree.h"
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
 
 namespace tactum {
 

@@ -7,7 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/scene/load_scene.h"
+#include "core/files/load_scene.h"
+#include "core/files/read_finger_path.h"
 
 namespace tactum::bench {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <random>
 
-#include "core/scene/gltf_file.h"
-#include "core/scene/write_gltf.h"
+#include "core/files/gltf/gltf_file.h"
+#include "core/files/gltf/write_gltf.h"
 #include "tests/support/random_scene.h"
 
 namespace tactum::fuzz {

@@ -8,14 +8,14 @@
 #include <QImageWriter>
 
 #include "core/archive/bundle_files.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/x3d/write_x3d.h"
 #include "core/recording/recording_file.h"
 #include "core/scene/finger_path.h"
-#include "core/scene/write_gltf.h"
-#include "core/scene/write_x3d.h"
+#include "tests/core/files/image_files.h"
+#include "tests/core/files/mesh_files.h"
+#include "tests/core/files/rare_files.h"
 #include "tests/core/recording/hand_made_run.h"
-#include "tests/core/scene/image_files.h"
-#include "tests/core/scene/mesh_files.h"
-#include "tests/core/scene/rare_files.h"
 #include "tests/support/random_scene.h"
 
 using namespace tactum;

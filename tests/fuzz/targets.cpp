@@ -5,13 +5,13 @@
 #include <fstream>
 #include <iostream>
 
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/images/read_image.h"
+#include "core/files/read_finger_path.h"
+#include "core/files/readers.h"
 #include "core/import/scene_transfer.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
-#include "core/scene/finger_path.h"
-#include "core/scene/read_image.h"
-#include "core/scene/readers.h"
-#include "core/scene/write_gltf.h"
 #include "tests/support/random_touch.h"
 
 namespace tactum::fuzz {

@@ -6,12 +6,12 @@
 #include <QTest>
 
 #include "core/bundle/sample_stroke.h"
+#include "core/files/load_scene.h"
+#include "core/files/read_finger_path.h"
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/triangle.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
-#include "core/scene/finger_path.h"
-#include "core/scene/load_scene.h"
 
 using namespace tactum;
 

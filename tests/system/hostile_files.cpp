@@ -1,12 +1,12 @@
 #include "tests/system/hostile_files.h"
 
 #include "core/archive/bundle_files.h"
-#include "core/scene/gltf_file.h"
-#include "core/scene/gltf_surface.h"
-#include "core/scene/write_gltf.h"
-#include "core/scene/write_x3d.h"
+#include "core/files/gltf/gltf_file.h"
+#include "core/files/gltf/gltf_surface.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/x3d/write_x3d.h"
 #include "tests/core/archive/raw_zip.h"
-#include "tests/core/scene/rare_files.h"
+#include "tests/core/files/rare_files.h"
 #include "tests/support/random_scene.h"
 
 using namespace std::string_literals;

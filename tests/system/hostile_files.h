@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 
 namespace tactum::test {
 

@@ -8,10 +8,10 @@
 #include "core/bundle/bundle.h"
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
+#include "core/files/images/read_image.h"
+#include "core/files/load_scene.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
-#include "core/scene/load_scene.h"
-#include "core/scene/read_image.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/soups.h"
 

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "core/import/import_scene.h"
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 
 using namespace tactum;
 using namespace std::chrono_literals;

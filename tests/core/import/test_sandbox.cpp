@@ -13,7 +13,7 @@
 #include <QTest>
 
 #include "core/import/worker/sandbox.h"
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 
 using namespace tactum;
 

@@ -3,10 +3,10 @@
 
 #include <QTest>
 
+#include "core/base/text.h"
 #include "core/dynamics/motion_build.h"
 #include "core/import/scene_transfer.h"
-#include "core/scene/text.h"
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 
 using namespace tactum;
 

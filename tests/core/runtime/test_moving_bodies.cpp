@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "core/runtime/replay.h"
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 #include "tests/support/movers.h"
 
 using namespace tactum;

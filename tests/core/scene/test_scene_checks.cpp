@@ -6,9 +6,9 @@
 #include <QTest>
 #include <sys/stat.h>
 
+#include "core/files/read_finger_path.h"
 #include "core/scene/describe.h"
-#include "core/scene/finger_path.h"
-#include "tests/core/scene/mesh_files.h"
+#include "tests/core/files/mesh_files.h"
 
 using namespace tactum;
 

@@ -1,0 +1,50 @@
+// The last step of every reader: from a soup as the file has it to an object of the scene.
+#include "core/base/text.h"
+#include "core/files/readers.h"
+#include "core/geometry/mesh_health.h"
+
+namespace tactum {
+namespace {
+
+using Severity = Finding::Severity;
+
+void appendReport(std::vector<Finding>& findings, const std::string& object, const BuildReport& report,
+                  const CollapsedTriangles& collapsed) {
+    CountedFindings notes(findings, object);
+    notes.add(Severity::Note, report.cutPolygons, "polygon", "with more than three corners",
+              "cut into triangles");
+    notes.add(Severity::Warning, report.fannedPolygons, "polygon", "too intricate to cut along the outline",
+              "cut as a fan, which may cover more than the polygon; cut it in the modelling program");
+    notes.add(Severity::Note, report.shortPolygons, "face", "with fewer than three corners",
+              "kept as a line or point that can be touched");
+    notes.add(Severity::Note, report.emptyPolygons, "face", "without corners", "left out");
+    notes.add(Severity::Note, report.filledNormals, "corner", "without a usable normal",
+              "given that of the triangle");
+    notes.add(Severity::Note, report.filledUvs, "corner", "without a usable texture coordinate",
+              "given (0, 0)");
+    notes.add(Severity::Note, collapsed.toSegments, "triangle", "whose corners lie on one line",
+              "kept as a line that can be touched");
+    notes.add(Severity::Note, collapsed.toPoints, "triangle", "whose corners lie at one place",
+              "kept as a point that can be touched");
+}
+
+} // namespace
+
+void addObject(LoadedScene& loaded, std::string name, const BuildReport& report, TriangleSoup soup,
+               std::vector<Surface> surfaces, const Progress& progress) {
+    if (soup.triangles.empty()) return;
+    SceneObject object;
+    object.name = printable(name, kLongestName);
+    object.surfaces = std::move(surfaces);
+    for (Surface& surface : object.surfaces)
+        surface.name = printable(surface.name, kLongestName);
+    appendReport(loaded.findings, object.name, report,
+                 collapseFlatTriangles(soup, Progress{{}, progress.cancelled}));
+    const Result<MeshHealth> health = healthOf(soup, progress);
+    if (!health) throw ReadFault{health.error()};
+    appendHealth(loaded.findings, object.name, *health);
+    object.geometry = std::make_shared<const TriangleSoup>(std::move(soup));
+    loaded.scene.add(std::move(object));
+}
+
+} // namespace tactum

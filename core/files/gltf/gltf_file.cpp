@@ -1,0 +1,90 @@
+#include "core/files/gltf/gltf_file.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::size_t kDeepestJson = 128;
+std::uint32_t word(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | std::uint8_t(bytes[at + i]);
+    return value;
+}
+
+/// Parsers and printers of JSON call themselves for every level.
+void demandShallow(const Source& source, std::string_view json) {
+    std::size_t depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString && c == '\\')
+            ++i;
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '[')) {
+            if (++depth > kDeepestJson) source.fail("nests deeper than 128 levels; re-export the file");
+        } else if (!inString && (c == '}' || c == ']') && depth > 0)
+            --depth;
+    }
+}
+
+Json parseJson(const Source& source, std::string_view text) {
+    demandShallow(source, text);
+    Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) source.fail("its JSON cannot be parsed; re-export the file");
+    return json;
+}
+
+} // namespace
+
+GltfFile openGltf(const Source& source) {
+    constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBinary = 0x004E4942;
+    const std::string_view bytes = source.bytes();
+    if (bytes.size() < 4 || word(bytes, 0) != kMagic) {
+        GltfFile text;
+        text.json = parseJson(source, bytes);
+        return text;
+    }
+    if (bytes.size() < 20 || word(bytes, 8) != bytes.size())
+        source.fail("the length in its header is not that of the file; it was cut short, copy it again");
+    if (word(bytes, 4) != 2)
+        source.fail("is glb version " + std::to_string(word(bytes, 4)) +
+                    "; only version 2 is read, export it again");
+    GltfFile parts;
+    parts.isBinary = true;
+    for (std::size_t at = 12; at < bytes.size();) {
+        if (bytes.size() - at < 8 || word(bytes, at) > bytes.size() - at - 8)
+            source.failAtByte(at, "a chunk reaches beyond the end; the file was cut short, copy it again");
+        const std::string_view chunk = bytes.substr(at + 8, word(bytes, at));
+        if ((at == 12) != (word(bytes, at + 4) == kJson))
+            source.failAtByte(at, "the first chunk, and only that, must be JSON; re-export the file");
+        if (at == 12)
+            parts.json = parseJson(source, chunk);
+        else if (word(bytes, at + 4) == kBinary && parts.binary.empty())
+            parts.binary = chunk;
+        at += 8 + chunk.size();
+    }
+    return parts;
+}
+
+std::string packGlb(const Json& json, std::string_view binary) {
+    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const auto put = [](std::string& to, std::size_t value) {
+        for (int shift = 0; shift < 32; shift += 8)
+            to += char(value >> shift & 0xFF);
+    };
+    const std::size_t padded = (binary.size() + 3) / 4 * 4;
+    std::string glb = "glTF";
+    glb.reserve(28 + text.size() + padded);
+    put(glb, 2);
+    put(glb, 20 + text.size() + (padded ? 8 + padded : 0));
+    put(glb, text.size());
+    glb += "JSON" + text;
+    if (padded == 0) return glb;
+    put(glb, padded);
+    glb.append("BIN\0", 4).append(binary).resize(glb.size() + padded - binary.size());
+    return glb;
+}
+
+} // namespace tactum

@@ -1,0 +1,273 @@
+#include "core/files/gltf/gltf_mesh.h"
+
+#include <cstring>
+#include <optional>
+
+#include "core/files/gltf/gltf_surface.h"
+#include "core/files/load_scene.h"
+
+namespace tactum {
+
+/// What our extension of a mesh holds beside the vertices that are drawn (drawn_mesh.h); empty where they say
+/// all.
+struct GltfMeshReader::Exact {
+    bool ours = false;
+    std::vector<int> materials;
+    std::vector<Vec3> positions;
+    std::vector<Index> copies, order;
+    std::vector<Eigen::Vector2f> uvs;
+};
+
+namespace {
+
+/// About how many vertices and indices there are to read.
+std::size_t elementsOf(const tinygltf::Model& model) {
+    std::size_t count = 0;
+    for (const tinygltf::Accessor& accessor : model.accessors)
+        count += std::min(accessor.count, kMostGltfTriangles);
+    return count;
+}
+
+bool isPermutation(const std::vector<Index>& order) {
+    std::vector<char> seen(order.size(), 0);
+    for (const Index i : order)
+        if (i >= order.size() || std::exchange(seen[i], 1)) return false;
+    return true;
+}
+
+template <class T> void reorder(std::vector<T>& values, const std::vector<Index>& order, std::size_t each) {
+    if (values.empty()) return;
+    std::vector<T> sorted(values.size());
+    for (std::size_t drawn = 0; drawn < order.size(); ++drawn)
+        for (std::size_t i = 0; i < each; ++i)
+            sorted[order[drawn] * each + i] = values[drawn * each + i];
+    values = std::move(sorted);
+}
+
+} // namespace
+
+GltfMeshReader::GltfMeshReader(const Source& source, const GltfFile& file, const tinygltf::Model& model,
+                               const Progress& progress)
+    : source_(source), file_(file), model_(model), meter_(progress, elementsOf(model)) {}
+
+void GltfMeshReader::countTriangles(std::size_t more) {
+    triangles_ += more;
+    if (triangles_ > kMostGltfTriangles)
+        source_.fail("has more than 67 million triangles with all its copies; split or simplify it");
+}
+
+RawMesh GltfMeshReader::read(int index) {
+    RawMesh raw;
+    pools_ = {};
+    shared_.clear();
+    surfaceOf_.clear();
+    const tinygltf::Mesh& mesh = model_.meshes[std::size_t(index)];
+    const Exact exact = exactOf(file_.json["meshes"][std::size_t(index)], mesh);
+    exact_ = &exact;
+    for (const int material : exact.materials)
+        surfaceFor(material, raw);
+    SoupBuilder builder(pools_);
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+        readPrimitive(primitive, raw, builder);
+    if (!exact.order.empty() && exact.order.size() != builder.triangles())
+        source_.fail("meshes[" + std::to_string(index) + "] has an order of other triangles; remove " +
+                     kExtension + " from it");
+    std::vector<Vec3> positions = std::move(pools_.positions);
+    if (exact.ours) positions.resize(positions.size() - exact.copies.size());
+    if (!exact.positions.empty()) positions = exact.positions;
+    pools_.positions = positions; // missing normals are computed from them
+    raw.soup = builder.finish(std::move(positions), raw.report);
+    if (exact.order.empty()) return raw;
+    reorder(raw.soup.triangles, exact.order, 1);
+    reorder(raw.soup.surfaceOf, exact.order, 1);
+    reorder(raw.soup.cornerNormals, exact.order, 3);
+    reorder(raw.soup.cornerUvs, exact.order, 3);
+    return raw;
+}
+
+template <class T> std::vector<T> GltfMeshReader::rawView(const Json& object, const char* key) const {
+    if (!member(object, key)) return {};
+    const int index = indexIn(object, key, model_.bufferViews.size());
+    const auto fail = [&] {
+        source_.fail(std::string(kExtension) + "." + key +
+                     " of a mesh is not a list of its kind; export it again");
+    };
+    if (index < 0) fail();
+    const tinygltf::BufferView& view = model_.bufferViews[std::size_t(index)];
+    if (view.byteLength % sizeof(T) != 0) fail();
+    std::vector<T> values(view.byteLength / sizeof(T));
+    std::memcpy(static_cast<void*>(values.data()),
+                model_.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset, view.byteLength);
+    return values;
+}
+
+/// Another program may have changed the mesh and kept our extension: then it no longer fits, and does not
+/// count.
+GltfMeshReader::Exact GltfMeshReader::exactOf(const Json& mesh, const tinygltf::Mesh& drawn) const {
+    const Json* ours = extensionOf(mesh);
+    if (!ours || drawn.primitives.empty()) return {};
+    const auto position = drawn.primitives[0].attributes.find("POSITION");
+    if (position == drawn.primitives[0].attributes.end()) return {};
+    for (const tinygltf::Primitive& primitive : drawn.primitives)
+        if (primitive.attributes != drawn.primitives[0].attributes) return {};
+    const GltfAccessor vertices(source_, model_, position->second, 3);
+    Exact exact;
+    exact.copies = rawView<Index>(*ours, "copies");
+    exact.order = rawView<Index>(*ours, "order");
+    exact.uvs = rawView<Eigen::Vector2f>(*ours, "uvs");
+    exact.positions = rawView<Vec3>(*ours, "positions");
+    const std::size_t positions = vertices.size() - std::min(exact.copies.size(), vertices.size());
+    const auto far = [](const Vec3& p) {
+        return !isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z());
+    };
+    const bool fits = (exact.positions.empty() || exact.positions.size() == positions) &&
+                      (exact.uvs.empty() || exact.uvs.size() == vertices.size()) &&
+                      std::ranges::all_of(exact.copies, [&](Index i) { return i < positions; }) &&
+                      isPermutation(exact.order) && std::ranges::none_of(exact.positions, far);
+    if (!fits) return {};
+    exact.ours = true;
+    for (const Json& each : ours->value("surfaces", Json::array()))
+        exact.materials.push_back(indexIn(Json{{"i", each}}, "i", model_.materials.size()));
+    return exact;
+}
+
+void GltfMeshReader::readPrimitive(const tinygltf::Primitive& primitive, RawMesh& raw, SoupBuilder& builder) {
+    if (!primitive.attributes.count("POSITION")) return; // glTF: to be ignored
+    const Vertices& vertices = verticesOf(primitive);
+    const std::vector<Index> indices = indicesOf(primitive, vertices);
+    countTriangles(indices.size());
+    addElements(builder, primitive.mode, indices, vertices, surfaceFor(primitive.material, raw));
+}
+
+const GltfMeshReader::Vertices& GltfMeshReader::verticesOf(const tinygltf::Primitive& primitive) {
+    const auto accessor = [&](const char* name) {
+        const auto found = primitive.attributes.find(name);
+        return found == primitive.attributes.end() ? -1 : found->second;
+    };
+    const auto [found, isNew] =
+        shared_.try_emplace({accessor("POSITION"), accessor("NORMAL"), accessor("TEXCOORD_0")});
+    if (isNew) found->second = readVertices(primitive);
+    return found->second;
+}
+
+/// Appends the vertices of a primitive to the pools.
+GltfMeshReader::Vertices GltfMeshReader::readVertices(const tinygltf::Primitive& primitive) {
+    const auto attribute = [&](const char* name, std::size_t components) -> std::optional<GltfAccessor> {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end()) return std::nullopt;
+        return GltfAccessor(source_, model_, found->second, components);
+    };
+    const auto positions = attribute("POSITION", 3);
+    const auto normals = attribute("NORMAL", 3);
+    const auto uvs = attribute("TEXCOORD_0", 2);
+    const std::size_t first = pools_.positions.size(), count = positions->size();
+    if (first + count > kMostGltfTriangles)
+        source_.fail("has more than 67 million vertices; split or simplify it");
+    const Vertices vertices{Index(first), Index(count), normals && normals->size() >= count,
+                            uvs && uvs->size() >= count};
+    for (std::size_t i = 0; i < count; ++i) {
+        demandGoingOn(meter_, ++done_);
+        const Vec3 p(positions->number(i, 0), positions->number(i, 1), positions->number(i, 2));
+        if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
+            source_.fail("coordinate of vertex " + std::to_string(i) +
+                         " is not a number of at most 1e6 m; scale the model");
+        pools_.positions.push_back(p);
+    }
+    pools_.normals.resize(first + count, Eigen::Vector3f::Zero());
+    pools_.uvs.resize(first + count, Eigen::Vector2f::Zero());
+    for (std::size_t i = 0; vertices.normals && i < count; ++i)
+        pools_.normals[first + i] =
+            Vec3(normals->number(i, 0), normals->number(i, 1), normals->number(i, 2)).cast<float>();
+    for (std::size_t i = 0; vertices.uvs && i < count; ++i) // v counts downward there, upward here
+        pools_.uvs[first + i] = Eigen::Vector2d(uvs->number(i, 0), 1 - uvs->number(i, 1)).cast<float>();
+    if (!exact_->uvs.empty()) pools_.uvs = exact_->uvs;
+    return vertices;
+}
+
+std::vector<Index> GltfMeshReader::indicesOf(const tinygltf::Primitive& primitive,
+                                             const Vertices& vertices) const {
+    std::vector<Index> indices;
+    if (primitive.indices < 0) {
+        indices.resize(vertices.count);
+        for (Index i = 0; i < vertices.count; ++i)
+            indices[i] = vertices.first + i;
+        return indices;
+    }
+    const GltfAccessor accessor(source_, model_, primitive.indices, 1);
+    if (!accessor.isUnsigned())
+        source_.fail("has indices that are not unsigned whole numbers; re-export the file");
+    indices.reserve(accessor.size());
+    for (std::size_t i = 0; i < accessor.size(); ++i) {
+        const std::uint32_t vertex = accessor.integer(i);
+        if (vertex >= vertices.count)
+            source_.fail("index " + std::to_string(i) + " refers to vertex " + std::to_string(vertex) +
+                         ", but only " + std::to_string(vertices.count) +
+                         " are defined (from 0); re-export the file");
+        indices.push_back(vertices.first + vertex);
+    }
+    return indices;
+}
+
+Index GltfMeshReader::positionOf(Index vertex) const {
+    if (!exact_->ours) return vertex;
+    const std::size_t positions = pools_.positions.size() - exact_->copies.size();
+    return vertex < positions ? vertex : exact_->copies[vertex - positions];
+}
+
+/// What is left over at the end of a list that its mode cannot use is ignored, as glTF demands.
+void GltfMeshReader::addElements(SoupBuilder& builder, int mode, const std::vector<Index>& v,
+                                 const Vertices& from, Index surface) {
+    const std::size_t n = v.size();
+    const auto corner = [&](std::size_t i) {
+        return PolygonCorner{positionOf(v[i]), from.normals ? v[i] : kNone, from.uvs ? v[i] : kNone};
+    };
+    const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
+        demandGoingOn(meter_, done_ += 3);
+        builder.add(std::array{corner(a), corner(b), corner(c)}, surface);
+    };
+    const auto segment = [&](std::size_t a, std::size_t b) {
+        builder.addSegment(corner(a), corner(b), surface);
+    };
+    switch (mode) {
+    case TINYGLTF_MODE_POINTS:
+        for (std::size_t i = 0; i < n; ++i)
+            builder.addPoint(corner(i), surface);
+        break;
+    case TINYGLTF_MODE_LINE:
+        for (std::size_t i = 0; i + 1 < n; i += 2)
+            segment(i, i + 1);
+        break;
+    case TINYGLTF_MODE_LINE_LOOP:
+    case TINYGLTF_MODE_LINE_STRIP:
+        for (std::size_t i = 0; i + 1 < n; ++i)
+            segment(i, i + 1);
+        if (mode == TINYGLTF_MODE_LINE_LOOP && n > 2) segment(n - 1, 0);
+        break;
+    case TINYGLTF_MODE_TRIANGLE_STRIP:
+        for (std::size_t i = 0; i + 2 < n; ++i)
+            triangle(i, i + 1 + i % 2, i + 2 - i % 2);
+        break;
+    case TINYGLTF_MODE_TRIANGLE_FAN:
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            triangle(0, i, i + 1);
+        break;
+    case TINYGLTF_MODE_TRIANGLES:
+    case -1:
+        for (std::size_t i = 0; i + 2 < n; i += 3)
+            triangle(i, i + 1, i + 2);
+        break;
+    default:
+        source_.fail("a primitive has the unknown mode " + std::to_string(mode) + "; re-export the file");
+    }
+}
+
+/// The first of several surfaces that have one material.
+Index GltfMeshReader::surfaceFor(int material, RawMesh& raw) {
+    const bool known = material >= 0 && std::size_t(material) < model_.materials.size();
+    const int of = known ? material : -1;
+    const auto [place, isNew] = surfaceOf_.try_emplace(of, Index(raw.materials.size()));
+    if (isNew) raw.materials.push_back(of);
+    return place->second;
+}
+
+} // namespace tactum

@@ -1,0 +1,170 @@
+#include "core/files/gltf/gltf_model.h"
+
+#include <cstring>
+
+#include "core/base/text.h"
+
+namespace tactum {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kLargestBuffer = std::uint64_t(1) << 32;
+
+/// tinygltf reads external files through these; they end at the folder of the asset.
+struct AssetFolder {
+    fs::path folder;
+    std::string refused; ///< the first file that was asked for and is not there
+};
+
+tinygltf::FsCallbacks callbacksFor(AssetFolder& assets) {
+    tinygltf::FsCallbacks callbacks{};
+    callbacks.FileExists = [](const std::string& name, void* user) {
+        auto& home = *static_cast<AssetFolder*>(user);
+        const bool exists = !insideFolder(home.folder, name).empty();
+        if (!exists && home.refused.empty()) home.refused = name;
+        return exists;
+    };
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name,
+                                 void* user) {
+        const fs::path file = insideFolder(static_cast<AssetFolder*>(user)->folder, name);
+        if (file.empty()) return false;
+        const Source source = Source::open(file, kLargestBuffer);
+        out->assign(source.bytes().begin(), source.bytes().end());
+        return true;
+    };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    callbacks.user_data = &assets;
+    return callbacks;
+}
+
+bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                 void*) {
+    return true;
+}
+
+void demandReadable(const Source& source, const tinygltf::Model& model) {
+    for (const std::string& extension : model.extensionsRequired)
+        if (extension != "KHR_mesh_quantization" && !extension.starts_with("KHR_materials_") &&
+            extension != "KHR_texture_transform" && extension != "KHR_texture_basisu")
+            source.fail("needs the extension " + inQuotes(extension) +
+                        ", which is not read; export it without");
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+        const tinygltf::BufferView& view = model.bufferViews[i];
+        const bool known = view.buffer >= 0 && std::size_t(view.buffer) < model.buffers.size();
+        const std::size_t size = known ? model.buffers[std::size_t(view.buffer)].data.size() : 0;
+        if (!known || view.byteOffset > size || view.byteLength > size - view.byteOffset)
+            source.fail("bufferViews[" + std::to_string(i) +
+                        "] reaches beyond its buffer; re-export the file");
+    }
+}
+
+} // namespace
+
+tinygltf::Model parseGltf(const Source& source, const GltfFile& file) {
+    Json json = file.json;
+    for (const char* unused : {"images", "textures", "samplers", "skins", "cameras", "extras"})
+        json.erase(unused);
+    const std::string text = file.isBinary ? packGlb(json, file.binary) : json.dump();
+    AssetFolder assets{source.path().parent_path(), {}};
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(callbacksFor(assets));
+    parser.SetImageLoader(ignoreImage, nullptr);
+    tinygltf::Model model;
+    std::string error, warning;
+    bool parsed = false;
+    try {
+        const auto size = unsigned(text.size());
+        const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
+        parsed =
+            text.size() < kLargestBuffer &&
+            (file.isBinary ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, "")
+                           : parser.LoadASCIIFromString(&model, &error, &warning, text.data(), size, ""));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& fault) { // of the JSON library, where a value has a type nobody expects
+        error = fault.what();
+    }
+    if (!assets.refused.empty())
+        source.fail("its buffer " + inQuotes(assets.refused) +
+                    " is not in its folder; copy it beside the file");
+    if (!parsed)
+        source.fail("cannot be parsed (" + printable(error.substr(0, error.find('\n')), 160) +
+                    "); re-export it");
+    demandReadable(source, model);
+    return model;
+}
+
+GltfAccessor::GltfAccessor(const Source& source, const tinygltf::Model& model, int index,
+                           std::size_t components) {
+    const auto fail = [&](const char* what) {
+        source.fail("accessors[" + std::to_string(index) + "] " + what + "; re-export the file");
+    };
+    if (index < 0 || std::size_t(index) >= model.accessors.size()) fail("is used but not there");
+    const tinygltf::Accessor& accessor = model.accessors[std::size_t(index)];
+    if (accessor.sparse.isSparse) fail("is sparse, which is not read");
+    if (accessor.bufferView < 0 || std::size_t(accessor.bufferView) >= model.bufferViews.size())
+        fail("has no buffer view");
+    const int componentSize = tinygltf::GetComponentSizeInBytes(std::uint32_t(accessor.componentType));
+    if (componentSize <= 0 ||
+        tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type)) != int(components))
+        fail("has a type that does not fit its use");
+    const tinygltf::BufferView& view = model.bufferViews[std::size_t(accessor.bufferView)];
+    const std::size_t size = std::size_t(componentSize) * components;
+    count_ = accessor.count;
+    stride_ = view.byteStride ? view.byteStride : size;
+    if (stride_ < size && count_ > 1) fail("has elements that overlap");
+    const std::size_t room = view.byteLength - std::min(view.byteLength, accessor.byteOffset);
+    if (count_ > 0 && (size > room || (count_ - 1) > (room - size) / stride_))
+        fail("reaches beyond its buffer view");
+    data_ = model.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset + accessor.byteOffset;
+    type_ = accessor.componentType;
+    normalized_ = accessor.normalized;
+}
+
+template <class T> T GltfAccessor::at(std::size_t element, std::size_t component) const {
+    T value;
+    std::memcpy(&value, data_ + element * stride_ + component * sizeof(T), sizeof(T));
+    return value;
+}
+
+template <class T> double GltfAccessor::scaled(std::size_t element, std::size_t component) const {
+    const double value = at<T>(element, component);
+    return normalized_ ? std::max(value / std::numeric_limits<T>::max(), -1.0) : value;
+}
+
+double GltfAccessor::number(std::size_t element, std::size_t component) const {
+    switch (type_) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return scaled<std::int8_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return scaled<std::uint8_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return scaled<std::int16_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return scaled<std::uint16_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_INT:
+        return scaled<std::int32_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return scaled<std::uint32_t>(element, component);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return at<float>(element, component);
+    default:
+        return at<double>(element, component);
+    }
+}
+
+bool GltfAccessor::isUnsigned() const {
+    return type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT || type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+std::uint32_t GltfAccessor::integer(std::size_t element) const {
+    if (type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return at<std::uint8_t>(element, 0);
+    if (type_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return at<std::uint16_t>(element, 0);
+    return at<std::uint32_t>(element, 0);
+}
+
+} // namespace tactum

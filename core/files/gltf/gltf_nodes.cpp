@@ -1,0 +1,179 @@
+#include "core/files/gltf/gltf_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Eigen/SVD>
+
+#include "core/files/gltf/gltf_motion.h"
+#include "core/geometry/soup_builder.h"
+
+namespace tactum {
+namespace {
+
+using Affine = Eigen::Affine3d;
+
+std::string whereIs(int node) {
+    return "nodes[" + std::to_string(node) + "] ";
+}
+
+class NodeWalk {
+public:
+    NodeWalk(const Source& source, const tinygltf::Model& model, const GltfMotions& motions)
+        : source_(source), model_(model), motions_(motions), visited_(model.nodes.size(), 0) {}
+
+    std::vector<PlacedMesh> run() {
+        for (int root : roots())
+            visit(root, Affine::Identity(), 1);
+        return std::move(placed_);
+    }
+
+private:
+    std::vector<int> roots() const {
+        if (!model_.scenes.empty()) {
+            const bool named =
+                model_.defaultScene >= 0 && std::size_t(model_.defaultScene) < model_.scenes.size();
+            return model_.scenes[named ? std::size_t(model_.defaultScene) : 0].nodes;
+        }
+        std::set<int> children;
+        for (const tinygltf::Node& node : model_.nodes)
+            children.insert(node.children.begin(), node.children.end());
+        std::vector<int> found;
+        for (int i = 0; i < int(model_.nodes.size()); ++i)
+            if (!children.contains(i)) found.push_back(i);
+        return found;
+    }
+
+    void visit(int index, const Affine& parent, int depth) {
+        constexpr int kDeepest = 64;
+        const std::string where = whereIs(index);
+        if (index < 0 || std::size_t(index) >= model_.nodes.size())
+            source_.fail(where + "is used but not there; re-export the file");
+        if (std::exchange(visited_[std::size_t(index)], 1))
+            source_.fail(where + "is its own ancestor or has two parents; re-export the file");
+        if (depth > kDeepest) source_.fail(where + "lies deeper than 64 levels; flatten the hierarchy");
+        const tinygltf::Node& node = model_.nodes[std::size_t(index)];
+        const Affine here = parent * motions_.localAt(index, 0);
+        if (!here.matrix().allFinite() || !isCoordinate(here.matrix().cwiseAbs().maxCoeff()))
+            source_.fail(where + "has a transform beyond 1e6 m; scale the model");
+        chain_.push_back(index);
+        if (node.mesh >= 0) place(node, here, where);
+        for (int child : node.children)
+            visit(child, here, depth + 1);
+        chain_.pop_back();
+    }
+
+    void place(const tinygltf::Node& node, const Affine& here, const std::string& where) {
+        if (std::size_t(node.mesh) >= model_.meshes.size())
+            source_.fail(where + "names a mesh that is not there");
+        const tinygltf::Mesh& mesh = model_.meshes[std::size_t(node.mesh)];
+        PlacedMesh placed;
+        placed.name = node.name.empty() ? mesh.name : node.name;
+        placed.node = chain_.back();
+        placed.mesh = node.mesh;
+        if (chain_.size() == 2 && isRigid(chain_[0])) placed.rest = chain_[0];
+        placed.deforms = node.skin >= 0 || std::ranges::any_of(mesh.primitives, [](const auto& primitive) {
+                             return !primitive.targets.empty();
+                         });
+        const auto mover =
+            std::find_if(chain_.rbegin(), chain_.rend(), [&](int i) { return motions_.moves(i); });
+        if (mover == chain_.rend() && chain_.size() == 1 && isRigid(chain_[0]))
+            placed.pose = rigidOf(source_, model_, chain_[0]); // to the bit
+        else if (mover == chain_.rend())
+            placeAtRest(placed, here);
+        else
+            placeOnMover(placed, mover.base());
+        placed_.push_back(std::move(placed));
+    }
+
+    bool isRigid(int index) const {
+        const tinygltf::Node& node = model_.nodes[std::size_t(index)];
+        return node.matrix.empty() &&
+               (node.scale.empty() || scaleOf(model_, index).diagonal() == Vec3::Ones());
+    }
+
+    static void placeAtRest(PlacedMesh& placed, const Affine& here) {
+        const RigidAndStretch parts = polarDecomposition(here.linear());
+        placed.stretch = parts.stretch;
+        placed.pose.rotation = Quat(parts.rotation).normalized();
+        placed.pose.translation = here.translation();
+    }
+
+    // The body's frame is that of the last node that moves; all below it goes into the vertices.
+    void placeOnMover(PlacedMesh& placed, std::vector<int>::const_iterator below) {
+        GltfMotions::Course course = motions_.courseOf({chain_.cbegin(), below});
+        Affine rest(scaleOf(model_, *std::prev(below)));
+        for (auto node = below; node != chain_.cend(); ++node)
+            rest = rest * transformOf(source_, model_, *node);
+        const Mat3 stretch = course.stretch * rest.linear();
+        placed.pose = course.rest;
+        placed.stretch = stretch.isIdentity(1e-12) ? Mat3::Identity().eval() : stretch;
+        placed.offset = course.stretch * rest.translation();
+        placed.bends = course.bends;
+        if (course.motion) placed.motion = std::make_shared<const Motion>(std::move(*course.motion));
+    }
+
+    const Source& source_;
+    const tinygltf::Model& model_;
+    const GltfMotions& motions_;
+    std::vector<int> chain_; ///< from the root to the node being visited
+    std::vector<char> visited_;
+    std::vector<PlacedMesh> placed_;
+};
+
+} // namespace
+
+RigidAndStretch polarDecomposition(const Mat3& a) {
+    if (a.isIdentity(1e-12)) return {Mat3::Identity(), Mat3::Identity()};
+    const Eigen::JacobiSVD<Mat3> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Mat3 u = svd.matrixU();
+    if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
+    const Mat3 rotation = u * svd.matrixV().transpose();
+    const Mat3 stretch = rotation.transpose() * a;
+    return {rotation, stretch.isIdentity(1e-12) ? Mat3::Identity().eval() : stretch};
+}
+
+std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,
+                                     const GltfMotions& motions) {
+    return NodeWalk(source, model, motions).run();
+}
+
+Affine transformOf(const Source& source, const tinygltf::Model& model, int index) {
+    const tinygltf::Node& node = model.nodes[std::size_t(index)];
+    if (node.matrix.size() != 16) {
+        const Pose pose = rigidOf(source, model, index);
+        return Eigen::Translation3d(pose.translation) * pose.rotation * scaleOf(model, index);
+    }
+    Affine local;
+    local.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data()); // column-major, as glTF
+    if (local.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+        source.fail(whereIs(index) + "has a matrix that is not affine; re-export the file");
+    return local;
+}
+
+Pose rigidOf(const Source& source, const tinygltf::Model& model, int index) {
+    const tinygltf::Node& node = model.nodes[std::size_t(index)];
+    Pose pose;
+    if (node.translation.size() == 3) pose.translation = Vec3(node.translation.data());
+    if (node.rotation.size() != 4) return pose;
+    const QuatCoefficients rotation(node.rotation.data()); // x, y, z, w, as glTF
+    if (!isUsable(rotation)) source.fail(whereIs(index) + "has no usable rotation; re-export the file");
+    pose.rotation = unitLength(Quat(rotation));
+    return pose;
+}
+
+bool needsUnitLength(const QuatCoefficients& rotation) {
+    return std::abs(rotation.norm() - 1) > 1 / 127.0;
+}
+
+bool isUsable(const QuatCoefficients& rotation) {
+    return rotation.norm() > 1e-6 && std::isfinite(rotation.norm());
+}
+
+Eigen::AlignedScaling3d scaleOf(const tinygltf::Model& model, int index) {
+    const tinygltf::Node& node = model.nodes[std::size_t(index)];
+    return Eigen::AlignedScaling3d(node.scale.size() == 3 ? Vec3(node.scale.data()) : Vec3::Ones().eval());
+}
+
+} // namespace tactum

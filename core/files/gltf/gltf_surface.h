@@ -1,0 +1,57 @@
+// The feel of a surface as JSON and back: our extension of a glTF material. docs/format.md says it in words.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/files/gltf/gltf_file.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+/// The one name under which everything of ours is found in a glTF file.
+inline constexpr const char* kExtension = "TACTUM_haptics";
+/// Of the format. Another major number is another format, a higher minor one has keys that we do not know.
+inline constexpr int kFormatMajor = 1, kFormatMinor = 0;
+
+/// The extension object of an element, or null.
+const Json* extensionOf(const Json& element, const char* name = kExtension);
+/// Takes an extension away from an element, and its name from those that a root uses.
+void eraseExtension(Json& element, const std::string& name);
+void eraseUse(Json& root, const std::string& name);
+/// A member, or null.
+const Json* member(const Json& object, const char* key);
+/// A member that is an index below `end`, or -1.
+int indexIn(const Json& object, const char* key, std::size_t end);
+/// A member that is a whole number from zero on, or zero: as tinygltf reads an offset.
+std::size_t sizeIn(const Json& object, const char* key);
+
+/// The version in the extension of a root, when it is of another major number than ours: the file is not ours
+/// to read or to replace.
+std::optional<std::string> laterFormat(const Json& root);
+
+/// "static-friction" as "staticFriction": how a parameter's key is spelled in JSON.
+std::string jsonKey(std::string_view key);
+
+/// The texture index of an image.
+using WriteImage = std::function<int(const std::shared_ptr<const TextureImage>&)>;
+/// The image of a texture index; null when there is none, which it says itself.
+using ReadImageAt = std::function<std::shared_ptr<const TextureImage>(int texture)>;
+
+Json surfaceJson(const Surface& surface, const WriteImage& textureOf);
+
+/// Fills material, sides, shading and layers; what is missing stays initial. `complaints`: a sentence for
+/// each member that has a wrong type or an unknown word, which stays initial too. Numbers out of range are
+/// kept as they are: validation speaks of them.
+void readSurfaceJson(const Json& extension, const ReadImageAt& imageAt, Surface& surface,
+                     std::vector<std::string>& complaints);
+
+/// Translation and rotation under the keys of a glTF node; nothing for what is not there.
+Json poseJson(const Pose& pose);
+Json vectorJson(const Vec3& v);
+Json quaternionJson(const Quat& q); ///< x, y, z, w
+
+} // namespace tactum

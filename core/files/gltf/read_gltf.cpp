@@ -1,0 +1,295 @@
+// glTF 2.0 and glb. Every node with a mesh is an object, every material of the mesh a surface. The rigid part
+// of the node's transform is the object's pose, what is left of it goes into the vertices. A node that is
+// animated, or has an animated ancestor, moves. Axes stay as in the file. What our own extension says counts
+// more than what others can read; what neither knows is kept for saving.
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/files/gltf/gltf_animation.h"
+#include "core/files/gltf/gltf_foreign.h"
+#include "core/files/gltf/gltf_mesh.h"
+#include "core/files/gltf/gltf_motion.h"
+#include "core/files/gltf/gltf_nodes.h"
+#include "core/files/gltf/gltf_standards.h"
+#include "core/files/gltf/gltf_surface.h"
+#include "core/files/gltf/soup_shelf.h"
+#include "core/files/images/read_image.h"
+#include "core/files/readers.h"
+
+namespace tactum {
+namespace {
+
+using Severity = Finding::Severity;
+
+class GltfReader {
+public:
+    GltfReader(const Source& source, const Progress& progress)
+        : source_(source), progress_(progress), file_(openGltf(source)), model_(parseGltf(source, file_)),
+          meshes_(source, file_, model_, progress) {}
+
+    LoadedScene read();
+
+private:
+    void demandOurVersion() const;
+    void readRoot();
+    void readFinger(int view);
+    void place(const PlacedMesh& placed, const RawMesh& raw);
+    void keep(SceneObject& object, const PlacedMesh& placed) const;
+    Kept keptOf(const char* array, int index) const;
+    void noteLostAttributes(const std::vector<PlacedMesh>& placed);
+    void keepForeign(const std::vector<PlacedMesh>& placed);
+    Surface surfaceOf(int material, const PlacedMesh& placed);
+    std::shared_ptr<const TextureImage> imageAt(int texture);
+    void say(Severity severity, const std::string& object, const std::string& sentence,
+             const std::string& remedy) {
+        loaded_.findings.push_back({severity, object, sentence, remedy});
+    }
+
+    const Source& source_;
+    const Progress& progress_;
+    GltfFile file_;
+    tinygltf::Model model_;
+    GltfMeshReader meshes_;
+    std::vector<std::string> copies_ = copiesIn(file_.json); ///< of our own writer
+    LoadedScene loaded_;
+    SoupShelf shelf_;
+    std::map<int, std::shared_ptr<const TextureImage>> images_; ///< by texture
+};
+
+/// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
+TriangleSoup stretched(TriangleSoup soup, const Mat3& stretch, const Vec3& offset) {
+    const double volume = stretch.determinant();
+    for (Vec3& p : soup.positions)
+        p = stretch * p + offset;
+    if (std::abs(volume) < 1e-30) {
+        soup.cornerNormals.clear(); // flattened: they have no meaning any more
+        return soup;
+    }
+    const Mat3 forNormals = stretch.inverse().transpose();
+    for (auto& n : soup.cornerNormals)
+        n = (forNormals * n.cast<double>()).normalized().cast<float>();
+    if (volume > 0) return soup;
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+        if (soup.triangles[f][1] == soup.triangles[f][2]) continue; // a segment or a point has no sides
+        std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+        if (!soup.cornerNormals.empty())
+            std::swap(soup.cornerNormals[3 * f + 1], soup.cornerNormals[3 * f + 2]);
+        if (!soup.cornerUvs.empty()) std::swap(soup.cornerUvs[3 * f + 1], soup.cornerUvs[3 * f + 2]);
+    }
+    return soup;
+}
+
+void noteStretchedRotations(const tinygltf::Model& model, std::vector<Finding>& findings) {
+    const auto count = std::ranges::count_if(model.nodes, [](const tinygltf::Node& node) {
+        return node.rotation.size() == 4 && needsUnitLength(QuatCoefficients(node.rotation.data()));
+    });
+    if (count > 0)
+        findings.push_back(
+            {Finding::Severity::Warning, "",
+             counted(std::size_t(count), "node") + " with a rotation that is not of unit length",
+             "brought to unit length; re-export the file"});
+}
+
+LoadedScene GltfReader::read() {
+    demandOurVersion();
+    readRoot();
+    std::map<int, RawMesh> meshes;
+    const GltfMotions motions(source_, model_);
+    loaded_.findings = motions.findings();
+    noteStretchedRotations(model_, loaded_.findings);
+    const std::vector<PlacedMesh> all = placedMeshes(source_, model_, motions);
+    for (const PlacedMesh& placed : all) {
+        const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
+        if (isNew)
+            mesh->second = meshes_.read(placed.mesh);
+        else
+            meshes_.countTriangles(mesh->second.soup.triangles.size());
+        place(placed, mesh->second);
+    }
+    noteLostAttributes(all);
+    keepForeign(all);
+    return std::move(loaded_);
+}
+
+void GltfReader::demandOurVersion() const {
+    if (const auto later = laterFormat(file_.json))
+        source_.fail("was written by a later Tactum (version " + *later + " of its format, this one reads " +
+                     std::to_string(kFormatMajor) + "); update the program");
+}
+
+void GltfReader::readRoot() {
+    const Json* ours = extensionOf(file_.json);
+    const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
+    if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
+    if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
+}
+
+void GltfReader::readFinger(int view) {
+    std::vector<FingerPoint> finger;
+    if (view >= 0) {
+        const tinygltf::BufferView& of = model_.bufferViews[std::size_t(view)];
+        const unsigned char* data = model_.buffers[std::size_t(of.buffer)].data.data() + of.byteOffset;
+        std::array<double, 4> row{};
+        for (std::size_t at = 0; at + sizeof row <= of.byteLength; at += sizeof row) {
+            std::memcpy(row.data(), data + at, sizeof row);
+            finger.push_back({row[0], Vec3(row.data() + 1)});
+        }
+    }
+    if (isFingerPath(finger))
+        loaded_.scene.finger = std::make_shared<const std::vector<FingerPoint>>(std::move(finger));
+    else
+        say(Severity::Warning, "", "its finger path has no rows of rising time",
+            "left out; give it another one");
+}
+
+void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
+    const bool asItIs = placed.stretch == Mat3::Identity() && placed.offset.isZero(0);
+    TriangleSoup soup = asItIs ? raw.soup : stretched(raw.soup, placed.stretch, placed.offset);
+    for (const Vec3& p : soup.positions)
+        if (!isCoordinate(p.cwiseAbs().maxCoeff()))
+            source_.fail("coordinate of node " + inQuotes(placed.name) + " is beyond 1e6 m; scale the model");
+    std::vector<Surface> surfaces;
+    for (const int material : raw.materials)
+        surfaces.push_back(surfaceOf(material, placed));
+    const std::size_t before = loaded_.scene.objects.size();
+    addObject(loaded_, placed.name.empty() ? stemOf(source_) : placed.name, raw.report, std::move(soup),
+              std::move(surfaces), Progress{{}, progress_.cancelled});
+    if (loaded_.scene.objects.size() == before) return;
+    SceneObject& object = loaded_.scene.objects.back();
+    object.geometry = shelf_.shared(object.geometry);
+    object.pose = placed.pose;
+    object.motion = placed.motion;
+    keep(object, placed);
+    const auto warn = [&](bool applies, const char* sentence, const char* remedy) {
+        if (applies) say(Severity::Warning, object.name, sentence, remedy);
+    };
+    warn(placed.bends, "is scaled or sheared while it moves",
+         "only its rigid motion is felt; give its ancestors an even scale");
+    warn(placed.deforms, "is deformed by a skin or by morph targets",
+         "felt in the shape that it has at rest");
+}
+
+/// What our extension of the node says, and all that nobody here knows.
+void GltfReader::keep(SceneObject& object, const PlacedMesh& placed) const {
+    object.kept = keptOf("nodes", placed.node);
+    object.keptMesh = keptOf("meshes", placed.mesh);
+    const Json& node = file_.json["nodes"][std::size_t(placed.node)];
+    const Json* ours = extensionOf(node);
+    if (!ours) return;
+    const Json* visible = member(*ours, "visible");
+    if (visible && visible->is_boolean()) object.visible = visible->get<bool>();
+    const Json* motion = member(*ours, "motion");
+    if (!motion || placed.rest < 0) return;
+    const auto exact = motionOf(*motion);
+    if (!exact) return;
+    object.motion = std::make_shared<const Motion>(*exact);
+    object.pose = rigidOf(source_, model_, placed.rest);
+}
+
+/// An element without what the reader makes of it. Its place counts only in the foreign part of the file.
+Kept GltfReader::keptOf(const char* array, int index) const {
+    const auto all = file_.json.find(array);
+    if (all == file_.json.end() || index < 0 || std::size_t(index) >= all->size()) return {};
+    const Json* ours = extensionOf(file_.json);
+    const Json* foreign = ours ? member(*ours, "foreign") : nullptr;
+    const std::size_t count = !ours ? all->size() : foreign ? foreign->value(array, std::size_t(0)) : 0;
+    Json element = (*all)[std::size_t(index)];
+    for (const char* key :
+         {"primitives", "mesh", "children", "translation", "rotation", "scale", "matrix", "skin", "weights"})
+        element.erase(key);
+    eraseCopies(element, copies_);
+    return {std::size_t(index) < count ? index : -1, std::make_shared<const std::string>(element.dump(
+                                                         -1, ' ', false, Json::error_handler_t::replace))};
+}
+
+/// What a mesh has for the eye alone, and what saving does not keep.
+void GltfReader::noteLostAttributes(const std::vector<PlacedMesh>& placed) {
+    std::set<std::string> lost;
+    for (const PlacedMesh& each : placed)
+        for (const tinygltf::Primitive& primitive : model_.meshes[std::size_t(each.mesh)].primitives)
+            for (const auto& [name, accessor] : primitive.attributes)
+                if (name.starts_with("COLOR_") || (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0"))
+                    lost.insert(name);
+    for (const std::string& name : lost)
+        say(Severity::Note, "", name + " of its meshes is for the eye alone",
+            "not written when the scene is saved");
+}
+
+void GltfReader::keepForeign(const std::vector<PlacedMesh>& placed) {
+    std::vector<int> nodes;
+    for (const PlacedMesh& each : placed)
+        nodes.push_back(each.node);
+    std::ranges::sort(nodes);
+    std::vector<std::string> missing;
+    loaded_.scene.kept.foreign = foreignOf(source_, file_, model_, nodes, missing);
+    for (const std::string& image : missing)
+        say(Severity::Note, "", "its picture " + inQuotes(image) + " is not in its folder or of another kind",
+            "not needed for touch; put it beside the file to keep it when saving");
+}
+
+Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed) {
+    Surface surface = namedSurface("surface");
+    const auto image = [&](int texture) { return imageAt(texture); };
+    std::vector<std::string> said;
+    if (!extensionOf(file_.json))
+        readStandards(file_.json, file_.json["nodes"][std::size_t(placed.node)],
+                      file_.json["meshes"][std::size_t(placed.mesh)], image, surface, said);
+    for (const std::string& sentence : said)
+        say(Severity::Note, printable(placed.name), sentence,
+            "set it in the inspector if it should be another");
+    if (material < 0) return surface;
+    const tinygltf::Material& m = model_.materials[std::size_t(material)];
+    surface.name = m.name.empty() ? "material " + std::to_string(material) : m.name;
+    const std::vector<double>& base = m.pbrMetallicRoughness.baseColorFactor;
+    for (std::size_t i = 0; i < 3 && i < base.size(); ++i)
+        if (std::isfinite(base[i])) surface.colour[int(i)] = float(std::clamp(base[i], 0.0, 1.0));
+    surface.kept = keptOf("materials", material);
+    const Json* ours = extensionOf(file_.json["materials"][std::size_t(material)]);
+    if (!ours) return surface;
+    std::vector<std::string> complaints;
+    readSurfaceJson(*ours, image, surface, complaints);
+    for (const std::string& complaint : complaints)
+        say(Severity::Warning, "", "material " + inQuotes(surface.name) + ": " + complaint,
+            "the initial value is used");
+    return surface;
+}
+
+std::shared_ptr<const TextureImage> GltfReader::imageAt(int texture) {
+    const auto [found, isNew] = images_.try_emplace(texture);
+    if (!isNew) return found->second;
+    const Json& root = file_.json;
+    const auto count = [&](const char* array) {
+        return root.contains(array) && root[array].is_array() ? root[array].size() : 0;
+    };
+    const bool known = texture >= 0 && std::size_t(texture) < count("textures");
+    const int image = known ? indexIn(root["textures"][std::size_t(texture)], "source", count("images")) : -1;
+    const std::string where = "texture " + std::to_string(texture);
+    if (image < 0) {
+        say(Severity::Warning, "", where + " of a layer is not there",
+            "the layer is not felt; choose its image again");
+        return nullptr;
+    }
+    const Json& json = root["images"][std::size_t(image)];
+    const auto read =
+        readImage(imageBytes(source_, json, model_), json.value("name", std::string()), source_.path());
+    if (!read)
+        say(Severity::Warning, "", where + " of a layer cannot be read: " + read.error().text,
+            "the layer is not felt; choose its image again");
+    else
+        found->second = read->image;
+    return found->second;
+}
+
+} // namespace
+
+LoadedScene readGltf(const Source& source, const Progress& progress) {
+    try {
+        return GltfReader(source, progress).read();
+    } catch (const Json::exception& fault) { // a value has a type that nobody expects
+        source.fail("has JSON that is not glTF (" + printable(fault.what(), 160) + "); re-export it");
+    }
+}
+
+} // namespace tactum

@@ -1,0 +1,243 @@
+// Foreign parts keep their places at the beginning of each array, what is ours comes after them; how long the
+// foreign beginnings are is written down, so that a reader can tell the two apart.
+#include "core/files/gltf/write_gltf.h"
+
+#include <map>
+#include <set>
+
+#include "core/files/gltf/drawn_mesh.h"
+#include "core/files/gltf/gltf_animation.h"
+#include "core/files/gltf/gltf_foreign.h"
+#include "core/files/gltf/gltf_standards.h"
+#include "core/files/gltf/gltf_surface.h"
+#include "core/files/gltf/soup_shelf.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::size_t kLargestGlb = (std::size_t(1) << 32) - 64;
+
+class GltfWriter {
+public:
+    GltfWriter(const Scene& scene, const Progress& progress)
+        : scene_(scene), progress_(progress), root_(foreignRoot(scene)), foreign_(arrayCounts(root_)),
+          tree_(root_), data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string()) {
+        foreign_["bytes"] = scene.kept.foreign ? scene.kept.foreign->binary.size() : 0;
+    }
+
+    Result<std::string> write();
+
+private:
+    /// A soup in the binary chunk: what meshes of any surfaces share.
+    struct Stored {
+        Json attributes, exact;
+        std::vector<std::pair<DrawnPart, int>> parts; ///< without their vertices, and the accessor of these
+    };
+
+    const Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
+    int addMaterial(const Surface& surface);
+    int addMesh(const SceneObject& object);
+    int addNode(const SceneObject& object);
+    int place(Json node, const SceneObject& object);
+    void finishRoot(const std::vector<int>& roots, const std::vector<std::string>& copies);
+
+    const Scene& scene_;
+    const Progress& progress_;
+    Json root_;
+    Json foreign_; ///< how many elements of each array are not ours
+    ForeignTree tree_;
+    GltfData data_;
+    SoupShelf shelf_;
+    std::map<const TriangleSoup*, Stored> soups_;
+    std::set<int> claimedNodes_, claimedMaterials_;
+    std::vector<int> nodes_; ///< of each object
+};
+
+/// `json` with the members of `ours` over its own; a null takes one away.
+Json overlaid(const Kept& kept, const Json& ours) {
+    Json json = kept.json ? Json::parse(*kept.json, nullptr, false) : Json::object();
+    if (!json.is_object()) json = Json::object();
+    json.merge_patch(ours);
+    return json;
+}
+
+/// Of a file by a later version of the program: members that this one does not know, of layers by their names
+/// too.
+void keepUnknownKeys(const Json& before, Json& now) {
+    for (const auto& [key, value] : before.items()) {
+        if (!now.contains(key))
+            now[key] = value;
+        else if (value.is_object() && now[key].is_object())
+            keepUnknownKeys(value, now[key]);
+        else if (key == "layers" && value.is_array())
+            for (std::size_t i = 0; i < std::min(value.size(), now[key].size()); ++i)
+                if (value[i].is_object() && value[i].value("name", Json()) == now[key][i]["name"])
+                    keepUnknownKeys(value[i], now[key][i]);
+    }
+}
+
+Json colourJson(const Json& material, const Eigen::Vector3f& colour) {
+    const Json* pbr = member(material, "pbrMetallicRoughness");
+    const Json* base = pbr ? member(*pbr, "baseColorFactor") : nullptr;
+    const bool has = base && base->is_array() && base->size() == 4;
+    return {colour.x(), colour.y(), colour.z(), has ? (*base)[3] : Json(1.0)};
+}
+
+/// A member to write into; what another program has left there in another form goes.
+Json& objectAt(Json& parent, const char* key) {
+    Json& found = parent[key];
+    if (!found.is_object()) found = Json::object();
+    return found;
+}
+
+int GltfWriter::addMaterial(const Surface& surface) {
+    const auto textureOf = [&](const auto& image) { return data_.addTexture(image); };
+    Json material = overlaid(surface.kept, {{"name", surface.name}});
+    if (!surface.kept.json)
+        material.merge_patch({{"doubleSided", true},
+                              {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.7}}}});
+    objectAt(material, "pbrMetallicRoughness")["baseColorFactor"] = colourJson(material, surface.colour);
+    Json ours = surfaceJson(surface, textureOf);
+    if (const Json* before = extensionOf(material)) keepUnknownKeys(*before, ours);
+    objectAt(material, "extensions")[kExtension] = std::move(ours);
+    const int index = surface.kept.index;
+    if (index < 0 || std::size_t(index) >= foreign_["materials"] || !claimedMaterials_.insert(index).second)
+        return data_.add("materials", std::move(material));
+    root_["materials"][std::size_t(index)] = std::move(material);
+    return index;
+}
+
+const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>& soup,
+                                             std::size_t surfaces) {
+    const auto [found, isNew] = soups_.try_emplace(shelf_.shared(soup).get());
+    Stored& store = found->second;
+    if (!isNew) return store;
+    DrawnMesh mesh = drawn(*soup, surfaces);
+    store.attributes["POSITION"] = data_.addAttribute(mesh.positions, true);
+    if (!mesh.normals.empty()) store.attributes["NORMAL"] = data_.addAttribute(mesh.normals, false);
+    if (!mesh.uvs.empty()) store.attributes["TEXCOORD_0"] = data_.addAttribute(mesh.uvs);
+    if (!mesh.copies.empty()) store.exact["copies"] = data_.addRawView(mesh.copies);
+    if (!mesh.order.empty()) store.exact["order"] = data_.addRawView(mesh.order);
+    if (!mesh.positionsAreExact) store.exact["positions"] = data_.addRawView(soup->positions);
+    if (!mesh.uvsAreExact) store.exact["uvs"] = data_.addRawView(mesh.trueUvs);
+    for (DrawnPart& part : mesh.parts)
+        store.parts.emplace_back(DrawnPart{part.surface, part.corners, {}}, data_.addIndices(part.vertices));
+    return store;
+}
+
+int GltfWriter::addMesh(const SceneObject& object) {
+    constexpr int kModes[] = {0, 1, 4};
+    const Stored& store = stored(object.geometry, object.surfaces.size());
+    Json ours = store.exact.is_null() ? Json::object() : store.exact;
+    for (const Surface& surface : object.surfaces)
+        ours["surfaces"].push_back(addMaterial(surface));
+    Json primitives = Json::array();
+    for (const auto& [part, indices] : store.parts)
+        primitives.push_back({{"attributes", store.attributes},
+                              {"indices", indices},
+                              {"mode", kModes[part.corners - 1]},
+                              {"material", ours["surfaces"][part.surface]}});
+    Json mesh = overlaid(object.keptMesh, {{"name", object.name}, {"weights", nullptr}});
+    mesh["primitives"] = std::move(primitives);
+    objectAt(mesh, "extensions")[kExtension] = std::move(ours);
+    return data_.add("meshes", std::move(mesh));
+}
+
+/// Into its foreign place, if it has one, without the part of the tree above it.
+int GltfWriter::place(Json node, const SceneObject& object) {
+    const int index = object.kept.index;
+    if (index < 0 || std::size_t(index) >= foreign_["nodes"] || !claimedNodes_.insert(index).second)
+        return data_.add("nodes", std::move(node));
+    tree_.uproot(index, object.pose);
+    if (const Json* children = member(root_["nodes"][std::size_t(index)], "children"))
+        node["children"] = *children;
+    root_["nodes"][std::size_t(index)] = std::move(node);
+    return index;
+}
+
+int GltfWriter::addNode(const SceneObject& object) {
+    const Json ours{{"visible", object.visible}, {"motion", nullptr}};
+    Json node = overlaid(object.kept, {{"name", object.name}, {"extensions", {{kExtension, ours}}}});
+    if (object.motion) node["extensions"][kExtension]["motion"] = motionJson(*object.motion);
+    if (object.geometry && !object.geometry->triangles.empty()) node["mesh"] = addMesh(object);
+    if (!object.motion) {
+        node.update(poseJson(object.pose));
+        return nodes_.emplace_back(place(std::move(node), object));
+    }
+    const int moving = nodes_.emplace_back(place(std::move(node), object));
+    Json rest = poseJson(object.pose);
+    rest["name"] = object.name + " at rest";
+    rest["children"] = {moving};
+    addAnimation(data_, *object.motion, moving, object.name);
+    return data_.add("nodes", std::move(rest));
+}
+
+/// Rows of t, x, y, z.
+std::vector<double> fingerNumbers(const std::vector<FingerPoint>& finger) {
+    std::vector<double> numbers;
+    for (const FingerPoint& point : finger)
+        numbers.insert(numbers.end(), {point.t, point.position.x(), point.position.y(), point.position.z()});
+    return numbers;
+}
+
+void GltfWriter::finishRoot(const std::vector<int>& roots, const std::vector<std::string>& copies) {
+    Json& asset = objectAt(root_, "asset");
+    asset["version"] = "2.0";
+    asset["generator"] = "Tactum";
+    const int scene = std::max(0, indexIn(root_, "scene", data_.count("scenes")));
+    if (data_.count("scenes") == 0) data_.add("scenes", Json::object());
+    Json& nodes = root_["scenes"][std::size_t(scene)]["nodes"];
+    Json all = roots;
+    if (nodes.is_array())
+        for (const Json& other : nodes)
+            if (std::ranges::find(all, other) == all.end()) all.push_back(other);
+    if (all.empty())
+        root_["scenes"][std::size_t(scene)].erase("nodes");
+    else
+        nodes = std::move(all);
+    root_["scene"] = scene;
+    Json ours{{"version", std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor)},
+              {jsonKey(kProxyRadius.key), scene_.proxyRadius},
+              {"foreign", foreign_},
+              {"copies", copies}};
+    ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
+    objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
+    Json& used = root_["extensionsUsed"];
+    if (!used.is_array()) used = Json::array();
+    if (std::ranges::find(used, Json(kExtension)) == used.end()) used.push_back(kExtension);
+}
+
+Result<std::string> GltfWriter::write() {
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+        if (progress_.isCancelled()) return cancelledError();
+        if (progress_.report) progress_.report(double(i) / double(scene_.objects.size()));
+        roots.push_back(addNode(scene_.objects[i]));
+    }
+    StandardCopies copies(root_, data_);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        copies.add(scene_.objects[i], nodes_[i],
+                   indexIn(root_["nodes"][std::size_t(nodes_[i])], "mesh", data_.count("meshes")));
+    finishRoot(roots, copies.wrote());
+    const std::string binary = data_.finish();
+    if (binary.size() > kLargestGlb)
+        return inputError("the scene has more than the 4 GiB that a .glb can hold; simplify its meshes");
+    std::string glb = packGlb(root_, binary);
+    if (glb.size() > kLargestGlb)
+        return inputError("the scene has more than the 4 GiB that a .glb can hold; simplify its meshes");
+    return glb;
+}
+
+} // namespace
+
+Result<std::string> glbOf(const Scene& scene, const Progress& progress) {
+    try {
+        return GltfWriter(scene, progress).write();
+    } catch (const Json::exception&) { // what another program left has a form that nobody thought of
+        return inputError(
+            "the parts of another program that came with the scene are damaged; open its file in "
+            "that program and export it again");
+    }
+}
+
+} // namespace tactum

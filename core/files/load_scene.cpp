@@ -1,0 +1,109 @@
+#include "core/files/load_scene.h"
+
+#include <algorithm>
+#include <new>
+
+#include "core/base/text.h"
+#include "core/files/readers.h"
+#include "core/geometry/mesh_health.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::uint64_t kLargestFile = std::uint64_t(8) << 30;
+
+struct Format {
+    std::string_view ending;
+    LoadedScene (*read)(const Source&, const Progress&);
+};
+constexpr Format kFormats[] = {{"obj", readObj},    {"ply", readPly},    {"stl", readStl},
+                               {"off", readOff},    {"gltf", readGltf},  {"glb", readGltf},
+                               {"x3d", readX3d},    {"3ds", readAssimp}, {"fbx", readAssimp},
+                               {"dae", readAssimp}, {"zip", readBundle}};
+
+const Format* formatOf(const std::filesystem::path& file) {
+    const std::string ending = lowerCase(file.extension().string());
+    for (const Format& format : kFormats)
+        if (ending == "." + std::string(format.ending)) return &format;
+    return nullptr;
+}
+
+std::string allEndings() {
+    std::string text;
+    for (const Format& format : kFormats)
+        text += (text.empty() ? "" : ", ") + std::string(format.ending);
+    return text;
+}
+
+/// What a file may be in spite of its ending, and what to do then.
+struct Disguise {
+    std::string_view magic;
+    const char* sentence;
+};
+constexpr Disguise kDisguises[] = {
+    {"PK\x03\x04",
+     "is a ZIP archive; unpack it and open the model that is inside, or call it .zip if it is a bundle"},
+    {"\x1f\x8b", "is compressed by gzip; unpack it first"},
+    {"BZh", "is compressed by bzip2; unpack it first"},
+    {"\xFD"
+     "7zXZ",
+     "is compressed by xz; unpack it first"},
+    {"7z\xBC\xAF", "is a 7-Zip archive; unpack it and open the model that is inside"},
+    {"Rar!", "is a RAR archive; unpack it and open the model that is inside"},
+    {"%PDF", "is a PDF document; export the model itself"},
+    {"\x89PNG", "is a PNG picture; open a model"},
+    {"\xFF\xD8\xFF", "is a JPEG picture; open a model"},
+    {"<!DOCTYPE html", "is a web page; download the model itself"},
+};
+
+void refuseDisguises(const Source& source, bool mayBeZip) {
+    for (const Disguise& disguise : kDisguises)
+        if (source.bytes().starts_with(disguise.magic) && !(mayBeZip && disguise.magic == "PK\x03\x04"))
+            source.fail(disguise.sentence);
+}
+
+LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
+    const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
+    const Format* format = formatOf(file);
+    if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
+    refuseDisguises(source, format->read == readBundle);
+    LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
+    if (loaded.scene.objects.empty())
+        source.fail("has no faces, lines or points; export the mesh with its faces");
+    if (progress.report) progress.report(1.0);
+    return loaded;
+}
+
+} // namespace
+
+const std::vector<std::string>& readableEndings() {
+    static const std::vector<std::string> endings = [] {
+        std::vector<std::string> all;
+        for (const Format& format : kFormats)
+            all.emplace_back(format.ending);
+        return all;
+    }();
+    return endings;
+}
+
+Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress) {
+    try {
+        return load(file, progress);
+    } catch (const ReadFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    } catch (const std::bad_alloc&) {
+        return machineError(shownPath(file) + ": not enough memory to open it; close other programs");
+    }
+}
+
+Surface namedSurface(std::string name) {
+    Surface surface;
+    surface.name = std::move(name);
+    return surface;
+}
+
+std::string stemOf(const Source& source) {
+    return printable(source.path().stem().string());
+}
+
+} // namespace tactum

@@ -1,0 +1,30 @@
+// Opens any file the program knows as a Scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/scene/findings.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+struct LoadedScene {
+    Scene scene;
+    std::vector<Finding> findings; ///< what the reader repaired, dropped or doubts
+};
+
+/// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb, x3d, 3ds,
+/// fbx, dae.
+const std::vector<std::string>& readableEndings();
+
+/// Reads a file by its ending. FBX and DAE say their unit; one unit of the others is a metre. Groups and
+/// materials become surfaces; no face is lost without a finding that counts it. Errors: one line that names
+/// the file, the place in it (line or byte) and the remedy. Thread: any but real time; long files report
+/// progress and stop when cancelled.
+Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress = {});
+
+} // namespace tactum

@@ -1,0 +1,151 @@
+// X3D in its XML form, with H3D's haptic nodes. Every Shape is an object in the world's frame. The unit of
+// X3D is the metre, its y axis points up.
+#include <map>
+
+#include "core/base/text.h"
+#include "core/files/x3d/x3d_geometry.h"
+#include "core/files/x3d/x3d_surface.h"
+#include "core/scene/value_checks.h"
+
+namespace tactum {
+namespace {
+
+using Affine = Eigen::Affine3d;
+using Severity = Finding::Severity;
+
+Eigen::AngleAxisd turnOf(const std::vector<double>& r) {
+    const Vec3 axis(r[0], r[1], r[2]);
+    return {r[3], axis.norm() > 0 ? axis.normalized().eval() : Vec3::UnitZ().eval()};
+}
+
+class X3dReader {
+public:
+    X3dReader(const Source& source, const Progress& progress)
+        : source_(source), progress_(progress), document_(source),
+          surfaces_(document_, source, loaded_.findings) {}
+
+    LoadedScene read() {
+        visit(document_.scene(), Affine::Identity(), "", 0);
+        if (const auto radius = surfaces_.proxyRadius()) loaded_.scene.proxyRadius = *radius;
+        sayWhatIsLeftOut();
+        return std::move(loaded_);
+    }
+
+private:
+    void visit(X3dNode given, const Affine& parent, const std::string& parentName, int depth) {
+        constexpr int kDeepest = 128;
+        constexpr std::size_t kMostVisits = 1'000'000;
+        const X3dNode node = document_.resolved(given);
+        if (!node) return;
+        if (depth > kDeepest)
+            document_.fail(node, "lies deeper than 128 levels, or inside itself; flatten it");
+        if (++visits_ > kMostVisits)
+            document_.fail(node, "is used too often; export the scene with fewer copies");
+        if (progress_.isCancelled()) throw ReadFault{cancelledError().value()};
+        const std::string_view kind = node.name();
+        const std::string name = node.attribute("DEF") ? node.attribute("DEF").value() : parentName;
+        if (kind == "Shape") return addShape(node, parent, name);
+        if (kind == "Inline") ++inlines_;
+        if (kind == "Inline" || kind == "ProtoDeclare" || kind == "Appearance") return;
+        const Affine here = parent * transformOf(node);
+        int number = 0;
+        for (const X3dNode child : node.children()) {
+            if (child.type() != pugi::node_element || !isChosen(node, number++)) continue;
+            visit(child, here, name, depth + 1);
+        }
+    }
+
+    /// A Switch shows one of its children, an LOD the first, which is the finest.
+    bool isChosen(X3dNode node, int number) const {
+        const std::string_view kind = node.name();
+        if (kind == "Switch") return number == int(document_.number(node, "whichChoice", -1));
+        return kind != "LOD" || number == 0;
+    }
+
+    Affine transformOf(X3dNode node) const {
+        const std::string_view kind = node.name();
+        Affine local = Affine::Identity();
+        const auto vector = [&](const char* field, double otherwise) {
+            return Vec3(document_.tuple(node, field, {otherwise, otherwise, otherwise}).data());
+        };
+        const auto turn = [&](const char* field) {
+            return turnOf(document_.tuple(node, field, {0, 0, 1, 0}));
+        };
+        if (kind == "Transform") {
+            const Vec3 centre = vector("center", 0);
+            const auto scaleTurn = turn("scaleOrientation");
+            local.translate(vector("translation", 0)).translate(centre).rotate(turn("rotation"));
+            local.rotate(scaleTurn).scale(vector("scale", 1)).rotate(scaleTurn.inverse()).translate(-centre);
+        }
+        if (kind == "DynamicTransform") // of H3D: a free body, at rest here
+            local.translate(vector("position", 0)).rotate(turn("orientation"));
+        if (kind == "MatrixTransform") { // of H3D: column by column
+            const auto m = document_.tuple(node, "matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+            local.matrix() = Eigen::Map<const Eigen::Matrix4d>(m.data());
+            if (local.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+                document_.fail(node, "has a matrix that is not affine; export it again");
+        }
+        return local;
+    }
+
+    /// Every use of a shape is a mesh of its own, so that a few lines could ask for any number of them.
+    void demandBounded(X3dNode shape, std::size_t positions) {
+        constexpr std::size_t kMostShapes = 20'000, kMostPositions = 20'000'000;
+        positions_ += positions;
+        if (++shapes_ > kMostShapes)
+            document_.fail(shape, "is the " + std::to_string(shapes_) +
+                                      "th shape to be shown; join shapes, or export fewer copies");
+        if (positions_ > kMostPositions && shapes_ > 1)
+            document_.fail(shape, "brings the copies of all shapes to more than 20 million vertices; export "
+                                  "fewer copies");
+    }
+
+    void addShape(X3dNode shape, const Affine& toWorld, const std::string& name) {
+        WorldMesh mesh(source_, toWorld);
+        for (const X3dNode child : shape.children()) {
+            const X3dNode geometry = document_.resolved(child);
+            const std::string_view kind = geometry.name();
+            if (!geometry || kind == "Appearance" || kind.starts_with("Metadata")) continue;
+            if (geometry.type() == pugi::node_element && !addGeometry(document_, geometry, mesh, 0))
+                ++unknown_[std::string(kind)];
+        }
+        if (mesh.positions() == 0) return;
+        demandBounded(shape, mesh.positions());
+        mesh.addTo(loaded_, name.empty() ? stemOf(source_) : name, {surfaces_.surfaceOf(shape)}, progress_);
+        if (progress_.report)
+            progress_.report(std::min(1.0, double(shape.offset_debug()) / double(source_.bytes().size())));
+    }
+
+    void sayWhatIsLeftOut() {
+        const auto say = [&](std::size_t count, const std::string& noun, const char* remedy) {
+            if (count > 0)
+                loaded_.findings.push_back(
+                    {Severity::Warning, "", counted(count, noun) + " left out", remedy});
+        };
+        for (const auto& [kind, count] : unknown_)
+            say(count, "geometry of the kind " + inQuotes(kind), "export it as IndexedFaceSet");
+        say(inlines_, "Inline", "open that file itself, or join the two");
+        const auto movers = document_.all({"PositionInterpolator", "OrientationInterpolator", "Script"});
+        say(movers.size(), "animation or script", "everything stands where the file puts it");
+        const auto effects =
+            document_.all({"ForceField", "SpringEffect", "ViscosityEffect", "PositionFunctionEffect",
+                           "MagneticGeometryEffect", "TimeFunctionEffect", "RotationalSpringEffect"});
+        say(effects.size(), "force effect of H3D", "surfaces are felt, not the space between them");
+    }
+
+    const Source& source_;
+    const Progress& progress_;
+    LoadedScene loaded_;
+    X3dDocument document_;
+    X3dSurfaces surfaces_;
+    std::size_t visits_ = 0, inlines_ = 0, shapes_ = 0, positions_ = 0;
+    std::map<std::string, std::size_t> unknown_;
+};
+
+} // namespace
+
+LoadedScene readX3d(const Source& source, const Progress& progress) {
+    return X3dReader(source, progress).read();
+}
+
+} // namespace tactum

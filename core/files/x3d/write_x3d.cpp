@@ -1,0 +1,269 @@
+#include "core/files/x3d/write_x3d.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/numbers.h"
+#include "core/base/realtime.h"
+#include "core/files/unique_names.h"
+#include "core/files/x3d/write_x3d_geometry.h"
+#include "core/files/x3d/write_x3d_surface.h"
+
+namespace tactum {
+namespace {
+
+/// What a light desk device gives for as long as one likes. N
+constexpr double kForceLimit = 3;
+/// How far around the finger H3D looks for triangles at least. m
+constexpr double kLookAround = 0.02;
+/// A cubic becomes straight pieces of this length. s
+constexpr double kCubicStep = 1e-3;
+constexpr std::size_t kMostCubicKeys = 1 << 16;
+
+/// Axis and angle as one attribute. The identity has an axis too.
+std::string axisAngle(const Quat& rotation) {
+    const Eigen::AngleAxisd turn(rotation.normalized());
+    std::string text;
+    for (const double x : turn.axis()) {
+        appendNumber(text, x);
+        text += ' ';
+    }
+    appendNumber(text, turn.angle());
+    return text;
+}
+
+/// The keys of an interpolator: parts of the loop, and a value for each.
+struct Keys {
+    std::string times, values;
+
+    void add(double part, const std::string& value) {
+        if (!times.empty()) times += ' ', values += ", ";
+        appendNumber(times, part);
+        values += value;
+    }
+};
+
+std::string text(const Vec3& v) {
+    std::string list;
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) list += ' ';
+        appendNumber(list, v[i]);
+    }
+    return list;
+}
+std::string text(const QuatCoefficients& q) {
+    return axisAngle(Quat(q));
+}
+
+/// A step keeps its value up to the next key: two keys of one time. A cubic is sampled by the motion itself.
+template <class Value, class At> Keys keysOf(const Track<Value>& track, double cycle, At&& at) {
+    Keys keys;
+    if (track.interpolation == Interpolation::CubicSpline) {
+        const double length = track.times.back() - track.times.front();
+        const auto pieces =
+            std::clamp<std::size_t>(std::size_t(std::min(length / kCubicStep, 1e9)), 16, kMostCubicKeys);
+        for (std::size_t i = 0; i <= pieces; ++i) {
+            const double t = track.times.front() + length * double(i) / double(pieces);
+            keys.add(t / cycle, at(t));
+        }
+        return keys;
+    }
+    for (std::size_t i = 0; i < track.times.size(); ++i) {
+        if (i > 0 && track.interpolation == Interpolation::Step)
+            keys.add(track.times[i] / cycle, text(track.values[i - 1]));
+        keys.add(track.times[i] / cycle, text(track.values[i]));
+    }
+    return keys;
+}
+
+class X3dWriter {
+public:
+    explicit X3dWriter(const Scene& scene) : scene_(scene) {
+        result_.losses = lossesOf(scene, ExportTarget::X3d);
+    }
+
+    X3dExport write() {
+        {
+            XmlElement root(result_.scene, "X3D");
+            root.set("profile", "Full").set("version", "3.2");
+            writeHead(root);
+            XmlElement scene(root, "Scene");
+            writeSettings(scene);
+            for (const SceneObject& object : scene_.objects)
+                writeObject(scene, object);
+        }
+        writeDevice();
+        return std::move(result_);
+    }
+
+private:
+    static void writeHead(XmlElement& root) {
+        XmlElement head(root, "head");
+        XmlElement(head, "meta").set("name", "generator").set("content", "Tactum");
+        XmlElement(head, "meta")
+            .set("name", "description")
+            .set("content",
+                 "A haptic scene for H3DAPI; lengths in metres, y up. Start it with deviceinfo.x3d.");
+    }
+
+    void writeSettings(XmlElement& scene) const {
+        XmlElement settings(scene, "GlobalSettings");
+        XmlElement(settings, "HapticsOptions")
+            .set("touchableFace", "FRONT_AND_BACK")
+            .set("maxDistance", std::max(kLookAround, 4 * proxyRadius_))
+            .set("dynamicMode", "TRANSFORM_CHANGED");
+        XmlElement(settings, "GeometryBoundTreeOptions").set("boundType", "SPHERE");
+    }
+
+    void writeObject(XmlElement& scene, const SceneObject& object) {
+        const std::string name = names_.take(plainName(object.name));
+        if (object.visible) {
+            writePlaced(scene, object, name);
+        } else {
+            XmlElement hidden(scene, "Switch"); // neither seen nor felt
+            hidden.set("whichChoice", -1.0);
+            writePlaced(hidden, object, name);
+        }
+        if (object.motion) writeMotion(scene, object, name);
+    }
+
+    void writePlaced(XmlElement& parent, const SceneObject& object, const std::string& name) {
+        XmlElement placed(parent, "Transform");
+        placed.set("DEF", name)
+            .set("translation", object.pose.translation)
+            .setPlain("rotation", axisAngle(object.pose.rotation));
+        writeName(placed, object.name);
+        if (!object.motion) return writeShapes(placed, object, name);
+        XmlElement moved(placed, "Transform");
+        moved.set("DEF", moverOf(name));
+        writeShapes(moved, object, name);
+    }
+
+    static void writeName(XmlElement& node, const std::string& name) {
+        XmlElement set(node, "MetadataSet");
+        set.set("containerField", "metadata").set("name", "Tactum object");
+        XmlElement(set, "MetadataString")
+            .set("containerField", "value")
+            .set("name", "name")
+            .setStrings("value", {name});
+    }
+
+    void writeShapes(XmlElement& parent, const SceneObject& object, const std::string& name) {
+        const std::vector<FacesByKind> faces = facesBySurface(object);
+        for (Index i = 0; i < object.surfaces.size(); ++i)
+            if (std::ranges::any_of(faces[i], [](auto& list) { return !list.empty(); }))
+                writeSurfaceShapes(parent, object, i, faces[i],
+                                   names_.take(name + "-" + plainName(object.surfaces[i].name)));
+    }
+
+    void writeSurfaceShapes(XmlElement& parent, const SceneObject& object, Index index,
+                            const FacesByKind& faces, const std::string& name) {
+        const Surface& surface = object.surfaces[index];
+        const X3dSurface flat = x3dSurfaceOf(object, index);
+        for (const std::string& sentence : flat.lost)
+            result_.losses.push_back({ExportTarget::X3d, object.name + " / " + surface.name, "layers",
+                                      LossKind::Degraded, sentence});
+        bool isFirst = true;
+        for (const int corners : {3, 2, 1}) {
+            const std::vector<Index>& list = faces[std::size_t(corners - 1)];
+            if (list.empty()) continue;
+            XmlElement shape(parent, "Shape");
+            if (isFirst) shape.set("DEF", name);
+            writeAppearance(shape, surface, flat, name, corners);
+            writeGeometry(shape, object, surface, corners, list, flat.canvas());
+            isFirst = false;
+        }
+    }
+
+    void writeAppearance(XmlElement& shape, const Surface& surface, const X3dSurface& flat,
+                         const std::string& name, int corners) {
+        XmlElement appearance(shape, "Appearance");
+        XmlElement(appearance, "Material")
+            .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
+        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface, name, result_.images);
+    }
+
+    /// Lines and points have no texture coordinates.
+    static X3dSurface withoutPictures(X3dSurface flat) {
+        for (FlatPicture* picture :
+             {&flat.height, &flat.stiffness, &flat.staticFriction, &flat.dynamicFriction})
+            picture->image = nullptr;
+        return flat;
+    }
+
+    void writeMotion(XmlElement& parent, const SceneObject& object, const std::string& name) {
+        const Motion& motion = *object.motion;
+        const auto lastOf = [](const std::vector<double>& times) {
+            return times.empty() ? 0.0 : times.back();
+        };
+        const double last = std::max(lastOf(motion.translation.times), lastOf(motion.rotation.times));
+        const double cycle = motion.duration > 0 ? motion.duration : last > 0 ? last : 1;
+        const std::string clock = names_.take(name + "-clock");
+        XmlElement(parent, "TimeSensor")
+            .set("DEF", clock)
+            .set("cycleInterval", cycle)
+            .set("loop", motion.duration > 0);
+        if (!motion.translation.times.empty())
+            writeTrack(
+                parent, {"PositionInterpolator", "translation"}, clock, name,
+                keysOf(motion.translation, cycle, [&](double t) { return text(motion.at(t).translation); }));
+        if (!motion.rotation.times.empty())
+            writeTrack(
+                parent, {"OrientationInterpolator", "rotation"}, clock, name,
+                keysOf(motion.rotation, cycle, [&](double t) { return axisAngle(motion.at(t).rotation); }));
+        if (motion.translation.interpolation == Interpolation::CubicSpline ||
+            motion.rotation.interpolation == Interpolation::CubicSpline)
+            result_.losses.push_back({ExportTarget::X3d, object.name, "motion", LossKind::Degraded,
+                                      "its curves are written as straight pieces of 1 ms"});
+    }
+
+    struct TrackNode {
+        std::string_view node, field;
+    };
+    void writeTrack(XmlElement& parent, const TrackNode& track, const std::string& clock,
+                    const std::string& name, const Keys& keys) {
+        const std::string def = names_.take(name + "-" + std::string(track.field));
+        XmlElement(parent, track.node)
+            .set("DEF", def)
+            .setPlain("key", keys.times)
+            .setPlain("keyValue", keys.values);
+        writeRoute(parent, clock, "fraction_changed", def, "set_fraction");
+        writeRoute(parent, def, "value_changed", moverOf(name), track.field);
+    }
+
+    static void writeRoute(XmlElement& parent, const std::string& from, std::string_view output,
+                           const std::string& to, std::string_view input) {
+        XmlElement(parent, "ROUTE")
+            .set("fromNode", from)
+            .set("fromField", output)
+            .set("toNode", to)
+            .set("toField", input);
+    }
+
+    /// Unique as `name` is: no other name ends so.
+    static std::string moverOf(const std::string& name) { return name + "-moved"; }
+
+    void writeDevice() {
+        XmlElement root(result_.device, "X3D");
+        root.set("profile", "Full").set("version", "3.2");
+        XmlElement scene(root, "Scene");
+        XmlElement info(scene, "DeviceInfo");
+        XmlElement device(info, "AnyDevice");
+        device.set("forceLimit", kForceLimit);
+        XmlElement(device, "RuspiniRenderer").set("proxyRadius", proxyRadius_);
+    }
+
+    const Scene& scene_;
+    const double proxyRadius_ = kProxyRadius.clamped(scene_.proxyRadius);
+    UniqueNames names_;
+    X3dExport result_;
+};
+
+} // namespace
+
+X3dExport x3dOf(const Scene& scene) {
+    assertNotRealtime();
+    return X3dWriter(scene).write();
+}
+
+} // namespace tactum

@@ -1,0 +1,31 @@
+// A scene for H3DAPI, the other open program that renders haptic surfaces: X3D with its nodes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/files/loss_report.h"
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+struct X3dImage {
+    std::string name;  ///< beside the scene, as its url says: a folder, a slash and plain letters
+    std::string bytes; ///< PNG, 8 bits grey
+};
+
+struct X3dExport {
+    std::string scene;            ///< scene.x3d
+    std::string device;           ///< deviceinfo.x3d: what H3D keeps apart
+    std::vector<X3dImage> images; ///< depth maps and maps of parameters, in the order of the scene
+    std::vector<Loss> losses;     ///< those of the table, and what flattening this scene's layers lost
+};
+
+/// Units, frames and sides are ours: metres, y up, counter-clockwise fronts. Poses and motions are Transforms
+/// with interpolators, the numbers of a surface absolute. A surface with layers of height is a
+/// DepthMapSurface, one with other layers a HapticTexturesSurface, one with friction a FrictionalSurface, any
+/// other a SmoothSurface; what H3D cannot say stands in a MetadataSet under it. The same scene gives the same
+/// bytes. Thread: any but real time.
+X3dExport x3dOf(const Scene& scene);
+
+} // namespace tactum

@@ -1,0 +1,31 @@
+// The surface node of H3DAPI that comes nearest to one of our surfaces. For write_x3d.cpp only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/files/flatten_layers.h"
+#include "core/files/x3d/write_x3d.h"
+#include "core/files/x3d/xml_writer.h"
+
+namespace tactum {
+
+/// What a surface becomes.
+struct X3dSurface {
+    FlatPicture height; ///< with its image: a DepthMapSurface
+    FlatPicture stiffness, staticFriction,
+        dynamicFriction;           ///< as felt; one with an image: a HapticTexturesSurface
+    std::vector<std::string> lost; ///< a sentence each
+
+    /// The rectangle of texture coordinates that its pictures cover.
+    const UvCanvas& canvas() const;
+    bool hasPictures() const;
+};
+
+X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface);
+
+/// Writes the node into an Appearance, and appends its pictures, whose names begin with `stem`.
+void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
+                  const std::string& stem, std::vector<X3dImage>& images);
+
+} // namespace tactum

@@ -1,0 +1,36 @@
+#include "core/scene/findings.h"
+
+namespace tactum {
+
+std::string counted(std::size_t count, std::string_view noun) {
+    const bool vertices = noun == "vertex";
+    const std::string plural = vertices ? "vertices" : std::string(noun) + "s";
+    return std::to_string(count) + " " + (count == 1 ? std::string(noun) : plural);
+}
+
+void CountedFindings::add(Finding::Severity severity, std::size_t count, std::string_view noun,
+                          const std::string& predicate, const std::string& remedy) {
+    if (count > 0) findings_.push_back({severity, object_, counted(count, noun) + " " + predicate, remedy});
+}
+
+void appendHealth(std::vector<Finding>& findings, const std::string& object, const MeshHealth& health) {
+    CountedFindings notes(findings, object);
+    const auto note = Finding::Severity::Note, warning = Finding::Severity::Warning;
+    notes.add(note, health.slivers, "triangle", "too thin to see",
+              "kept; merge close vertices to remove them");
+    notes.add(warning, health.duplicateFaces, "triangle", "that repeats another one",
+              "kept; remove doubles in the modelling program");
+    notes.add(note, health.nonManifoldEdges, "edge", "with more than two triangles",
+              "kept; touch does not mind");
+    notes.add(warning, health.flippedEdges, "edge", "whose two triangles face opposite ways",
+              "kept; both sides can be touched, but make the normals consistent for shading");
+    if (health.boundaryEdges > 0)
+        notes.add(note, health.holes, "open rim", "with " + counted(health.boundaryEdges, "edge"),
+                  "kept open; the finger can pass through if it is larger than the proxy");
+    notes.add(note, health.unreferencedVertices, "vertex", "that no face uses", "ignored");
+    if (health.components > 1)
+        notes.add(note, health.components, "part", "that share no vertex",
+                  "kept; if they should be one, merge close vertices");
+}
+
+} // namespace tactum

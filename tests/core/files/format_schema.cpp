@@ -1,0 +1,169 @@
+#include "tests/core/files/format_schema.h"
+
+#include "core/files/gltf/gltf_surface.h"
+
+namespace tactum {
+namespace {
+
+using Schema = nlohmann::ordered_json;
+
+Schema text(const std::string& sentence) {
+    return {{"type", "string"}, {"description", sentence}};
+}
+Schema flag(const std::string& sentence) {
+    return {{"type", "boolean"}, {"description", sentence}};
+}
+Schema index(const std::string& sentence) {
+    return {{"type", "integer"}, {"minimum", 0}, {"description", sentence}};
+}
+Schema numbers(int count, const std::string& sentence) {
+    return {{"type", "array"},
+            {"items", {{"type", "number"}}},
+            {"minItems", count},
+            {"maxItems", count},
+            {"description", sentence}};
+}
+
+Schema number(const Parameter& parameter) {
+    std::string sentence(parameter.sentence);
+    if (!parameter.unit.empty()) sentence += " Unit: " + std::string(parameter.unit) + ".";
+    return {{"type", "number"},
+            {"minimum", parameter.minimum},
+            {"maximum", parameter.maximum},
+            {"default", parameter.initial},
+            {"description", sentence}};
+}
+template <class Table> void addNumbers(Schema& properties, const Table& table) {
+    for (const auto& field : table)
+        properties[jsonKey(field.parameter->key)] = number(*field.parameter);
+}
+
+template <std::size_t N> Schema word(const std::array<NamedChoice, N>& choices, const std::string& sentence) {
+    Schema words = Schema::array();
+    for (const NamedChoice& choice : choices)
+        words.push_back(choice.key);
+    return {{"enum", words}, {"description", sentence}};
+}
+
+Schema object(const std::string& sentence, Schema properties) {
+    return {{"type", "object"}, {"description", sentence}, {"properties", std::move(properties)}};
+}
+
+Schema reference(const char* name) {
+    return {{"$ref", std::string("#/$defs/") + name}};
+}
+
+Schema patternSchema() {
+    Schema properties{
+        {"source", word(kTextureSources, "Where the values from 0 to 1 come from.")},
+        {"mapping", word(kTextureMappings, "How the pattern comes onto the surface.")},
+        {"texture",
+         object("Of the source image: a glTF texture, linear, 0 to 1 in its first channel, 8 or 16 bits.",
+                {{"index", index("Of the glTF texture.")}})},
+        {"frame", object("Of the mappings without texture coordinates, in the frame of the node.",
+                         {{"translation", numbers(3, "Unit: m.")},
+                          {"rotation", numbers(4, "Quaternion x, y, z, w.")}})}};
+    addNumbers(properties, kPatternFields);
+    return object("A field of values from 0 to 1 over the surface.", properties);
+}
+
+Schema layerSchema() {
+    return object(
+        "One layer of haptic texture; the first one lies lowest.",
+        {{"name", text("For the person.")},
+         {"enabled", flag("Whether it is felt.")},
+         {"pattern", reference("pattern")},
+         {"target", word(kTextureTargets, "What the layer changes.")},
+         {"strength",
+          {{"type", "number"},
+           {"description", std::string("Of height in m: ") + std::string(kTextureHeight.sentence) +
+                               " Of another target as a ratio: " + std::string(kTextureRatio.sentence)}}},
+         {"blend", word(kTextureBlends, "How the layer joins what lies below it.")},
+         {"opacity", number(kTextureOpacity)},
+         {"mask",
+          {{"anyOf", {reference("pattern"), {{"type", "null"}}}}, {"description", "Multiplies opacity."}}},
+         {"ownPlane", flag("Of height: a constraint plane for this layer alone.")}});
+}
+
+Schema materialSchema() {
+    Schema properties;
+    addNumbers(properties, kMaterialFields);
+    properties["sides"] = {
+        {"enum", kSidesNames},
+        {"description", "From which side it is felt; the front sees the corners counter-clockwise."}};
+    properties["shading"] =
+        object("Whether facets feel like the round surface that they stand for.",
+               {{"on", flag("Whether it is so.")},
+                {"normals",
+                 {{"enum", {"file", "computed"}}, {"description", "NORMAL of the mesh, or from its shape."}}},
+                {jsonKey(kCreaseAngle.key), number(kCreaseAngle)}});
+    properties["layers"] = {{"type", "array"}, {"items", reference("layer")}};
+    return object("extensions.TACTUM_haptics of a material: how a surface feels.", properties);
+}
+
+Schema trackSchema(const char* of) {
+    const Schema list{{"type", "array"}, {"items", {{"type", "number"}}}};
+    return object(of, {{"interpolation", {{"enum", {"STEP", "LINEAR", "CUBICSPLINE"}}}},
+                       {"times", list},
+                       {"values", list},
+                       {"arriving", list},
+                       {"leaving", list}});
+}
+
+} // namespace
+
+std::string formatSchema() {
+    const auto view = [](const char* sentence) { return index(std::string("Buffer view: ") + sentence); };
+    const Schema root = object(
+        "extensions.TACTUM_haptics of the root.",
+        {{"version",
+          {{"type", "string"},
+           {"pattern", "^[0-9]+\\.[0-9]+$"},
+           {"description", "Of the format. A reader refuses another major number."}}},
+         {jsonKey(kProxyRadius.key), number(kProxyRadius)},
+         {"finger", view("a stroke that shows the scene, four doubles a row: time in s, position in m in the "
+                         "world frame.")},
+         {"foreign",
+          object(
+              "How many elements of each array, and bytes of the buffer, are not Tactum's: they stand first.",
+              Schema::object())},
+         {"copies",
+          {{"type", "array"},
+           {"items", {{"type", "string"}}},
+           {"description", "Extensions that Tactum wrote for others, and makes anew."}}}});
+    const Schema mesh = object(
+        "extensions.TACTUM_haptics of a mesh: what single precision and drawing lose, where they lose "
+        "anything.",
+        {{"surfaces",
+          {{"type", "array"},
+           {"items", {{"type", "integer"}}},
+           {"description", "The materials of its surfaces, in their order."}}},
+         {"positions", view("the positions exactly, three doubles each.")},
+         {"copies",
+          view("unsigned 32 bits for each vertex beyond the positions: the position that it repeats.")},
+         {"order", view("unsigned 32 bits for each element as drawn: its place in the author's order.")},
+         {"uvs", view("texture coordinates with v upward, two floats for each vertex.")}});
+    const Schema node = object(
+        "extensions.TACTUM_haptics of a node.",
+        {{"visible", flag("Whether it is seen and felt.")},
+         {"motion",
+          object("The exact motion of the node relative to its parent; the animation is a copy for others.",
+                 {{"duration",
+                   {{"type", "number"}, {"description", "After it the motion starts again. Unit: s."}}},
+                  {"translation", trackSchema("Three numbers a key. Unit: m.")},
+                  {"rotation", trackSchema("Quaternions x, y, z, w.")}})}});
+    Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                  {"title", "TACTUM_haptics"},
+                  {"description", "The extension by which a glTF 2.0 file holds a haptic scene. Unknown "
+                                  "members are allowed everywhere and are kept."},
+                  {"$defs",
+                   {{"root", root},
+                    {"material", materialSchema()},
+                    {"layer", layerSchema()},
+                    {"pattern", patternSchema()},
+                    {"mesh", mesh},
+                    {"node", node}}}};
+    return schema.dump(2) + "\n";
+}
+
+} // namespace tactum

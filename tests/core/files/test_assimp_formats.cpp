@@ -1,0 +1,112 @@
+// 3DS, FBX and DAE: names, surfaces, units and every face.
+#include <QTest>
+
+#include "tests/core/files/mesh_files.h"
+#include "tests/core/files/rare_files.h"
+
+using namespace tactum;
+
+namespace {
+
+bool near(const Vec3& a, const Vec3& b) {
+    return (a - b).norm() < 1e-6;
+}
+
+} // namespace
+
+class TestAssimpFormats : public QObject {
+    Q_OBJECT
+
+private slots:
+    void threeDsKeepsFacesNamesAndColour() {
+        TriangleSoup soup;
+        soup.positions = {{0, 0, 0}, {0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 1}};
+        soup.triangles = {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}, {0, 3, 3}}; // doubled, turned over, and a line
+        const auto loaded = folder_.load("a.3ds", as3ds(soup, "tetra", "rubber"));
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        const SceneObject& object = onlyObject(*loaded);
+        QVERIFY2(object.name == "tetra", object.name.c_str());
+        QCOMPARE(object.geometry->triangles.size(), std::size_t(4));
+        QCOMPARE(object.geometry->positions.size(), std::size_t(4)); // equal places are one vertex
+        QCOMPARE(object.surfaces[0].name, std::string("rubber"));
+        QCOMPARE(object.surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
+        QVERIFY(said(*loaded, "has no unit: taken as metres; 1.1"));
+    }
+
+    void daeKeepsUnitTransformAndSurfaces() {
+        const auto loaded = folder_.load("a.dae", asDae("<unit name='inch' meter='0.0254'/>"));
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        const SceneObject& object = onlyObject(*loaded);
+        QVERIFY2(object.name == "plate", object.name.c_str());
+        QCOMPARE(object.surfaces.size(), std::size_t(2));
+        QCOMPARE(object.surfaces[0].name, std::string("red"));
+        QCOMPARE(object.surfaces[1].colour, Eigen::Vector3f(0, 0, 1));
+        QCOMPARE(object.geometry->triangles.size(), std::size_t(3)); // the square is two
+        const Bounds box = boundsOf(loaded->scene);
+        QVERIFY(near(box.low, {-2 * 0.0254, 0, 0}) && near(box.high, {0, 0.0254, 0.0254}));
+        // The square's front looked along +z; in the mirror it still does.
+        for (std::size_t f = 0; f < 3; ++f) {
+            if (object.geometry->surfaceOf[f] != 0) continue;
+            const auto at = [&](std::size_t i) {
+                return object.geometry->positions[object.geometry->triangles[f][i]];
+            };
+            QVERIFY((at(1) - at(0)).cross(at(2) - at(0)).z() > 0);
+        }
+        QVERIFY(!said(*loaded, "has no unit"));
+    }
+
+    void daeWithoutUnitSaysItsGuess() {
+        const auto loaded = folder_.load("a.dae", asDae(""));
+        QVERIFY(loaded);
+        QVERIFY(said(*loaded, "has no unit: taken as metres; 2.4"));
+    }
+
+    void fbxKeepsUnitNamesAndPlace() {
+        for (const double centimetres : {1.0, 100.0, 2.54}) {
+            const auto loaded = folder_.load("a.fbx", asFbx(centimetres));
+            QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+            const SceneObject& object = onlyObject(*loaded);
+            QVERIFY2(object.name == "plate", object.name.c_str());
+            QCOMPARE(object.surfaces[0].name, std::string("red"));
+            QCOMPARE(object.geometry->triangles.size(), std::size_t(2));
+            const double unit = centimetres / 100;
+            const Bounds box = boundsOf(loaded->scene);
+            QVERIFY2(near(box.low, {0, 0, 5 * unit}) && near(box.high, {unit, unit, 5 * unit}),
+                     qPrintable(QString::number(centimetres)));
+            QVERIFY(!said(*loaded, "has no unit"));
+        }
+    }
+
+    /// Whatever it is called: Assimp would otherwise read it as what it looks like.
+    void aFileOfAnotherKindIsRefused() {
+        for (const char* name : {"a.fbx", "a.3ds", "a.dae"}) {
+            const auto loaded = folder_.load(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+            QVERIFY(!loaded);
+            QVERIFY(loaded.error().text.find('\n') == std::string::npos);
+        }
+    }
+
+    void truncatedFilesAreAnswered() {
+        TriangleSoup soup;
+        soup.positions = {{0, 0, 0}, {0.25, 0, 0}, {0, 0.5, 0}};
+        soup.triangles = {{0, 1, 2}};
+        const std::string whole[] = {as3ds(soup, "a", "b"), asDae(""), asFbx(1)};
+        const char* names[] = {"a.3ds", "a.dae", "a.fbx"};
+        for (int i = 0; i < 3; ++i)
+            for (std::size_t size = 1; size < whole[i].size(); size += 1 + whole[i].size() / 40) {
+                const auto loaded = folder_.load(names[i], whole[i].substr(0, size));
+                QVERIFY(loaded || loaded.error().text.find('\n') == std::string::npos);
+            }
+    }
+
+private:
+    static const SceneObject& onlyObject(const LoadedScene& loaded) {
+        if (loaded.scene.objects.size() != 1) qFatal("not one object");
+        return loaded.scene.objects[0];
+    }
+
+    FileFolder folder_;
+};
+
+QTEST_GUILESS_MAIN(TestAssimpFormats)
+#include "test_assimp_formats.moc"

@@ -1,0 +1,268 @@
+// A flattened picture shows what the layers are felt as: against texels, closed forms and the texture stack.
+#include <cmath>
+
+#include <QTest>
+
+#include "core/files/flatten_layers.h"
+#include "tests/core/surface/texture_rig.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double kSide = 0.08; // m
+
+/// A square of side kSide in the plane z = 0 whose coordinates run from `low` to `high`.
+Soup uvSheet(const Vector2d& low = {0, 0}, const Vector2d& high = {1, 1}) {
+    auto soup = std::make_shared<TriangleSoup>();
+    const auto corner = [&](double x, double y) {
+        soup->positions.emplace_back(kSide * x, kSide * y, 0);
+        return Vector2d(low + (high - low).cwiseProduct(Vector2d(x, y))).cast<float>().eval();
+    };
+    const std::array uvs{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+    soup->triangles = {{0, 1, 2}, {0, 2, 3}};
+    soup->surfaceOf = {0, 0};
+    for (const auto& t : soup->triangles)
+        for (const Index i : t)
+            soup->cornerUvs.push_back(uvs[i]);
+    return soup;
+}
+
+SceneObject objectOf(std::vector<TextureLayer> layers, Soup soup = uvSheet()) {
+    SceneObject object;
+    object.geometry = std::move(soup);
+    object.surfaces.resize(1);
+    object.surfaces[0].layers = std::move(layers);
+    return object;
+}
+
+/// The value that the picture has at a texel.
+double shown(const FlatPicture& picture, int x, int y) {
+    return picture.low + picture.image->texel(picture.image->level(0), x, y) * (picture.high - picture.low);
+}
+
+Image randomImage(Rng& rng, int width, int height, int low, int high) {
+    std::vector<std::uint16_t> texels(std::size_t(width * height));
+    for (auto& texel : texels)
+        texel = std::uint16_t(low + int(rng() % std::uint64_t(high - low + 1)));
+    texels.front() = std::uint16_t(low), texels.back() = std::uint16_t(high);
+    return std::make_shared<const TextureImage>(width, height, std::move(texels), "random");
+}
+
+/// The largest distance from a formula of the place in metres, in steps of the picture's own.
+template <class Formula> double stepsFrom(const FlatPicture& picture, Formula&& formula) {
+    double most = 0;
+    for (int y = 0; y < picture.canvas.height; ++y)
+        for (int x = 0; x < picture.canvas.width; ++x) {
+            const Vector2d metres = kSide * picture.canvas.uvAt(x, y);
+            most = std::max(most, std::abs(shown(picture, x, y) - formula(metres)));
+        }
+    return most * 65535 / (picture.high - picture.low);
+}
+
+} // namespace
+
+class TestFlattenLayers : public QObject {
+    Q_OBJECT
+private slots:
+    void anImageComesBackTexelForTexel();
+    void anImageThatDoesNotReachTheEndsKeepsItsValues();
+    void imagesAreAddedUp();
+    void planarGroovesFollowTheirFormula();
+    void cylindersAreUnrolled();
+    void ownPlanesAreAddedOnTop();
+    void aFactorIsFlattenedAsItIsFelt();
+    void coordinatesBeyondTheUnitSquareGetARectangle();
+    void overlapsLeaveOutWhatNeedsPlaces();
+    void withoutCoordinatesNothingIsShown();
+    void aLargePictureIsCappedAndFiltered();
+};
+
+void TestFlattenLayers::anImageComesBackTexelForTexel() {
+    Rng rng(1);
+    for (const auto& [width, height] : {std::pair{1, 2}, {2, 2}, {64, 32}, {33, 71}, {257, 3}}) {
+        const Image image = randomImage(rng, width, height, 0, 65535);
+        const FlatPicture picture =
+            flattenHeight(objectOf({imageLayer(image, TextureMapping::UvUnit, 0.01, 5e-4)}), 0);
+        QVERIFY(picture.image && picture.lost.empty());
+        QCOMPARE(picture.low, 0.0);
+        QCOMPARE(picture.high, 5e-4);
+        QCOMPARE(picture.image->width(), width);
+        QCOMPARE(picture.image->height(), height);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                QCOMPARE(picture.image->row(picture.image->level(0), y)[x],
+                         image->row(image->level(0), y)[x]);
+    }
+}
+
+void TestFlattenLayers::anImageThatDoesNotReachTheEndsKeepsItsValues() {
+    Rng rng(2);
+    const Image image = randomImage(rng, 40, 24, 12000, 30000);
+    const double height = -3e-4; // dents
+    const FlatPicture picture =
+        flattenHeight(objectOf({imageLayer(image, TextureMapping::UvUnit, 0.01, height)}), 0);
+    QVERIFY(std::abs(picture.low - height * 30000 / 65535) < 1e-12);
+    QVERIFY(std::abs(picture.high - height * 12000 / 65535) < 1e-12);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const double step = (picture.high - picture.low) / 65535;
+            QVERIFY(std::abs(shown(picture, x, y) - height * image->texel(image->level(0), x, y)) <=
+                    0.51 * step);
+        }
+}
+
+void TestFlattenLayers::imagesAreAddedUp() {
+    Rng rng(3);
+    const Image a = randomImage(rng, 16, 16, 0, 65535), b = randomImage(rng, 16, 16, 0, 65535);
+    TextureLayer second = imageLayer(b, TextureMapping::UvUnit, 0.02, 2e-4);
+    second.blend = TextureBlend::Subtract;
+    second.opacity = 0.7;
+    TextureLayer hidden = imageLayer(b, TextureMapping::UvUnit, 0.02, 9e-3);
+    hidden.enabled = false;
+    const FlatPicture picture =
+        flattenHeight(objectOf({imageLayer(a, TextureMapping::UvUnit, 0.01, 5e-4), second, hidden}), 0);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const double sum = 5e-4 * a->texel(a->level(0), x, y) - 0.7 * 2e-4 * b->texel(b->level(0), x, y);
+            QVERIFY(std::abs(shown(picture, x, y) - sum) <= 0.51 * (picture.high - picture.low) / 65535);
+        }
+}
+
+/// A raised cosine: with an edge as wide as the repeat the Fourier series of a groove has one wave that
+/// counts.
+void TestFlattenLayers::planarGroovesFollowTheirFormula() {
+    TextureLayer grooves = heightLayer(TextureSource::Grooves, TextureMapping::Planar, 0.01, 4e-4);
+    grooves.pattern.offsetU = 0.0025;
+    const FlatPicture picture = flattenHeight(objectOf({grooves}), 0);
+    QVERIFY(picture.image && picture.lost.empty());
+    const WaveShape wave = waveShape(grooves.pattern.fill, grooves.pattern.softness);
+    const double steps = stepsFrom(picture, [&](const Vector2d& p) {
+        double value = wave.mean;
+        for (int n = 1; n <= wave.harmonics; ++n)
+            value += wave.amplitude[std::size_t(n - 1)] *
+                     std::cos(2 * std::numbers::pi * n * (p.x() - 0.0025) / 0.01);
+        return 4e-4 * value;
+    });
+    QVERIFY2(steps <= 0.51, qPrintable(QString("%1 steps").arg(steps)));
+    QVERIFY(picture.canvas.width >= 8 * wave.harmonics * 8); // eight repeats, eight texels to the finest wave
+}
+
+/// The same sheet seen from the axis of a cylinder far away, and seen in its own coordinates.
+void TestFlattenLayers::cylindersAreUnrolled() {
+    TextureLayer dots = heightLayer(TextureSource::Dots, TextureMapping::Cylindrical, 0.01, 3e-4);
+    dots.pattern.radius = 0.05;
+    dots.pattern.frame.translation = {0.04, 0.04, -0.05};
+    const SceneObject object = objectOf({dots});
+    const FlatPicture picture = flattenHeight(object, 0);
+    const Stack stack = stackOf({dots}, object.geometry);
+    const double steps = stepsFrom(picture, [&](const Vector2d& p) {
+        TexturePoint point;
+        point.position = {p.x(), p.y(), 0};
+        return feel(*stack, point, 0).height;
+    });
+    QVERIFY2(steps <= 0.52, qPrintable(QString("%1 steps").arg(steps)));
+}
+
+void TestFlattenLayers::ownPlanesAreAddedOnTop() {
+    Rng rng(4);
+    const Image a = randomImage(rng, 8, 8, 0, 65535), b = randomImage(rng, 8, 8, 0, 65535);
+    TextureLayer first = imageLayer(a, TextureMapping::UvUnit, 0.01, 5e-4);
+    first.ownPlane = true;
+    TextureLayer replacing = imageLayer(b, TextureMapping::UvUnit, 0.01, 2e-4);
+    replacing.blend = TextureBlend::Replace;
+    const FlatPicture picture = flattenHeight(objectOf({first, replacing}), 0);
+    QCOMPARE(picture.lost.size(), std::size_t(1));
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            const double sum = 5e-4 * a->texel(a->level(0), x, y) + 2e-4 * b->texel(b->level(0), x, y);
+            QVERIFY(std::abs(shown(picture, x, y) - sum) <= 0.51 * (picture.high - picture.low) / 65535);
+        }
+}
+
+void TestFlattenLayers::aFactorIsFlattenedAsItIsFelt() {
+    Rng rng(5);
+    const Image image = randomImage(rng, 16, 8, 0, 65535);
+    TextureLayer rough = imageLayer(image, TextureMapping::UvUnit, 0.01, 2);
+    rough.target = TextureTarget::StaticFriction;
+    SceneObject object = objectOf({rough, imageLayer(image, TextureMapping::UvUnit, 0.01, 5e-4)});
+    object.surfaces[0].material.staticFriction = 0.9;
+    object.surfaces[0].material.dynamicFriction = 0.4;
+    const FlatPicture factor = flattenFactor(object, 0, TextureTarget::StaticFriction);
+    QCOMPARE(factor.low, 1.0);
+    QCOMPARE(factor.high, 3.0);
+    QVERIFY(!flattenFactor(object, 0, TextureTarget::Stiffness).image);
+    const FlatPicture felt = flattenFelt(object, 0, &Material::staticFriction);
+    QCOMPARE(felt.low, 0.9);
+    QCOMPARE(felt.high, kStaticFriction.maximum); // 2.7 is more than the range
+    const FlatPicture same = flattenFelt(object, 0, &Material::dynamicFriction);
+    QVERIFY(!same.image);
+    QCOMPARE(same.mean, 0.4);
+}
+
+void TestFlattenLayers::coordinatesBeyondTheUnitSquareGetARectangle() {
+    Rng rng(6);
+    const Image image = randomImage(rng, 8, 4, 0, 65535);
+    const FlatPicture picture =
+        flattenHeight(objectOf({imageLayer(image, TextureMapping::UvUnit, 0.01, 5e-4)},
+                               uvSheet({-0.5, 0.25}, {1.75, 0.75})),
+                      0);
+    QCOMPARE(picture.canvas.low, Vector2d(-1, 0));
+    QCOMPARE(picture.canvas.size, Vector2d(3, 1));
+    QCOMPARE(picture.canvas.width, 24);
+    QCOMPARE(picture.canvas.height, 4);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 24; ++x)
+            QCOMPARE(picture.image->row(picture.image->level(0), y)[x],
+                     image->row(image->level(0), y)[x % 8]);
+}
+
+void TestFlattenLayers::overlapsLeaveOutWhatNeedsPlaces() {
+    auto folded = std::make_shared<TriangleSoup>(*uvSheet());
+    const TriangleSoup above = *folded; // the same coordinates once more, 1 cm higher
+    for (const Vec3& p : above.positions)
+        folded->positions.push_back(p + Vec3(0, 0, 0.01));
+    for (const auto& t : above.triangles)
+        folded->triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    folded->surfaceOf.assign(4, 0);
+    folded->cornerUvs.insert(folded->cornerUvs.end(), above.cornerUvs.begin(), above.cornerUvs.end());
+    const TextureLayer image = imageLayer(ramp(16), TextureMapping::UvUnit, 0.01, 5e-4);
+    const TextureLayer planar = heightLayer(TextureSource::Grooves, TextureMapping::Planar, 0.01, 5e-3);
+    const FlatPicture picture = flattenHeight(objectOf({image, planar}, folded), 0);
+    QCOMPARE(picture.lost.size(), std::size_t(1));
+    QVERIFY(picture.lost[0].find("overlap") != std::string::npos);
+    QCOMPARE(picture.canvas.width, 16);
+    QVERIFY(picture.high <= 5e-4);
+    const FlatPicture nothing = flattenHeight(objectOf({planar}, folded), 0);
+    QVERIFY(!nothing.image && nothing.lost.size() == 1);
+    // Neighbours that share an edge do not overlap, and doubled triangles show the same twice.
+    auto doubled = std::make_shared<TriangleSoup>(above);
+    doubled->triangles.push_back(doubled->triangles[0]);
+    doubled->surfaceOf.push_back(0);
+    for (std::size_t i = 0; i < 3; ++i)
+        doubled->cornerUvs.push_back(above.cornerUvs[i]);
+    QVERIFY(flattenHeight(objectOf({planar}, doubled), 0).image);
+}
+
+void TestFlattenLayers::withoutCoordinatesNothingIsShown() {
+    const FlatPicture picture = flattenHeight(
+        objectOf({heightLayer(TextureSource::Noise, TextureMapping::Triplanar, 0.01, 5e-4)}, sheet(0.05)), 0);
+    QVERIFY(!picture.image);
+    QCOMPARE(picture.high, 0.0);
+    QCOMPARE(picture.lost.size(), std::size_t(1));
+    QVERIFY(flattenHeight(objectOf({}), 0).lost.empty());
+}
+
+void TestFlattenLayers::aLargePictureIsCappedAndFiltered() {
+    // 0.1 mm grooves on 80 mm of a strip that is narrow in texels: far too fine for 4096 texels.
+    const TextureLayer fine = heightLayer(TextureSource::Grooves, TextureMapping::Uv, 1e-4, 5e-4);
+    TextureLayer coarse = heightLayer(TextureSource::Grooves, TextureMapping::Uv, 0.01, 5e-4);
+    const FlatPicture picture = flattenHeight(objectOf({fine, coarse}), 0);
+    QCOMPARE(picture.canvas.width, kLargestFlatSide);
+    QCOMPARE(picture.lost.size(), std::size_t(1));
+    QVERIFY(picture.lost[0].find("would need") != std::string::npos);
+}
+
+QTEST_GUILESS_MAIN(TestFlattenLayers)
+#include "test_flatten_layers.moc"

@@ -1,0 +1,243 @@
+// A scene in its own file: nothing is lost on the way there and back, of ours or of others.
+#include <QTest>
+
+#include "core/files/gltf/gltf_file.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/save_scene.h"
+#include "tests/core/files/mesh_files.h"
+#include "tests/support/random_scene.h"
+
+using namespace tactum;
+using tactum::test::difference;
+using tactum::test::SceneDice;
+
+namespace {
+
+TriangleSoup lopsided() {
+    TriangleSoup soup;
+    soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}};
+    return soup;
+}
+
+/// A world of another program: paint, a body, a camera below a mesh, an animated lamp, a second scene.
+const std::string kForeign = R"(
+"scene":0,"scenes":[{"nodes":[0,2,4],"extras":{"mood":"dark"}},{"name":"spare","nodes":[4]}],
+"nodes":[{"name":"arm","translation":[0,1,0],"children":[1]},
+{"name":"hand","mesh":0,"translation":[0,2,0],"children":[3],"extensions":{"THEIR_body":{"mass":3,"of":2}}},
+{"name":"stone","mesh":0,"translation":[5,0,0]},
+{"name":"eye","camera":0,"translation":[0,0,2]},{"name":"lamp","extras":{"watt":60}}],
+"cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.01}}],
+"materials":[{"name":"paint","extras":[1,2],"extensions":{"THEIR_paint":{"gloss":0.25,"map":{"index":0}}},
+"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[0.5,0.25,1,0.5]}}],
+"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],
+"images":[{"name":"dot","uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="}],
+"animations":[{"channels":[{"sampler":0,"target":{"node":4,"path":"translation"}}],"samplers":[{"input":2,"output":3}]}],
+"extensionsUsed":["THEIR_paint","THEIR_body","THEIR_world"],"extensions":{"THEIR_world":{"wind":[1,0,0]}},
+"extras":{"author":"Ada"},"theirArray":[{"a":1}])";
+
+Json theirs() {
+    Json json = Json::parse(asGltf(lopsided(), kForeign));
+    json["meshes"][0]["primitives"][0]["material"] = 0;
+    for (const char* type : {"SCALAR", "VEC3"}) // of the lamp's one key
+        json["accessors"].push_back(
+            {{"bufferView", 0}, {"componentType", 5126}, {"type", type}, {"count", 1}});
+    return json;
+}
+
+std::size_t jsonLength(const std::string& glb) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, 4);
+    return length;
+}
+
+} // namespace
+
+class TestGltfRoundTrip : public QObject {
+    Q_OBJECT
+
+    FileFolder folder_;
+
+    Scene load(const std::string& glb) {
+        const auto loaded = folder_.load("scene.glb", glb);
+        if (!loaded) qFatal("%s", loaded.error().text.c_str());
+        return loaded->scene;
+    }
+    static std::string saved(const Scene& scene) {
+        const auto glb = glbOf(scene);
+        return glb ? *glb : throw std::runtime_error(glb.error().text);
+    }
+
+    /// The JSON of a glb.
+    static Json jsonOf(const std::string& glb) { return Json::parse(glb.substr(20, jsonLength(glb))); }
+
+private slots:
+    void foreignMembersOfAWrongFormDoNotStopSaving() {
+        for (const char* place : {"/materials/0/extensions", "/materials/0/pbrMetallicRoughness",
+                                  "/meshes/0/extensions", "/nodes/1/extensions", "/nodes/2/extras",
+                                  "/extensions", "/asset/extras", "/bufferViews/0/byteOffset"})
+            for (const Json& wrong : {Json::array(), Json(7), Json("text"), Json(true), Json(-34962.5)}) {
+                Json json = theirs();
+                json[Json::json_pointer(place)] = wrong;
+                const auto loaded = folder_.load("wrong.gltf", json.dump());
+                if (!loaded) continue; // refused: as good
+                QVERIFY2(glbOf(loaded->scene), place);
+            }
+    }
+
+    void whatOthersHavePutInStays() {
+        const Json before = theirs();
+        const auto loaded = folder_.load("theirs.gltf", before.dump());
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        Scene scene = loaded->scene;
+        QCOMPARE(scene.objects.size(), std::size_t(2));
+        scene.objects[0].surfaces[0].material.stiffness = 321; // what Tactum is for
+        scene.objects[1].pose.translation += Vec3(1, 0, 0);
+        const std::string first = saved(scene);
+        for (const std::string& glb : {first, saved(load(first))}) {
+            const Json after = jsonOf(glb);
+            for (const char* path :
+                 {"/materials/0/extensions/THEIR_paint", "/materials/0/extras",
+                  "/materials/0/pbrMetallicRoughness/baseColorTexture", "/nodes/1/extensions/THEIR_body",
+                  "/nodes/3/camera", "/cameras", "/extensions/THEIR_world", "/extras", "/theirArray",
+                  "/textures/0", "/samplers", "/animations/0/channels/0/target", "/scenes/1/name",
+                  "/scenes/0/extras", "/images/0/name"}) {
+                const Json::json_pointer place(path);
+                QVERIFY2(after.contains(place), path);
+                QVERIFY2(after.at(place) == before.at(place), path);
+            }
+            const Json& used = after.at("extensionsUsed");
+            QVERIFY(std::ranges::count(used, Json("THEIR_paint")) == 1);
+            const Scene again = load(glb);
+            QCOMPARE(difference(scene, again), std::string());
+        }
+        QCOMPARE(saved(load(first)), first);
+    }
+    void othersFeelTheLargestSurface() {
+        Scene scene = SceneDice(5).scene();
+        for (SceneObject& object : scene.objects)
+            for (Surface& surface : object.surfaces)
+                surface.material = {1234, 0, 0.75, 0.5, 0};
+        const std::string glb = saved(scene);
+        Json json = jsonOf(glb);
+        for (const Json& node : json["nodes"])
+            if (node.contains("mesh"))
+                QVERIFY(
+                    node["extensions"]["KHR_physics_rigid_bodies"]["collider"].contains("physicsMaterial"));
+        QVERIFY(json["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"][0]["staticFriction"] ==
+                0.75);
+        // As another program would read them that does not know ours.
+        for (const char* array : {"nodes", "meshes", "materials"})
+            for (Json& element : json[array])
+                if (element.contains("extensions")) element["extensions"].erase("TACTUM_haptics");
+        json["extensions"].erase("TACTUM_haptics");
+        const Scene again = load(packGlb(json, std::string_view(glb).substr(28 + jsonLength(glb))));
+        const Material& felt = again.objects[0].surfaces[0].material;
+        QVERIFY2(std::abs(felt.stiffness - 1234) < 0.1, std::to_string(felt.stiffness).c_str());
+        QCOMPARE(felt.staticFriction, 0.75);
+        QVERIFY(std::abs(felt.dynamicFriction - 0.5) < 1e-4);
+        QVERIFY(jsonOf(saved(again))["extensionsUsed"] ==
+                Json({"MPEG_haptic_material", "KHR_physics_rigid_bodies",
+                      "TACTUM_haptics"})); // theirs stay, as they are
+    }
+    void hapticMaterialsWithoutUnitsAreTakenWithAWord() {
+        Json json = theirs();
+        json["extensionsUsed"].push_back("MPEG_haptic_material");
+        json["extensions"]["MPEG_haptic_material"]["materials"] = Json::array(
+            {{{"stiffness", Json::array({{{"texture", {{"index", 0}}}, {"type", "High_Resolution"}}})},
+              {"vibrotactileTexture",
+               Json::array({{{"texture", {{"index", 0}}}, {"type", "High_Resolution"}}})}}});
+        json["meshes"][0]["extensions"]["MPEG_haptic_material"]["hapticMaterialIndex"] = 0;
+        const auto loaded = folder_.load("theirs.gltf", json.dump());
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        QVERIFY(said(*loaded, "as it has no unit"));
+        const Surface& surface = loaded->scene.objects[0].surfaces[0];
+        QCOMPARE(surface.layers.size(), std::size_t(1));
+        QCOMPARE(surface.layers[0].strength, 1e-3);
+        QCOMPARE(surface.material.stiffness, 0.0); // a black picture
+    }
+    /// Data of meshes that are objects now would be there twice, and twice more with the next program.
+    void whatWasReadIsNotKeptTwice() {
+        Json json = theirs();
+        json["extensionsUsed"] = {"KHR_lights_punctual"};
+        std::string positions(3 * 4 * 30000, '\0');
+        json["buffers"].push_back(
+            {{"byteLength", positions.size()},
+             {"uri", "data:application/octet-stream;base64," +
+                         QByteArray::fromStdString(positions).toBase64().toStdString()}});
+        json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", positions.size()}});
+        json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+                                     {"componentType", 5126},
+                                     {"type", "VEC3"},
+                                     {"count", 30000}});
+        json["meshes"][0]["primitives"][0]["attributes"]["_WEAR"] = json["accessors"].size() - 1;
+        const auto loaded = folder_.load("theirs.gltf", json.dump());
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        const std::string glb = saved(loaded->scene);
+        QVERIFY2(glb.size() < 20000, std::to_string(glb.size()).c_str());
+        const Json after = jsonOf(glb);
+        const int input = after["animations"][0]["samplers"][0]["input"];
+        QCOMPARE(after["accessors"][std::size_t(input)]["type"].get<std::string>(), std::string("SCALAR"));
+        QCOMPARE(saved(load(glb)), glb);
+    }
+    /// The camera hangs on a body that an edit moves.
+    void foreignChildrenStayInTheWorld() {
+        Scene scene = folder_.load("theirs.gltf", theirs().dump())->scene;
+        scene.objects[0].pose = {Quat(Eigen::AngleAxisd(1, Vec3::UnitX())), {4, 5, 6}};
+        const Json after = jsonOf(saved(scene));
+        const auto matrix = after.at("nodes").at(3).at("matrix").get<std::vector<double>>();
+        const Vec3 inBody(matrix[12], matrix[13], matrix[14]);
+        QVERIFY((scene.objects[0].pose.apply(inBody) - Vec3(0, 3, 2)).norm() < 1e-12);
+    }
+    void whatALaterVersionAddsStays() {
+        const std::string first = saved(SceneDice(3).scene());
+        Json json = jsonOf(first);
+        for (Json& material : json["materials"]) {
+            material["extensions"]["TACTUM_haptics"]["heat"] = {{"warmth", 3}};
+            for (Json& layer : material["extensions"]["TACTUM_haptics"]["layers"])
+                layer["pattern"]["sparkle"] = true;
+        }
+        json["extensions"]["TACTUM_haptics"]["version"] = "1.7";
+        json["extensions"]["TACTUM_haptics"]["gravity"] = {0, -9.81, 0};
+        const std::string later = packGlb(json, std::string_view(first).substr(28 + jsonLength(first)));
+        const Json after = jsonOf(saved(load(later)));
+        for (std::size_t i = 0; i < json["materials"].size(); ++i) {
+            const Json& was = json["materials"][i]["extensions"]["TACTUM_haptics"];
+            QVERIFY(after["materials"][i]["extensions"]["TACTUM_haptics"] == was);
+        }
+        QVERIFY(after["extensions"]["TACTUM_haptics"]["gravity"] ==
+                json["extensions"]["TACTUM_haptics"]["gravity"]);
+    }
+    void anotherMajorVersionIsRefused() {
+        const std::string glb = saved(SceneDice(1).scene());
+        Json json = jsonOf(glb);
+        json["extensions"]["TACTUM_haptics"]["version"] = "2.0";
+        const auto loaded =
+            folder_.load("later.glb", packGlb(json, std::string_view(glb).substr(28 + jsonLength(glb))));
+        QVERIFY(!loaded);
+        QVERIFY2(loaded.error().text.find("later Tactum (version 2.0") != std::string::npos,
+                 loaded.error().text.c_str());
+        const auto saving = saveScene(SceneDice(1).scene(), folder_.path() / "later.glb");
+        QVERIFY(!saving);
+        QVERIFY2(saving.error().text.find("choose another name") != std::string::npos,
+                 saving.error().text.c_str());
+        QVERIFY(!folder_.load("later.glb", packGlb(json, "")));
+    }
+    void randomScenesComeBackWhole() {
+        for (unsigned seed = 0; seed < 200; ++seed) {
+            const Scene scene = SceneDice(seed).scene();
+            const std::string first = saved(scene);
+            const Scene again = load(first);
+            const std::string found = difference(scene, again);
+            QVERIFY2(found.empty(), (std::to_string(seed) + ": " + found).c_str());
+            const std::string second = saved(again);
+            QVERIFY2(second == first, std::to_string(seed).c_str());
+            if (const QString keep = qEnvironmentVariable("TACTUM_KEEP_SCENES"); !keep.isEmpty())
+                std::ofstream(keep.toStdString() + "/" + std::to_string(seed) + ".glb", std::ios::binary)
+                    << first;
+        }
+    }
+};
+
+QTEST_MAIN(TestGltfRoundTrip)
+#include "test_gltf_round_trip.moc"

@@ -1,0 +1,125 @@
+// What is said to be kept or lost, for scenes of which the answer is known.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "core/files/loss_report.h"
+#include "tests/core/files/bodies.h"
+#include "tests/core/files/x3d_scenes.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+Scene plainScene() {
+    Scene scene;
+    scene.add(bodyOf("ball", ball(0.05, 1)));
+    scene.objects[0].surfaces[0].name = "skin";
+    return scene;
+}
+
+const Loss* said(const std::vector<Loss>& losses, ExportTarget target, const std::string& what) {
+    for (const Loss& loss : losses)
+        if (loss.target == target && loss.what == what) return &loss;
+    return nullptr;
+}
+
+} // namespace
+
+class TestLossReport : public QObject {
+    Q_OBJECT
+private slots:
+    void aPlainSceneLosesOnlyWhatFormatsCannotSay();
+    void whatASceneHasNotIsNotSpokenOf();
+    void everyFeatureIsNoticed();
+    void ourOwnFormatLosesNothing();
+    void everyLossHasAReason();
+    void likeThingsStandOnOneLine();
+    void hostileNamesBreakNeitherText();
+};
+
+void TestLossReport::aPlainSceneLosesOnlyWhatFormatsCannotSay() {
+    const auto losses = lossesOf(plainScene());
+    QCOMPARE(said(losses, ExportTarget::X3d, "stiffness")->kind, LossKind::Kept);
+    QCOMPARE(said(losses, ExportTarget::Mpeg, "stiffness")->kind, LossKind::Degraded);
+    QCOMPARE(said(losses, ExportTarget::KhrPhysics, "stiffness")->kind, LossKind::Lost);
+    QCOMPARE(said(losses, ExportTarget::Stl, "shape")->kind, LossKind::Degraded);
+    QCOMPARE(said(losses, ExportTarget::Obj, "colour")->object, std::string("ball / skin"));
+}
+
+void TestLossReport::whatASceneHasNotIsNotSpokenOf() {
+    const auto losses = lossesOf(plainScene());
+    for (const char* what : {"viscosity", "damping", "motion", "hidden", "layers of height", "lines", "pose"})
+        QVERIFY2(!said(losses, ExportTarget::X3d, what), what);
+}
+
+void TestLossReport::everyFeatureIsNoticed() {
+    Scene scene = plainScene();
+    SceneObject& object = scene.objects[0];
+    Surface& surface = object.surfaces[0];
+    surface.material = {500, 1, 0.5, 0.4, 2};
+    surface.sides = Sides::Front;
+    surface.shading.on = true;
+    surface.layers.push_back(heightLayer(TextureSource::Dots, TextureMapping::Planar, 0.01, 1e-4));
+    surface.layers.push_back(surface.layers[0]);
+    surface.layers[1].target = TextureTarget::Viscosity;
+    Rng rng(1);
+    object.motion = randomMotion(rng);
+    object.visible = false;
+    object.pose.translation = {1, 0, 0};
+    const auto losses = lossesOf(scene);
+    for (const char* what :
+         {"viscosity", "damping", "static friction", "dynamic friction", "motion", "hidden",
+          "layers of height", "layers of viscosity", "felt side", "force shading", "pose"})
+        QVERIFY2(said(losses, ExportTarget::X3d, what), what);
+    QVERIFY(!said(losses, ExportTarget::X3d, "layers of friction or stiffness"));
+    QCOMPARE(said(losses, ExportTarget::X3d, "viscosity")->kind, LossKind::Lost);
+    QCOMPARE(said(losses, ExportTarget::KhrPhysics, "static friction")->kind, LossKind::Kept);
+    QCOMPARE(said(losses, ExportTarget::Mpeg, "static friction")->kind, LossKind::Lost);
+    surface.layers[0].enabled = false;
+    QVERIFY(!said(lossesOf(scene), ExportTarget::X3d, "layers of height"));
+}
+
+void TestLossReport::ourOwnFormatLosesNothing() {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        Rng rng(seed);
+        for (const Loss& loss : lossesOf(randomHapticScene(rng), ExportTarget::Glb))
+            QCOMPARE(loss.kind, LossKind::Kept);
+    }
+}
+
+void TestLossReport::everyLossHasAReason() {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        Rng rng(seed);
+        for (const Loss& loss : lossesOf(randomHapticScene(rng)))
+            QVERIFY(loss.kind == LossKind::Kept || !loss.sentence.empty());
+    }
+}
+
+void TestLossReport::likeThingsStandOnOneLine() {
+    Scene scene;
+    for (int i = 0; i < 9; ++i)
+        scene.add(plainScene().objects[0]).name = "ball" + std::to_string(i);
+    const std::string report = reportMarkdown(lossesOf(scene, ExportTarget::Stl));
+    QCOMPARE(QString::fromStdString(report).count("| stiffness |"), 1);
+    QVERIFY(report.find("and 4 more") != std::string::npos);
+    QVERIFY(report.find("lost") < report.find("degraded"));
+}
+
+void TestLossReport::hostileNamesBreakNeitherText() {
+    for (const std::string& name : kHostileNames) {
+        Scene scene = plainScene();
+        scene.objects[0].name = name;
+        const auto losses = lossesOf(scene);
+        for (const QString& line : QString::fromStdString(reportMarkdown(losses)).split('\n'))
+            if (line.startsWith('|')) QCOMPARE(QString(line).remove("\\|").count('|'), 5);
+        const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(reportJson(losses)));
+        QCOMPARE(std::size_t(json.array().size()), losses.size());
+        QCOMPARE(json.array()[0].toObject()["target"].toString(), QString("glb"));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestLossReport)
+#include "test_loss_report.moc"
