@@ -6,6 +6,7 @@
 #include "core/bundle/bundle.h"
 #include "core/files/loss_report.h"
 #include "core/files/mesh/write_mesh.h"
+#include "core/files/read_finger_path.h"
 #include "core/files/save_scene.h"
 #include "core/files/x3d/write_x3d.h"
 #include "core/import/import_scene.h"

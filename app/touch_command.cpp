@@ -7,6 +7,7 @@
 #include "app/display.h"
 #include "app/picture.h"
 #include "app/results.h"
+#include "core/files/read_finger_path.h"
 #include "core/import/import_scene.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
