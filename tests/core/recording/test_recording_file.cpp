@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/files/load_scene.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
 #include "core/runtime/compile.h"
