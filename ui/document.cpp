@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/bundle/bundle.h"
-#include "core/files/save_scene.h"
-#include "core/import/import_scene.h"
 #include "ui/numbers.h"
 
 namespace tactum {
@@ -14,10 +11,6 @@ namespace {
 
 // What a hand at a desktop device can go around, in metres; and what a mesh outside of it is scaled to.
 constexpr double kSmallest = 0.02, kLargest = 0.5, kFitted = kHandDiagonal;
-
-bool fitsHand(double diagonal) {
-    return diagonal >= kSmallest && diagonal <= kLargest;
-}
 
 Surface* find(Scene& scene, SurfaceRef ref) {
     SceneObject* object = scene.find(ref.object);
@@ -85,7 +78,10 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&job_, &BackgroundJob::progressed, this, &Document::openProgressed);
     connect(&saving_, &BackgroundJob::progressed, this, &Document::saveProgressed);
     connect(&saving_, &BackgroundJob::finished, this, [this] {
-        if (const auto next = std::exchange(nextSave_, nullptr)) next();
+        if (nextSaves_.empty()) return;
+        const auto next = std::move(nextSaves_.front());
+        nextSaves_.pop_front();
+        next();
     });
 }
 
@@ -195,65 +191,10 @@ void Document::removeObject(ObjectId id) {
                                    std::move(objects), {SceneChange::What::Objects});
 }
 
-void Document::open(const std::filesystem::path& file) {
-    job_.start([this, file](const Progress& progress) -> BackgroundJob::Delivery {
-        auto loaded = std::make_shared<Result<LoadedScene>>(importScene(file, progress));
-        if (!*loaded)
-            return [this, loaded] { emit openFailed(QString::fromStdString(loaded->error().text)); };
-        Scene fitted = (*loaded)->scene;
-        if (!fitsHand(boundsOf(fitted).diagonal())) fitDiagonal(fitted, kFitted);
-        return [this, file, loaded, fitted = std::move(fitted)] {
-            adopt(std::move(**loaded), file);
-            fit(fitted);
-            history_.setClean(); // nobody has done anything yet that could be lost
-            emit opened();
-        };
-    });
-    emit openProgressed(0, -1);
-}
-
-bool Document::hasOwnFile() const {
-    return QString::fromStdU16String(path_.extension().u16string())
-               .compare(u'.' + QString::fromUtf8(kSceneEnding), Qt::CaseInsensitive) == 0;
-}
-
-// The copy of the scene shares meshes and images with it.
-void Document::write(Writer* writer, const std::filesystem::path& file, std::function<void()> done) {
-    saving_.start([=, this, scene = scene_](const Progress& progress) -> BackgroundJob::Delivery {
-        const Result<void> written = writer(scene, file, progress);
-        if (written) return done;
-        return [this, error = written.error()] { emit saveFailed(QString::fromStdString(error.text)); };
-    });
-}
-
-void Document::save(const std::filesystem::path& file) {
-    if (saving_.running()) return void(nextSave_ = [=, this] { save(file); });
-    write(saveScene, file, [this, file, index = history_.index()] {
-        path_ = file;
-        if (history_.index() == index) history_.setClean();
-        emit saved(QString::fromStdU16String(file.u16string()));
-    });
-}
-
-void Document::exportBundle(const std::filesystem::path& file) {
-    if (saving_.running()) return void(nextSave_ = [=, this] { exportBundle(file); });
-    write(saveBundle, file, [this, file] { emit exported(QString::fromStdU16String(file.u16string())); });
-}
-
-void Document::adopt(LoadedScene loaded, const std::filesystem::path& file) {
-    history_.clear();
-    selection_.reset();
-    lost_.reset();
-    scene_ = std::move(loaded.scene);
-    findings_.clear();
-    for (Finding& finding : loaded.findings) {
-        const auto object = std::ranges::find(scene_.objects, finding.object, &SceneObject::name);
-        const bool known = !finding.object.empty() && object != scene_.objects.end();
-        findings_.push_back({std::move(finding), known ? object->id : 0});
-    }
-    path_ = file;
-    announce({SceneChange::What::Everything});
-    if (!scene_.objects.empty()) select(SurfaceRef{scene_.objects.front().id, 0});
+Scene Document::fitted(Scene scene) {
+    const double diagonal = boundsOf(scene).diagonal();
+    if (diagonal < kSmallest || diagonal > kLargest) fitDiagonal(scene, kFitted);
+    return scene;
 }
 
 void Document::fit(const Scene& fitted) {

@@ -1,6 +1,7 @@
 // The open scene as the window sees it: values, history, file, selection, and the one way to edit.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -41,6 +42,17 @@ struct SceneChange {
     bool operator==(const SceneChange&) const = default;
 };
 
+/// A file as it was when it was last read or written.
+struct FileStamp {
+    std::filesystem::path path;
+    std::filesystem::file_time_type written{};
+    std::uintmax_t bytes = 0;
+
+    FileStamp() = default;
+    explicit FileStamp(const std::filesystem::path& file);
+    bool operator==(const FileStamp&) const = default;
+};
+
 /// Edits of one gesture (a drag, a run of the wheel) become one step of the history. 0 is no gesture.
 using Gesture = int;
 Gesture newGesture();
@@ -55,7 +67,7 @@ public:
     const Scene& scene() const { return scene_; }
     bool empty() const { return scene_.objects.empty(); }
     /// File of the scene; empty before the first open().
-    const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& path() const { return file_.path; }
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
@@ -76,12 +88,14 @@ public:
     void removeObject(ObjectId id);
 
     /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
-    /// A mesh that does not fit a hand is scaled as the first, undoable step of the new history.
-    void open(const std::filesystem::path& file);
+    /// A mesh of another program that does not fit a hand is scaled as the first, undoable step of the new
+    /// history. A sample is a beginning: what is made of it gets a file of its own.
+    void open(const std::filesystem::path& file, bool isSample = false);
     void cancelOpen() { job_.cancel(); }
 
     /// Writes the scene as it is now, on a worker, and makes `file` its file. Ends with saved() or
-    /// saveFailed(); edits can go on meanwhile. One save at a time: another one waits for the one before.
+    /// saveFailed(); edits, and opening another scene, can go on meanwhile. One save at a time: the others
+    /// wait for their turn.
     void save(const std::filesystem::path& file);
     /// Writes a bundle of the scene for others; the scene's own file stays what it is. Ends with exported()
     /// or saveFailed().
@@ -89,8 +103,10 @@ public:
     void cancelSave() { saving_.cancel(); }
     /// Whether an edit is not in the file yet.
     bool modified() const { return !history_.isClean(); }
-    /// Whether the file is one that save() writes, so that it can be written over.
+    /// Whether the file is one that save() wrote, so that it can be written over.
     bool hasOwnFile() const;
+    /// Whether another program has written the file since it was read or saved.
+    bool changedOutside() const;
     bool opening() const { return job_.running(); }
 
 signals:
@@ -121,19 +137,23 @@ private:
 
     using Writer = Result<void>(const Scene&, const std::filesystem::path&, const Progress&);
     void write(Writer* writer, const std::filesystem::path& file, std::function<void()> done);
-    void adopt(LoadedScene loaded, const std::filesystem::path& file);
+    void adopt(LoadedScene loaded, const FileStamp& file);
+    /// Scaled to a hand's reach where it is out of it.
+    static Scene fitted(Scene scene);
     void fit(const Scene& fitted);
     void announce(const SceneChange& change);
     void setSelection(std::optional<SurfaceRef> ref);
 
     Scene scene_;
-    std::filesystem::path path_;
+    FileStamp file_;
+    bool own_ = false; ///< the file was written by this program, and is no sample
+    int scenes_ = 0;   ///< how many have been opened
     std::vector<FileFinding> findings_;
     std::optional<SurfaceRef> selection_;
     std::optional<SurfaceRef> lost_; ///< what was selected when it went: selected again if it comes back
     QUndoStack history_;
     BackgroundJob job_, saving_;
-    std::function<void()> nextSave_; ///< asked for while another one was under way
+    std::deque<std::function<void()>> nextSaves_; ///< asked for while another one was under way
 };
 
 } // namespace tactum

@@ -47,7 +47,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)) {
+      saver_(new RecordingSaver(engine, document, this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
@@ -91,7 +91,8 @@ void MainWindow::open(const QString& file) {
     if (isRecording(file)) return playback_->open(file);
     leave(tr("opening %1").arg(QFileInfo(file).fileName()), [this, file] {
         playback_->end();
-        document_.open(std::filesystem::path(file.toStdU16String()));
+        document_.open(std::filesystem::path(file.toStdU16String()),
+                       samples_.contains(QFileInfo(file).canonicalFilePath()));
     });
 }
 

@@ -78,6 +78,7 @@ private:
     void connectSaving();
     void save();
     void saveAs();
+    void askToOverwrite();
     void exportBundle();
     void showFile();
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
@@ -116,6 +117,7 @@ private:
     Playback* playback_;
     RecordingSaver* saver_;
     Docks docks_;
+    QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
     std::uint64_t shownShape_ = 0;    ///< of the recorded scene in the view
     int healthFrames_ = 0;            ///< since the health was last displayed

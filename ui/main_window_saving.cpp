@@ -26,8 +26,14 @@ std::filesystem::path pathOf(const QString& file) {
     return std::filesystem::path(file.toStdU16String());
 }
 
+bool mayReplace(QWidget* parent, const QString& file) {
+    return QMessageBox::question(parent, QObject::tr("Replace the file"),
+                                 QObject::tr("%1 is there already. Replace it?").arg(file)) ==
+           QMessageBox::Yes;
+}
+
 /// Empty when the person thinks better of it. Not by the static function: its dialog would not add the
-/// ending.
+/// ending. Another ending than the kind's would promise another format, so it gets this one behind it.
 QString askWhere(QWidget* parent, const QString& title, const QString& kind, const char* ending,
                  const QString& now) {
     const QString suffix = QString::fromUtf8(ending);
@@ -35,7 +41,11 @@ QString askWhere(QWidget* parent, const QString& title, const QString& kind, con
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(QFileInfo(now).completeBaseName() + u'.' + suffix);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    if (dialog.exec() != QDialog::Accepted) return {};
+    QString file = dialog.selectedFiles().value(0);
+    if (file.endsWith(u'.' + suffix, Qt::CaseInsensitive)) return file;
+    file += u'.' + suffix;
+    return !QFileInfo::exists(file) || mayReplace(parent, file) ? file : QString();
 }
 
 } // namespace
@@ -65,10 +75,27 @@ void MainWindow::connectSaving() {
 }
 
 void MainWindow::save() {
-    if (document_.hasOwnFile())
-        document_.save(document_.path());
-    else
-        saveAs();
+    if (!document_.hasOwnFile()) return saveAs();
+    if (document_.changedOutside()) return askToOverwrite();
+    document_.save(document_.path());
+}
+
+void MainWindow::askToOverwrite() {
+    auto* question = new QMessageBox(QMessageBox::Warning, tr("Changed by another program"),
+                                     tr("%1 has been changed or removed since it was opened.")
+                                         .arg(QFileInfo(fileOf(document_)).fileName()),
+                                     QMessageBox::Save | QMessageBox::Cancel, this);
+    question->setObjectName(QStringLiteral("changed-outside"));
+    question->setInformativeText(
+        tr("Saving writes this scene over it; what it holds now is kept beside it as the first backup."));
+    auto* elsewhere = question->addButton(tr("Save As..."), QMessageBox::ActionRole);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, question, elsewhere](int answer) {
+        if (question->clickedButton() == elsewhere) return saveAs();
+        if (answer == QMessageBox::Save) return document_.save(document_.path());
+        afterSave_ = nullptr;
+    });
+    question->open();
 }
 
 void MainWindow::saveAs() {
@@ -103,10 +130,10 @@ void MainWindow::leave(const QString& intent, std::function<void()> goOn) {
     question->setObjectName(QStringLiteral("unsaved"));
     question->setInformativeText(tr("They are lost otherwise."));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QMessageBox::finished, this, [this, goOn = std::move(goOn)](int answer) {
+    connect(question, &QMessageBox::finished, this, [=, this](int answer) {
         if (answer == QMessageBox::Discard) return goOn();
         if (answer != QMessageBox::Save) return;
-        afterSave_ = goOn;
+        afterSave_ = [=, this] { leave(intent, goOn); }; // who edited meanwhile is asked again
         save();
     });
     question->open();

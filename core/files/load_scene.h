@@ -15,6 +15,7 @@ namespace tactum {
 struct LoadedScene {
     Scene scene;
     std::vector<Finding> findings; ///< what the reader repaired, dropped or doubts
+    bool ours = false;             ///< written by this program: its size is meant, and it may be written over
 };
 
 /// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb, x3d, 3ds,

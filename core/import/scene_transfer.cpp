@@ -120,7 +120,8 @@ template <class Io> void transfer(Io& io, Scene& scene, Tables& tables) {
 }
 
 template <class Io> void transfer(Io& io, LoadedScene& loaded, Tables& tables) {
-    auto& [scene, findings] = loaded;
+    auto& [scene, findings, ours] = loaded;
+    io(ours);
     transfer(io, scene, tables);
     transferEach(io, findings, 25, tables);
 }

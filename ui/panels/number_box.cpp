@@ -59,12 +59,19 @@ QValidator::State NumberBox::validate(QString& text, int&) const {
 }
 
 bool NumberBox::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
-        // Nothing typed that the line could take back: undo and redo are the document's.
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) return false;
-    }
+    if (event->type() == QEvent::ShortcutOverride && isOfTheProgram(*static_cast<QKeyEvent*>(event)))
+        return false;
     return QDoubleSpinBox::event(event);
+}
+
+/// A line wants many of the keys with Ctrl for itself, the end of the line for one.
+bool NumberBox::isOfTheProgram(const QKeyEvent& key) const {
+    const auto is = [&](QKeySequence::StandardKey what) { return key.matches(what); };
+    // Nothing typed that the line could take back: undo and redo are the document's.
+    if (is(QKeySequence::Undo) || is(QKeySequence::Redo)) return !lineEdit()->isModified();
+    const bool isOfText = is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) ||
+                          is(QKeySequence::SelectAll);
+    return key.modifiers().testFlag(Qt::ControlModifier) && !isOfText;
 }
 
 void NumberBox::focusInEvent(QFocusEvent* event) {

@@ -32,6 +32,7 @@ protected:
 
 private:
     void noteEntry();
+    bool isOfTheProgram(const QKeyEvent& key) const;
 
     QString unit_;
     std::optional<double> entry_; ///< what is being typed

@@ -121,6 +121,7 @@ void GltfReader::demandOurVersion() const {
 
 void GltfReader::readRoot() {
     const Json* ours = extensionOf(file_.json);
+    loaded_.ours = ours != nullptr;
     const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
     if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
     if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));

@@ -77,6 +77,9 @@ constexpr long kHarmless[] = {
     SYS_statx,
     SYS_lseek,
     SYS_faccessat,
+#ifdef SYS_faccessat2
+    SYS_faccessat2, // of realpath()
+#endif
     SYS_readlinkat,
     SYS_getcwd,
     SYS_getdents64,

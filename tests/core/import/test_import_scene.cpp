@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
 #include "tests/core/files/mesh_files.h"
 
@@ -63,6 +64,28 @@ private slots:
             QVERIFY2(imported->scene == direct->scene, mesh.name.c_str());
             QCOMPARE(sentencesOf(*imported), sentencesOf(*direct));
         }
+    }
+
+    /// The person stands in the folder, and says no more than the name.
+    void whatLiesBesideItIsFound() {
+        folder_.write("red.mtl", "newmtl a\nKd 1 0 0\n");
+        folder_.write("red.obj", "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+        const auto before = std::filesystem::current_path();
+        std::filesystem::current_path(folder_.path());
+        const auto imported = importScene("red.obj");
+        std::filesystem::current_path(before);
+        QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
+        QVERIFY(imported->scene.objects[0].surfaces[0].colour == Eigen::Vector3f(1, 0, 0));
+    }
+
+    void knowsOurOwnScenes() {
+        const auto mesh = folder_.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const auto foreign = importScene(mesh);
+        QVERIFY(foreign && !foreign->ours);
+        const auto file = folder_.path() / "own.glb";
+        QVERIFY(saveScene(foreign->scene, file));
+        const auto own = importScene(file);
+        QVERIFY(own && own->ours);
     }
 
     void errorsAreThoseOfTheReader() {

@@ -61,6 +61,13 @@ private slots:
         QVERIFY(succeeds(file_, [&] { return std::filesystem::is_regular_file(file_); }));
     }
 
+    /// What a reader asks before it opens a file that is named beside its own.
+    void findsItsFolder() {
+        const auto folder = folder_.path() / ""; // a path that ends so is looked up by another call
+        QVERIFY(succeeds(file_,
+                         [&] { return std::filesystem::is_directory(std::filesystem::canonical(folder)); }));
+    }
+
     void readsNothingElse() {
         QVERIFY(!succeeds(file_, [&] { return opens(outside_, O_RDONLY); }));
         QVERIFY(!succeeds(file_, [&] { return opens("/etc/passwd", O_RDONLY); }));

@@ -27,6 +27,26 @@ void answerFileDialog(const QString& file) {
     timer->start(20);
 }
 
+void setStiffness(TouchedWindow& program, double stiffness) {
+    const SurfaceRef first{program.document.scene().objects.front().id, 0};
+    for (const MaterialField& field : kMaterialFields)
+        if (field.parameter->key == "stiffness") program.document.setMaterialValue(first, field, stiffness);
+}
+
+/// A mesh that takes longer to save than a cube to open.
+QString writeFine(const QTemporaryDir& folder) {
+    constexpr int kSide = 300;
+    QByteArray text;
+    for (int i = 0; i < kSide * kSide; ++i)
+        text += "v " + QByteArray::number(1e-4 * (i % kSide)) + ' ' + QByteArray::number(1e-4 * (i / kSide)) +
+                " 0\n";
+    for (int i = 0; i + kSide + 1 < kSide * kSide; ++i)
+        if ((i + 1) % kSide != 0)
+            text += "f " + QByteArray::number(i + 1) + ' ' + QByteArray::number(i + 2) + ' ' +
+                    QByteArray::number(i + kSide + 1) + '\n';
+    return writeFile(folder, QStringLiteral("fine.obj"), text);
+}
+
 QMessageBox* question(TouchedWindow& program) {
     return program.window->findChild<QMessageBox*>(QStringLiteral("unsaved"));
 }
@@ -98,6 +118,131 @@ private slots:
         question(program)->button(QMessageBox::Save)->click();
         QTRY_VERIFY_WITH_TIMEOUT(!program.window->isVisible(), kPatience);
         QVERIFY(QFileInfo::exists(saved));
+    }
+
+    void whatIsEditedWhileTheQuestionsSaveRunsIsAskedForAgain() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        program.type(QStringLiteral("stiffness"), QStringLiteral("223"));
+        answerFileDialog(file(QStringLiteral("first.glb")));
+        program.window->close();
+        question(program)->button(QMessageBox::Save)->click(); // comes back when the save has begun
+        setStiffness(program, 224);
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(file(QStringLiteral("first.glb"))) && question(program),
+                                 kPatience);
+        QVERIFY(program.window->isVisible());
+        question(program)->button(QMessageBox::Discard)->click();
+    }
+
+    void anotherEditAtTheSameStepIsNotSaved() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        setStiffness(program, 111);
+        QSignalSpy done(&program.document, &Document::saved);
+        program.document.save(file(QStringLiteral("step.glb")).toStdString());
+        program.document.history().undo();
+        setStiffness(program, 333);
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        QVERIFY(program.window->isWindowModified());
+    }
+
+    void aSceneOpenedMeanwhileKeepsItsFile() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeFine(folder_)));
+        const QString cube = writeCube(folder_);
+        QSignalSpy saved(&program.document, &Document::saved), opened(&program.document, &Document::opened);
+        program.document.save(file(QStringLiteral("fine.glb")).toStdString());
+        program.document.open(cube.toStdString());
+        QTRY_VERIFY_WITH_TIMEOUT(saved.size() == 1 && opened.size() == 1, kPatience);
+        QCOMPARE(program.document.path(), std::filesystem::path(cube.toStdString()));
+        QVERIFY(program.window->windowTitle().contains(QFileInfo(cube).fileName()));
+    }
+
+    void everySaveAskedForIsMade() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        for (const char* name : {"one.glb", "two.glb", "three.glb"})
+            program.document.save(file(QString::fromUtf8(name)).toStdString());
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(file(QStringLiteral("three.glb"))), kPatience);
+        QVERIFY(QFileInfo::exists(file(QStringLiteral("two.glb"))));
+    }
+
+    /// A model is scaled to fit a hand; a scene that somebody has made is as large as it was meant to be.
+    void aSavedSceneKeepsItsSize() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_, 20)));
+        const double fitted = boundsOf(program.document.scene()).diagonal();
+        program.document.history().undo();
+        const double own = boundsOf(program.document.scene()).diagonal();
+        QVERIFY(own > 2 * fitted);
+        QSignalSpy done(&program.document, &Document::saved);
+        const QString saved = file(QStringLiteral("large.glb"));
+        program.document.save(saved.toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        QVERIFY(program.open(saved));
+        QCOMPARE(boundsOf(program.document.scene()).diagonal(), own);
+        QVERIFY(!program.document.history().canUndo());
+    }
+
+    void anotherEndingGetsOursBehindIt() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        QSignalSpy done(&program.document, &Document::saved);
+        answerFileDialog(file(QStringLiteral("felt.stl")));
+        QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        QVERIFY(!QFileInfo::exists(file(QStringLiteral("felt.stl"))));
+        QVERIFY(QFileInfo::exists(file(QStringLiteral("felt.stl.glb"))));
+    }
+
+    void aSampleIsNotWrittenOver() {
+        const QString sample = file(QStringLiteral("sample.glb"));
+        {
+            TouchedWindow program;
+            QVERIFY(program.open(writeCube(folder_)));
+            QSignalSpy done(&program.document, &Document::saved);
+            program.document.save(sample.toStdString());
+            QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        }
+        TouchedWindow program({1200, 800}, {QFileInfo(sample).canonicalFilePath()});
+        QVERIFY(program.open(sample));
+        QSignalSpy done(&program.document, &Document::saved);
+        answerFileDialog(file(QStringLiteral("mine.glb")));
+        QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        QVERIFY(!QFileInfo::exists(sample + u'1')); // would be what was written over
+        QVERIFY(program.document.hasOwnFile());
+    }
+
+    void whatAnotherProgramWroteIsAskedFor() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        const QString shared = file(QStringLiteral("shared.glb"));
+        QSignalSpy done(&program.document, &Document::saved);
+        program.document.save(shared.toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        writeFile(folder_, QStringLiteral("shared.glb"), "theirs");
+        setStiffness(program, 222);
+        QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
+        auto* asked = program.window->findChild<QMessageBox*>(QStringLiteral("changed-outside"));
+        QVERIFY(asked);
+        asked->button(QMessageBox::Save)->click();
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 2, kPatience);
+        QFile backup(shared + u'1');
+        QVERIFY(backup.open(QIODevice::ReadOnly));
+        QCOMPARE(backup.readAll(), QByteArray("theirs"));
+        QVERIFY(!program.window->isWindowModified());
+    }
+
+    void theKeysOfTheWindowWorkInANumber() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        QDoubleSpinBox& box = program.box(QStringLiteral("stiffness"));
+        box.setFocus();
+        QSignalSpy done(&program.document, &Document::exported);
+        answerFileDialog(file(QStringLiteral("bundle.zip")));
+        QTest::keyClick(&box, Qt::Key_E, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
     }
 
     void aFailedSaveLosesNothing() {
