@@ -89,13 +89,13 @@ void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept 
 
 } // namespace
 
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
-               const Watchers& watchers) noexcept {
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, const Watchers& watchers,
+               Clock sinceBoot) noexcept {
     stayHere();
     watchers.canary.follow(sched_getcpu());
     Servo servo(channels, info);
     servo.begun = channels.recorder.now();
-    Metronome metronome(info.rate);
+    Metronome metronome(info.rate, 0, sinceBoot);
     DeviceCommand command;
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
