@@ -18,6 +18,9 @@ struct Servo {
     Channels& channels;
     ServoState state;
     HalfSecond jitter;
+    RecentPeriods periods;
+    GuardianWatch guardianWatch;
+    bool unguarded = false;
     double period = 0; ///< s, measured
     struct Delay {
         std::int64_t from = 0, until = 0; ///< ns
@@ -55,7 +58,7 @@ ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noe
     return output;
 }
 
-/// What all but one tick in a thousand kept: without real-time priority that is worse than the nominal
+/// What all but one tick in a thousand kept lately: without real-time priority that is worse than the nominal
 /// period, and less stiffness is safe.
 void measurePeriod(Servo& servo, double nominal) noexcept {
     constexpr std::uint64_t kEvery = 1024;
@@ -69,7 +72,8 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     note(telemetry, output, servo.state);
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
-    telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
+    servo.periods.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
+    telemetry.periods = servo.periods.counted();
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(
