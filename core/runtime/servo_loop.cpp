@@ -5,7 +5,6 @@
 #include <sched.h>
 
 #include "core/base/realtime.h"
-#include "core/runtime/metronome.h"
 #include "core/runtime/realtime_thread.h"
 
 namespace tactum {
@@ -43,6 +42,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const Tick& tick,
             .deadMan = channels.deadMan.load(std::memory_order_relaxed),
             .flags = flag(sample.valid, ServoRow::Valid) | flag(sample.jumped, ServoRow::Jumped) |
                      flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
+                     flag(servo.unguarded, ServoRow::Unguarded) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
@@ -109,6 +109,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
 
         const RealtimeScope scope;
         watchers.guardian.beat();
+        servo.unguarded = servo.guardianWatch.isDead(watchers.guardian, tick.elapsed);
         const ServoOutput output = step(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;
