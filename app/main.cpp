@@ -1,6 +1,7 @@
 // The one program: a verb runs without any display, a scene or nothing opens the window.
 
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <string_view>
@@ -285,6 +286,8 @@ int runProgram(int argc, char** argv) {
 } // namespace tactum
 
 int main(int argc, char** argv) {
+    // A file that grows beyond its limit (ulimit -f) is then a write that fails, with a sentence.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return tactum::runProgram(argc, argv);
     } catch (const std::bad_alloc&) {

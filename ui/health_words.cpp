@@ -15,6 +15,8 @@ QString wordsOf(CeilingReason reason) {
     switch (reason) {
     case CeilingReason::Damping:
         return QObject::tr("limited by the damping of device and hand");
+    case CeilingReason::SurfaceDamping:
+        return QObject::tr("limited by the damping of the surface");
     case CeilingReason::Resolution:
         return QObject::tr("limited by the resolution of the device");
     case CeilingReason::Maker:
@@ -37,7 +39,7 @@ CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device) {
     const StiffnessCeiling now = servo.ceiling.value > 0 ? servo.ceiling : promised;
     if (servo.calm < 1)
         return {servo.calm * now.value, QObject::tr("limited by an oscillation that was seen")};
-    if (now.value < kLateServo * promised.value)
+    if (now.reason != CeilingReason::SurfaceDamping && now.value < kLateServo * promised.value)
         return {now.value, QObject::tr("limited by a servo that comes late")};
     return {now.value, wordsOf(now.reason)};
 }

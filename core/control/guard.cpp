@@ -12,6 +12,7 @@ constexpr double kLongStall = 0.5;
 Withheld Guard::faultOf(const GuardInput& tick) noexcept {
     lateTicks_ = tick.late ? lateTicks_ + 1 : 0;
     if (tick.deviceLost) return Withheld::DeviceLost;
+    if (tick.unguarded) return Withheld::Unguarded;
     if (!tick.finite) return Withheld::NotFinite;
     if (gain_ == 0) return Withheld::Nothing;
     if (tick.speed > tripSpeed_) return Withheld::TooFast;

@@ -17,9 +17,10 @@ enum class Withheld : std::uint8_t {
     Rising,      ///< on its way back
     DeviceLost,  ///< readings that cannot be true, or none
     TooFast,     ///< the finger was let go
-    ForceJump,   ///< the wanted force rose by more than surfaces and fingers can
+    ForceJump,   ///< the wanted force changed by more than surfaces and fingers can
     NotFinite,   ///< the wanted force was no number
     Late,        ///< the servo missed tick after tick
+    Unguarded,   ///< nobody would stop the device if the program died
 };
 
 inline bool isFault(Withheld why) noexcept {
@@ -40,8 +41,8 @@ inline constexpr double kFirstGain = 0.15;
 inline constexpr double kArrivalDamping = 8;
 /// Before it rises the force must have been smaller than this for so long. Units: N, s.
 inline constexpr double kSmallForce = 0.2, kSmallForceTime = 0.02;
-/// The wanted force must not rise by more than this part of the device's limit from tick to tick beyond what
-/// the finger's own way explains.
+/// The wanted force must not change by more than this part of the device's limit from tick to tick beyond
+/// what the finger itself explains; only what it pushes less counts for nothing.
 inline constexpr double kForceJump = 0.6;
 /// So many late ticks in a row are a fault.
 inline constexpr int kLateTicks = 5;
@@ -53,11 +54,12 @@ struct GuardInput {
     bool armed = false; ///< the person wants forces
     bool held = true;   ///< the dead-man switch, or none is asked for
     bool deviceLost = false;
-    bool answered = false; ///< the proxy knows where the finger is, and said so lately
-    double speed = 0;      ///< of the finger, m/s
-    double wanted = 0;     ///< magnitude of the force that the model asks for, N
-    double sudden = 0;     ///< how much of it is new and not explained by the finger's way, N
-    bool finite = true;    ///< of that force
+    bool unguarded = false; ///< the guardian of a real device is dead
+    bool answered = false;  ///< the proxy knows where the finger is, and said so lately
+    double speed = 0;       ///< of the finger, m/s
+    double wanted = 0;      ///< magnitude of the force that the model asks for, N
+    double sudden = 0;      ///< how much of it is new, reversed or aside, and not the finger's doing, N
+    bool finite = true;     ///< of that force
 };
 
 /// The state of the guard: off, settling, rising, on, or a fault that stays. Thread: real time.

@@ -18,12 +18,12 @@ struct GuardWords {
 };
 
 /// In the order of Withheld.
-inline constexpr std::array<GuardWords, 12> kGuardWords{{
+inline constexpr std::array<GuardWords, 13> kGuardWords{{
     {Withheld::Nothing, "full force", "The device gets its full force.", "", ""},
     {Withheld::NotArmed, "forces off", "The forces are off.", "The device gets no force.",
      "Switch them on when you hold the handle."},
     {Withheld::DeadMan, "the button was let go", "The button that must be held is not.",
-     "The device gets no force.", "Hold the button to feel."},
+     "The device gets no force.", "Hold the button to feel; if you do, let it go once first."},
     {Withheld::Stall, "the servo or the device stood still",
      "The servo or the device stood still for more than 10 ms.", "The force was taken away.",
      "It comes back softly by itself."},
@@ -43,6 +43,9 @@ inline constexpr std::array<GuardWords, 12> kGuardWords{{
      "The force was taken away.", "Undo the last edit, then arm again."},
     {Withheld::Late, "the servo came too late", "The servo came late more than five times in a row.",
      "The force was taken away.", "Close what else keeps the machine busy, then arm again."},
+    {Withheld::Unguarded, "the device's guardian died",
+     "The process that stops the device in an emergency does not answer.", "The force was taken away.",
+     "Save your work and start the program again."},
 }};
 
 /// Thread: any.

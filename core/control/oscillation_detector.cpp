@@ -67,7 +67,9 @@ bool OscillationDetector::Axis::add(double x, double dt) noexcept {
     return true;
 }
 
+// A swing that ends at what is no number would never end.
 bool OscillationDetector::operator()(const Vec3& position, double dt) noexcept {
+    if (!position.allFinite()) return false;
     bool found = false;
     for (int i = 0; i < 3; ++i)
         found |= axes_[std::size_t(i)].add(position[i], dt);

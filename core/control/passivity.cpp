@@ -46,7 +46,8 @@ void Passivity::observe(const Vec3& position, const Vec3& velocity, double dt) n
     const RenderedSpring& felt = commanded_[std::size_t(delay_)];
     const Vec3 way = position - last_ - felt.velocity * dt;
     notice(position, dt);
-    if (known_) given_ += felt.force.dot(way) - taken - noise();
+    const double work = felt.force.dot(way) - taken - noise();
+    if (known_ && std::isfinite(work)) given_ += work; // what is no number would stay for ever
     given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMost - stored_);
     if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
     last_ = position;

@@ -39,6 +39,8 @@ public:
     /// surface.
     double damping(const RenderedSpring& spring, const Vec3& velocity, double dt) noexcept;
     void commanded(const RenderedSpring& spring) noexcept;
+    /// The newest command never reached the device: nothing acted in its place.
+    void notSent() noexcept { commanded_[0] = {}; }
 
     double energy() const noexcept { return given_ + stored_; } ///< J, made by the surface
     double lastDamping() const noexcept { return damping_; }    ///< N s/m; 0: passive by itself

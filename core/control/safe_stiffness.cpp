@@ -1,9 +1,12 @@
 #include "core/control/safe_stiffness.h"
 
+#include <algorithm>
+
 namespace tactum {
 namespace {
 constexpr double kReserve = 0.7;
-}
+constexpr double kSurfaceShare = 0.5; ///< of the losses, that a surface's own damping may use up
+} // namespace
 
 LoopFigures loopFigures(const DeviceInfo& device) noexcept {
     return {.period = 1 / device.rate,
@@ -17,10 +20,18 @@ LoopFigures loopFigures(const DeviceInfo& device) noexcept {
 
 StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept {
     const double late = 0.5 * loop.period + loop.delay + loop.amplifierLag;
-    StiffnessCeiling ceiling{kReserve * loop.damping / late, CeilingReason::Damping};
+    const double losses = kReserve * loop.damping;
+    if (!(late > 0) || !(losses > 0)) return {};
+    StiffnessCeiling ceiling{losses / late, CeilingReason::Damping, kSurfaceShare * losses};
     const auto lower = [&ceiling](double value, CeilingReason reason) {
-        if (value < ceiling.value) ceiling = {value, reason};
+        if (value < ceiling.value) {
+            ceiling.value = value;
+            ceiling.reason = reason;
+        }
     };
+    if (loop.surfaceDamping > 0)
+        lower((losses - std::min(ceiling.damping, loop.surfaceDamping)) / late,
+              CeilingReason::SurfaceDamping);
     if (loop.dryFriction > 0 && loop.resolution > 0)
         lower(kReserve * 2 * loop.dryFriction / loop.resolution, CeilingReason::Resolution);
     if (loop.makersCeiling > 0) lower(loop.makersCeiling, CeilingReason::Maker);

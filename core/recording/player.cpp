@@ -158,7 +158,8 @@ void Player::count(const ProxyRow& row) {
 }
 
 void Player::count(const ServoRow& row) {
-    servo_.periods.add(1e6 * std::abs(row.dt - 1 / run_->device.rate));
+    periods_.add(row.time, 1e6 * std::abs(row.dt - 1 / run_->device.rate));
+    servo_.periods = periods_.counted();
     servo_.misses += (row.flags & ServoRow::Late) != 0;
 }
 
@@ -175,6 +176,7 @@ void Player::begin(const Beginning& at) {
     time_ = run_->begin();
     proxy_ = {};
     servo_ = {};
+    periods_ = {};
     // What only rows tell: no state keeps it.
     for (std::size_t i = 0; i < nextProxy_; ++i)
         count(run_->proxy.rows[i]);

@@ -48,7 +48,7 @@ public:
     /// The World of the last haptic step; of the next one before the first. nullptr when there is none.
     const World* world() const;
     const ProxyTelemetry& proxy() const { return proxy_; }
-    /// With the periods and misses since the recording began; whose misses they were it does not know.
+    /// With the misses since the recording began; whose they were it does not know.
     const ServoTelemetry& servo() const { return servo_; }
     /// Of the last servo tick; nullptr before the first.
     const ServoRow* servoRow() const;
@@ -84,6 +84,7 @@ private:
     double time_ = 0;
     ProxyTelemetry proxy_;
     ServoTelemetry servo_;
+    RecentPeriods periods_;
     std::vector<TracePoint> trace_;
     std::vector<ReplayedStep> steps_;
     ReplayCheck check_;

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 
@@ -217,10 +217,13 @@ private:
 };
 
 std::string bytesOf(const std::filesystem::path& file) {
-    const std::string name = printable(file.filename().string());
+    const std::string name = printable((file.has_filename() ? file.filename() : file).string());
     std::error_code error;
     const auto size =
         std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+    if (std::filesystem::is_directory(file, error))
+        throw ByteFault{{Error::Kind::Input, name + ": is a folder; name a file in it that ends in ." +
+                                                 std::string(kRecordingEnding)}};
     if (error || !std::filesystem::is_regular_file(file, error))
         throw ByteFault{
             {Error::Kind::Input, name + ": there is no such file; check the name and the folder"}};

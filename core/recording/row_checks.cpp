@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/control/device_check.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum {
@@ -30,6 +31,7 @@ bool canBe(const ServoRow& row, double before, std::uint64_t model) {
 } // namespace
 
 const char* faultIn(const RecordedRun& run) {
+    if (!checkDevice(run.device)) return "its device has figures that cannot be";
     double before = kEver;
     for (const ProxyRow& row : run.proxy.rows) {
         if (!canBe(row, before)) return "a haptic step has times or places that cannot be";

@@ -1,4 +1,4 @@
-// Whether the rows of a file can be stepped from. For this folder only.
+// Whether the rows of a file can be stepped from, with its device. For this folder only.
 #pragma once
 
 #include "core/runtime/recorded_run.h"

@@ -89,10 +89,15 @@ bool ContactEase::lost(const LocalContactModel& newest, const Vec3& finger) cons
     return gone && anchorOf(rendered_, finger).touching;
 }
 
-// It becomes softer as it does in an edit, until next to nothing is left.
-void ContactEase::leave(const Vec3& finger, double dt) noexcept {
+// It becomes softer as it does in an edit, until next to nothing is left; what the device does not bear goes
+// as it does in any other contact.
+void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept {
     const double depth = (anchorOf(rendered_, finger).position - finger).norm();
-    rendered_.stiffness -= editRate(rendered_.stiffness) * dt / std::max(depth, kThinnest);
+    const auto softer = [&](double rate) {
+        return rendered_.stiffness - rate * dt / std::max(depth, kThinnest);
+    };
+    rendered_.stiffness =
+        std::min(softer(editRate(rendered_.stiffness)), std::max(ceiling, softer(kSurfaceRate)));
     rendered_.damping = 0;
     leaving_ = rendered_.stiffness > kSoftest && rendered_.stiffness * depth > kWeakest;
     begun_ = leaving_;
@@ -129,14 +134,14 @@ void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, 
 
 const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest, bool fresh,
                                                  const Vec3& finger, const Vec3& velocity, double ceiling,
-                                                 double dt) noexcept {
+                                                 double leaving, double dt) noexcept {
     age_ += dt;
     credit_ = std::min(kHandOverEnergy, credit_ + kHandOverPower * dt);
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_;
     offset_ = left;
     leaving_ = begun_ && (leaving_ || lost(newest, finger));
-    if (leaving_) leave(finger, dt);
+    if (leaving_) leave(finger, leaving, dt);
     if (leaving_) return rendered_;
     if (fresh || !begun_) meet(newest, finger, ceiling);
     const LocalContactModel before = rendered_;

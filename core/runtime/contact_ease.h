@@ -30,9 +30,11 @@ class ContactEase {
 public:
     /// Call at every servo tick. `fresh`: `newest` is another one than at the last call.
     /// `ceiling` in N/m: nothing is met stiffer; what is under load when it falls comes down by kSurfaceRate,
-    /// and in an edit by kEditRate: faster, a resting hand would be thrown.
+    /// and in an edit by kEditRate: faster, a resting hand would be thrown. `leaving`: the ceiling of what
+    /// was touched and is not there any more.
     const LocalContactModel& operator()(const LocalContactModel& newest, bool fresh, const Vec3& finger,
-                                        const Vec3& velocity, double ceiling, double dt) noexcept;
+                                        const Vec3& velocity, double ceiling, double leaving,
+                                        double dt) noexcept;
     /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
     void restart() noexcept { begun_ = false; }
     const LocalContactModel& rendered() const noexcept { return rendered_; }
@@ -49,7 +51,7 @@ private:
     void meet(const LocalContactModel& newest, const Vec3& finger, double ceiling) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
-    void leave(const Vec3& finger, double dt) noexcept;
+    void leave(const Vec3& finger, double ceiling, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/realtime.h"
+#include "core/control/device_check.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/proxy_loop.h"
 #include "core/runtime/realtime_thread.h"
@@ -65,8 +66,10 @@ struct Engine::Impl {
     void askForButton();
 };
 
+// A device that start() will refuse has nothing to record.
 void Engine::Impl::freshChannels() {
-    channels = std::make_unique<Channels>(info.rate, kUpdatesPerTick * info.rate);
+    const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
+    channels = std::make_unique<Channels>(rate, kUpdatesPerTick * rate);
     askForButton();
     felt.clear();
     if (!kept.empty()) remember(*kept.back());
@@ -147,6 +150,10 @@ Result<void> Engine::start() {
     if (impl_->running) return {};
     if (Result<void> opened = impl_->device->open(); !opened) return opened;
     impl_->info = impl_->device->info();
+    if (Result<void> usable = checkDevice(impl_->info); !usable) {
+        impl_->device->close();
+        return usable;
+    }
     impl_->freshChannels();
     impl_->handOver();
     if (Result<void> started = impl_->startLoops(); !started) {

@@ -22,7 +22,7 @@ public:
     Engine(const Engine&) = delete;
     Engine& operator=(const Engine&) = delete;
 
-    /// Opens the device and starts both loops, forces off.
+    /// Opens the device and starts both loops, forces off. Refuses a device whose figures cannot be.
     Result<void> start();
     /// Zero force, both loops ended, device closed. Safe to call twice. The newest World stays for a later
     /// start(); all others are released.

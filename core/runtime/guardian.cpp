@@ -48,20 +48,20 @@ News listen(int lifeline) noexcept {
     return got == 1 && word == kFarewell ? News::Farewell : News::Death;
 }
 
-[[noreturn]] void watch(int lifeline, const std::atomic<std::uint64_t>& pulse,
-                        HapticDevice& device) noexcept {
+[[noreturn]] void watch(int lifeline, Guardian::Shared& shared, HapticDevice& device) noexcept {
     standApart();
     std::uint64_t last = 0;
     std::int64_t since = now();
     bool stopped = false;
     while (true) {
+        Guardian::raise(shared.looks);
         const News news = listen(lifeline);
         if (news == News::Farewell) _exit(0);
         if (news == News::Death) {
             device.emergencyStop();
             _exit(0);
         }
-        const std::uint64_t beat = pulse.load(std::memory_order_relaxed);
+        const std::uint64_t beat = shared.beats.load(std::memory_order_relaxed);
         if (beat != last || beat == 0) {
             last = beat;
             since = now();
@@ -82,15 +82,15 @@ tl::unexpected<Error> cannotGuard(const char* what) {
 
 Result<void> Guardian::start(HapticDevice& device) {
     stop();
-    void* shared = mmap(nullptr, sizeof(*pulse_), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared == MAP_FAILED) return cannotGuard("shared memory");
-    pulse_ = new (shared) std::atomic<std::uint64_t>(0);
+    void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return cannotGuard("shared memory");
+    shared_ = new (memory) Shared;
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return cannotGuard("a pipe");
     child_ = fork();
     if (child_ == 0) {
         close(ends[1]);
-        watch(ends[0], *pulse_, device);
+        watch(ends[0], *shared_, device);
     }
     close(ends[0]);
     lifeline_ = ends[1];
@@ -104,12 +104,13 @@ void Guardian::stop() {
         void (*const handler)(int) = std::signal(SIGPIPE, SIG_IGN);
         [[maybe_unused]] const ssize_t written = write(lifeline_, &kFarewell, 1);
         std::signal(SIGPIPE, handler);
+        kill(child_, SIGCONT); // one that somebody stopped would never read it
         waitpid(child_, nullptr, 0);
     }
     if (lifeline_ >= 0) close(lifeline_);
-    if (pulse_) munmap(static_cast<void*>(pulse_), sizeof(*pulse_));
+    if (shared_) munmap(static_cast<void*>(shared_), sizeof(Shared));
     child_ = lifeline_ = -1;
-    pulse_ = nullptr;
+    shared_ = nullptr;
 }
 
 } // namespace tactum

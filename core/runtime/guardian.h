@@ -1,6 +1,7 @@
 // Who takes the force away when nobody else can: the program was killed, crashed or stands still.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <sys/types.h>
@@ -13,11 +14,15 @@ namespace tactum {
 /// A servo that has not ticked for so long has the device stopped behind its back. Unit: ms.
 inline constexpr int kGuardianPatience = 10;
 
+/// A guardian that has not looked for so long is dead or stopped itself. Unit: s.
+inline constexpr double kGuardianSilence = 0.5;
+
 /// A forked process that stops the device (HapticDevice::emergencyStop) when the program has died, of
 /// whatever signal, and when the servo does not tick for kGuardianPatience: blocked, stopped, or busy with
 /// writing the memory of a crash to disk. A signal handler could do no more, and cannot see SIGKILL. Fork
-/// first, start the loops after: the child has only the thread that forked. Thread of its members but beat()
-/// and rest(): any but real time.
+/// first, start the loops after: the child has only the thread that forked. Who kills the guardian alone (the
+/// kernel does, when memory is short) leaves nobody to do that: so it counts its looks, and the servo watches
+/// them. Thread of its members: any but real time, where they do not say otherwise.
 class Guardian {
 public:
     Guardian() = default;
@@ -33,17 +38,50 @@ public:
     /// The servo is alive. Until the first beat, and after rest(), nobody waits for the next one.
     /// Thread: real time.
     void beat() noexcept {
-        if (pulse_) pulse_->store(pulse_->load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        if (shared_) raise(shared_->beats);
     }
     /// The servo ends its work in order.
     void rest() noexcept {
-        if (pulse_) pulse_->store(0, std::memory_order_relaxed);
+        if (shared_) shared_->beats.store(0, std::memory_order_relaxed);
+    }
+    /// How often the child has looked; for ever 0 without one. Thread: real time.
+    std::uint64_t looks() const noexcept {
+        return shared_ ? shared_->looks.load(std::memory_order_relaxed) : 0;
+    }
+    /// Whether a device is being guarded. Thread: real time.
+    bool guards() const noexcept { return shared_ != nullptr; }
+
+    /// What both processes see.
+    struct Shared {
+        std::atomic<std::uint64_t> beats{0}; ///< of the servo; 0: nobody waits for the next one
+        std::atomic<std::uint64_t> looks{0}; ///< of the child
+    };
+    /// Of a counter with one writer.
+    static void raise(std::atomic<std::uint64_t>& counter) noexcept {
+        counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     }
 
 private:
     pid_t child_ = -1;
-    int lifeline_ = -1;                           ///< its end of file tells the child of our death
-    std::atomic<std::uint64_t>* pulse_ = nullptr; ///< in memory that both processes see
+    int lifeline_ = -1;        ///< its end of file tells the child of our death
+    Shared* shared_ = nullptr; ///< mapped in both
+};
+
+/// Whether the guardian still looks, tick by tick. Thread: real time.
+class GuardianWatch {
+public:
+    /// `dt`: s since the last call. A tick that came late tells little of the guardian, which came late too.
+    bool isDead(const Guardian& guardian, double dt) noexcept {
+        constexpr double kLongest = 1e-3 * kGuardianPatience;
+        const std::uint64_t looks = guardian.looks();
+        silent_ = looks == seen_ && guardian.guards() ? silent_ + std::min(dt, kLongest) : 0;
+        seen_ = looks;
+        return silent_ > kGuardianSilence;
+    }
+
+private:
+    std::uint64_t seen_ = 0;
+    double silent_ = 0; ///< s
 };
 
 } // namespace tactum

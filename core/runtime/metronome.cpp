@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr double kHalf = 0.5;
+/// No machine sleeps for less, and reading two clocks takes less, unless the thread is stopped between them.
+constexpr std::int64_t kShortestSleep = 1'000'000; // ns
 
 void sleepUntil(std::int64_t nanoseconds) noexcept {
     const timespec when{time_t(nanoseconds / kSecond), long(nanoseconds % kSecond)};
@@ -16,28 +18,48 @@ void sleepUntil(std::int64_t nanoseconds) noexcept {
     }
 }
 
-} // namespace
-
-std::int64_t monotonicNanoseconds() noexcept {
+std::int64_t nanosecondsOf(clockid_t clock) noexcept {
     timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return std::int64_t(now.tv_sec) * kSecond + now.tv_nsec;
 }
 
-Metronome::Metronome(double rate, double rest) noexcept
+} // namespace
+
+std::int64_t monotonicNanoseconds() noexcept {
+    return nanosecondsOf(CLOCK_MONOTONIC);
+}
+std::int64_t bootNanoseconds() noexcept {
+    return nanosecondsOf(CLOCK_BOOTTIME);
+}
+
+Metronome::Metronome(double rate, double rest, Clock sinceBoot) noexcept
     : period_(std::int64_t(double(kSecond) / rate)), start_(monotonicNanoseconds()), last_(start_),
-      scheduled_(start_), rest_(rest) {}
+      scheduled_(start_), rest_(rest), sinceBoot_(sinceBoot) {
+    asleep();
+}
+
+// The clock since boot is read first: whatever comes between the two readings makes the machine's sleep
+// shorter, never longer.
+std::int64_t Metronome::asleep() noexcept {
+    const std::int64_t boot = sinceBoot_();
+    const std::int64_t ahead = boot - monotonicNanoseconds();
+    const std::int64_t more = ahead - slept_;
+    if (more <= 0) return 0;
+    slept_ = ahead;
+    return more > kShortestSleep ? more : 0;
+}
 
 Tick Metronome::wait() noexcept {
     const std::int64_t due = scheduled_ + period_;
     const std::int64_t now = monotonicNanoseconds();
     sleepUntil(std::max(due, now + std::int64_t(rest_ * double(now - last_))));
 
-    const std::int64_t woke = monotonicNanoseconds();
+    const std::int64_t woke = monotonicNanoseconds(), slept = asleep();
     Tick tick;
     tick.time = double(woke - start_) / double(kSecond);
-    tick.elapsed = last_ == start_ ? period() : double(woke - last_) / double(kSecond);
-    tick.missed = woke - due > period_;
+    tick.elapsed = last_ == start_ ? period() : double(woke - last_ + slept) / double(kSecond);
+    tick.missed = woke + slept - due > period_;
     scheduled_ = tick.missed ? woke : due;
     last_ = woke;
     return tick;

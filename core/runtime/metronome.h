@@ -2,17 +2,23 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace tactum {
 
 /// Nanoseconds of CLOCK_MONOTONIC, which no one sets and which stands still only while the machine sleeps.
 /// Thread: real time.
 std::int64_t monotonicNanoseconds() noexcept;
+/// The same of CLOCK_BOOTTIME, which goes on while the machine sleeps. Thread: real time.
+std::int64_t bootNanoseconds() noexcept;
+
+/// Nanoseconds of a clock. Thread: real time.
+using Clock = std::int64_t (*)() noexcept;
 
 /// One waking of a loop. Unit: s.
 struct Tick {
-    double time = 0;     ///< since the metronome was made
-    double elapsed = 0;  ///< since the waking before; the nominal period at the first
+    double time = 0;     ///< since the metronome was made, without the time that the machine slept
+    double elapsed = 0;  ///< since the waking before, asleep or not; the nominal period at the first
     bool missed = false; ///< more than one period late
 };
 
@@ -21,8 +27,9 @@ struct Tick {
 /// SCHED_FIFO is stopped by the kernel for 50 ms in every second.)
 class Metronome {
 public:
-    /// rate in Hz, > 0; rest a ratio, 0 for a loop that waits for a device anyway.
-    explicit Metronome(double rate, double rest = 0) noexcept;
+    /// rate in Hz, > 0; rest a ratio, 0 for a loop that waits for a device anyway. `sinceBoot`: for tests,
+    /// another one than the machine's.
+    explicit Metronome(double rate, double rest = 0, Clock sinceBoot = bootNanoseconds) noexcept;
 
     /// Sleeps until the next tick. A tick that was missed shifts the ones after it: no burst catches up.
     /// Thread: the loop's, outside every RealtimeScope.
@@ -31,8 +38,13 @@ public:
     double period() const noexcept; ///< s, nominal
 
 private:
+    std::int64_t asleep() noexcept;
+
     std::int64_t period_, start_, last_, scheduled_;
     double rest_;
+    Clock sinceBoot_;
+    /// ns, that it is ahead of the clock that stands still; before the first look far behind
+    std::int64_t slept_ = std::numeric_limits<std::int64_t>::min() / 2;
 };
 
 /// How often something happened and how large it was, over the last full half second.

@@ -31,4 +31,31 @@ struct PeriodHistogram {
     }
 };
 
+/// The ticks of the last kPeriodWindow seconds, and of as many before them: what a loop was like hours ago
+/// tells nothing of now. Thread: real time, one thread only.
+class RecentPeriods {
+public:
+    static constexpr double kPeriodWindow = 5; ///< s
+
+    /// `now` in s, never falling.
+    void add(double now, double micros) noexcept {
+        if (now - begin_ >= kPeriodWindow) {
+            older_ = now - begin_ < 2 * kPeriodWindow ? newer_ : PeriodHistogram{};
+            newer_ = {};
+            begin_ = now;
+        }
+        newer_.add(micros);
+    }
+    PeriodHistogram counted() const noexcept {
+        PeriodHistogram both = older_;
+        for (std::size_t bin = 0; bin < both.count.size(); ++bin)
+            both.count[bin] += newer_.count[bin];
+        return both;
+    }
+
+private:
+    PeriodHistogram older_, newer_;
+    double begin_ = 0; ///< s, of newer_
+};
+
 } // namespace tactum

@@ -53,7 +53,8 @@ struct ServoRow {
         Fresh = 8,
         Armed = 16,
         Override = 32,
-        kAllFlags = 63
+        Unguarded = 64,
+        kAllFlags = 127
     };
 
     double time = 0, dt = 0;
@@ -102,9 +103,13 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                               .buttons = row.buttons,
                               .valid = is(ServoRow::Valid),
                               .jumped = is(ServoRow::Jumped)};
-    return servoStep(
-        state, settings,
-        {.sample = sample, .dt = row.dt, .late = is(ServoRow::Late), .fresh = is(ServoRow::Fresh)}, model);
+    return servoStep(state, settings,
+                     {.sample = sample,
+                      .dt = row.dt,
+                      .late = is(ServoRow::Late),
+                      .fresh = is(ServoRow::Fresh),
+                      .unguarded = is(ServoRow::Unguarded)},
+                     model);
 }
 
 /// Thread: real time.

@@ -5,7 +5,6 @@
 #include <sched.h>
 
 #include "core/base/realtime.h"
-#include "core/runtime/metronome.h"
 #include "core/runtime/realtime_thread.h"
 
 namespace tactum {
@@ -18,6 +17,9 @@ struct Servo {
     Channels& channels;
     ServoState state;
     HalfSecond jitter;
+    RecentPeriods periods;
+    GuardianWatch guardianWatch;
+    bool unguarded = false;
     double period = 0; ///< s, measured
     struct Delay {
         std::int64_t from = 0, until = 0; ///< ns
@@ -40,6 +42,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const Tick& tick,
             .deadMan = channels.deadMan.load(std::memory_order_relaxed),
             .flags = flag(sample.valid, ServoRow::Valid) | flag(sample.jumped, ServoRow::Jumped) |
                      flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
+                     flag(servo.unguarded, ServoRow::Unguarded) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
@@ -55,7 +58,7 @@ ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noe
     return output;
 }
 
-/// What all but one tick in a thousand kept: without real-time priority that is worse than the nominal
+/// What all but one tick in a thousand kept lately: without real-time priority that is worse than the nominal
 /// period, and less stiffness is safe.
 void measurePeriod(Servo& servo, double nominal) noexcept {
     constexpr std::uint64_t kEvery = 1024;
@@ -69,7 +72,8 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     note(telemetry, output, servo.state);
     telemetry.rate = servo.jitter.rate();
     telemetry.jitterMicros = servo.jitter.worst();
-    telemetry.periods.add(1e6 * std::abs(tick.elapsed - period));
+    servo.periods.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
+    telemetry.periods = servo.periods.counted();
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(
@@ -89,13 +93,13 @@ void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept 
 
 } // namespace
 
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
-               const Watchers& watchers) noexcept {
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, const Watchers& watchers,
+               Clock sinceBoot) noexcept {
     stayHere();
     watchers.canary.follow(sched_getcpu());
     Servo servo(channels, info);
     servo.begun = channels.recorder.now();
-    Metronome metronome(info.rate);
+    Metronome metronome(info.rate, 0, sinceBoot);
     DeviceCommand command;
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
@@ -105,6 +109,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
 
         const RealtimeScope scope;
         watchers.guardian.beat();
+        servo.unguarded = servo.guardianWatch.isDead(watchers.guardian, tick.elapsed);
         const ServoOutput output = step(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;

@@ -5,6 +5,7 @@
 #include "core/runtime/canary.h"
 #include "core/runtime/channels.h"
 #include "core/runtime/guardian.h"
+#include "core/runtime/metronome.h"
 
 namespace tactum {
 
@@ -15,9 +16,9 @@ struct Watchers {
 };
 
 /// Runs until channels.stop at the device's rate. The last command is zero. Every tick is a beat for the
-/// guardian.
+/// guardian. A machine that slept stood still: the old force does not go out. `sinceBoot`: as of Metronome.
 /// Thread: servo. Clock and device lie outside the RealtimeScope, all else inside it.
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
-               const Watchers& watchers) noexcept;
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, const Watchers& watchers,
+               Clock sinceBoot = bootNanoseconds) noexcept;
 
 } // namespace tactum

@@ -1,6 +1,7 @@
 #include "core/runtime/servo_step.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tactum {
 namespace {
@@ -22,6 +23,13 @@ FingerSample fingerOf(const ServoState& state) noexcept {
     return {seen.position, seen.velocity, state.ticks, seen.valid, state.guard.anchoring()};
 }
 
+/// Whether the person holds what must be held. A button that was never seen let go since the device came is
+/// stuck, and tells nothing.
+bool isHeld(ServoState& state, const DeviceSample& seen, std::uint32_t deadMan) noexcept {
+    state.letGo = seen.valid ? state.letGo | ~seen.buttons : 0;
+    return deadMan == 0 || (seen.buttons & deadMan & state.letGo) != 0;
+}
+
 void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
     if (!state.touching) state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
     state.calm = std::min(1.0, state.calm + std::clamp(state.calmGoal - state.calm, -0.5 * dt / kFade, 1.0));
@@ -31,38 +39,74 @@ void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
     state.calmGoal = std::max(kLeastCalm, 0.5 * state.calmGoal);
 }
 
-/// The stiffness that is rendered at most, N/m: an oscillation takes from what is there, not from the
-/// ceiling.
-double ceilingOf(ServoState& state, const ServoSettings& settings, double stiffness) noexcept {
+/// What is rendered at most, N/m and N s/m.
+struct Bounds {
+    double stiffness, damping;
+    double leaving; ///< N/m, of what is not there any more, and damps no more
+};
+
+/// An oscillation takes from what is there, not from the ceiling.
+Bounds boundsOf(ServoState& state, const ServoSettings& settings, const LocalContactModel& model) noexcept {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
     LoopFigures loop = state.loop;
     loop.period = std::max(loop.period, settings.period);
+    const double undamped = safeStiffness(loop).value;
+    loop.surfaceDamping = model.damping;
     state.ceiling = safeStiffness(loop);
-    return state.calm * (settings.overrideCeiling ? stiffness : std::min(stiffness, state.ceiling.value));
+    if (settings.overrideCeiling) return {state.calm * model.stiffness, state.calm * model.damping, kNone};
+    return {state.calm * std::min(model.stiffness, state.ceiling.value),
+            state.calm * std::min(model.damping, state.ceiling.damping), state.calm * undamped};
 }
 
 /// What the model asks for.
 struct Wanted {
     RenderedSpring spring;
     Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
-    double sudden = 0;           ///< N, that the finger's own way does not explain
+    double sudden = 0;           ///< N, that the finger does not explain
 };
 
+/// N: how much more `now` pushes along its own direction than `before` did. A reversal counts twice, a push
+/// that only becomes weaker not at all.
+double rise(const Vec3& now, const Vec3& before) noexcept {
+    const double length = now.norm();
+    return length > 0 ? length - now.dot(before) / length : 0;
+}
+
+/// N, that neither the finger's way nor a hit explains: what this tick's surroundings push more than those of
+/// the last tick would, met by the same finger. A step of the force is judged whole, in N and not in N/s: an
+/// anchor or a damping that jumps does so within one tick, however long that is.
+double suddenOf(const ServoState& state, const LocalContactModel& before, const FingerSample& finger,
+                const LocalContactModel& now, const Vec3& force) noexcept {
+    ForceLimiter limited{state.limiter.maxForce};
+    const Anchor last = anchorOf(before, finger.position);
+    const Vec3 expected =
+        last.touching ? springForce(before, last.position, finger.position, finger.velocity) : Vec3::Zero();
+    const double way = (finger.position - state.finger).norm();
+    const double hit = last.touching ? 0 : now.damping * (finger.velocity - now.velocity).norm();
+    return rise(limited(force), limited(expected)) - now.stiffness * way - hit;
+}
+
 Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
-              double ceiling, double dt) noexcept {
+              const Bounds& bounds, double dt) noexcept {
     if (state.guard.gain() == 0) state.ease.restart();
-    const LocalContactModel& eased = state.ease(model, fresh, finger.position, finger.velocity, ceiling, dt);
+    const LocalContactModel before = state.ease.rendered();
+    LocalContactModel bounded = model;
+    bounded.damping = bounds.damping;
+    const LocalContactModel& eased =
+        state.ease(bounded, fresh, finger.position, finger.velocity, bounds.stiffness, bounds.leaving, dt);
     const Anchor anchor = anchorOf(eased, finger.position);
     state.anchor = anchor.position;
     state.touching = anchor.touching;
-    const double stretch = (anchor.position - finger.position).norm();
-    const double unexplained = stretch - state.stretch - (finger.position - state.finger).norm();
-    state.stretch = stretch;
+    Wanted wanted;
+    if (anchor.touching) {
+        const Vec3 force = springForce(eased, anchor.position, finger.position, finger.velocity);
+        wanted = {{force, eased.stiffness, (anchor.position - finger.position).norm(), state.limiter.maxForce,
+                   eased.velocity},
+                  finger.velocity - eased.velocity,
+                  suddenOf(state, before, finger, eased, force)};
+    }
     state.finger = finger.position;
-    if (!anchor.touching) return {};
-    return {{springForce(eased, anchor.position, finger.position, finger.velocity), eased.stiffness, stretch,
-             state.limiter.maxForce, eased.velocity},
-            finger.velocity - eased.velocity,
-            eased.stiffness * unexplained};
+    return wanted;
 }
 
 /// What of it may be rendered.
@@ -93,19 +137,21 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     const DeviceSample& seen = state.check.believed();
     if (seen.jumped) state.guard.begin();
     state.passivity.observe(seen.position, seen.velocity, dt);
+    if (dt > kStall) state.passivity.notSent();
     calmDown(state, seen, dt);
     state.limiter.maxForce = state.heat.limit();
 
     FingerSample finger = fingerOf(state);
-    const double ceiling = ceilingOf(state, settings, model.stiffness);
-    const Wanted wanted = render(state, model, finger, input.fresh, ceiling, dt);
+    const Bounds bounds = boundsOf(state, settings, model);
+    const Wanted wanted = render(state, model, finger, input.fresh, bounds, dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 
     const GuardInput tick{.dt = dt,
                           .late = input.late,
                           .armed = settings.armed,
-                          .held = settings.deadMan == 0 || (seen.buttons & settings.deadMan) != 0,
+                          .held = isHeld(state, seen, settings.deadMan),
                           .deviceLost = state.check.lost(),
+                          .unguarded = input.unguarded,
                           .answered = model.valid && model.anchoring == finger.anchoring &&
                                       state.modelAge <= kModelPatience,
                           .speed = finger.velocity.norm(),

@@ -29,16 +29,17 @@ struct FingerSample {
 /// What the person and the machine decide about the loop.
 struct ServoSettings {
     bool armed = false;           ///< forces on
-    std::uint32_t deadMan = 0;    ///< buttons of which one must be held; 0: none
+    std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
     bool overrideCeiling = false; ///< the person knows better than safeStiffness()
     double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
 };
 
 struct ServoInput {
     DeviceSample sample;
-    double dt = 1e-3;   ///< s since the last tick
-    bool late = false;  ///< the tick came more than one period late
-    bool fresh = false; ///< the model is another one than at the last tick
+    double dt = 1e-3;       ///< s since the last tick
+    bool late = false;      ///< the tick came more than one period late
+    bool fresh = false;     ///< the model is another one than at the last tick
+    bool unguarded = false; ///< nobody would stop the device if the program died
 };
 
 /// All that the servo remembers from tick to tick. Copied whole by the recorder.
@@ -59,10 +60,10 @@ struct ServoState {
     double calm = 1;       ///< part of the stiffness that is left after oscillations
     double calmGoal = 1;   ///< where `calm` goes
     std::uint64_t oscillations = 0;
+    std::uint32_t letGo = 0;    ///< buttons that were seen let go since the device came
     StiffnessCeiling ceiling;   ///< of this tick
     Vec3 anchor = Vec3::Zero(); ///< of the rendered model, world frame
     Vec3 finger = Vec3::Zero(); ///< of this tick, world frame
-    double stretch = 0;         ///< from one to the other, m
     bool touching = false;
 };
 

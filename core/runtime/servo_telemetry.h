@@ -14,7 +14,7 @@ struct ServoTelemetry {
     double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
     std::uint64_t misses = 0;        ///< ticks that came more than one period late
     std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (Canary)
-    PeriodHistogram periods;         ///< deviations, since the start
+    PeriodHistogram periods;         ///< deviations, of the last five to ten seconds
     std::uint64_t clamped = 0;       ///< commands that the limiter shortened
     std::uint64_t invalidSamples = 0;
     Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it

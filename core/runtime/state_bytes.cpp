@@ -54,13 +54,13 @@ void fields(auto& visit, MaybeConst<SimState> auto& state) {
 }
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
-          loop.makersCeiling);
+          loop.makersCeiling, loop.surfaceDamping);
 }
 void fields(auto& visit, MaybeConst<ForceLimiter> auto& limiter) {
     visit(limiter.maxForce, limiter.clamped, limiter.notFinite);
 }
 void fields(auto& visit, MaybeConst<StiffnessCeiling> auto& ceiling) {
-    visit(ceiling.value, ceiling.reason);
+    visit(ceiling.value, ceiling.reason, ceiling.damping);
 }
 void fields(auto& visit, MaybeConst<DeviceSample> auto& sample) {
     visit(sample.position, sample.velocity, sample.buttons, sample.valid, sample.jumped);
@@ -71,7 +71,7 @@ void fields(auto& visit, MaybeConst<RenderedSpring> auto& spring) {
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
     visit(state.loop, state.check, state.guard, state.ease, state.passivity, state.oscillation, state.heat,
           state.limiter, state.ticks, state.modelAge, state.calm, state.calmGoal, state.oscillations,
-          state.ceiling, state.anchor, state.finger, state.stretch, state.touching);
+          state.letGo, state.ceiling, state.anchor, state.finger, state.touching);
 }
 
 namespace {
@@ -79,7 +79,7 @@ namespace {
 // Another size: a member came or went. List it in fields(), there or above, and then its new size here.
 static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 360 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 664);
-static_assert(sizeof(LoopFigures) == 56 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2176);
+static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2192);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));

@@ -361,6 +361,36 @@ private slots:
         QCOMPARE(shell.exitCode(), 3);
     }
 
+    /// The scene still goes from the reader to us: what is written is longer.
+    void aFileThatMayNotGrowIsThree() {
+        QByteArray rows = "t,x,y,z\n";
+        for (int i = 0; i < 2000; ++i)
+            rows += QByteArray::number(1e-3 * i) + ",0,0.01,0\n";
+        const QString path = write("long-path.csv", rows);
+        for (const QString& verb : {QStringLiteral("touch '%1' --path '%2'").arg(plate(), path),
+                                    QStringLiteral("play '" TACTUM_REPLAYS "/few-bumps.tactum-recording'")}) {
+            QProcess shell;
+            shell.start("sh", {"-c", QStringLiteral("ulimit -f 64; exec '%1' %2 --out '%3'")
+                                         .arg(TACTUM_PROGRAM, verb, file("long.csv"))});
+            QVERIFY(shell.waitForFinished(60000));
+            QVERIFY(shell.exitStatus() == QProcess::NormalExit);
+            QCOMPARE(shell.exitCode(), 3);
+            QVERIFY(oneLine(shell.readAllStandardError()).contains("long.csv"));
+        }
+    }
+
+    void aFolderIsCalledOne() {
+        const QString path = pressAndSlide(0.002, 0), folder = file(".");
+        for (const QStringList& arguments :
+             {QStringList{"play", folder}, QStringList{"touch", plate(), "--path", folder},
+              QStringList{"touch", folder, "--path", path}, QStringList{"info", folder},
+              QStringList{"check", folder}, QStringList{"convert", folder, file("to.glb")}}) {
+            const Ended ended = tactum(arguments);
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(oneLine(ended.error).contains("is a folder; name a file in it"), ended.error);
+        }
+    }
+
     // A new file would take the place of a pipe; or of the file with everything else that we say.
     void resultsGoIntoPipesDevicesAndOurOwnOutput() {
         const auto path = write("stream.csv", "t,x,y,z\n0,0,0.01,0\n0.001,0,0.009,0\n");

@@ -44,6 +44,8 @@ DeviceSample ClosedLoop::read() const {
 
 void ClosedLoop::tick(double dt) {
     advance(dt);
+    // As the servo loop does it: nobody has felt the force of before a stall since.
+    if (dt > kStall && onTheWay_.size() > 1) onTheWay_.back().setZero();
     DeviceSample sample = read();
     if (tamper) tamper(sample);
     reading = sample.position;

@@ -51,7 +51,7 @@ void begin(ClosedLoop& loop, const Press& press) {
 } // namespace
 
 Rest pressPlain(const Bench& bench, const Press& press, double stiffness, double seconds) {
-    const LocalContactModel model = wall(stiffness);
+    const LocalContactModel model = wall(stiffness, press.damping);
     ClosedLoop loop(bench, [&](const DeviceSample& sample, double) {
         return contactModelForce(model, sample.position, sample.velocity);
     });
@@ -63,7 +63,7 @@ Rest pressPlain(const Bench& bench, const Press& press, double stiffness, double
 
 Rest pressServo(const Bench& bench, const Press& press, double stiffness, double seconds,
                 const std::function<void(Servo&)>& prepare) {
-    GivenModel model(wall(stiffness));
+    GivenModel model(wall(stiffness, press.damping));
     Servo servo(infoOf(bench), model);
     if (prepare) prepare(servo);
     ClosedLoop loop(bench, servo.control());

@@ -7,8 +7,9 @@ namespace tactum::test {
 
 /// How the wall is met. SI.
 struct Press {
-    double force = 1;  ///< N, of the muscles
-    double impact = 0; ///< m/s, with which the finger arrives; 0: it begins on the wall
+    double force = 1;   ///< N, of the muscles
+    double impact = 0;  ///< m/s, with which the finger arrives; 0: it begins on the wall
+    double damping = 0; ///< N s/m, of the wall
 };
 
 inline constexpr std::array kPresses{Press{0.3, 0}, Press{1, 0}, Press{2.5, 0}, Press{1, 0.05},

@@ -188,6 +188,7 @@ void Schedule::judge() {
     const double allowed = highest_ - first_ + events_ * kEvent + eased_;
     if (loop_.plant.given() > allowed)
         failure = QString("gave %1 mJ of %2").arg(1e3 * loop_.plant.given()).arg(1e3 * allowed);
+    if (gentle_ && servo_.state.guard.faults() > 0) failure = "a fault without one";
     if (gentle_ && loop_.time > 2 && loop_.plant.velocity().norm() > kGentle)
         failure = QString("%1 m/s").arg(loop_.plant.velocity().norm());
 }

@@ -69,6 +69,32 @@ private slots:
         QCOMPARE(bad, 0);
     }
 
+    void aDampedSurfaceHoldsStillToo_data() {
+        QTest::addColumn<int>("device");
+        for (int i = 0; i < int(kDevices.size()); ++i)
+            QTest::addRow("%s", kDevices[std::size_t(i)].name) << i;
+    }
+
+    /// T4 with surfaces that damp: some as much as the hand does, some as much as an author can ask for.
+    void aDampedSurfaceHoldsStillToo() {
+        QFETCH(int, device);
+        const DeviceProfile& profile = kDevices[std::size_t(device)];
+        int cases = 0, bad = 0;
+        for (const HandProfile& hand : {kPinch, kGrasp, kFirm, kRigid})
+            for (const double rate : {1000.0, 4000.0})
+                for (const int delay : {0, 1, 2})
+                    for (const double damping : {2.0, 20.0})
+                        for (const Press& press : {Press{1, 0, damping}, Press{1, 0.3, damping}}) {
+                            const Bench bench{profile, hand, {.rate = rate, .delay = delay, .jitter = 0.2}};
+                            const Rest rest = pressServo(bench, press, 5000);
+                            ++cases;
+                            if (rest.still(profile.resolution)) continue;
+                            if (++bad < 20) qWarning("%s", qPrintable(told(bench, press, rest)));
+                        }
+        qInfo("%d of %d", bad, cases);
+        QCOMPARE(bad, 0);
+    }
+
     void whatSwingsIsStilled_data() {
         QTest::addColumn<int>("device");
         for (int i = 0; i < int(kDevices.size()); ++i)

@@ -39,6 +39,11 @@ struct Program {
     bool presses() const {
         return QTest::qWaitFor([&] { return motors->push > 1; }, kPatience);
     }
+    /// Its one child; 0 when the kernel does not tell.
+    pid_t guardian() const {
+        QFile file(QStringLiteral("/proc/%1/task/%1/children").arg(pid));
+        return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().toInt() : 0;
+    }
     bool isStopped() const {
         return QTest::qWaitFor([&] { return motors->stops > 0; }, kPatience);
     }
@@ -118,14 +123,36 @@ private slots:
         QVERIFY2(median(delays) < 50 * kMillisecond, qPrintable(QString::number(median(delays))));
     }
 
+    /// A crash would leave the force on: without a guardian there is none.
+    void withoutAGuardianThereIsNoForce_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("killed") << SIGKILL;
+        QTest::newRow("stopped") << SIGSTOP;
+    }
+
+    void withoutAGuardianThereIsNoForce() {
+        QFETCH(int, signal);
+        Program program("wait");
+        QVERIFY(program.presses());
+        const pid_t guardian = program.guardian();
+        if (guardian == 0) QSKIP("this kernel does not list children");
+        QCOMPARE(kill(guardian, signal), 0);
+        const auto goesOn = [&](std::uint64_t exchanges) {
+            const std::uint64_t before = program.motors->exchanges;
+            return QTest::qWaitFor([&] { return program.motors->exchanges > before + exchanges; }, kPatience);
+        };
+        QVERIFY(QTest::qWaitFor([&] { return program.motors->push == 0; }, kPatience));
+        QVERIFY(goesOn(600)); // somebody arms again and again meanwhile
+        QCOMPARE(program.motors->push.load(), 0.0);
+        QCOMPARE(program.motors->stops.load(), 0); // it was the servo
+        kill(guardian, SIGKILL);
+    }
+
     void nobodyIsLeftBehind() {
         Program program("wait");
         QVERIFY(program.presses());
-        const QString children = QStringLiteral("/proc/%1/task/%1/children").arg(program.pid);
-        QFile file(children);
-        if (!file.open(QIODevice::ReadOnly)) QSKIP("this kernel does not list children");
-        const pid_t guardian = file.readAll().trimmed().toInt();
-        QVERIFY(guardian > 0);
+        const pid_t guardian = program.guardian();
+        if (guardian == 0) QSKIP("this kernel does not list children");
         kill(program.pid, SIGKILL);
         QVERIFY(QTest::qWaitFor([&] { return kill(guardian, 0) != 0; }, kPatience));
     }

@@ -134,8 +134,8 @@ void HealthPanel::addPeriods() {
     auto* title = rows->takeAt(0)->widget();
     auto* line = new QHBoxLayout;
     const QString meaning = tr(
-        "How far the servo's periods were from their length since the start, on logarithmic axes. Bars far "
-        "to the right lower the stiffness ceiling. Real-time priority moves them to the left.");
+        "How far the servo's periods were from their length in the last seconds, on logarithmic axes. Bars "
+        "far to the right lower the stiffness ceiling. Real-time priority moves them to the left.");
     spread_ = figure(QStringLiteral("health-spread"), meaning);
     spread_->setProperty("dimmed", true);
     line->addWidget(title);

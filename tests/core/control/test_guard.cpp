@@ -37,6 +37,7 @@ const std::vector<Case>& faults() {
         {"let go", Withheld::TooFast, [](GuardInput& tick) { tick.speed = 1.01 * kTripSpeed; }},
         {"jump", Withheld::ForceJump, [](GuardInput& tick) { tick.sudden = 1.01 * kForceJump * kMaxForce; }},
         {"not finite", Withheld::NotFinite, [](GuardInput& tick) { tick.finite = false; }},
+        {"no guardian", Withheld::Unguarded, [](GuardInput& tick) { tick.unguarded = true; }},
         {"late", Withheld::Late, [](GuardInput& tick) { tick.late = true; }, kLateTicks + 1}};
     return all;
 }

@@ -4,7 +4,10 @@
 
 #include <QtTest>
 
+#include "core/control/device_check.h"
 #include "core/control/motor_heat.h"
+#include "core/control/oscillation_detector.h"
+#include "core/control/passivity.h"
 #include "core/control/safe_stiffness.h"
 #include "core/control/sample_check.h"
 
@@ -139,7 +142,8 @@ private slots:
                          .damping = 2.1,
                          .dryFriction = 0,
                          .resolution = 0,
-                         .makersCeiling = 0};
+                         .makersCeiling = 0,
+                         .surfaceDamping = 0};
         QVERIFY(std::abs(safeStiffness(loop).value - 723.9) < 0.1);
         QVERIFY(safeStiffness(loop).reason == CeilingReason::Damping);
         loop.dryFriction = 0.05;
@@ -149,8 +153,72 @@ private slots:
         loop.makersCeiling = 100;
         QCOMPARE(safeStiffness(loop).value, 100.0);
         QVERIFY(safeStiffness(loop).reason == CeilingReason::Maker);
+        // Half of 0.7 * 2.1 N s/m is left for what the surface itself damps with.
+        loop.makersCeiling = loop.dryFriction = 0;
+        loop.surfaceDamping = 0.47;
+        QVERIFY(std::abs(safeStiffness(loop).value - 492.4) < 0.1);
+        QVERIFY(safeStiffness(loop).reason == CeilingReason::SurfaceDamping);
+        QVERIFY(std::abs(safeStiffness(loop).damping - 0.735) < 1e-9);
+        loop.surfaceDamping = 20;
+        QVERIFY(std::abs(safeStiffness(loop).value - 723.9 / 2) < 0.1);
         const StiffnessCeiling typical = safeStiffness(loopFigures(DeviceInfo{}));
         QVERIFY(std::abs(typical.value - 0.7 * 2 / 1.5e-3) < 1e-9);
+    }
+
+    /// 0 / 0, and figures that no driver can mean.
+    void withoutFiguresNothingIsStiff() {
+        for (const LoopFigures& loop :
+             {LoopFigures{.period = 0}, LoopFigures{.period = 0, .damping = 2}, LoopFigures{.damping = -1},
+              LoopFigures{.period = kNan, .damping = 2}, LoopFigures{.damping = kNan}}) {
+            QCOMPARE(safeStiffness(loop).value, 0.0);
+            QCOMPARE(safeStiffness(loop).damping, 0.0);
+        }
+    }
+
+    void figuresThatCannotBeAreRefused_data() {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("speed");
+        QTest::newRow("no rate") << 0.0 << 1.5;
+        QTest::newRow("backwards") << -1000.0 << 1.5;
+        QTest::newRow("no number") << kNan << 1.5;
+        QTest::newRow("each tick a stall") << 50.0 << 1.5;
+        QTest::newRow("absurd") << 1e9 << 1.5;
+        QTest::newRow("never moves") << 1000.0 << 0.0;
+    }
+
+    void figuresThatCannotBeAreRefused() {
+        QFETCH(double, rate);
+        QFETCH(double, speed);
+        QVERIFY(checkDevice({}).has_value());
+        const auto refused = checkDevice({.name = "Odd\none", .rate = rate, .tripSpeed = speed});
+        QVERIFY(!refused.has_value());
+        QVERIFY(refused.error().text.find("Odd") != std::string::npos);
+        QVERIFY(refused.error().text.find(rate == 1000 ? "trip speed" : "rate") != std::string::npos);
+        QVERIFY(refused.error().text.find('\n') == std::string::npos);
+    }
+
+    /// It would stay in the sum for ever.
+    void energyForgetsWhatIsNoNumber() {
+        Passivity passivity(DeviceInfo{});
+        passivity.observe(Vec3::Zero(), Vec3::Zero(), kTick);
+        passivity.observe(Vec3::Constant(kNan), Vec3::Zero(), kTick);
+        passivity.observe(Vec3::Zero(), Vec3::Constant(kNan), kTick);
+        RenderedSpring spring{.force = Vec3::UnitZ(), .stiffness = 100, .stretch = 0.01, .limit = 8};
+        spring.velocity = Vec3::Constant(kNan);
+        for (int i = 0; i < 3; ++i)
+            passivity.commanded(spring);
+        passivity.observe(Vec3::Zero(), Vec3::Zero(), kTick);
+        QVERIFY(std::isfinite(passivity.energy()));
+        QVERIFY(std::isfinite(passivity.damping({}, Vec3::UnitZ(), kTick)));
+    }
+
+    void swingsAreSeenAfterWhatIsNoNumber() {
+        OscillationDetector detector;
+        QVERIFY(!detector(Vec3::Constant(kNan), kTick));
+        bool seen = false;
+        for (int i = 0; i < 200; ++i)
+            seen |= detector(Vec3(0, 0, 1e-3 * std::sin(2 * M_PI * 50 * i * kTick)), kTick);
+        QVERIFY(seen);
     }
 };
 

@@ -26,8 +26,9 @@ struct Probe {
     std::atomic<bool> nonsense{false}; ///< the finger's position is no number
     std::atomic<bool> refusesToOpen{false};
     std::atomic<bool> isOpen{false};
-    std::atomic<int> pause{0};   ///< ms, that the next exchange stands still
-    std::atomic<double> push{0}; ///< newest command along z, N
+    std::atomic<double> rate{1000}; ///< Hz, that the driver names
+    std::atomic<int> pause{0};      ///< ms, that the next exchange stands still
+    std::atomic<double> push{0};    ///< newest command along z, N
     std::vector<Exchange> log;
     int exchangesWhileClosed = 0;
 
@@ -43,7 +44,7 @@ public:
     explicit ProbeDevice(std::shared_ptr<Probe> probe) : probe_(std::move(probe)) {}
 
     DeviceInfo info() const override {
-        return {.name = "Probe", .maxForce = kMaxForce, .rate = 1000, .damping = kGrip};
+        return {.name = "Probe", .maxForce = kMaxForce, .rate = probe_->rate, .damping = kGrip};
     }
     Result<void> open() override {
         if (probe_->refusesToOpen) return machineError("The probe is not plugged in: plug it in.");

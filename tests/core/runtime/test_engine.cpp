@@ -250,6 +250,20 @@ private slots:
         QCOMPARE(census.diedElsewhere.load(), 0);
     }
 
+    void aDeviceOfNoRateIsRefused() {
+        for (const double rate : {0.0, -1.0, std::nan(""), 1e12}) {
+            const auto probe = std::make_shared<Probe>();
+            probe->rate = rate;
+            Engine engine(std::make_unique<ProbeDevice>(probe));
+            const auto refused = engine.start();
+            QVERIFY(!refused.has_value() && !engine.running());
+            QVERIFY2(refused.error().text.find("rate") != std::string::npos, refused.error().text.c_str());
+            QVERIFY(!probe->isOpen);
+            probe->rate = 1000; // another driver
+            QVERIFY(engine.start().has_value());
+        }
+    }
+
     void worldsPublishedBeforeTheStartAreReleasedToo() {
         Census census;
         {

@@ -1,9 +1,11 @@
 // The clock of the loops. Only lower bounds are checked: how late a machine wakes a thread is its own affair.
+#include <atomic>
 #include <cmath>
 
 #include <QtTest>
 
 #include "core/runtime/metronome.h"
+#include "core/runtime/period_histogram.h"
 
 using namespace tactum;
 
@@ -13,6 +15,12 @@ void workFor(double seconds) {
     const std::int64_t end = monotonicNanoseconds() + std::int64_t(1e9 * seconds);
     while (monotonicNanoseconds() < end) {
     }
+}
+
+std::atomic<std::int64_t> slept{0}; // ns, of a machine that the test sends to sleep
+
+std::int64_t sleepersClock() noexcept {
+    return monotonicNanoseconds() + slept;
 }
 
 } // namespace
@@ -63,6 +71,45 @@ private slots:
             workFor(kWork);
             QVERIFY(metronome.wait().elapsed >= kWork * (1 + kRest) - 1e-9);
         }
+    }
+
+    /// CLOCK_MONOTONIC does not know that it was asleep.
+    void aSleepingMachineCounts() {
+        constexpr double kHour = 3600;
+        Metronome metronome(1000, 0, sleepersClock);
+        for (int i = 0; i < 20; ++i)
+            QVERIFY(metronome.wait().elapsed < kHour);
+        slept += std::int64_t(kHour) * 1'000'000'000;
+        const Tick after = metronome.wait();
+        QVERIFY(after.elapsed > 0.99 * kHour && after.missed);
+        QVERIFY(after.time < kHour);
+        double sum = after.elapsed; // the same hour does not count twice
+        for (int i = 0; i < 20; ++i)
+            sum += metronome.wait().elapsed;
+        QVERIFY(sum >= kHour && sum < 1.5 * kHour);
+    }
+
+    /// A loop that becomes worse after hours, and well again.
+    void periodsAreThoseOfTheLastSeconds() {
+        RecentPeriods periods;
+        double now = 0;
+        const auto tick = [&](double seconds, double micros) {
+            for (const double end = now + seconds; now < end; now += 1e-3)
+                periods.add(now, micros);
+        };
+        tick(3600, 3);
+        QCOMPARE(periods.counted().quantile(0.999), 5.0);
+        tick(0.1, 1500);
+        QCOMPARE(periods.counted().quantile(0.999), 2000.0);
+        tick(2 * RecentPeriods::kPeriodWindow, 3);
+        QCOMPARE(periods.counted().quantile(0.999), 5.0);
+        std::uint64_t ticks = 0;
+        for (const std::uint32_t count : periods.counted().count)
+            ticks += count;
+        QVERIFY(ticks > 4900 && ticks < 10100);
+        now += 3600; // the machine slept
+        periods.add(now, 9000);
+        QCOMPARE(periods.counted().quantile(0.001), 10000.0);
     }
 
     void halfSecondSpeaksOfTheLastFullOne() {

@@ -15,6 +15,12 @@ namespace {
 constexpr double kSpring = 500, kDepth = 0.002;
 constexpr double kPush = kSpring * kDepth;
 
+std::atomic<std::int64_t> slept{0}; // ns, of a machine that the test sends to sleep
+
+std::int64_t sleepersClock() noexcept {
+    return monotonicNanoseconds() + slept;
+}
+
 /// A servo loop whose finger is pressed into the plane z = 0.
 struct RunningServo {
     RunningServo() {
@@ -24,7 +30,9 @@ struct RunningServo {
     ~RunningServo() { stop(); }
 
     void start() {
-        thread = std::thread([this] { servoLoop(*channels, device, device.info(), {guardian, canary}); });
+        thread = std::thread([this] {
+            servoLoop(*channels, device, device.info(), {guardian, canary}, sleepersClock);
+        });
     }
     void stop() {
         channels->stop = true;
@@ -99,6 +107,22 @@ private slots:
                 ++stalls;
             }
         QVERIFY(stalls > 0);
+    }
+
+    /// A laptop that was closed while its force was on.
+    void afterTheMachineSleptTheOldForceDoesNotGoOut() {
+        RunningServo servo;
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(servo.pushesSteadily(kPush));
+        slept += std::int64_t(3600) * 1'000'000'000;
+        QVERIFY(eventually([&] { return servo.probe->push == 0; }));
+        QVERIFY(servo.pushesSteadily(kPush)); // softly, by itself
+        servo.stop();
+        const auto woke =
+            std::ranges::find_if(servo.probe->log, [](const Exchange& e) { return e.dt > 3600; });
+        QVERIFY(woke != servo.probe->log.end());
+        QVERIFY(isZero(*woke) && isZero(*std::next(woke)));
     }
 
     void withheldForceComesBackByItsGain() {

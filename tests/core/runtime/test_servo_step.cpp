@@ -65,13 +65,13 @@ struct Held {
         info.maxForce = 20;
         return info;
     }
-    Vec3 tick(const Vec3& finger) {
+    Vec3 tick(const Vec3& finger, double dt = kTick) {
         DeviceSample sample;
         sample.position = finger;
         sample.valid = true;
         sample.buttons = buttons;
         model.anchoring = state.guard.anchoring();
-        return servoStep(state, settings, {sample, kTick, false, true}, model).force;
+        return servoStep(state, settings, {.sample = sample, .dt = dt, .fresh = true}, model).force;
     }
     void rest(const Vec3& finger, int ticks = 1000) {
         for (int i = 0; i < ticks; ++i)
@@ -221,10 +221,38 @@ private slots:
         QVERIFY(held.tick({0, 0, -0.003}).isZero(0));
     }
 
+    /// What is being left is no stiffer than the device bears either, when that becomes less.
+    void whatIsBeingLeftKeepsToTheCeiling() {
+        const Vec3 finger(0, 0, -0.004);
+        Held held;
+        held.settings.overrideCeiling = false;
+        held.model = wall(5000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 300; ++i)
+            held.tick(finger * (i / 300.0));
+        held.model.planes = 0;
+        ++held.model.restarts;
+        held.tick(finger);
+        QVERIFY(held.state.ease.easing() && held.state.ease.rendered().stiffness > 900);
+        held.settings.period = 5e-3;
+        for (int i = 0; i < 20; ++i)
+            held.tick(finger);
+        QVERIFY(held.state.ease.easing());
+        QVERIFY2(held.state.ease.rendered().stiffness <= held.state.ceiling.value,
+                 qPrintable(QString("%1 N/m of %2")
+                                .arg(held.state.ease.rendered().stiffness)
+                                .arg(held.state.ceiling.value)));
+    }
+
     void deadManSwitch() {
         Held held;
         held.settings.deadMan = 2;
         held.model = wall(1000);
+        held.buttons = 2; // stuck since the device came: nobody holds it
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 0;
         held.rest({0, 0, -0.001});
         QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
         QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
@@ -233,6 +261,57 @@ private slots:
         QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
         held.buttons = 1;
         QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+    }
+
+    /// A button that is held while the cable goes in and out may be stuck by now.
+    void aDeviceThatComesBackMustLetItsButtonGo() {
+        Held held;
+        held.settings.deadMan = 1;
+        held.model = wall(1000);
+        held.rest({0, 0, -0.001}, 10);
+        held.buttons = 1;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        for (int i = 0; i < kBadSamplesToLoss; ++i)
+            held.tick(Vec3::Constant(std::nan("")));
+        held.settings.armed = false;
+        held.rest({0, 0, -0.001}, 10);
+        held.settings.armed = true;
+        held.rest({0, 0, -0.001});
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 0;
+        held.tick({0, 0, -0.001});
+        held.buttons = 1;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+    }
+
+    /// The servo loop sends nothing but zero after a stall: the force of before it has done no work.
+    void whatAStallKeptBackIsNoEnergy() {
+        Held held;
+        held.model = wall(10000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 180; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(held.tick({0, 0, -0.0018}).z() > 17);
+        held.tick({0, 0, -0.0018}, 0.05);
+        held.tick({0, 0, 0.0007});
+        QVERIFY2(held.state.passivity.energy() <= 0,
+                 qPrintable(QString::number(held.state.passivity.energy())));
+    }
+
+    /// The author's wish is bounded as the stiffness is, unless the person knows better.
+    void dampingIsBoundedToo() {
+        for (const bool knowsBetter : {false, true}) {
+            Held held;
+            held.settings.overrideCeiling = knowsBetter;
+            held.model = wall(100);
+            held.model.damping = 20;
+            held.rest({0, 0, -0.001});
+            const double most = held.state.ceiling.damping;
+            QVERIFY(most > 0.1 && most < 2);
+            QCOMPARE(held.state.ease.rendered().damping, knowsBetter ? 20.0 : most);
+        }
     }
 
     /// Sharp edges and hard hits are no fault.
@@ -247,6 +326,61 @@ private slots:
             QCOMPARE(held.state.guard.faults(), 0u);
             QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
         }
+    }
+
+    /// An anchor that jumps to the other side of the finger: as far as before, the other way.
+    void aForceThatTurnsAroundIsAFault() {
+        Held held;
+        held.model = wall(2000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 400; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(std::abs(held.tick({0, 0, -0.004}).z() - 8) < 1e-9);
+        held.model.plane[0] = {-Vec3::UnitZ(), 0.008};
+        QVERIFY(held.tick({0, 0, -0.004}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
+    }
+
+    /// The finger goes in at 0.8 m/s when what it is in begins to brake it.
+    void aDampingThatJumpsIsAFault() {
+        Held held;
+        held.model = wall(200);
+        held.rest({0, 0, 0.01});
+        double z = 0.01;
+        for (; z > -0.01; z -= 0.8 * kTick)
+            held.tick({0, 0, z});
+        QCOMPARE(held.state.guard.faults(), 0u);
+        held.model.damping = 20;
+        QVERIFY(held.tick({0, 0, z}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
+    }
+
+    /// Off an edge: what pushed is not there any more.
+    void aForceThatIsGoneIsNoFault() {
+        Held held;
+        held.model = wall(2000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 900; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(held.tick({0, 0, -0.009}).z() > 17);
+        held.model.planes = 0;
+        QVERIFY(held.tick({0, 0, -0.009}).isZero(0));
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
+    /// The proxy finds a surface only once the finger is in it.
+    void hitThatIsFoundLateIsNoFault() {
+        Held held;
+        held.model = wall(3000);
+        held.model.damping = 20;
+        held.model.planes = 0;
+        held.rest({0, 0, 0.0207}); // 0.3 mm deep when it is found
+        for (double z = 0.0207; z > -0.006; z -= 1.4 * kTick) {
+            held.model.planes = z < 0;
+            held.tick({0, 0, z});
+        }
+        QCOMPARE(held.state.guard.faults(), 0u);
+        QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
     }
 
     /// From a soft surface onto a stiff one, deep in.

@@ -1,0 +1,16 @@
+// Whether what a device says of itself can be true.
+#pragma once
+
+#include "core/control/haptic_device.h"
+
+namespace tactum {
+
+/// Rates that a servo can keep: at less than the first each tick would be a stall (kStall), and beyond the
+/// second no computer wakes in time. Unit: Hz.
+inline constexpr double kSlowestRate = 150, kFastestRate = 10'000;
+
+/// A sentence about the first figure that cannot be. Every rule of the guard rests on these figures: a device
+/// whose driver has them wrong is not used. Thread: any but real time.
+Result<void> checkDevice(const DeviceInfo& device);
+
+} // namespace tactum
