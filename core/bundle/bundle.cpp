@@ -56,8 +56,9 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
     auto glb = glbOf(scene, partOf(progress, 0.2, 0.3));
     if (!glb) return tl::unexpected<Error>(glb.error());
     if (!reached(0.3)) return cancelledError();
-    X3dExport x3d = x3dOf(scene);
-    if (!reached(0.6)) return cancelledError();
+    auto written = x3dOf(scene, partOf(progress, 0.3, 0.8)); // its pictures can take most of the time
+    if (!written) return tl::unexpected<Error>(written.error());
+    X3dExport& x3d = *written;
     const std::vector<FingerPoint> finger = scene.finger ? *scene.finger : sampleStroke(**world);
     std::vector<ZipEntry> files{{bundle_name::kScene, std::move(*glb)},
                                 {bundle_name::kFinger, fingerCsv(finger)},
@@ -68,7 +69,7 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
                                 {bundle_name::kDevice, std::move(x3d.device)}};
     for (X3dImage& image : x3d.images)
         files.push_back({std::move(image.name), std::move(image.bytes)});
-    if (!reached(0.8)) return cancelledError();
+    if (!reached(0.9)) return cancelledError();
     return packBundle(files);
 }
 
@@ -76,6 +77,7 @@ Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, c
     try {
         const auto bundle = bundleOf(scene, partOf(progress, 0, 0.95));
         if (!bundle) return tl::unexpected<Error>(bundle.error());
+        if (progress.isCancelled()) return cancelledError();
         return writeFileAtomically(file, *bundle);
     } catch (const std::bad_alloc&) {
         return machineError(file.string() + ": not enough memory to export the scene; close other programs");

@@ -63,7 +63,7 @@ int GltfData::addNumbers(const std::vector<float>& values, const char* type, boo
 
 int GltfData::addTexture(const std::shared_ptr<const TextureImage>& image) {
     const auto [found, isNew] = textures_.try_emplace(image.get(), 0);
-    if (isNew) found->second = addTexture(encodePng(*image), image->name());
+    if (isNew) found->second = addTexture(encodePng(*image, progress_), image->name());
     return found->second;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/files/gltf/gltf_file.h"
 #include "core/surface/texture_image.h"
 
@@ -16,8 +17,10 @@ namespace tactum {
 /// Appends elements; returns their indices. What is in the arrays already keeps its place.
 class GltfData {
 public:
-    /// `root` outlives this; `binary` is what its buffer views refer to.
-    GltfData(Json& root, std::string binary) : root_(root), binary_(std::move(binary)) {}
+    /// `root` and `progress` outlive this; `binary` is what its buffer views refer to. After a cancel
+    /// pictures are left empty.
+    GltfData(Json& root, std::string binary, const Progress& progress)
+        : root_(root), progress_(progress), binary_(std::move(binary)) {}
 
     int add(const char* array, Json element);
     std::size_t count(const char* array) const;
@@ -50,6 +53,7 @@ private:
     }
 
     Json& root_;
+    const Progress& progress_;
     std::string binary_;
     std::map<const TextureImage*, int> textures_;
 };

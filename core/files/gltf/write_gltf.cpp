@@ -21,7 +21,8 @@ class GltfWriter {
 public:
     GltfWriter(const Scene& scene, const Progress& progress)
         : scene_(scene), progress_(progress), root_(foreignRoot(scene)), foreign_(arrayCounts(root_)),
-          tree_(root_), data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string()) {
+          tree_(root_),
+          data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string(), progress) {
         foreign_["bytes"] = scene.kept.foreign ? scene.kept.foreign->binary.size() : 0;
     }
 
@@ -218,6 +219,7 @@ Result<std::string> GltfWriter::write() {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         copies.add(scene_.objects[i], nodes_[i],
                    indexIn(root_["nodes"][std::size_t(nodes_[i])], "mesh", data_.count("meshes")));
+    if (progress_.isCancelled()) return cancelledError();
     finishRoot(roots, copies.wrote());
     const std::string binary = data_.finish();
     if (binary.size() > kLargestGlb)

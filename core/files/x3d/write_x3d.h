@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/files/loss_report.h"
 #include "core/scene/scene.h"
 
@@ -27,5 +29,7 @@ struct X3dExport {
 /// other a SmoothSurface; what H3D cannot say stands in a MetadataSet under it. The same scene gives the same
 /// bytes. Thread: any but real time.
 X3dExport x3dOf(const Scene& scene);
+/// The same for somebody who waits: large pictures take seconds. Error: cancelled.
+Result<X3dExport> x3dOf(const Scene& scene, const Progress& progress);
 
 } // namespace tactum
