@@ -33,6 +33,7 @@ public:
     /// Accessors of their own views: vertex attributes with their bounds, indices, and numbers of animations.
     int addAttribute(const std::vector<Eigen::Vector3f>& values, bool bounds);
     int addAttribute(const std::vector<Eigen::Vector2f>& values);
+    int addAttribute(const std::vector<Eigen::Vector4f>& values);
     int addIndices(const std::vector<std::uint32_t>& values);
     /// `type`: SCALAR, VEC3 or VEC4. `bounds`: of a scalar.
     int addNumbers(const std::vector<float>& values, const char* type, bool bounds = false);
@@ -40,6 +41,8 @@ public:
     /// The texture of an image, which is stored once as PNG.
     int addTexture(const std::shared_ptr<const TextureImage>& image);
     int addTexture(const std::string& png, const std::string& name);
+    /// The same without a name; equal pictures are stored once.
+    int addSharedTexture(const std::string& png);
 
     /// Takes the binary chunk, and says in the root how long it is.
     std::string finish();
@@ -56,6 +59,7 @@ private:
     const Progress& progress_;
     std::string binary_;
     std::map<const TextureImage*, int> textures_;
+    std::map<std::string, int> shared_; ///< by their bytes
 };
 
 } // namespace tactum
