@@ -126,7 +126,10 @@ private:
         wanted_ = (most.cwiseProduct(canvas_.size).array() - 1e-6).ceil().max(1.0).min(1e9);
         const Vector2d sides = wanted_.cwiseMin(double(how_.largestSide));
         canvas_.width = int(sides.x()), canvas_.height = int(sides.y());
-        smallestFeature_ = sides == wanted_ ? 0 : metresPerUv_ * canvas_.size.cwiseQuotient(sides).maxCoeff();
+        smallestFeature_ = 0;
+        for (int i = 0; i < 2; ++i) // grooves need one row alone, which is no lack of detail
+            if (sides[i] < wanted_[i])
+                smallestFeature_ = std::max(smallestFeature_, metresPerUv_ * canvas_.size[i] / sides[i]);
     }
 
     void loseDetail() {

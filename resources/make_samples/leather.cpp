@@ -91,7 +91,7 @@ SceneObject cushion() {
     const std::vector<TextureLayer> all = layers();
     for (Surface& each : made.surfaces) {
         each.layers = all;
-        each.shading.on = true;
+        each.shading = {.on = true, .normals = NormalSource::Computed};
     }
     return made;
 }

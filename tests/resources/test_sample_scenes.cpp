@@ -65,7 +65,7 @@ private slots:
             const QByteArray committed = contentOf(QString::fromStdString(kFolder) + name);
             QVERIFY2(contentOf(made.filePath(name)) == committed, qPrintable(name));
             if (name.endsWith(".glb") || name.endsWith(".png"))
-                QVERIFY2(committed.size() < 300'000 + pathLength(name), qPrintable(name));
+                QVERIFY2(committed.size() < 500'000 + pathLength(name), qPrintable(name));
             if (name.endsWith(".glb") || name.endsWith(".png")) total += committed.size() - pathLength(name);
             if (name.endsWith(".csv")) rows += committed.size();
         }

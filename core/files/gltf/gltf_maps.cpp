@@ -50,9 +50,35 @@ Eigen::Vector4f tangentOf(const Frame& frame, const Vec3& normal) {
     return {float(along.x()), float(along.y()), float(along.z()), side};
 }
 
+bool usesUvs(const TexturePattern& pattern) {
+    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
+}
+bool usesUvs(const TextureLayer& layer) {
+    return usesUvs(layer.pattern) && (!layer.mask || usesUvs(*layer.mask));
+}
+
+/// The first surface whose picture is that of this one, but for rounding: often only colours differ.
+Index firstLike(const SceneObject& object, Index surface) {
+    const auto& layers = object.surfaces[surface].layers;
+    if (object.geometry->cornerUvs.empty() ||
+        !std::ranges::all_of(layers, [](auto& layer) { return usesUvs(layer); }))
+        return surface;
+    const UvCanvas canvas = uvRectangleOf(*object.geometry, surface);
+    const double metres = metresPerUvOf(*object.geometry, surface);
+    for (Index other = 0; other < surface; ++other) {
+        if (!(object.surfaces[other].layers == layers)) continue;
+        const UvCanvas its = uvRectangleOf(*object.geometry, other);
+        if (its.low == canvas.low && its.size == canvas.size &&
+            std::abs(metresPerUvOf(*object.geometry, other) - metres) <= 1e-6 * metres)
+            return other;
+    }
+    return surface;
+}
+
 } // namespace
 
-const FlatPicture& SurfaceMaps::height(const SceneObject& object, Index surface) {
+const FlatPicture& SurfaceMaps::height(const SceneObject& object, Index asked) {
+    const Index surface = firstLike(object, asked);
     const auto [found, isNew] = heights_.try_emplace({&object, surface});
     if (isNew) found->second = flattenHeight(object, surface, how_);
     return found->second;
@@ -64,7 +90,7 @@ FlatPicture SurfaceMaps::felt(const SceneObject& object, Index surface, double M
 
 std::string SurfaceMaps::normalsPng(const SceneObject& object, Index surface) {
     const FlatPicture& picture = height(object, surface);
-    const double metres = metresPerUvOf(*object.geometry, surface);
+    const double metres = metresPerUvOf(*object.geometry, firstLike(object, surface));
     if (!picture.image || metres <= 0) return {};
     const auto& level = picture.image->level(0);
     const auto heightAt = [&](int x, int y) {

@@ -12,15 +12,15 @@
 namespace tactum {
 
 /// A map is a copy for others, which must not make saving slow or files large. Texels
-inline constexpr int kLargestMapSide = 256;
+inline constexpr int kLargestMapSide = 192;
 
 /// The maps of a scene's surfaces. Objects outlive it. Of no use after a cancel.
 class SurfaceMaps {
 public:
     explicit SurfaceMaps(const Progress& progress) : how_{kLargestMapSide, {{}, progress.cancelled}} {}
 
-    /// As flattenHeight(); asked for twice it is made once.
-    const FlatPicture& height(const SceneObject& object, Index surface);
+    /// As flattenHeight(); made once for surfaces of one object on which it is the same.
+    const FlatPicture& height(const SceneObject& object, Index asked);
     FlatPicture felt(const SceneObject& object, Index surface, double Material::*value) const;
     /// The height as an RGB picture of normals in the frame of tangents: x along u, y along v upward. Empty
     /// where the height is the same everywhere.

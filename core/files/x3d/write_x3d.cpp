@@ -12,8 +12,6 @@
 namespace tactum {
 namespace {
 
-/// What a light desk device gives for as long as one likes. N
-constexpr double kForceLimit = 3;
 /// How far around the finger H3D looks for triangles at least. m
 constexpr double kLookAround = 0.02;
 /// A cubic becomes straight pieces of this length. s
@@ -252,10 +250,21 @@ private:
     void writeDevice() {
         XmlElement root(result_.device, "X3D");
         root.set("profile", "Full").set("version", "3.2");
+        {
+            XmlElement head(root, "head");
+            XmlElement(head, "meta").set("name", "generator").set("content", "Tactum");
+            XmlElement(head, "meta")
+                .set("name", "description")
+                .set("content", "The device for scene.x3d. proxyRadius is the scene's, in m. forceLimit, in "
+                                "N, is not: it is "
+                                "what a light desk device gives for as long as one likes; report.md of a "
+                                "bundle says what "
+                                "its finger path needs.");
+        }
         XmlElement scene(root, "Scene");
         XmlElement info(scene, "DeviceInfo");
         XmlElement device(info, "AnyDevice");
-        device.set("forceLimit", kForceLimit);
+        device.set("forceLimit", kX3dForceLimit);
         XmlElement(device, "RuspiniRenderer").set("proxyRadius", proxyRadius_);
     }
 

@@ -11,6 +11,9 @@
 
 namespace tactum {
 
+/// The most that deviceinfo.x3d lets H3D command: what a light desk device gives for as long as one likes. N
+inline constexpr double kX3dForceLimit = 3;
+
 struct X3dImage {
     std::string name;  ///< beside the scene, as its url says: a folder, a slash and plain letters
     std::string bytes; ///< PNG, 8 bits grey

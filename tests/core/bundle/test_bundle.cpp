@@ -153,6 +153,27 @@ private slots:
         QVERIFY(!BundleFiles::open(writeZip(std::vector<ZipEntry>(zip->begin() + 1, zip->end()))));
     }
 
+    /// The limit for H3D is a device's, not the scene's: the report tells what the path needs.
+    void theReportComparesTheForceLimit() {
+        for (const auto& [stiffness, word] :
+             {std::pair{500.0, "| kept | force limit |"}, {2000.0, "| degraded | force limit |"}}) {
+            Scene scene = plate();
+            scene.objects[0].surfaces[0].material.stiffness = stiffness;
+            const auto files = BundleFiles::open(bytesOf(scene));
+            const std::string report(files->file(bundle_name::kReport));
+            const auto at = report.find(word);
+            QVERIFY2(at != std::string::npos, report.c_str());
+            double most = 0;
+            const auto bundle = openBundle(write(bytesOf(scene)));
+            for (const Vec3& force : bundle->forces)
+                most = std::max(most, force.norm());
+            const std::string line = report.substr(at, report.find('\n', at) - at);
+            const std::string number = QString::number(std::round(100 * most) / 100).toStdString();
+            QVERIFY2(line.find("up to " + number + " N") != std::string::npos, line.c_str());
+            QVERIFY(files->file(bundle_name::kDevice).find("forceLimit=\"3\"") != std::string::npos);
+        }
+    }
+
     void aStrokeTouchesWhatLiesBelowTheMiddle() {
         const auto world = compile(plate());
         int touching = 0;

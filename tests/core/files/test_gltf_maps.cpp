@@ -194,6 +194,21 @@ private slots:
         QVERIFY(felt["friction"][0]["extras"]["unit"] == Json(""));
         QVERIFY(felt["vibrotactileTexture"][0]["extras"]["unit"] == Json("m"));
     }
+    /// What differs in colour alone is stored once; what lies elsewhere or is felt otherwise is not.
+    void likeSurfacesShareTheirMap() {
+        Scene scene = sceneOf(sheet(), {ramp(TextureTarget::Height, 5e-3)});
+        auto soup = std::make_shared<TriangleSoup>(*scene.objects[0].geometry);
+        soup->surfaceOf = {0, 1};
+        soup->positions[2] *= 1 + 1e-9; // rounding
+        scene.objects[0].geometry = soup;
+        scene.objects[0].surfaces.push_back(scene.objects[0].surfaces[0]);
+        const auto looks = [&](std::size_t i) {
+            return int(Seen(saved(scene)).json["materials"][i]["normalTexture"]["index"]);
+        };
+        QCOMPARE(looks(0), looks(1));
+        scene.objects[0].surfaces[1].layers[0].strength = 4e-3;
+        QVERIFY(looks(0) != looks(1));
+    }
     /// Whatever the images of a scene are, its copies stay small.
     void mapsAreCapped() {
         Rng rng(3);
