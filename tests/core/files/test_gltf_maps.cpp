@@ -206,6 +206,8 @@ private slots:
             return int(Seen(saved(scene)).json["materials"][i]["normalTexture"]["index"]);
         };
         QCOMPARE(looks(0), looks(1));
+        SurfaceMaps maps({});
+        QCOMPARE(&maps.height(scene.objects[0], 1), &maps.height(scene.objects[0], 0)); // made once
         scene.objects[0].surfaces[1].layers[0].strength = 4e-3;
         QVERIFY(looks(0) != looks(1));
     }

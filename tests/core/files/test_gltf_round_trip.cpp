@@ -220,7 +220,7 @@ private slots:
             Scene scene = load(glb);
             scene.proxyRadius *= 1.5; // ours is written anew
             glb = saved(scene);
-            const Json now = jsonOf(glb)["extensions"]["TACTUM_haptics"];
+            Json now = jsonOf(glb)["extensions"]["TACTUM_haptics"];
             QVERIFY(now["workspace"] == ours["workspace"]);
             QVERIFY(now["safety"] == ours["safety"]);
             QVERIFY(now["proxyRadius"] == scene.proxyRadius);
