@@ -1,11 +1,14 @@
 #include "core/bundle/bundle.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <new>
 
 #include "core/archive/bundle_files.h"
 #include "core/base/atomic_file.h"
+#include "core/base/numbers.h"
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
 #include "core/files/gltf/write_gltf.h"
@@ -20,19 +23,39 @@ namespace tactum {
 namespace {
 
 /// What each point of a path must feel, as rows of forces.csv.
-std::string forcesCsv(const World& world, const std::vector<FingerPoint>& finger) {
+std::vector<FingerPoint> forcesOf(const World& world, const std::vector<FingerPoint>& finger) {
     std::vector<FingerPoint> forces;
     for (const TouchRow& row : replay(world, finger))
         forces.push_back({row.t, row.force});
-    return fingerCsv(forces);
+    return forces;
 }
 
-std::vector<Loss> reportOf(const Scene& scene, const X3dExport& x3d) {
+/// How the limit in deviceinfo.x3d, which is no value of the scene, compares with what the path needs.
+Loss forceLimitOf(const std::vector<FingerPoint>& forces) {
+    double most = 0;
+    for (const FingerPoint& force : forces)
+        most = std::max(most, force.position.norm());
+    const auto newtons = [](double force) {
+        std::string text;
+        appendNumber(text, std::round(100 * force) / 100);
+        return text + " N";
+    };
+    const std::string sentence = newtons(kX3dForceLimit) +
+                                 " in deviceinfo.x3d, which a light desk device gives for as long as one "
+                                 "likes; the finger path needs up to " +
+                                 newtons(most);
+    if (most <= kX3dForceLimit) return {ExportTarget::X3d, "", "force limit", LossKind::Kept, sentence};
+    return {ExportTarget::X3d, "", "force limit", LossKind::Degraded,
+            sentence + ": raise forceLimit for a device that can give it"};
+}
+
+std::vector<Loss> reportOf(const Scene& scene, const X3dExport& x3d, const std::vector<FingerPoint>& forces) {
     std::vector<Loss> losses;
     for (const ExportTarget target : {ExportTarget::Glb, ExportTarget::Mpeg, ExportTarget::KhrPhysics})
         for (Loss& loss : lossesOf(scene, target))
             losses.push_back(std::move(loss));
     losses.insert(losses.end(), x3d.losses.begin(), x3d.losses.end());
+    losses.push_back(forceLimitOf(forces));
     return losses;
 }
 
@@ -56,19 +79,21 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
     auto glb = glbOf(scene, partOf(progress, 0.2, 0.3));
     if (!glb) return tl::unexpected<Error>(glb.error());
     if (!reached(0.3)) return cancelledError();
-    X3dExport x3d = x3dOf(scene);
-    if (!reached(0.6)) return cancelledError();
+    auto written = x3dOf(scene, partOf(progress, 0.3, 0.8)); // its pictures can take most of the time
+    if (!written) return tl::unexpected<Error>(written.error());
+    X3dExport& x3d = *written;
     const std::vector<FingerPoint> finger = scene.finger ? *scene.finger : sampleStroke(**world);
+    const std::vector<FingerPoint> forces = forcesOf(**world, finger);
     std::vector<ZipEntry> files{{bundle_name::kScene, std::move(*glb)},
                                 {bundle_name::kFinger, fingerCsv(finger)},
-                                {bundle_name::kForces, forcesCsv(**world, finger)},
+                                {bundle_name::kForces, fingerCsv(forces)},
                                 {bundle_name::kPreview, previewOf(scene)},
-                                {bundle_name::kReport, reportMarkdown(reportOf(scene, x3d))},
+                                {bundle_name::kReport, reportMarkdown(reportOf(scene, x3d, forces))},
                                 {bundle_name::kX3d, std::move(x3d.scene)},
                                 {bundle_name::kDevice, std::move(x3d.device)}};
     for (X3dImage& image : x3d.images)
         files.push_back({std::move(image.name), std::move(image.bytes)});
-    if (!reached(0.8)) return cancelledError();
+    if (!reached(0.9)) return cancelledError();
     return packBundle(files);
 }
 
@@ -76,6 +101,7 @@ Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, c
     try {
         const auto bundle = bundleOf(scene, partOf(progress, 0, 0.95));
         if (!bundle) return tl::unexpected<Error>(bundle.error());
+        if (progress.isCancelled()) return cancelledError();
         return writeFileAtomically(file, *bundle);
     } catch (const std::bad_alloc&) {
         return machineError(file.string() + ": not enough memory to export the scene; close other programs");

@@ -68,8 +68,9 @@ std::string millimetres(double metres) {
 /// Evaluates the stack of one surface on a canvas.
 class Flattener {
 public:
-    Flattener(const SceneObject& object, Index surface, const IsWanted& isWanted, ValueOf valueOf)
-        : soup_(*object.geometry), surface_(surface), valueOf_(std::move(valueOf)) {
+    Flattener(const SceneObject& object, Index surface, const Flattening& how, const IsWanted& isWanted,
+              ValueOf valueOf)
+        : soup_(*object.geometry), surface_(surface), how_(how), valueOf_(std::move(valueOf)) {
         if (const auto compiled = compileTextures(object.surfaces[surface].layers, object.geometry, surface))
             takeLayers(*compiled, isWanted);
     }
@@ -81,7 +82,7 @@ public:
         chooseCanvas();
         if (needsCover() && !findCover()) return picture(); // once more, without the layers that need it
         if (smallestFeature_ > 0) loseDetail();
-        evaluate();
+        if (!how_.progress.isCancelled()) evaluate();
         return finish();
     }
 
@@ -123,9 +124,12 @@ private:
             if (layer.mask) most = most.cwiseMax(density(*layer.mask, metresPerUv_));
         }
         wanted_ = (most.cwiseProduct(canvas_.size).array() - 1e-6).ceil().max(1.0).min(1e9);
-        const Vector2d sides = wanted_.cwiseMin(double(kLargestFlatSide));
+        const Vector2d sides = wanted_.cwiseMin(double(how_.largestSide));
         canvas_.width = int(sides.x()), canvas_.height = int(sides.y());
-        smallestFeature_ = sides == wanted_ ? 0 : metresPerUv_ * canvas_.size.cwiseQuotient(sides).maxCoeff();
+        smallestFeature_ = 0;
+        for (int i = 0; i < 2; ++i) // grooves need one row alone, which is no lack of detail
+            if (sides[i] < wanted_[i])
+                smallestFeature_ = std::max(smallestFeature_, metresPerUv_ * canvas_.size[i] / sides[i]);
     }
 
     void loseDetail() {
@@ -136,7 +140,7 @@ private:
 
     /// False when the layers that needed it had to go.
     bool findCover() {
-        cover_ = coverOf(canvas_, soup_, surface_);
+        cover_ = coverOf(canvas_, soup_, surface_, partOf(how_.progress, 0, kCoverPart));
         if (cover_.withoutArea > 0)
             lose("triangles without an area in texture coordinates show nothing: " +
                  std::to_string(cover_.withoutArea));
@@ -148,8 +152,13 @@ private:
 
     void evaluate() {
         values_.resize(canvas_.texels());
-        parallelFor(values_.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
+        const Progress all = partOf(how_.progress, needsCover() ? kCoverPart : 0, 1);
+        parallelFor(values_.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+            // The first part is on the thread of the caller, and takes as long as each of the others.
+            const Progress mine = part == 0 ? all : Progress{{}, all.cancelled};
+            constexpr std::size_t kLook = 2048; // texels: some milliseconds
+            ProgressMeter meter(mine, end - begin, kLook);
+            for (std::size_t i = begin; i < end && meter.goesOn(i - begin); ++i)
                 values_[i] = valueAt(i);
         });
     }
@@ -189,7 +198,7 @@ private:
         for (const double value : values_)
             if (!std::isnan(value))
                 ++count, sum += value, low = std::min(low, value), high = std::max(high, value);
-        if (count == 0) return picture;
+        if (count == 0 || how_.progress.isCancelled()) return picture;
         picture.canvas = canvas_;
         picture.low = low, picture.high = high, picture.mean = sum / double(count);
         if (high == low) return picture;
@@ -199,6 +208,7 @@ private:
             const double shown = std::isnan(value) ? std::clamp(beside, low, high) : value;
             texels.push_back(std::uint16_t(std::lround(65535 * ((shown - low) / (high - low)))));
         }
+        if (how_.progress.isCancelled()) return picture;
         picture.image = std::make_shared<const TextureImage>(canvas_.width, canvas_.height, std::move(texels),
                                                              "flattened");
         return picture;
@@ -206,11 +216,13 @@ private:
 
     void lose(std::string sentence) { lost_.push_back(std::move(sentence)); }
 
+    static constexpr double kCoverPart = 0.25; ///< of the time, where a cover is needed
     static constexpr double kBeside =
         std::numeric_limits<double>::quiet_NaN(); ///< value of a texel off the surface
 
     const TriangleSoup& soup_;
     const Index surface_;
+    const Flattening& how_;
     const ValueOf valueOf_;
     TextureStack stack_;
     UvCanvas canvas_;
@@ -234,16 +246,17 @@ bool counts(TextureTarget target, double Material::*value) {
 
 } // namespace
 
-FlatPicture flattenHeight(const SceneObject& object, Index surface) {
+FlatPicture flattenHeight(const SceneObject& object, Index surface, const Flattening& how) {
     return Flattener(
-               object, surface, [](TextureTarget target) { return target == TextureTarget::Height; },
+               object, surface, how, [](TextureTarget target) { return target == TextureTarget::Height; },
                [](const TextureFeel& felt) { return felt.height; })
         .picture();
 }
 
-FlatPicture flattenFactor(const SceneObject& object, Index surface, TextureTarget wanted) {
+FlatPicture flattenFactor(const SceneObject& object, Index surface, TextureTarget wanted,
+                          const Flattening& how) {
     return Flattener(
-               object, surface, [wanted](TextureTarget target) { return target == wanted; },
+               object, surface, how, [wanted](TextureTarget target) { return target == wanted; },
                [wanted](const TextureFeel& felt) {
                    switch (wanted) {
                    case TextureTarget::StaticFriction:
@@ -261,10 +274,11 @@ FlatPicture flattenFactor(const SceneObject& object, Index surface, TextureTarge
         .picture();
 }
 
-FlatPicture flattenFelt(const SceneObject& object, Index surface, double Material::*value) {
+FlatPicture flattenFelt(const SceneObject& object, Index surface, double Material::*value,
+                        const Flattening& how) {
     const Material& material = object.surfaces[surface].material;
     return Flattener(
-               object, surface, [value](TextureTarget target) { return counts(target, value); },
+               object, surface, how, [value](TextureTarget target) { return counts(target, value); },
                [&material, value](const TextureFeel& felt) { return modulated(material, felt).*value; })
         .picture();
 }

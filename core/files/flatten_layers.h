@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/files/uv_canvas.h"
 #include "core/scene/scene.h"
 
@@ -23,17 +24,25 @@ struct FlatPicture {
 /// A larger picture is not made. Texels.
 inline constexpr int kLargestFlatSide = 4096;
 
+/// How large a picture may get, and who watches. What is given back after a cancel is of no use.
+struct Flattening {
+    int largestSide = kLargestFlatSide; ///< texels
+    Progress progress;
+};
+
 /// The height that the surface is felt with, evaluated by feel() of core/surface, in m. Layers with a plane
 /// of their own are added up. A layer that needs no texture coordinates can be shown only where the mesh has
 /// some, each for one place of the surface: elsewhere it is left out. The picture has a texel for each texel
-/// of the finest image, and eight for the finest wave of a formula, up to kLargestFlatSide. The object must
+/// of the finest image, and eight for the finest wave of a formula, up to the largest side. The object must
 /// have a geometry and the surface. Thread: any but real time.
-FlatPicture flattenHeight(const SceneObject& object, Index surface);
+FlatPicture flattenHeight(const SceneObject& object, Index surface, const Flattening& how = {});
 
 /// The factor by which layers change a value of the material; 1 where they do not.
-FlatPicture flattenFactor(const SceneObject& object, Index surface, TextureTarget target);
+FlatPicture flattenFactor(const SceneObject& object, Index surface, TextureTarget target,
+                          const Flattening& how = {});
 
 /// A value of the material as it is felt: times its factor, inside its range.
-FlatPicture flattenFelt(const SceneObject& object, Index surface, double Material::*value);
+FlatPicture flattenFelt(const SceneObject& object, Index surface, double Material::*value,
+                        const Flattening& how = {});
 
 } // namespace tactum

@@ -25,9 +25,9 @@ void append(std::vector<Loss>& losses, ExportTarget target, const Rows& rows, co
 }
 
 /// Text in which Markdown sees nothing but letters.
-std::string plain(std::string_view text) {
+std::string plain(std::string_view text, std::size_t limit = 60) {
     std::string result;
-    for (const char c : printable(text)) {
+    for (const char c : printable(text, limit)) {
         if (std::string_view("\\`*_{}[]<>()#+-!|~&").find(c) != std::string_view::npos) result += '\\';
         result += c;
     }
@@ -47,6 +47,8 @@ std::string namesOf(const std::vector<std::string>& names) {
 /// What is said alike of several objects.
 using Saying = std::tuple<std::string, std::string>; // what, sentence
 
+constexpr std::size_t kLongestSentence = 400; ///< of the table, and of what a scene adds to it
+
 std::string chapter(ExportTarget target, const std::vector<Loss>& losses) {
     std::string text;
     for (const LossKind kind : {LossKind::Lost, LossKind::Degraded, LossKind::Kept}) {
@@ -61,7 +63,7 @@ std::string chapter(ExportTarget target, const std::vector<Loss>& losses) {
         for (const Saying& saying : order) {
             const auto& [what, sentence] = saying;
             text += "| " + std::string(kLossKinds[std::size_t(kind)]) + " | " + plain(what) + " | " +
-                    plain(sentence) + " | " + namesOf(namesBy[saying]) + " |\n";
+                    plain(sentence, kLongestSentence) + " | " + namesOf(namesBy[saying]) + " |\n";
         }
     }
     if (text.empty()) return text;

@@ -127,8 +127,7 @@ inline const std::array kSurfaceRows{
              lost("the file has none"), lost("the file has none")}},
     LossRow{"stiffness",
             always,
-            {kept(), kept(),
-             degraded("as a texture of one texel; the standard says no unit, ours beside it does"),
+            {kept(), kept(), degraded("as a texture; the standard says no unit, ours beside it does"),
              kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
     LossRow{"damping",
             [](const LossSubject& s) { return s.surface->material.damping != 0; },
@@ -139,7 +138,7 @@ inline const std::array kSurfaceRows{
              kNoFeel}},
     LossRow{"dynamic friction",
             [](const LossSubject& s) { return s.surface->material.dynamicFriction != 0; },
-            {kept(), kept(), kept("as a texture of one texel"), kept(), kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
+            {kept(), kept(), kept("as a texture"), kept(), kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
     LossRow{"viscosity",
             [](const LossSubject& s) { return s.surface->material.viscosity != 0; },
             {kept(), lost("H3D has none; it stands in the metadata"), kNoPhysics, kNoPhysics, kNoFeel,
@@ -154,7 +153,9 @@ inline const std::array kSurfaceRows{
     LossRow{"layers of height",
             [](const LossSubject& s) { return anyLayer(s, isHeight); },
             {kept(), degraded("flattened to one picture of 8 bits"),
-             lost("constant values alone are written"), kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
+             degraded("flattened to one picture of 16 bits and at most 192 texels a side; without texture "
+                      "coordinates it is not there"),
+             kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
     LossRow{"layers of friction or stiffness",
             [](const LossSubject& s) {
                 return anyLayer(s, [](auto& layer) {
@@ -163,7 +164,9 @@ inline const std::array kSurfaceRows{
             },
             {kept(),
              degraded("flattened to pictures of 8 bits; their mean alone where there is height as well"),
-             lost("constant values alone are written"), kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
+             degraded("dynamic friction and stiffness as pictures of 16 bits and at most 192 texels a side; "
+                      "the standard has one coefficient of friction"),
+             kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
     LossRow{
         "layers of viscosity",
         [](const LossSubject& s) {

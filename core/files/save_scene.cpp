@@ -30,6 +30,7 @@ Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, co
                               " of the format), which would be lost; choose another name");
         const auto glb = glbOf(scene, partOf(progress, 0, 0.8));
         if (!glb) return tl::unexpected<Error>(glb.error());
+        if (progress.isCancelled()) return cancelledError();
         return writeFileAtomically(file, *glb);
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(file) + ": not enough memory to save the scene; close other programs");

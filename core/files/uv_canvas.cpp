@@ -34,8 +34,8 @@ bool hasArea(const TriangleSoup& soup, std::size_t triangle) {
 /// Draws one triangle after the other.
 class CoverPainter {
 public:
-    CoverPainter(const UvCanvas& canvas, const TriangleSoup& soup, UvCover& cover)
-        : canvas_(canvas), soup_(soup), cover_(cover), isInside_(canvas.texels(), false),
+    CoverPainter(const UvCanvas& canvas, const TriangleSoup& soup, const Progress& progress, UvCover& cover)
+        : canvas_(canvas), soup_(soup), progress_(progress), cover_(cover), isInside_(canvas.texels(), false),
           kSamePlace_(1e-6 * boundsOf(soup).diagonal()) {}
 
     void paint(std::size_t triangle) {
@@ -45,7 +45,7 @@ public:
             lowV = std::min(lowV, v), highV = std::max(highV, v);
         }
         const int first = rowOf(lowV), last = std::min(rowOf(highV), canvas_.height - 1);
-        for (int y = std::max(first, 0); y <= last; ++y)
+        for (int y = std::max(first, 0); y <= last && !progress_.isCancelled(); ++y)
             paintRow(triangle, y);
     }
 
@@ -91,15 +91,16 @@ private:
 
     const UvCanvas& canvas_;
     const TriangleSoup& soup_;
+    const Progress& progress_;
     UvCover& cover_;
     std::vector<bool> isInside_;
     const double kSamePlace_; ///< m
 };
 
 /// Every empty texel takes the triangle of a neighbour that has one.
-void grow(const UvCanvas& canvas, std::vector<Index>& triangleOf) {
+void grow(const UvCanvas& canvas, const Progress& progress, std::vector<Index>& triangleOf) {
     const std::vector<Index> before = triangleOf;
-    for (int y = 0; y < canvas.height; ++y)
+    for (int y = 0; y < canvas.height && !progress.isCancelled(); ++y)
         for (int x = 0; x < canvas.width; ++x) {
             Index& own = triangleOf[std::size_t(y) * std::size_t(canvas.width) + std::size_t(x)];
             for (int k = 0; k < 9 && own == UvCover::kNothing; ++k) {
@@ -137,12 +138,13 @@ UvCanvas uvRectangleOf(const TriangleSoup& soup, Index surface) {
     return canvas;
 }
 
-UvCover coverOf(const UvCanvas& canvas, const TriangleSoup& soup, Index surface) {
+UvCover coverOf(const UvCanvas& canvas, const TriangleSoup& soup, Index surface, const Progress& progress) {
     assertNotRealtime();
     UvCover cover;
     cover.triangleOf.assign(canvas.texels(), UvCover::kNothing);
-    CoverPainter painter(canvas, soup, cover);
-    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    CoverPainter painter(canvas, soup, progress, cover);
+    ProgressMeter meter(progress, soup.triangles.size(), 256);
+    for (std::size_t i = 0; i < soup.triangles.size() && meter.goesOn(i); ++i) {
         if (soup.surfaceOf[i] != surface || !hasArea(soup, i)) continue;
         if (uvWeights(soup, i, canvas.low).allFinite())
             painter.paint(i);
@@ -150,7 +152,7 @@ UvCover coverOf(const UvCanvas& canvas, const TriangleSoup& soup, Index surface)
             ++cover.withoutArea;
     }
     for (int i = 0; i < 2; ++i)
-        grow(canvas, cover.triangleOf);
+        grow(canvas, progress, cover.triangleOf);
     return cover;
 }
 

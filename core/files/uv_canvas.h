@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
@@ -35,8 +36,10 @@ struct UvCover {
 };
 
 /// The cover, continued for two texels beyond the surface's edges so that an interpolation finds neighbours
-/// there. Thread: any but real time; time goes with texels and with triangles times the rows that they cross.
-UvCover coverOf(const UvCanvas& canvas, const TriangleSoup& soup, Index surface);
+/// there. Of no use after a cancel. Thread: any but real time; time goes with texels and with triangles times
+/// the rows that they cross.
+UvCover coverOf(const UvCanvas& canvas, const TriangleSoup& soup, Index surface,
+                const Progress& progress = {});
 
 /// The weights of a triangle's corners at a place on the canvas, also beside the triangle; sum 1.
 /// Not finite for a triangle without area there.

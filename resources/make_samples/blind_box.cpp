@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
 
@@ -58,17 +59,30 @@ SceneObject box() {
 }
 
 /// A star with five soft points, sunk a little into the floor of the box.
+Vec3 onHidden(double rise, double turn) {
+    const double out = 0.03 * (1 + 0.22 * std::cos(5 * turn)) * std::sin(rise);
+    return {out * std::cos(turn), kWall - 0.002 + 0.036 * std::cos(rise), -out * std::sin(turn)};
+}
+
 SceneObject hidden() {
     Mesh mesh;
-    const auto place = [](double rise, double turn) {
-        const double out = 0.03 * (1 + 0.22 * std::cos(5 * turn)) * std::sin(rise);
-        return Vec3(out * std::cos(turn), kWall - 0.002 + 0.036 * std::cos(rise), -out * std::sin(turn));
-    };
-    mesh.grid(evenly(1e-3, std::numbers::pi / 2, 24), evenly(0, kTurn, 100), place);
+    mesh.grid(evenly(1e-3, std::numbers::pi / 2, 24), evenly(0, kTurn, 100), onHidden);
     Surface made = surface("shape", {0.60f, 0.16f, 0.20f},
                            {.stiffness = 700, .staticFriction = 0.3, .dynamicFriction = 0.2});
     made.shading.on = true;
     return object("hidden shape", mesh, {made});
+}
+
+/// Through the hole onto the top of the shape, down its side and once around; 2 mm deep.
+std::shared_ptr<const std::vector<FingerPoint>> intoTheBox() {
+    const double high = 0.3, low = 1.2, in = 2e-3;
+    const std::vector<FingerKey> keys{
+        {0.0, {high, 0, -0.075}}, {0.6, {high, 0, -1e-3}},    {0.7, {high, 0, in}},       {1.0, {low, 0, in}},
+        {2.6, {low, kTurn, in}},  {2.7, {low, kTurn, -1e-3}}, {3.0, {high, kTurn, -0.02}}};
+    return fingerPath(keys, [](const Vec3& p) { // rise, turn, depth
+        const Vec3 on = onHidden(p.x(), p.y()), foot(0, kWall - 0.002, 0);
+        return Vec3(on + (kFingerRadius - p.z()) * (on - foot).normalized());
+    });
 }
 
 } // namespace
@@ -77,6 +91,7 @@ Scene blindBox() {
     Scene scene;
     scene.add(box()); // first: what is selected at the beginning is outlined through everything
     scene.add(hidden());
+    scene.finger = intoTheBox();
     return scene;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/height_image.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
@@ -56,6 +57,20 @@ SceneObject coin() {
                    surface("rim", {0.62f, 0.42f, 0.13f}, metal)});
 }
 
+/// Over two petals and the dome, then along half the ring of beads; 1.5 mm deep.
+std::shared_ptr<const std::vector<FingerPoint>> overTheRelief() {
+    const double ring = 0.9 * kBead, in = 1.5e-3, half = kTurn / 2;
+    const std::vector<FingerKey> keys{{0.0, {-ring, 0, -8e-3}},
+                                      {0.25, {-ring, 0, in}},
+                                      {1.25, {ring, 0, in}},
+                                      {2.25, {ring, half, in}},
+                                      {2.5, {ring, half, -8e-3}}};
+    return fingerPath(keys, [](const Vec3& p) { // radius in parts of the field, angle, depth
+        return Vec3(kField * p.x() * std::cos(p.y()), kFace + kFingerRadius - p.z(),
+                    -kField * p.x() * std::sin(p.y()));
+    });
+}
+
 } // namespace
 
 Scene reliefCoin() {
@@ -72,6 +87,7 @@ Scene reliefCoin() {
     Mesh tray;
     tray.box({-0.065, -0.006, -0.065}, {0.065, 0, 0.065});
     Scene scene;
+    scene.finger = overTheRelief();
     scene.add(made);
     scene.add(object("tray", tray,
                      {surface("felt", {0.05f, 0.14f, 0.09f},

@@ -1,6 +1,7 @@
 // One number of the material, from plate to plate: friction, viscosity, stiffness.
 #include <array>
 
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
 
@@ -37,6 +38,16 @@ SceneObject board() {
                   {surface("board", {0.16f, 0.12f, 0.09f}), surface("studs", {0.80f, 0.76f, 0.66f})});
 }
 
+/// Along the ladder, 2 mm into the plates: what is felt changes from step to step.
+std::shared_ptr<const std::vector<FingerPoint>> alongThePlates() {
+    const double in = 0.006, high = kHeight + kFingerRadius, end = -leftOf(0) - in;
+    const std::vector<FingerKey> keys{{0.0, {-end, high + 0.008, 0}},
+                                      {0.25, {-end, high - 0.002, 0}},
+                                      {1.75, {end, high - 0.002, 0}},
+                                      {2.0, {end, high + 0.008, 0}}};
+    return fingerPath(keys, [](const Vec3& p) { return p; });
+}
+
 /// The plates' colours go from one to the other.
 Scene ladder(const std::array<Plate, kPlates>& plates, const Eigen::Vector3f& from,
              const Eigen::Vector3f& to) {
@@ -49,6 +60,7 @@ Scene ladder(const std::array<Plate, kPlates>& plates, const Eigen::Vector3f& fr
                          {surface(plates[i].name, (1 - part) * from + part * to, plates[i].material)}));
     }
     scene.add(board());
+    scene.finger = alongThePlates();
     return scene;
 }
 

@@ -1,6 +1,7 @@
 // A cushion of leather out of layers: grain, a worn place that is smoother and slides better, a seam.
 #include <cmath>
 
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/height_image.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
@@ -90,9 +91,21 @@ SceneObject cushion() {
     const std::vector<TextureLayer> all = layers();
     for (Surface& each : made.surfaces) {
         each.layers = all;
-        each.shading.on = true;
+        each.shading = {.on = true, .normals = NormalSource::Computed};
     }
     return made;
+}
+
+/// Over one seam, the grain, the worn place, the grain and the other seam; 2 mm deep, on a line of stitches.
+std::shared_ptr<const std::vector<FingerPoint>> acrossTheCushion() {
+    const double end = 0.004, z = 21 * kCell, in = 2e-3;
+    const std::vector<FingerKey> keys{{0.0, {end, z, -8e-3}},
+                                      {0.25, {end, z, in}},
+                                      {1.75, {kWidth - end, z, in}},
+                                      {2.0, {kWidth - end, z, -8e-3}}};
+    return fingerPath(keys, [](const Vec3& p) { // z: how deep
+        return Vec3(onCushion(p.x(), p.y()) + Vec3(0, kFingerRadius - p.z(), 0));
+    });
 }
 
 } // namespace
@@ -102,6 +115,7 @@ Scene layeredLeather() {
     constexpr double kRim = 0.008;
     mesh.box({-kWidth / 2 - kRim, -0.008, -kDepth / 2 - kRim}, {kWidth / 2 + kRim, 0.001, kDepth / 2 + kRim});
     Scene scene;
+    scene.finger = acrossTheCushion();
     scene.add(cushion());
     scene.add(
         object("board", mesh,

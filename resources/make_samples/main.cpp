@@ -1,11 +1,13 @@
-// Writes the sample scenes, a picture of each, and the teapot as a bare mesh: make-samples FOLDER.
-// resources/scenes holds what this program writes; a test compares them.
+// Writes the sample scenes, a picture of each, what its finger must feel, and the teapot as a bare mesh:
+// make-samples FOLDER. resources/scenes holds what this program writes; a test compares them.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
 #include "core/bundle/preview.h"
 #include "core/files/gltf/write_gltf.h"
+#include "core/runtime/compile.h"
+#include "core/runtime/replay.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {
@@ -32,7 +34,16 @@ bool write(const std::filesystem::path& file, const std::string& bytes) {
     return out.flush().good();
 }
 
-/// The scene and its picture.
+/// What the finger of a scene must feel, as in the forces.csv of a bundle; to a tenth of a micronewton.
+std::string forcesOf(const tactum::Scene& scene) {
+    std::vector<tactum::FingerPoint> forces;
+    if (const auto world = tactum::compile(scene))
+        for (const tactum::TouchRow& row : tactum::replay(**world, *scene.finger))
+            forces.push_back({row.t, (row.force * 1e7).array().round() / 1e7 + 0.0});
+    return tactum::fingerCsv(forces);
+}
+
+/// The scene, its picture and its forces.
 bool write(const std::filesystem::path& folder, const tactum::samples::Sample& sample) {
     const auto glb = tactum::glbOf(sample.scene);
     if (!glb) {
@@ -40,7 +51,8 @@ bool write(const std::filesystem::path& folder, const tactum::samples::Sample& s
         return false;
     }
     return write(folder / (sample.name + ".glb"), *glb) &&
-           write(folder / (sample.name + ".png"), tactum::previewOf(sample.scene, 320, 240));
+           write(folder / (sample.name + ".png"), tactum::previewOf(sample.scene, 320, 240)) &&
+           write(folder / (sample.name + ".csv"), forcesOf(sample.scene));
 }
 
 } // namespace

@@ -1,8 +1,39 @@
 #include "resources/make_samples/mesh.h"
 
 #include <algorithm>
+#include <map>
 
 namespace tactum::samples {
+namespace {
+
+std::vector<Eigen::Vector3f> normalsOf(const TriangleSoup& soup) {
+    const auto key = [&](Index i) {
+        const Vec3& p = soup.positions[i];
+        return std::array{p.x(), p.y(), p.z()};
+    };
+    std::vector<Vec3> facets; // twice their areas
+    std::map<std::array<double, 3>, std::vector<std::size_t>> around;
+    for (const auto& t : soup.triangles) {
+        const Vec3& a = soup.positions[t[0]];
+        for (const Index corner : t)
+            around[key(corner)].push_back(facets.size());
+        facets.push_back((soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a));
+    }
+    constexpr double kSharp = 0.866; // cosine of 30 degrees
+    std::vector<Eigen::Vector3f> normals;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        for (const Index corner : soup.triangles[i]) {
+            Vec3 sum = Vec3::Zero();
+            for (const std::size_t other : around[key(corner)])
+                if (facets[other].normalized().dot(facets[i].normalized()) > kSharp) sum += facets[other];
+            // Whole steps, so that coplanar facets share their vertices.
+            normals.push_back(
+                Vec3((sum.normalized() * 1e4).array().round() + 0.0).normalized().cast<float>());
+        }
+    return normals;
+}
+
+} // namespace
 
 Index Mesh::point(const Vec3& p, const Uv& uv) {
     const Vec3 rounded = (p * 1e9).array().round() / 1e9 + 0.0; // 0 has no sign then
@@ -52,6 +83,7 @@ std::shared_ptr<const TriangleSoup> Mesh::soup() const {
         for (const auto& corners : whole.triangles)
             for (const Index corner : corners)
                 whole.cornerUvs.push_back(uvs_[corner]);
+    if (hasUvs_) whole.cornerNormals = normalsOf(whole);
     return std::make_shared<const TriangleSoup>(std::move(whole));
 }
 

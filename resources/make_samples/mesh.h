@@ -30,6 +30,8 @@ public:
     void grid(const std::vector<double>& us, const std::vector<double>& vs, const Place& place,
               const SurfaceAt& surfaceAt = {}, const UvAt& uvAt = {});
 
+    /// With normals where it has texture coordinates: programs show a bump only where there are both. They
+    /// are the mean of the facets around a corner, but for those beyond an edge of more than 30 degrees.
     std::shared_ptr<const TriangleSoup> soup() const;
 
 private:

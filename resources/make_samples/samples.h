@@ -24,6 +24,7 @@ Scene reliefCoin();      ///< one picture of 16 bits over a whole face
 Scene thinWallMaze();    ///< walls thinner than the proxy, which must not go through them
 Scene blindBox();        ///< a shape that the eye does not see and the finger has to find out
 
+/// Every one has a finger path that shows what it is for.
 std::vector<Sample> allSamples();
 
 /// teapot.obj, teapot.mtl and teapot-finger.csv. False when they could not be written.

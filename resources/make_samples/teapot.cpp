@@ -1,7 +1,8 @@
 // The teapot as a scene: four surfaces that feel different, round although their mesh has facets.
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
-#include "resources/make_samples/teapot_shape.h"
+#include "resources/make_samples/teapot_finger.h"
 
 namespace tactum::samples {
 namespace {
@@ -41,6 +42,16 @@ SceneObject objectOf(std::string name, const std::vector<std::pair<Part, Materia
     return made;
 }
 
+/// Into the belly, twice as deep as it gives way, and around it, up to where the lid begins.
+std::shared_ptr<const std::vector<FingerPoint>> finger() {
+    const Part pot = teapotBody();
+    const std::vector<TeapotKey> keys{{0.0, &pot, 0.48, 0.72, -30}, {0.5, &pot, 0.48, 0.72, -1},
+                                      {0.8, &pot, 0.48, 0.72, 4},   {1.0, &pot, 0.48, 0.72, 1},
+                                      {1.5, &pot, 0.44, 0.82, 2.5}, {2.2, &pot, 0.60, 0.90, 2},
+                                      {2.5, &pot, 0.60, 0.90, -15}};
+    return fingerPath(2.5, [&](double t) { return yUp(teapotFinger(keys, t)); });
+}
+
 } // namespace
 
 Scene teapot() {
@@ -51,6 +62,7 @@ Scene teapot() {
                                   {teapotHandle(), cork()}}));
     scene.add(objectOf(
         "table", {{teapotTable(), {.stiffness = 1000, .staticFriction = 0.4, .dynamicFriction = 0.3}}}));
+    scene.finger = finger();
     return scene;
 }
 

@@ -1,11 +1,10 @@
 // The teapot as a bare mesh with a finger that touches it: what a person's own model and recording look like.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 
 #include "resources/make_samples/samples.h"
-#include "resources/make_samples/teapot_shape.h"
+#include "resources/make_samples/teapot_finger.h"
 
 namespace tactum::samples {
 namespace {
@@ -56,34 +55,11 @@ private:
     std::size_t first_ = 1;
 };
 
-/// Where the finger is at a time: on a part, at a depth under its surface (negative: above it).
-struct Key {
-    double t; ///< s
-    const Part* part;
-    double u, v;
-    double depth; ///< mm
-};
-
-Vec3 fingerAt(const Part& part, double u, double v, double depth) {
-    return part.point(u, v) - 1e-3 * depth * part.normal(u, v);
-}
-
-/// Along the surface between keys of one part, straight through the air between keys of two.
-Vec3 finger(const std::vector<Key>& keys, double t) {
-    const auto next =
-        std::find_if(keys.begin() + 1, keys.end() - 1, [&](const Key& key) { return key.t >= t; });
-    const Key &a = *(next - 1), &b = *next;
-    const double x = std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0), s = x * x * (3 - 2 * x);
-    if (a.part != b.part)
-        return (1 - s) * fingerAt(*a.part, a.u, a.v, a.depth) + s * fingerAt(*b.part, b.u, b.v, b.depth);
-    return fingerAt(*a.part, std::lerp(a.u, b.u, s), std::lerp(a.v, b.v, s), std::lerp(a.depth, b.depth, s));
-}
-
 /// Approach, press the body and release, stroke it, stroke the lid, stroke the spout, press, leave. 8 s at 1
 /// kHz.
 bool writeFinger(const std::filesystem::path& file) {
     const Part pot = teapotBody(), cover = teapotLid(), snout = teapotSpout();
-    const std::vector<Key> keys{
+    const std::vector<TeapotKey> keys{
         {0.0, &pot, 0.48, 0.72, -50},   {0.7, &pot, 0.48, 0.72, 0},     {1.0, &pot, 0.48, 0.72, 4},
         {1.3, &pot, 0.48, 0.72, 1.5},   {2.0, &pot, 0.44, 0.84, 3},     {2.8, &pot, 0.60, 0.92, 2.5},
         {3.1, &pot, 0.60, 0.92, -12},   {3.6, &cover, 0.44, 0.92, -12}, {3.8, &cover, 0.44, 0.92, 2},
@@ -94,7 +70,7 @@ bool writeFinger(const std::filesystem::path& file) {
     out << "t,x,y,z\n";
     for (int row = 0; row <= 8000; ++row) {
         const double t = row * 1e-3;
-        out << fixed(t, 3) << "," << fixed(yUp(finger(keys, t)), 7, ",") << "\n";
+        out << fixed(t, 3) << "," << fixed(yUp(teapotFinger(keys, t)), 7, ",") << "\n";
     }
     return out.flush().good();
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "resources/make_samples/finger.h"
 #include "resources/make_samples/height_image.h"
 #include "resources/make_samples/mesh.h"
 #include "resources/make_samples/samples.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double kPanelWidth = 0.08, kPanelHeight = 0.056; // m
 constexpr double kLean = 0.7;                              // rad, backward from upright
+constexpr double kApart = 0.002;                           // m, between panels
+constexpr double kBefore = 0.0003;                         // m: of the panels before the wall
 constexpr double kUvLength = 0.1; // m: how long one unit of the texture coordinates is
 
 // m. Whole repeats fill a panel. The low part, mortar or grout, lies around each repeat's corner.
@@ -155,7 +158,7 @@ SceneObject objectOf(const Panel& panel, const Eigen::Vector2d& place) {
     for (Surface& each : made.surfaces)
         each.layers = {panel.layer};
     made.pose.rotation = Quat(Eigen::AngleAxisd(-kLean, Vec3::UnitX()));
-    made.pose.translation = made.pose.rotate({place.x(), place.y(), 0.0003}); // just before the wall
+    made.pose.translation = made.pose.rotate({place.x(), place.y(), kBefore});
     return made;
 }
 
@@ -181,10 +184,23 @@ SceneObject wall() {
         {surface("plaster", {0.50f, 0.50f, 0.48f}, {.staticFriction = 0.4, .dynamicFriction = 0.35})});
 }
 
+/// Over brick and tiles, then over sandpaper and corduroy; 1.5 mm deep.
+std::shared_ptr<const std::vector<FingerPoint>> acrossThePanels() {
+    const double left = -kPanelWidth / 2, right = -left, in = 1.5e-3;
+    const double high = 1.5 * kPanelHeight + kApart, low = 0.5 * kPanelHeight;
+    const std::vector<FingerKey> keys{{0.0, {left, high, -8e-3}}, {0.25, {left, high, in}},
+                                      {1.25, {right, high, in}},  {1.35, {right, high, -4e-3}},
+                                      {1.7, {right, low, -4e-3}}, {1.8, {right, low, in}},
+                                      {2.75, {left, low, in}},    {3.0, {left, low, -8e-3}}};
+    return fingerPath(keys, [](const Vec3& p) { // z: how deep
+        return Vec3(Eigen::AngleAxisd(-kLean, Vec3::UnitX()) *
+                    Vec3(p.x(), p.y(), kBefore + kFingerRadius - p.z()));
+    });
+}
+
 } // namespace
 
 Scene textureWall() {
-    constexpr double kApart = 0.002;
     const double left = -kPanelWidth - kApart / 2, right = kApart / 2;
     const double high = kPanelHeight + kApart;
     Scene scene;
@@ -193,6 +209,7 @@ Scene textureWall() {
     scene.add(objectOf(corduroyPanel(), {left, 0}));
     scene.add(objectOf(sandpaperPanel(), {right, 0}));
     scene.add(wall());
+    scene.finger = acrossThePanels();
     return scene;
 }
 

@@ -47,6 +47,10 @@ int GltfData::addAttribute(const std::vector<Eigen::Vector2f>& values) {
     return addAccessor(addView(bytesOf(values), kVertices), kFloat, "VEC2", values.size());
 }
 
+int GltfData::addAttribute(const std::vector<Eigen::Vector4f>& values) {
+    return addAccessor(addView(bytesOf(values), kVertices), kFloat, "VEC4", values.size());
+}
+
 int GltfData::addIndices(const std::vector<std::uint32_t>& values) {
     return addAccessor(addView(bytesOf(values), kIndices), kUnsigned, "SCALAR", values.size());
 }
@@ -63,7 +67,7 @@ int GltfData::addNumbers(const std::vector<float>& values, const char* type, boo
 
 int GltfData::addTexture(const std::shared_ptr<const TextureImage>& image) {
     const auto [found, isNew] = textures_.try_emplace(image.get(), 0);
-    if (isNew) found->second = addTexture(encodePng(*image), image->name());
+    if (isNew) found->second = addTexture(encodePng(*image, progress_), image->name());
     return found->second;
 }
 
@@ -71,6 +75,12 @@ int GltfData::addTexture(const std::string& png, const std::string& name) {
     Json image{{"bufferView", addView(png)}, {"mimeType", "image/png"}};
     if (!name.empty()) image["name"] = name;
     return add("textures", {{"source", add("images", std::move(image))}});
+}
+
+int GltfData::addSharedTexture(const std::string& png) {
+    const auto [found, isNew] = shared_.try_emplace(png, 0);
+    if (isNew) found->second = addTexture(png, {});
+    return found->second;
 }
 
 std::string GltfData::finish() {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/files/gltf/gltf_file.h"
 #include "core/surface/texture_image.h"
 
@@ -16,8 +17,10 @@ namespace tactum {
 /// Appends elements; returns their indices. What is in the arrays already keeps its place.
 class GltfData {
 public:
-    /// `root` outlives this; `binary` is what its buffer views refer to.
-    GltfData(Json& root, std::string binary) : root_(root), binary_(std::move(binary)) {}
+    /// `root` and `progress` outlive this; `binary` is what its buffer views refer to. After a cancel
+    /// pictures are left empty.
+    GltfData(Json& root, std::string binary, const Progress& progress)
+        : root_(root), progress_(progress), binary_(std::move(binary)) {}
 
     int add(const char* array, Json element);
     std::size_t count(const char* array) const;
@@ -30,6 +33,7 @@ public:
     /// Accessors of their own views: vertex attributes with their bounds, indices, and numbers of animations.
     int addAttribute(const std::vector<Eigen::Vector3f>& values, bool bounds);
     int addAttribute(const std::vector<Eigen::Vector2f>& values);
+    int addAttribute(const std::vector<Eigen::Vector4f>& values);
     int addIndices(const std::vector<std::uint32_t>& values);
     /// `type`: SCALAR, VEC3 or VEC4. `bounds`: of a scalar.
     int addNumbers(const std::vector<float>& values, const char* type, bool bounds = false);
@@ -37,6 +41,8 @@ public:
     /// The texture of an image, which is stored once as PNG.
     int addTexture(const std::shared_ptr<const TextureImage>& image);
     int addTexture(const std::string& png, const std::string& name);
+    /// The same without a name; equal pictures are stored once.
+    int addSharedTexture(const std::string& png);
 
     /// Takes the binary chunk, and says in the root how long it is.
     std::string finish();
@@ -50,8 +56,10 @@ private:
     }
 
     Json& root_;
+    const Progress& progress_;
     std::string binary_;
     std::map<const TextureImage*, int> textures_;
+    std::map<std::string, int> shared_; ///< by their bytes
 };
 
 } // namespace tactum

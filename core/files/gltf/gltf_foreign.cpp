@@ -292,8 +292,10 @@ std::shared_ptr<const ForeignGltf> foreignOf(const Source& source, const GltfFil
             if (isObject(int(i), objects)) eraseKeys((*nodes)[i], {"mesh", "skin", "weights"});
         }
     if (Json* materials = arrayIn(root, "materials"))
-        for (Json& material : *materials)
+        for (Json& material : *materials) {
+            eraseLook(material);
             eraseExtension(material, kExtension);
+        }
     forgetOurRoot(root);
     if (!ours) pruneMeshData(root, binary);
     if (isNothing(root)) return nullptr;

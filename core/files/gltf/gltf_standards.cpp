@@ -17,11 +17,14 @@ const Json* elementOf(const Json* extension, const char* array, const Json* hold
     return i < 0 ? nullptr : &(*all)[std::size_t(i)];
 }
 
-const Surface& largest(const SceneObject& object) {
+/// The picture of a material's look, which is in the list of copies in our extension of it.
+constexpr const char* kLook = "normalTexture";
+
+Index largest(const SceneObject& object) {
     std::vector<std::size_t> triangles(object.surfaces.size(), 0);
     for (const Index surface : object.geometry->surfaceOf)
         ++triangles[surface];
-    return object.surfaces[std::size_t(std::ranges::max_element(triangles) - triangles.begin())];
+    return Index(std::ranges::max_element(triangles) - triangles.begin());
 }
 
 /// The first texture of a property of an MPEG material: its image, and the value of white.
@@ -53,8 +56,9 @@ double meanOf(const TextureImage& image) {
 
 } // namespace
 
-StandardCopies::StandardCopies(Json& root, GltfData& data)
-    : root_(root), data_(data), mpeg_(mayWrite(kMpegExtension)), physics_(mayWrite(kPhysicsExtension)) {}
+StandardCopies::StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps)
+    : root_(root), data_(data), maps_(maps), mpeg_(mayWrite(kMpegExtension)),
+      physics_(mayWrite(kPhysicsExtension)), transform_(mayWrite(kTransformExtension)) {}
 
 bool StandardCopies::mayWrite(const char* extension) const {
     const Json* used = member(root_, "extensionsUsed");
@@ -73,20 +77,55 @@ void StandardCopies::use(const char* extension) {
 int StandardCopies::valueTexture(double value, double most) {
     const double part = std::clamp(value / most, 0.0, 1.0);
     const std::uint16_t texel = std::uint16_t(std::lround(65535 * part));
-    return data_.addTexture(encodePng(1, 1, 1, 16, std::span(&texel, 1)), {});
+    return data_.addSharedTexture(encodePng(1, 1, 1, 16, std::span(&texel, 1)));
 }
 
-int StandardCopies::mpegMaterial(const Surface& surface) {
-    const auto constant = [&](double value, const Parameter& parameter) {
-        return Json::array(
-            {{{"texture", {{"index", valueTexture(value, parameter.maximum)}}},
-              {"type", "High_Resolution"},
-              {"extras", {{"min", 0.0}, {"max", parameter.maximum}, {"unit", parameter.unit}}}}});
-    };
+/// A picture over a rectangle of texture coordinates; v counts downward in glTF.
+Json StandardCopies::textureInfo(const std::string& png, const UvCanvas& canvas) {
+    Json info{{"index", data_.addSharedTexture(png)}};
+    if (canvas.low.isZero(0) && canvas.size == Eigen::Vector2d::Ones()) return info;
+    const double top = 1 - canvas.low.y() - canvas.size.y();
+    info["extensions"][kTransformExtension] = {
+        {"offset", {-canvas.low.x() / canvas.size.x(), -top / canvas.size.y()}},
+        {"scale", {1 / canvas.size.x(), 1 / canvas.size.y()}}};
+    if (transform_) use(kTransformExtension);
+    return info;
+}
+
+void StandardCopies::addLook(const SceneObject& object, Index surface, Json& material) {
+    if (!canShowBumps(object) || member(material, kLook)) return;
+    const std::string png = maps_.normalsPng(object, surface);
+    if (png.empty()) return;
+    material[kLook] = textureInfo(png, maps_.height(object, surface).canvas);
+    material["extensions"][kExtension]["copies"] = {kLook};
+}
+
+Json StandardCopies::mpegTexture(Json info, double low, double high, std::string_view unit) {
+    return Json::array({{{"texture", std::move(info)},
+                         {"type", "High_Resolution"},
+                         {"extras", {{"min", low}, {"max", high}, {"unit", unit}}}}});
+}
+
+Json StandardCopies::mpegValue(const SceneObject& object, Index surface, double Material::*value,
+                               const Parameter& parameter) {
+    const FlatPicture felt = maps_.felt(object, surface, value);
+    if (felt.image)
+        return mpegTexture(textureInfo(encodePng(*felt.image, 16), felt.canvas), felt.low, felt.high,
+                           parameter.unit);
+    const double same = object.surfaces[surface].material.*value;
+    return mpegTexture({{"index", valueTexture(same, parameter.maximum)}}, 0, parameter.maximum,
+                       parameter.unit);
+}
+
+int StandardCopies::mpegMaterial(const SceneObject& object, Index surface) {
+    Json material{{"name", object.surfaces[surface].name},
+                  {"stiffness", mpegValue(object, surface, &Material::stiffness, kStiffness)},
+                  {"friction", mpegValue(object, surface, &Material::dynamicFriction, kDynamicFriction)}};
+    if (const FlatPicture& height = maps_.height(object, surface); height.image)
+        material["vibrotactileTexture"] = mpegTexture(
+            textureInfo(encodePng(*height.image, 16), height.canvas), height.low, height.high, "m");
     Json& materials = root_["extensions"][kMpegExtension]["materials"];
-    materials.push_back({{"name", surface.name},
-                         {"stiffness", constant(surface.material.stiffness, kStiffness)},
-                         {"friction", constant(surface.material.dynamicFriction, kDynamicFriction)}});
+    materials.push_back(std::move(material));
     use(kMpegExtension);
     return int(materials.size()) - 1;
 }
@@ -103,15 +142,15 @@ int StandardCopies::physicsMaterial(const Surface& surface) {
 
 void StandardCopies::add(const SceneObject& object, int node, int mesh) {
     if (mesh < 0) return;
-    const Surface& surface = largest(object);
+    const Index surface = largest(object);
     if (mpeg_)
         root_["meshes"][std::size_t(mesh)]["extensions"][kMpegExtension] = {
-            {"hapticMaterialIndex", mpegMaterial(surface)}};
+            {"hapticMaterialIndex", mpegMaterial(object, surface)}};
     if (physics_)
         root_["nodes"][std::size_t(node)]["extensions"][kPhysicsExtension] = {
             {"collider",
              {{"geometry", {{"node", node}, {"convexHull", false}}},
-              {"physicsMaterial", physicsMaterial(surface)}}}};
+              {"physicsMaterial", physicsMaterial(object.surfaces[surface])}}}};
 }
 
 std::vector<std::string> copiesIn(const Json& root) {
@@ -129,6 +168,14 @@ void eraseCopies(Json& element, const std::vector<std::string>& wrote) {
         eraseExtension(element, name);
         eraseUse(element, name);
     }
+}
+
+void eraseLook(Json& material) {
+    const Json* ours = extensionOf(material);
+    const Json* copies = ours ? member(*ours, "copies") : nullptr;
+    if (!copies) return;
+    if (copies->is_array() && std::ranges::find(*copies, Json(kLook)) != copies->end()) material.erase(kLook);
+    material["extensions"][kExtension].erase("copies");
 }
 
 void readStandards(const Json& root, const Json& node, const Json& mesh, const ReadImageAt& imageAt,

@@ -1,7 +1,7 @@
-// What other programs understand of a scene's feel: MPEG_haptic_material and KHR_physics_rigid_bodies in
-// glTF.
+// What other programs understand of a scene's feel: MPEG_haptic_material, KHR_physics_rigid_bodies and the
+// normalTexture of a material in glTF.
 //
-// Both are degraded copies beside our own extension, which alone is exact. A file that came with one of them
+// All are degraded copies beside our own extension, which alone is exact. A file that came with one of them
 // from another program keeps that one as it is. Sources: the schema of MPEG_haptic_material (ISO/IEC DIS
 // 23090-14, second edition) and of KHR_physics_rigid_bodies as they are proposed to the glTF registry.
 #pragma once
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/files/gltf/gltf_data.h"
+#include "core/files/gltf/gltf_maps.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/scene/scene.h"
 
@@ -17,26 +18,35 @@ namespace tactum {
 
 inline constexpr const char* kMpegExtension = "MPEG_haptic_material";
 inline constexpr const char* kPhysicsExtension = "KHR_physics_rigid_bodies";
+inline constexpr const char* kTransformExtension = "KHR_texture_transform";
 
 /// Writes the copies of objects whose nodes and meshes are in the root already.
 class StandardCopies {
 public:
-    StandardCopies(Json& root, GltfData& data);
+    StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps);
+    /// The look of a surface's height, where its object can show bumps and nobody has given the material
+    /// another one.
+    void addLook(const SceneObject& object, Index surface, Json& material);
     /// MPEG knows one material for a mesh: that of the surface with the most triangles. `mesh`: -1 for none.
     void add(const SceneObject& object, int node, int mesh);
     /// The names of the extensions that were written, for the reader to take away again.
     const std::vector<std::string>& wrote() const { return wrote_; }
 
 private:
-    int mpegMaterial(const Surface& surface);
+    int mpegMaterial(const SceneObject& object, Index surface);
+    Json mpegTexture(Json info, double low, double high, std::string_view unit);
+    Json mpegValue(const SceneObject& object, Index surface, double Material::*value,
+                   const Parameter& parameter);
     int physicsMaterial(const Surface& surface);
     int valueTexture(double value, double most);
+    Json textureInfo(const std::string& png, const UvCanvas& canvas);
     bool mayWrite(const char* extension) const;
     void use(const char* extension);
 
     Json& root_;
     GltfData& data_;
-    bool mpeg_, physics_;
+    SurfaceMaps& maps_;
+    bool mpeg_, physics_, transform_;
     std::vector<std::string> wrote_;
 };
 
@@ -45,6 +55,9 @@ std::vector<std::string> copiesIn(const Json& root);
 
 /// Takes the copies away that our own writer made, from a root or one of its elements.
 void eraseCopies(Json& element, const std::vector<std::string>& wrote);
+
+/// Takes the look away that our own writer gave a material.
+void eraseLook(Json& material);
 
 /// What the copies of other programs say of a surface of this mesh and node; our own extension comes after
 /// it. `said`: a sentence for each value that was taken, and how.

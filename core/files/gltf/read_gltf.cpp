@@ -201,6 +201,7 @@ Kept GltfReader::keptOf(const char* array, int index) const {
          {"primitives", "mesh", "children", "translation", "rotation", "scale", "matrix", "skin", "weights"})
         element.erase(key);
     eraseCopies(element, copies_);
+    if (array == std::string_view("materials")) eraseLook(element);
     return {std::size_t(index) < count ? index : -1, std::make_shared<const std::string>(element.dump(
                                                          -1, ' ', false, Json::error_handler_t::replace))};
 }

@@ -21,7 +21,11 @@ class GltfWriter {
 public:
     GltfWriter(const Scene& scene, const Progress& progress)
         : scene_(scene), progress_(progress), root_(foreignRoot(scene)), foreign_(arrayCounts(root_)),
-          tree_(root_), data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string()) {
+          tree_(root_),
+          data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string(), progress),
+          maps_(progress), copies_(root_, data_, maps_) {
+        for (const SceneObject& object : scene.objects)
+            if (canShowBumps(object)) bumpy_.insert(shelf_.shared(object.geometry).get());
         foreign_["bytes"] = scene.kept.foreign ? scene.kept.foreign->binary.size() : 0;
     }
 
@@ -35,11 +39,11 @@ private:
     };
 
     const Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
-    int addMaterial(const Surface& surface);
+    int addMaterial(const SceneObject& object, Index at);
     int addMesh(const SceneObject& object);
     int addNode(const SceneObject& object);
     int place(Json node, const SceneObject& object);
-    void finishRoot(const std::vector<int>& roots, const std::vector<std::string>& copies);
+    void finishRoot(const std::vector<int>& roots);
 
     const Scene& scene_;
     const Progress& progress_;
@@ -47,7 +51,10 @@ private:
     Json foreign_; ///< how many elements of each array are not ours
     ForeignTree tree_;
     GltfData data_;
+    SurfaceMaps maps_;
+    StandardCopies copies_;
     SoupShelf shelf_;
+    std::set<const TriangleSoup*> bumpy_; ///< with tangents
     std::map<const TriangleSoup*, Stored> soups_;
     std::set<int> claimedNodes_, claimedMaterials_;
     std::vector<int> nodes_; ///< of each object
@@ -90,7 +97,8 @@ Json& objectAt(Json& parent, const char* key) {
     return found;
 }
 
-int GltfWriter::addMaterial(const Surface& surface) {
+int GltfWriter::addMaterial(const SceneObject& object, Index at) {
+    const Surface& surface = object.surfaces[at];
     const auto textureOf = [&](const auto& image) { return data_.addTexture(image); };
     Json material = overlaid(surface.kept, {{"name", surface.name}});
     if (!surface.kept.json)
@@ -100,6 +108,7 @@ int GltfWriter::addMaterial(const Surface& surface) {
     Json ours = surfaceJson(surface, textureOf);
     if (const Json* before = extensionOf(material)) keepUnknownKeys(*before, ours);
     objectAt(material, "extensions")[kExtension] = std::move(ours);
+    copies_.addLook(object, at, material);
     const int index = surface.kept.index;
     if (index < 0 || std::size_t(index) >= foreign_["materials"] || !claimedMaterials_.insert(index).second)
         return data_.add("materials", std::move(material));
@@ -116,6 +125,7 @@ const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const Triangl
     store.attributes["POSITION"] = data_.addAttribute(mesh.positions, true);
     if (!mesh.normals.empty()) store.attributes["NORMAL"] = data_.addAttribute(mesh.normals, false);
     if (!mesh.uvs.empty()) store.attributes["TEXCOORD_0"] = data_.addAttribute(mesh.uvs);
+    if (bumpy_.contains(found->first)) store.attributes["TANGENT"] = data_.addAttribute(tangentsOf(mesh));
     if (!mesh.copies.empty()) store.exact["copies"] = data_.addRawView(mesh.copies);
     if (!mesh.order.empty()) store.exact["order"] = data_.addRawView(mesh.order);
     if (!mesh.positionsAreExact) store.exact["positions"] = data_.addRawView(soup->positions);
@@ -129,8 +139,8 @@ int GltfWriter::addMesh(const SceneObject& object) {
     constexpr int kModes[] = {0, 1, 4};
     const Stored& store = stored(object.geometry, object.surfaces.size());
     Json ours = store.exact.is_null() ? Json::object() : store.exact;
-    for (const Surface& surface : object.surfaces)
-        ours["surfaces"].push_back(addMaterial(surface));
+    for (Index i = 0; i < object.surfaces.size(); ++i)
+        ours["surfaces"].push_back(addMaterial(object, i));
     Json primitives = Json::array();
     for (const auto& [part, indices] : store.parts)
         primitives.push_back({{"attributes", store.attributes},
@@ -180,7 +190,7 @@ std::vector<double> fingerNumbers(const std::vector<FingerPoint>& finger) {
     return numbers;
 }
 
-void GltfWriter::finishRoot(const std::vector<int>& roots, const std::vector<std::string>& copies) {
+void GltfWriter::finishRoot(const std::vector<int>& roots) {
     Json& asset = objectAt(root_, "asset");
     asset["version"] = "2.0";
     asset["generator"] = "Tactum";
@@ -199,7 +209,7 @@ void GltfWriter::finishRoot(const std::vector<int>& roots, const std::vector<std
     Json ours{{"version", std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor)},
               {jsonKey(kProxyRadius.key), scene_.proxyRadius},
               {"foreign", foreign_},
-              {"copies", copies}};
+              {"copies", copies_.wrote()}};
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
     Json& used = root_["extensionsUsed"];
@@ -214,11 +224,11 @@ Result<std::string> GltfWriter::write() {
         if (progress_.report) progress_.report(double(i) / double(scene_.objects.size()));
         roots.push_back(addNode(scene_.objects[i]));
     }
-    StandardCopies copies(root_, data_);
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        copies.add(scene_.objects[i], nodes_[i],
-                   indexIn(root_["nodes"][std::size_t(nodes_[i])], "mesh", data_.count("meshes")));
-    finishRoot(roots, copies.wrote());
+        copies_.add(scene_.objects[i], nodes_[i],
+                    indexIn(root_["nodes"][std::size_t(nodes_[i])], "mesh", data_.count("meshes")));
+    if (progress_.isCancelled()) return cancelledError();
+    finishRoot(roots);
     const std::string binary = data_.finish();
     if (binary.size() > kLargestGlb)
         return inputError("the scene has more than the 4 GiB that a .glb can hold; simplify its meshes");

@@ -10,10 +10,13 @@ namespace tactum {
 namespace {
 
 /// A fault inside libpng jumps out of it, so that this frame keeps no objects of its own.
-bool writeRows(png_structp png, png_infop info, std::span<png_bytep> rows) {
+bool writeRows(png_structp png, png_infop info, std::span<png_bytep> rows, const Progress& progress) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_write_info(png, info);
-    png_write_image(png, rows.data());
+    for (const png_bytep row : rows) {
+        if (progress.isCancelled()) return true;
+        png_write_row(png, row);
+    }
     png_write_end(png, info);
     return true;
 }
@@ -44,7 +47,8 @@ std::vector<std::uint16_t> fromTheTop(const TextureImage& image) {
 
 } // namespace
 
-std::string encodePng(int width, int height, int channels, int bits, std::span<const std::uint16_t> values) {
+std::string encodePng(int width, int height, int channels, int bits, std::span<const std::uint16_t> values,
+                      const Progress& progress) {
     std::string file;
     std::vector<png_byte> bytes = packed(values, bits);
     std::vector<png_bytep> rows;
@@ -60,21 +64,21 @@ std::string encodePng(int width, int height, int channels, int bits, std::span<c
         png_set_IHDR(png, info, png_uint_32(width), png_uint_32(height), bits,
                      channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        written = writeRows(png, info, rows);
+        written = writeRows(png, info, rows, progress);
     }
     png_destroy_write_struct(&png, &info);
     if (!written) throw std::bad_alloc(); // nothing else can fail when the sizes are right
-    return file;
+    return progress.isCancelled() ? std::string() : file;
 }
 
-std::string encodePng(const TextureImage& image, int bits) {
-    return encodePng(image.width(), image.height(), 1, bits, fromTheTop(image));
+std::string encodePng(const TextureImage& image, int bits, const Progress& progress) {
+    return encodePng(image.width(), image.height(), 1, bits, fromTheTop(image), progress);
 }
 
-std::string encodePng(const TextureImage& image) {
+std::string encodePng(const TextureImage& image, const Progress& progress) {
     const std::vector<std::uint16_t> values = fromTheTop(image);
     const bool eight = std::ranges::all_of(values, [](std::uint16_t value) { return value % 257 == 0; });
-    return encodePng(image.width(), image.height(), 1, eight ? 8 : 16, values);
+    return encodePng(image.width(), image.height(), 1, eight ? 8 : 16, values, progress);
 }
 
 } // namespace tactum

@@ -12,8 +12,6 @@
 namespace tactum {
 namespace {
 
-/// What a light desk device gives for as long as one likes. N
-constexpr double kForceLimit = 3;
 /// How far around the finger H3D looks for triangles at least. m
 constexpr double kLookAround = 0.02;
 /// A cubic becomes straight pieces of this length. s
@@ -78,7 +76,9 @@ template <class Value, class At> Keys keysOf(const Track<Value>& track, double c
 
 class X3dWriter {
 public:
-    explicit X3dWriter(const Scene& scene) : scene_(scene) {
+    X3dWriter(const Scene& scene, const Progress& progress) : scene_(scene), progress_(progress) {
+        for (const SceneObject& object : scene.objects)
+            surfaces_ += object.surfaces.size();
         result_.losses = lossesOf(scene, ExportTarget::X3d);
     }
 
@@ -159,7 +159,10 @@ private:
     void writeSurfaceShapes(XmlElement& parent, const SceneObject& object, Index index,
                             const FacesByKind& faces, const std::string& name) {
         const Surface& surface = object.surfaces[index];
-        const X3dSurface flat = x3dSurfaceOf(object, index);
+        const auto part = [&](double of) { return (double(written_) + of) / double(surfaces_); };
+        const X3dSurface flat = x3dSurfaceOf(object, index, partOf(progress_, part(0), part(1)));
+        ++written_;
+        if (progress_.isCancelled()) return;
         for (const std::string& sentence : flat.lost)
             result_.losses.push_back({ExportTarget::X3d, object.name + " / " + surface.name, "layers",
                                       LossKind::Degraded, sentence});
@@ -180,7 +183,8 @@ private:
         XmlElement appearance(shape, "Appearance");
         XmlElement(appearance, "Material")
             .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
-        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface, name, result_.images);
+        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface, name, result_.images,
+                     progress_);
     }
 
     /// Lines and points have no texture coordinates.
@@ -246,14 +250,27 @@ private:
     void writeDevice() {
         XmlElement root(result_.device, "X3D");
         root.set("profile", "Full").set("version", "3.2");
+        {
+            XmlElement head(root, "head");
+            XmlElement(head, "meta").set("name", "generator").set("content", "Tactum");
+            XmlElement(head, "meta")
+                .set("name", "description")
+                .set("content", "The device for scene.x3d. proxyRadius is the scene's, in m. forceLimit, in "
+                                "N, is not: it is "
+                                "what a light desk device gives for as long as one likes; report.md of a "
+                                "bundle says what "
+                                "its finger path needs.");
+        }
         XmlElement scene(root, "Scene");
         XmlElement info(scene, "DeviceInfo");
         XmlElement device(info, "AnyDevice");
-        device.set("forceLimit", kForceLimit);
+        device.set("forceLimit", kX3dForceLimit);
         XmlElement(device, "RuspiniRenderer").set("proxyRadius", proxyRadius_);
     }
 
     const Scene& scene_;
+    const Progress& progress_;
+    std::size_t surfaces_ = 0, written_ = 0;
     const double proxyRadius_ = kProxyRadius.clamped(scene_.proxyRadius);
     UniqueNames names_;
     X3dExport result_;
@@ -263,7 +280,14 @@ private:
 
 X3dExport x3dOf(const Scene& scene) {
     assertNotRealtime();
-    return X3dWriter(scene).write();
+    return X3dWriter(scene, {}).write();
+}
+
+Result<X3dExport> x3dOf(const Scene& scene, const Progress& progress) {
+    assertNotRealtime();
+    X3dExport written = X3dWriter(scene, progress).write();
+    if (progress.isCancelled()) return cancelledError();
+    return written;
 }
 
 } // namespace tactum

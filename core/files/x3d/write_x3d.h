@@ -4,10 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/files/loss_report.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
+
+/// The most that deviceinfo.x3d lets H3D command: what a light desk device gives for as long as one likes. N
+inline constexpr double kX3dForceLimit = 3;
 
 struct X3dImage {
     std::string name;  ///< beside the scene, as its url says: a folder, a slash and plain letters
@@ -27,5 +32,7 @@ struct X3dExport {
 /// other a SmoothSurface; what H3D cannot say stands in a MetadataSet under it. The same scene gives the same
 /// bytes. Thread: any but real time.
 X3dExport x3dOf(const Scene& scene);
+/// The same for somebody who waits: large pictures take seconds. Error: cancelled.
+Result<X3dExport> x3dOf(const Scene& scene, const Progress& progress);
 
 } // namespace tactum

@@ -24,8 +24,8 @@ constexpr std::array<MapField, 3> kMapFields{
       "dynamic-friction"}}};
 
 void writeImage(XmlElement& surface, std::string_view field, const TextureImage& image,
-                const std::string& name, std::vector<X3dImage>& images) {
-    images.push_back({"maps/" + name + ".png", encodePng(image, 8)});
+                const std::string& name, std::vector<X3dImage>& images, const Progress& progress) {
+    images.push_back({"maps/" + name + ".png", encodePng(image, 8, progress)});
     XmlElement(surface, "ImageTexture")
         .set("containerField", field)
         .setStrings("url", {images.back().name})
@@ -132,12 +132,15 @@ const UvCanvas& X3dSurface::canvas() const {
     return height.canvas;
 }
 
-X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface) {
+X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface, const Progress& progress) {
     X3dSurface flat;
-    flat.height = flattenHeight(object, surface);
-    flat.stiffness = flattenFelt(object, surface, &Material::stiffness);
-    flat.staticFriction = flattenFelt(object, surface, &Material::staticFriction);
-    flat.dynamicFriction = flattenFelt(object, surface, &Material::dynamicFriction);
+    const auto quarter = [&](int i) {
+        return Flattening{kLargestFlatSide, partOf(progress, 0.25 * i, 0.25 * (i + 1))};
+    };
+    flat.height = flattenHeight(object, surface, quarter(0));
+    flat.stiffness = flattenFelt(object, surface, &Material::stiffness, quarter(1));
+    flat.staticFriction = flattenFelt(object, surface, &Material::staticFriction, quarter(2));
+    flat.dynamicFriction = flattenFelt(object, surface, &Material::dynamicFriction, quarter(3));
     for (const FlatPicture* picture :
          {&flat.height, &flat.stiffness, &flat.staticFriction, &flat.dynamicFriction})
         for (const std::string& sentence : picture->lost)
@@ -149,7 +152,7 @@ X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface) {
 }
 
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images) {
+                  const std::string& stem, std::vector<X3dImage>& images, const Progress& progress) {
     const std::string_view kind = nodeOf(flat, surface);
     XmlElement node(appearance, kind);
     node.set("useRelativeValues", false)
@@ -163,10 +166,12 @@ void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface&
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
             node.set(field.least, picture.low).set(field.most, picture.high);
     writeMetadata(node, surface);
-    if (flat.height.image) writeImage(node, "depthMap", *flat.height.image, stem + "-height", images);
+    if (flat.height.image)
+        writeImage(node, "depthMap", *flat.height.image, stem + "-height", images, progress);
     for (const MapField& field : kMapFields)
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
-            writeImage(node, field.map, *picture.image, stem + "-" + std::string(field.ending), images);
+            writeImage(node, field.map, *picture.image, stem + "-" + std::string(field.ending), images,
+                       progress);
 }
 
 } // namespace tactum

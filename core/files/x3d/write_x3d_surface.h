@@ -22,10 +22,11 @@ struct X3dSurface {
     bool hasPictures() const;
 };
 
-X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface);
+/// Of no use after a cancel, as the next one.
+X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface, const Progress& progress);
 
 /// Writes the node into an Appearance, and appends its pictures, whose names begin with `stem`.
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images);
+                  const std::string& stem, std::vector<X3dImage>& images, const Progress& progress);
 
 } // namespace tactum

@@ -9,6 +9,7 @@
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
 #include "core/files/images/read_image.h"
+#include "core/files/images/write_png.h"
 #include "core/files/load_scene.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
@@ -34,6 +35,27 @@ Scene plate() {
     object.surfaces[0].name = "top";
     object.surfaces[0].material.stiffness = 500;
     scene.add(object);
+    return scene;
+}
+
+/// A plate with one picture of `side` texels, which are all in a bundle.
+Scene engraved(int side) {
+    Scene scene = plate();
+    auto soup = std::make_shared<TriangleSoup>(*scene.objects[0].geometry);
+    for (const auto& t : soup->triangles)
+        for (const Index corner : t)
+            soup->cornerUvs.emplace_back(5 * soup->positions[corner].x() + 0.5,
+                                         5 * soup->positions[corner].z() + 0.5);
+    scene.objects[0].geometry = std::move(soup);
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Image;
+    layer.pattern.mapping = TextureMapping::UvUnit;
+    std::vector<std::uint16_t> texels;
+    for (int i = 0; i < side * side; ++i)
+        texels.push_back(std::uint16_t(i * 2654435761U >> 16));
+    layer.pattern.image = std::make_shared<const TextureImage>(side, side, std::move(texels), "engraving");
+    layer.strength = 1e-4;
+    scene.objects[0].surfaces[0].layers = {layer};
     return scene;
 }
 
@@ -83,6 +105,31 @@ private slots:
         QVERIFY2(most >= 500 * depth && most < 500 * (depth + 1e-3), qPrintable(QString::number(most)));
     }
 
+    /// Most of the time goes into flattened pictures. A cancel there ends them at once, with nothing written.
+    void flatteningGoesOnAndStops() {
+        const Scene scene = engraved(1024);
+        std::vector<double> parts;
+        std::atomic<bool> cancelled{false};
+        Progress progress{[&](double part) { parts.push_back(part); }, &cancelled};
+        QVERIFY(bundleOf(scene, progress));
+        QVERIFY(std::ranges::is_sorted(parts));
+        const auto inside = [](double part) { return part > 0.31 && part < 0.4; };
+        QVERIFY2(std::ranges::count_if(parts, inside) > 20, "no news from the picture of the height");
+        parts.clear();
+        progress.report = [&](double part) {
+            parts.push_back(part);
+            if (inside(part)) cancelled = true;
+        };
+        const std::filesystem::path file = folder_.filePath(QStringLiteral("stopped.zip")).toStdString();
+        const auto stopped = saveBundle(scene, file, progress);
+        QVERIFY(!stopped);
+        QCOMPARE(stopped.error().text, std::string("cancelled"));
+        QVERIFY2(inside(parts.back()), qPrintable(QString::number(parts.back())));
+        QVERIFY(!std::filesystem::exists(file));
+        // Writing a picture takes as long as making it.
+        QVERIFY(encodePng(*scene.objects[0].surfaces[0].layers[0].pattern.image, progress).empty());
+    }
+
     void everyFileIsHeldAgainstTheManifest() {
         const auto files = BundleFiles::open(bytesOf(plate()));
         QVERIFY(files);
@@ -104,6 +151,27 @@ private slots:
         more.push_back({"more.txt", "x"});
         QVERIFY(!BundleFiles::open(writeZip(more)));
         QVERIFY(!BundleFiles::open(writeZip(std::vector<ZipEntry>(zip->begin() + 1, zip->end()))));
+    }
+
+    /// The limit for H3D is a device's, not the scene's: the report tells what the path needs.
+    void theReportComparesTheForceLimit() {
+        for (const auto& [stiffness, word] :
+             {std::pair{500.0, "| kept | force limit |"}, {2000.0, "| degraded | force limit |"}}) {
+            Scene scene = plate();
+            scene.objects[0].surfaces[0].material.stiffness = stiffness;
+            const auto files = BundleFiles::open(bytesOf(scene));
+            const std::string report(files->file(bundle_name::kReport));
+            const auto at = report.find(word);
+            QVERIFY2(at != std::string::npos, report.c_str());
+            double most = 0;
+            const auto bundle = openBundle(write(bytesOf(scene)));
+            for (const Vec3& force : bundle->forces)
+                most = std::max(most, force.norm());
+            const std::string line = report.substr(at, report.find('\n', at) - at);
+            const std::string number = QString::number(std::round(100 * most) / 100).toStdString();
+            QVERIFY2(line.find("up to " + number + " N") != std::string::npos, line.c_str());
+            QVERIFY(files->file(bundle_name::kDevice).find("forceLimit=\"3\"") != std::string::npos);
+        }
     }
 
     void aStrokeTouchesWhatLiesBelowTheMiddle() {

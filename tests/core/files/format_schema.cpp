@@ -98,6 +98,11 @@ Schema materialSchema() {
                  {{"enum", {"file", "computed"}}, {"description", "NORMAL of the mesh, or from its shape."}}},
                 {jsonKey(kCreaseAngle.key), number(kCreaseAngle)}});
     properties["layers"] = {{"type", "array"}, {"items", reference("layer")}};
+    properties["copies"] = {
+        {"type", "array"},
+        {"items", {{"type", "string"}}},
+        {"description",
+         "Members of the material that Tactum wrote for others, and makes anew: normalTexture."}};
     return object("extensions.TACTUM_haptics of a material: how a surface feels.", properties);
 }
 
@@ -115,7 +120,7 @@ Schema trackSchema(const char* of) {
 std::string formatSchema() {
     const auto view = [](const char* sentence) { return index(std::string("Buffer view: ") + sentence); };
     const Schema root = object(
-        "extensions.TACTUM_haptics of the root.",
+        "extensions.TACTUM_haptics of the root. The members workspace and safety are reserved.",
         {{"version",
           {{"type", "string"},
            {"pattern", "^[0-9]+\\.[0-9]+$"},

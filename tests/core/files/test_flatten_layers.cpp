@@ -77,6 +77,7 @@ private slots:
     void overlapsLeaveOutWhatNeedsPlaces();
     void withoutCoordinatesNothingIsShown();
     void aLargePictureIsCappedAndFiltered();
+    void cappedGroovesKeepTheirOneRow();
 };
 
 void TestFlattenLayers::anImageComesBackTexelForTexel() {
@@ -262,6 +263,16 @@ void TestFlattenLayers::aLargePictureIsCappedAndFiltered() {
     QCOMPARE(picture.canvas.width, kLargestFlatSide);
     QCOMPARE(picture.lost.size(), std::size_t(1));
     QVERIFY(picture.lost[0].find("would need") != std::string::npos);
+}
+
+/// Sixteen texels a wave where there is room, far fewer than their harmonics would need.
+void TestFlattenLayers::cappedGroovesKeepTheirOneRow() {
+    const TextureLayer grooves = heightLayer(TextureSource::Grooves, TextureMapping::Uv, 0.02, 5e-4);
+    const FlatPicture whole = flattenHeight(objectOf({grooves}), 0);
+    const FlatPicture capped = flattenHeight(objectOf({grooves}), 0, {64, {}});
+    QVERIFY(whole.canvas.width > 64 && whole.canvas.height == 1);
+    QVERIFY(capped.image && capped.canvas.width == 64 && capped.canvas.height == 1);
+    QVERIFY(capped.high - capped.low > 0.8 * (whole.high - whole.low));
 }
 
 QTEST_GUILESS_MAIN(TestFlattenLayers)

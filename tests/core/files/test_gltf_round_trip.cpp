@@ -226,6 +226,24 @@ private slots:
         QVERIFY(after["extensions"]["TACTUM_haptics"]["gravity"] ==
                 json["extensions"]["TACTUM_haptics"]["gravity"]);
     }
+    /// For the work space and the safety of a device: docs/format.md.
+    void reservedKeysOfTheRootStay() {
+        const std::string first = saved(SceneDice(4).scene());
+        Json json = jsonOf(first);
+        Json& ours = json["extensions"]["TACTUM_haptics"];
+        ours["workspace"] = {{"low", {-0.1, 0, -0.1}}, {"high", {0.1, 0.1, 0.1}}};
+        ours["safety"] = {{"force", 4.5}};
+        std::string glb = packGlb(json, std::string_view(first).substr(28 + jsonLength(first)));
+        for (int i = 0; i < 2; ++i) {
+            Scene scene = load(glb);
+            scene.proxyRadius *= 1.5; // ours is written anew
+            glb = saved(scene);
+            Json now = jsonOf(glb)["extensions"]["TACTUM_haptics"];
+            QVERIFY(now["workspace"] == ours["workspace"]);
+            QVERIFY(now["safety"] == ours["safety"]);
+            QVERIFY(now["proxyRadius"] == scene.proxyRadius);
+        }
+    }
     void anotherMajorVersionIsRefused() {
         const std::string glb = saved(SceneDice(1).scene());
         Json json = jsonOf(glb);

@@ -78,6 +78,8 @@ void TestLossReport::everyFeatureIsNoticed() {
     QCOMPARE(said(losses, ExportTarget::X3d, "viscosity")->kind, LossKind::Lost);
     QCOMPARE(said(losses, ExportTarget::KhrPhysics, "static friction")->kind, LossKind::Kept);
     QCOMPARE(said(losses, ExportTarget::Mpeg, "static friction")->kind, LossKind::Lost);
+    QCOMPARE(said(losses, ExportTarget::Mpeg, "layers of height")->kind, LossKind::Degraded);
+    QVERIFY(reportMarkdown(losses).find("...") == std::string::npos); // whole sentences
     surface.layers[0].enabled = false;
     QVERIFY(!said(lossesOf(scene), ExportTarget::X3d, "layers of height"));
 }
