@@ -90,8 +90,13 @@ private slots:
         folder_.write("here.off", asOff(grid(1)));
         std::filesystem::current_path(folder_.path());
         const auto imported = importScene("here.off");
+        folder_.write("red.mtl", "newmtl red\nKd 1 0 0\n");
+        folder_.write("red.obj", "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const auto alone = importScene("red.obj"), dotted = importScene("./red.obj");
         std::filesystem::current_path(before);
         QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
+        for (const auto* red : {&alone, &dotted}) // and what lies beside it
+            QCOMPARE((*red)->scene.objects[0].surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
     }
 
     void aLinkThatLeadsElsewhereIsFollowed() {
