@@ -78,7 +78,7 @@ template <class Value, class At> Keys keysOf(const Track<Value>& track, double c
 
 class X3dWriter {
 public:
-    explicit X3dWriter(const Scene& scene) : scene_(scene) {
+    X3dWriter(const Scene& scene, const X3dNames& files) : scene_(scene), files_(files) {
         result_.losses = lossesOf(scene, ExportTarget::X3d);
     }
 
@@ -97,13 +97,13 @@ public:
     }
 
 private:
-    static void writeHead(XmlElement& root) {
+    void writeHead(XmlElement& root) const {
         XmlElement head(root, "head");
         XmlElement(head, "meta").set("name", "generator").set("content", "Tactum");
         XmlElement(head, "meta")
             .set("name", "description")
             .set("content",
-                 "A haptic scene for H3DAPI; lengths in metres, y up. Start it with deviceinfo.x3d.");
+                 "A haptic scene for H3DAPI; lengths in metres, y up. Start it with " + files_.device + ".");
     }
 
     void writeSettings(XmlElement& scene) const {
@@ -180,7 +180,8 @@ private:
         XmlElement appearance(shape, "Appearance");
         XmlElement(appearance, "Material")
             .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
-        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface, name, result_.images);
+        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface,
+                     {files_.maps + "/" + name, result_.images});
     }
 
     /// Lines and points have no texture coordinates.
@@ -254,6 +255,7 @@ private:
     }
 
     const Scene& scene_;
+    const X3dNames& files_;
     const double proxyRadius_ = kProxyRadius.clamped(scene_.proxyRadius);
     UniqueNames names_;
     X3dExport result_;
@@ -261,9 +263,14 @@ private:
 
 } // namespace
 
-X3dExport x3dOf(const Scene& scene) {
+X3dNames X3dNames::beside(std::string_view stem) {
+    const std::string own = sideFileStem(stem);
+    return {own + "-maps", own + "-deviceinfo.x3d"};
+}
+
+X3dExport x3dOf(const Scene& scene, const X3dNames& names) {
     assertNotRealtime();
-    return X3dWriter(scene).write();
+    return X3dWriter(scene, names).write();
 }
 
 } // namespace tactum

@@ -24,11 +24,11 @@ constexpr std::array<MapField, 3> kMapFields{
       "dynamic-friction"}}};
 
 void writeImage(XmlElement& surface, std::string_view field, const TextureImage& image,
-                const std::string& name, std::vector<X3dImage>& images) {
-    images.push_back({"maps/" + name + ".png", encodePng(image, 8)});
+                std::string_view ending, const X3dPictures& pictures) {
+    pictures.images.push_back({pictures.stem + "-" + std::string(ending) + ".png", encodePng(image, 8)});
     XmlElement(surface, "ImageTexture")
         .set("containerField", field)
-        .setStrings("url", {images.back().name})
+        .setStrings("url", {pictures.images.back().name})
         .set("repeatS", false)
         .set("repeatT", false);
 }
@@ -149,7 +149,7 @@ X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface) {
 }
 
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images) {
+                  const X3dPictures& pictures) {
     const std::string_view kind = nodeOf(flat, surface);
     XmlElement node(appearance, kind);
     node.set("useRelativeValues", false)
@@ -163,10 +163,10 @@ void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface&
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
             node.set(field.least, picture.low).set(field.most, picture.high);
     writeMetadata(node, surface);
-    if (flat.height.image) writeImage(node, "depthMap", *flat.height.image, stem + "-height", images);
+    if (flat.height.image) writeImage(node, "depthMap", *flat.height.image, "height", pictures);
     for (const MapField& field : kMapFields)
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
-            writeImage(node, field.map, *picture.image, stem + "-" + std::string(field.ending), images);
+            writeImage(node, field.map, *picture.image, field.ending, pictures);
 }
 
 } // namespace tactum

@@ -24,8 +24,14 @@ struct X3dSurface {
 
 X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface);
 
-/// Writes the node into an Appearance, and appends its pictures, whose names begin with `stem`.
+/// Where the pictures of a surface go, and how their names begin.
+struct X3dPictures {
+    std::string stem;
+    std::vector<X3dImage>& images;
+};
+
+/// Writes the node into an Appearance, and appends its pictures.
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images);
+                  const X3dPictures& pictures);
 
 } // namespace tactum

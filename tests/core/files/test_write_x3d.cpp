@@ -110,6 +110,7 @@ private slots:
     void motionsFollowTheirKeys();
     void hiddenObjectsAreSwitchedOff();
     void theDeviceStandsApart();
+    void filesAreCalledAfterTheScene();
 
 private:
     FileFolder folder_;
@@ -342,6 +343,19 @@ void TestWriteX3d::theDeviceStandsApart() {
     QCOMPARE(device.one("RuspiniRenderer").number("proxyRadius"), 0.0031);
     QVERIFY(device.one("AnyDevice").number("forceLimit") > 0);
     QVERIFY(parsed(written.scene).all("DeviceInfo").empty());
+}
+
+void TestWriteX3d::filesAreCalledAfterTheScene() {
+    const Scene scene =
+        sceneOf(textured({heightLayer(TextureSource::Dots, TextureMapping::Planar, 0.02, 1e-4)}));
+    const X3dExport alone = x3dOf(scene), beside = x3dOf(scene, X3dNames::beside("my cup?"));
+    QVERIFY(!alone.images.empty());
+    QVERIFY(alone.images[0].name.starts_with("maps/"));
+    QVERIFY(alone.scene.find(" deviceinfo.x3d.") != std::string::npos);
+    QVERIFY(beside.images[0].name.starts_with("my~20cup~3F-maps/"));
+    QCOMPARE(X3dNames::beside("my cup?").device, std::string("my~20cup~3F-deviceinfo.x3d"));
+    QVERIFY(beside.scene.find(beside.images[0].name) != std::string::npos);
+    QVERIFY(beside.scene.find(" my~20cup~3F-deviceinfo.x3d.") != std::string::npos);
 }
 
 QTEST_GUILESS_MAIN(TestWriteX3d)
