@@ -8,6 +8,7 @@
 #include "core/files/unique_names.h"
 #include "core/files/x3d/write_x3d_geometry.h"
 #include "core/files/x3d/write_x3d_surface.h"
+#include "core/files/x3d/x3d_metadata.h"
 
 namespace tactum {
 namespace {
@@ -141,7 +142,7 @@ private:
 
     static void writeName(XmlElement& node, const std::string& name) {
         XmlElement set(node, "MetadataSet");
-        set.set("containerField", "metadata").set("name", "Tactum object");
+        set.set("containerField", "metadata").set("name", kX3dObjectSet);
         XmlElement(set, "MetadataString")
             .set("containerField", "value")
             .set("name", "name")

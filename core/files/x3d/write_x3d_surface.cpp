@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/files/images/write_png.h"
+#include "core/files/x3d/x3d_metadata.h"
 #include "core/surface/friction.h"
 
 namespace tactum {
@@ -77,7 +78,7 @@ void writeLayer(XmlElement& metadata, const TextureLayer& layer) {
 /// What H3D has no field for.
 void writeMetadata(XmlElement& node, const Surface& surface) {
     XmlElement set(node, "MetadataSet");
-    set.set("containerField", "metadata").set("name", "Tactum surface");
+    set.set("containerField", "metadata").set("name", kX3dSurfaceSet);
     writeWord(set, "name", surface.name);
     writeNumber(set, kViscosity, surface.material.viscosity);
     writeWord(set, "force-shading", surface.shading.on ? "true" : "false");
