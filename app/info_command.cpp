@@ -1,4 +1,5 @@
 #include <array>
+#include <charconv>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
@@ -126,9 +127,17 @@ Json sceneJson(const SceneDescription& scene) {
     return json;
 }
 
+// Six digits at most: more than a person reads, and what doubles make of decimal numbers stays out of sight.
+void appendReadable(std::string& out, double value) {
+    char digits[32];
+    const auto end =
+        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific, 5).ptr;
+    appendNumber(out, parseNumber(std::string_view(digits, std::size_t(end - digits))).value_or(value));
+}
+
 std::string textOf(std::string_view key, const ParameterDescription& parameter) {
     std::string text = std::string(key) + " ";
-    appendNumber(text, parameter.value);
+    appendReadable(text, parameter.value);
     if (!parameter.unit.empty()) text += " " + std::string(parameter.unit);
     return text + (parameter.allowed ? "" : "  (out of range)");
 }
@@ -141,7 +150,7 @@ void print(const std::vector<ParameterDescription>& parameters, const std::strin
 void print(const Shading& shading) {
     std::string line = "    shading ";
     line += shading.on ? "on, normals " + std::string(nameOf(shading.normals)) + ", crease-angle " : "off";
-    if (shading.on) appendNumber(line, shading.creaseAngle);
+    if (shading.on) appendReadable(line, shading.creaseAngle);
     std::cout << line << (shading.on ? " rad\n" : "\n");
 }
 
@@ -154,9 +163,9 @@ void print(const LayerDescription& layer) {
 
 void print(const MotionDescription& motion) {
     std::string line = "  moves for ";
-    appendNumber(line, motion.duration);
+    appendReadable(line, motion.duration);
     line += " s, at up to ";
-    appendNumber(line, motion.topSpeed);
+    appendReadable(line, motion.topSpeed);
     std::cout << line << " m/s" << (motion.jumps ? ", and jumps" : "") << '\n';
 }
 
@@ -180,7 +189,7 @@ void print(const ObjectDescription& object) {
 
 void print(const SceneDescription& scene) {
     std::string diagonal;
-    appendNumber(diagonal, scene.bounds_W.diagonal());
+    appendReadable(diagonal, scene.bounds_W.diagonal());
     std::cout << "scene: " << scene.objects.size() << " objects, " << scene.triangles
               << " triangles, diagonal " << diagonal << " m\n";
     print(scene.parameters, "  ");

@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/display.h"
+#include "app/results.h"
 #include "app/window.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
@@ -104,26 +105,11 @@ void settleFriction(TouchOptions& options) {
 
 using Outputs = std::vector<std::optional<std::filesystem::path>>;
 
-// Where a name leads. A pipe has none: it is called as the person calls it.
-std::filesystem::path placeOf(const std::filesystem::path& name) {
-    std::error_code fault;
-    const auto place = std::filesystem::weakly_canonical(name, fault);
-    return fault ? name : place;
-}
-
-// A result that replaced a model, a path or another result would be work lost.
 void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Outputs& outputs) {
-    std::vector<std::filesystem::path> taken;
-    for (const auto& input : inputs)
-        taken.push_back(placeOf(input));
-    for (const auto& output : outputs) {
-        if (!output) continue;
-        const auto file = placeOf(*output);
-        if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
-            throw CLI::ValidationError(output->string(),
-                                       "is also an input or another output; give each its own file");
-        taken.push_back(file);
-    }
+    std::vector<std::filesystem::path> given;
+    for (const auto& output : outputs)
+        if (output) given.push_back(*output);
+    if (const auto clash = clashOf(inputs, given)) throw CLI::ValidationError(clash->string(), kClash);
 }
 
 void addTouch(CLI::App& program, TouchOptions& options) {
@@ -197,7 +183,14 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
     addFile(*convert, "--path", options.path,
             "The finger that shows the scene, kept in .glb and .zip: CSV with the header t,x,y,z");
     addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
-    convert->final_callback([&] { checkOutputs({options.in}, {options.out, options.report}); });
+    convert->footer(
+        "What the import repaired or left out goes to standard error as well.\n"
+        "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl.");
+    convert->final_callback([&] {
+        std::vector<std::filesystem::path> inputs{options.in};
+        if (options.path) inputs.push_back(*options.path);
+        checkOutputs(inputs, {options.out, options.report}); // those beside it are known when it is written
+    });
 }
 
 struct Request {

@@ -1,5 +1,6 @@
 #include "app/results.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -27,6 +28,25 @@ bool isOurOutput(const struct stat& file) {
     return fstat(STDOUT_FILENO, &ours) == 0 && file.st_dev == ours.st_dev && file.st_ino == ours.st_ino;
 }
 
+const char* nameOf(Finding::Severity severity) {
+    switch (severity) {
+    case Finding::Severity::Note:
+        return "note";
+    case Finding::Severity::Warning:
+        return "warning";
+    case Finding::Severity::Error:
+        break;
+    }
+    return "error";
+}
+
+/// Where a name leads. A pipe has none: it is called as the person calls it.
+std::filesystem::path placeOf(const std::filesystem::path& name) {
+    std::error_code fault;
+    const auto place = std::filesystem::weakly_canonical(name, fault);
+    return fault ? name : place;
+}
+
 Result<void> writeInto(std::ostream& out, const std::filesystem::path& file, const std::string& text) {
     out.write(text.data(), std::streamsize(text.size()));
     out.flush();
@@ -50,6 +70,28 @@ std::string touchCsv(const TouchTrace& rows) {
         out += ',' + std::to_string(row.contacts) + ',' + std::to_string(row.updateNs) + '\n';
     }
     return out;
+}
+
+std::string lineOf(const Finding& finding) {
+    std::string line = nameOf(finding.severity) + std::string(": ");
+    if (!finding.object.empty()) line += finding.object + ": ";
+    line += finding.sentence;
+    if (!finding.remedy.empty()) line += "; " + finding.remedy;
+    return line;
+}
+
+std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::path>& inputs,
+                                             const std::vector<std::filesystem::path>& outputs) {
+    std::vector<std::filesystem::path> taken;
+    for (const auto& input : inputs)
+        taken.push_back(placeOf(input));
+    for (const auto& output : outputs) {
+        const auto file = placeOf(output);
+        if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
+            return output;
+        taken.push_back(file);
+    }
+    return std::nullopt;
 }
 
 bool isStandardOutput(const std::optional<std::filesystem::path>& file) {

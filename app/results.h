@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/runtime/replay.h"
+#include "core/scene/findings.h"
 
 namespace tactum {
 
@@ -14,6 +16,16 @@ namespace tactum {
 std::string touchCsv(const TouchTrace& rows);
 /// "-" is standard output.
 bool isStandardOutput(const std::optional<std::filesystem::path>& file);
+/// One line: "warning: lid: 3 faces left out; export it again".
+std::string lineOf(const Finding& finding);
+
+/// Nothing, or the output that is also an input or an earlier output; a result that replaced one of them
+/// would be work lost.
+std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::path>& inputs,
+                                             const std::vector<std::filesystem::path>& outputs);
+/// What a person is told of a clash.
+inline constexpr const char* kClash = "is also an input or another output; give each its own file";
+
 /// To a file, or to standard output.
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text);
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/archive/sha256.h"
+#include "core/base/text.h"
 
 namespace tactum {
 namespace {
@@ -14,14 +15,17 @@ using Json = nlohmann::ordered_json;
 constexpr int kMajor = 1;
 constexpr const char* kFormat = "Tactum bundle";
 
+bool isOfThisKind(const std::string& version) {
+    return version.substr(0, version.find('.')) == std::to_string(kMajor);
+}
+
 /// Nothing where the manifest is not one, or is of a later kind.
 Result<Json> manifestOf(std::string_view text) {
     Json json = Json::parse(text, nullptr, false);
     const bool shaped = json.is_object() && json.value("format", Json()) == kFormat &&
                         json["version"].is_string() && json["files"].is_array();
     if (!shaped) return inputError("its manifest.json is not that of a Tactum bundle; export it again");
-    const std::string version = json["version"];
-    if (version.substr(0, version.find('.')) != std::to_string(kMajor))
+    if (!isOfThisKind(json["version"]))
         return inputError("is a bundle of a later Tactum; update the program");
     return json;
 }
@@ -47,6 +51,23 @@ std::string packBundle(std::span<const ZipEntry> files) {
     std::vector<ZipEntry> all{{bundle_name::kManifest, manifest.dump(2) + "\n"}};
     all.insert(all.end(), files.begin(), files.end());
     return writeZip(all);
+}
+
+std::optional<std::string> laterBundle(std::string_view zip) {
+    const auto archive = ZipArchive::open(zip);
+    if (!archive) return std::nullopt;
+    const auto& names = archive->names();
+    const auto place = std::ranges::find(names, bundle_name::kManifest);
+    if (place == names.end()) return std::nullopt;
+    const auto manifest = archive->read(std::size_t(place - names.begin()));
+    if (!manifest) return std::nullopt;
+    const Json json = Json::parse(*manifest, nullptr, false); // the rest of it may be of any shape
+    if (!json.is_object() || json.value("format", Json()) != kFormat || !json.contains("version"))
+        return std::nullopt;
+    const Json& said = json["version"];
+    const std::string version = said.is_string() ? said.get<std::string>() : said.dump();
+    if (isOfThisKind(version)) return std::nullopt;
+    return printable(version, 20);
 }
 
 Result<BundleFiles> BundleFiles::open(std::string_view zip) {

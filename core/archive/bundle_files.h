@@ -1,6 +1,7 @@
 // The files of a bundle and its manifest: what each one is called, how long it is, and its fingerprint.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ inline constexpr const char* kReport = "report.md";
 /// The zip of these files with a manifest before them. The same files give the same bytes. Thread: any but
 /// real time.
 std::string packBundle(std::span<const ZipEntry> files);
+
+/// The version of a bundle that a later program wrote; none for ours, and for what is no bundle. Unpacks the
+/// manifest alone. Thread: any but real time.
+std::optional<std::string> laterBundle(std::string_view zip);
 
 /// A bundle whose files are all as its manifest says.
 class BundleFiles {

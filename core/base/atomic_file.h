@@ -8,6 +8,9 @@
 
 namespace tactum {
 
+/// How many of its last versions a file keeps beside it, unless somebody says otherwise.
+inline constexpr int kBackups = 3;
+
 /// Where the file's `age`-th last version is kept, 1 the newest: scene.glb1 beside scene.glb, as Blender
 /// does.
 std::filesystem::path backupOf(const std::filesystem::path& file, int age);
@@ -19,6 +22,7 @@ std::filesystem::path backupOf(const std::filesystem::path& file, int age);
 /// the path and the reason, for a folder, a device or pipe, and a file nobody may write as well. Then nothing
 /// is left behind, and the file is as it was, but for one: the line that begins with "was written" tells that
 /// it may not outlive a power cut. Thread: any but real time.
-Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view bytes, int backups = 3);
+Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view bytes,
+                                 int backups = kBackups);
 
 } // namespace tactum

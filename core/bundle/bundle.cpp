@@ -15,6 +15,8 @@
 #include "core/files/load_scene.h"
 #include "core/files/loss_report.h"
 #include "core/files/read_finger_path.h"
+#include "core/files/save_scene.h"
+#include "core/files/source.h"
 #include "core/files/x3d/write_x3d.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
@@ -66,6 +68,18 @@ Result<std::string> readWhole(const std::filesystem::path& file) {
     return bytes;
 }
 
+/// The version of a bundle that a later program wrote, or of its scene; whatever else is there may be
+/// replaced.
+std::optional<std::string> laterFormatOf(const std::filesystem::path& file) {
+    std::error_code fault;
+    if (!std::filesystem::is_regular_file(file, fault)) return std::nullopt;
+    const auto bytes = readWhole(file);
+    if (!bytes) return std::nullopt;
+    if (const auto later = laterBundle(*bytes)) return later;
+    const auto files = BundleFiles::open(*bytes);
+    return files ? laterSceneFormat(files->file(bundle_name::kScene)) : std::nullopt;
+}
+
 } // namespace
 
 Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
@@ -79,7 +93,7 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
     auto glb = glbOf(scene, partOf(progress, 0.2, 0.3));
     if (!glb) return tl::unexpected<Error>(glb.error());
     if (!reached(0.3)) return cancelledError();
-    auto written = x3dOf(scene, partOf(progress, 0.3, 0.8)); // its pictures can take most of the time
+    auto written = x3dOf(scene, {}, partOf(progress, 0.3, 0.8)); // its pictures can take most of the time
     if (!written) return tl::unexpected<Error>(written.error());
     X3dExport& x3d = *written;
     const std::vector<FingerPoint> finger = scene.finger ? *scene.finger : sampleStroke(**world);
@@ -97,15 +111,24 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
     return packBundle(files);
 }
 
-Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
+                        int backups) {
     try {
+        if (const auto later = laterFormatOf(file))
+            return inputError(shownPath(file) + ": holds a bundle of a later Tactum (version " + *later +
+                              " of the format), which would be lost; choose another name");
         const auto bundle = bundleOf(scene, partOf(progress, 0, 0.95));
         if (!bundle) return tl::unexpected<Error>(bundle.error());
         if (progress.isCancelled()) return cancelledError();
-        return writeFileAtomically(file, *bundle);
+        return writeFileAtomically(file, *bundle, backups);
     } catch (const std::bad_alloc&) {
-        return machineError(file.string() + ": not enough memory to export the scene; close other programs");
+        return machineError(shownPath(file) +
+                            ": not enough memory to export the scene; close other programs");
     }
+}
+
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+    return saveBundle(scene, file, progress, kBackups);
 }
 
 Result<Bundle> openBundle(const std::filesystem::path& file) {

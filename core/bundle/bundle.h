@@ -20,8 +20,12 @@ inline constexpr const char* kBundleEnding = "zip";
 /// Errors: cancelled, a scene that cannot be touched or written. Thread: any but real time.
 Result<std::string> bundleOf(const Scene& scene, const Progress& progress = {});
 
-/// The same, written whole or not at all; the last three versions stay beside it.
+/// The same, written whole or not at all; the last `backups` versions stay beside it, three if nothing else
+/// is said. A bundle of a later major version, or one whose scene is of one, is not replaced: what this
+/// version does not know would be lost.
 Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
+                        int backups);
 
 /// What a bundle is opened for when somebody wants to know whether a renderer feels as it should.
 struct Bundle {

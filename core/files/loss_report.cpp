@@ -24,8 +24,27 @@ void append(std::vector<Loss>& losses, ExportTarget target, const Rows& rows, co
     }
 }
 
-/// Text in which Markdown sees nothing but letters.
-std::string plain(std::string_view text, std::size_t limit = 60) {
+/// What stands in the kept part of a glTF file. Its nodes and materials are mostly there for our objects and
+/// are not spoken of.
+ForeignParts foreignPartsOf(const Scene& scene) {
+    constexpr const char* kLights = "KHR_lights_punctual";
+    ForeignParts parts;
+    if (!scene.kept.foreign) return parts;
+    const Json root = Json::parse(scene.kept.foreign->json, nullptr, false);
+    if (!root.is_object()) return parts;
+    const auto has = [&](const char* key) { return root.contains(key) && !root[key].empty(); };
+    parts.cameras = has("cameras");
+    parts.pictures = has("images");
+    parts.others =
+        has("animations") || has("skins") || has("extras") || (has("scenes") && root["scenes"].size() > 1);
+    if (!has("extensions") || !root["extensions"].is_object()) return parts;
+    for (const auto& [name, extension] : root["extensions"].items())
+        (name == kLights ? parts.lights : parts.others) = true;
+    return parts;
+}
+
+/// Text in which Markdown sees nothing but letters. Sentences are whole.
+std::string plain(std::string_view text, std::size_t limit = std::string_view::npos) {
     std::string result;
     for (const char c : printable(text, limit)) {
         if (std::string_view("\\`*_{}[]<>()#+-!|~&").find(c) != std::string_view::npos) result += '\\';
@@ -36,10 +55,10 @@ std::string plain(std::string_view text, std::size_t limit = 60) {
 
 /// "lid, body and 3 more"
 std::string namesOf(const std::vector<std::string>& names) {
-    constexpr std::size_t kMost = 5;
+    constexpr std::size_t kMost = 5, kLongest = 200;
     std::string text;
     for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
-        text += (i > 0 ? ", " : "") + plain(names[i]);
+        text += (i > 0 ? ", " : "") + plain(names[i], kLongest);
     if (names.size() > kMost) text += " and " + std::to_string(names.size() - kMost) + " more";
     return text;
 }
@@ -75,12 +94,13 @@ std::string chapter(ExportTarget target, const std::vector<Loss>& losses) {
 
 std::vector<Loss> lossesOf(const Scene& scene, ExportTarget target) {
     assertNotRealtime();
+    const ForeignParts foreign = foreignPartsOf(scene);
     std::vector<Loss> losses;
-    append(losses, target, loss_table::kSceneRows, {scene});
+    append(losses, target, loss_table::kSceneRows, {scene, foreign});
     for (const SceneObject& object : scene.objects) {
-        append(losses, target, loss_table::kObjectRows, {scene, &object});
+        append(losses, target, loss_table::kObjectRows, {scene, foreign, &object});
         for (const Surface& surface : object.surfaces)
-            append(losses, target, loss_table::kSurfaceRows, {scene, &object, &surface});
+            append(losses, target, loss_table::kSurfaceRows, {scene, foreign, &object, &surface});
     }
     return losses;
 }

@@ -9,9 +9,15 @@
 
 namespace tactum {
 
+/// What other programs put beside the scene.
+struct ForeignParts {
+    bool cameras = false, lights = false, pictures = false, others = false;
+};
+
 /// What a rule is asked about. `object` is null for a thing of the scene, `surface` for one of an object.
 struct LossSubject {
     const Scene& scene;
+    ForeignParts foreign;
     const SceneObject* object = nullptr;
     const Surface* surface = nullptr;
 };
@@ -44,6 +50,7 @@ constexpr LossRule lost(std::string_view sentence) {
 inline constexpr LossRule kNoFeel = lost("the format knows shapes, not how they feel");
 inline constexpr LossRule kNoPhysics = lost("the extension has no place for it");
 inline constexpr LossRule kAtRest = lost("written where it is at the time 0");
+inline constexpr LossRule kNotTouched = lost("the program keeps it for .glb, and does not know it itself");
 inline constexpr LossRule kWorld = degraded("the vertices are written in the world frame");
 
 inline bool anyLayer(const LossSubject& s, bool (*is)(const TextureLayer&)) {
@@ -63,6 +70,12 @@ template <int kCorners> bool hasFacesOf(const LossSubject& s) {
     return false;
 }
 
+/// What the glTF of the scene gives back, and nothing else can.
+constexpr LossRow foreignRow(std::string_view what, bool (*has)(const LossSubject&)) {
+    return {
+        what, has, {kept(), kNotTouched, kept(), kept(), kNotTouched, kNotTouched, kNotTouched, kNotTouched}};
+}
+
 inline const std::array kSceneRows{
     LossRow{"finger path",
             [](const LossSubject& s) { return bool(s.scene.finger); },
@@ -70,7 +83,12 @@ inline const std::array kSceneRows{
              kNoFeel, kNoFeel}},
     LossRow{"proxy radius",
             always,
-            {kept(), kept("in deviceinfo.x3d"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
+            {kept(), kept("in the file of the device"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel, kNoFeel,
+             kNoFeel}},
+    foreignRow("cameras", [](const LossSubject& s) { return s.foreign.cameras; }),
+    foreignRow("lights", [](const LossSubject& s) { return s.foreign.lights; }),
+    foreignRow("pictures for the eye", [](const LossSubject& s) { return s.foreign.pictures; }),
+    foreignRow("other parts of other programs", [](const LossSubject& s) { return s.foreign.others; }),
 };
 
 inline const std::array kObjectRows{

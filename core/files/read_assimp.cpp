@@ -181,6 +181,8 @@ private:
             "everything stands where the file puts it; export it as glTF to let it move");
         say(Severity::Warning, deformed_, "mesh part", " deformed by a skin or by morph targets",
             "felt in the shape that it has at rest");
+        say(Severity::Note, scene_->mNumCameras, "camera", " left out", "the view shows everything");
+        say(Severity::Note, scene_->mNumLights, "light", " left out", "not felt");
         say(Severity::Note, scene_->mNumTextures, "picture", " inside the file left out",
             "put it beside the file to use it as a haptic texture");
     }

@@ -23,7 +23,16 @@ std::optional<std::string> laterFormatOf(const std::filesystem::path& file) {
 
 } // namespace
 
-Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+std::optional<std::string> laterSceneFormat(std::string_view bytes) {
+    try {
+        return laterFormat(openGltf(Source::ofBytes("scene", bytes)).json);
+    } catch (const ReadFault&) {
+        return std::nullopt;
+    }
+}
+
+Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
+                       int backups) {
     try {
         if (const auto later = laterFormatOf(file))
             return inputError(shownPath(file) + ": holds a scene of a later Tactum (version " + *later +
@@ -31,10 +40,14 @@ Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, co
         const auto glb = glbOf(scene, partOf(progress, 0, 0.8));
         if (!glb) return tl::unexpected<Error>(glb.error());
         if (progress.isCancelled()) return cancelledError();
-        return writeFileAtomically(file, *glb);
+        return writeFileAtomically(file, *glb, backups);
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(file) + ": not enough memory to save the scene; close other programs");
     }
+}
+
+Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+    return saveScene(scene, file, progress, kBackups);
 }
 
 } // namespace tactum

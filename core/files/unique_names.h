@@ -1,6 +1,7 @@
 // Names made fit for a format, and each given out once.
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -35,6 +36,25 @@ inline std::string plainName(std::string_view name) {
         plain += isLetter || isDigit ? c : '_';
     }
     return plain.empty() ? "n" : plain;
+}
+
+/// How the names of files begin that belong to the one of this stem and are named inside it. Letters, digits,
+/// _ - and . stay, other characters that can be read as well; blanks, signs and broken bytes become ~ and
+/// their two hexadecimal digits, which neither a URL nor a line of words takes for anything else. Two stems
+/// never become the same.
+inline std::string sideFileStem(std::string_view stem) {
+    const bool readable = printable(stem, stem.size()) == stem;
+    std::string name;
+    for (const char c : stem) {
+        const auto byte = std::uint8_t(c);
+        const bool stays = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '_' || c == '-' || c == '.' || (byte >= 0x80 && readable);
+        if (stays)
+            name += c;
+        else
+            name += {'~', "0123456789ABCDEF"[byte >> 4], "0123456789ABCDEF"[byte & 15]};
+    }
+    return name;
 }
 
 } // namespace tactum

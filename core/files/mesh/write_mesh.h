@@ -19,10 +19,10 @@ struct MeshFile {
 const std::vector<std::string>& writableMeshEndings();
 
 /// The meshes of all objects, in metres and in the world frame at the time 0. The first file is
-/// `stem`.`ending`, the others belong beside it. What each format cannot say is in loss_report.h; what it can
-/// say is exact: OBJ and OFF have the shortest text of each number, PLY doubles where floats would not do.
-/// The same scene gives the same bytes. Errors: an ending that is not one of those, or more vertices than the
-/// format can number. Thread: any but real time.
+/// `stem`.`ending`, the others belong beside it and are called as it names them. What each format cannot say
+/// is in loss_report.h; what it can say is exact: OBJ and OFF have the shortest text of each number, PLY
+/// doubles where floats would not do. The same scene gives the same bytes. Errors: an ending that is not one
+/// of those, or more vertices than the format can number. Thread: any but real time.
 Result<std::vector<MeshFile>> meshFilesOf(const Scene& scene, std::string_view ending, std::string_view stem);
 
 // For this folder: one format each.

@@ -25,7 +25,9 @@ template <class Values> void appendLine(std::string& out, std::string_view word,
 
 class ObjWriter {
 public:
-    explicit ObjWriter(std::string_view stem) : stem_(stem) { obj_ = "mtllib " + stem_ + ".mtl\n"; }
+    explicit ObjWriter(std::string_view stem) : stem_(stem), library_(sideFileStem(stem) + ".mtl") {
+        obj_ = "mtllib " + library_ + "\n";
+    }
 
     void add(const SceneObject& object) {
         obj_ += "o " + objects_.take(lineText(object.name)) + "\n";
@@ -41,7 +43,7 @@ public:
     }
 
     std::vector<MeshFile> files() && {
-        return {{stem_ + ".obj", std::move(obj_)}, {stem_ + ".mtl", std::move(mtl_)}};
+        return {{stem_ + ".obj", std::move(obj_)}, {library_, std::move(mtl_)}};
     }
 
 private:
@@ -97,7 +99,7 @@ private:
         return std::to_string(number + 1);
     }
 
-    std::string stem_, obj_, mtl_;
+    std::string stem_, library_, obj_, mtl_;
     std::size_t firstPosition_ = 0;
     UniqueNames objects_, materials_;
     std::vector<std::string> groups_, materialOf_; ///< by surface of the object

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/files/x3d/x3d_geometry.h"
+#include "core/files/x3d/x3d_metadata.h"
 #include "core/files/x3d/x3d_surface.h"
 #include "core/scene/value_checks.h"
 
@@ -25,14 +26,32 @@ public:
           surfaces_(document_, source, loaded_.findings) {}
 
     LoadedScene read() {
-        visit(document_.scene(), Affine::Identity(), "", 0);
+        visit(document_.scene(), {}, 0);
         if (const auto radius = surfaces_.proxyRadius()) loaded_.scene.proxyRadius = *radius;
         sayWhatIsLeftOut();
         return std::move(loaded_);
     }
 
 private:
-    void visit(X3dNode given, const Affine& parent, const std::string& parentName, int depth) {
+    /// What a node gets from those above it.
+    struct Place {
+        Affine toWorld = Affine::Identity();
+        std::string name;
+        bool isNamedByUs = false; ///< by our metadata, which no DEF below it overrules
+    };
+
+    static Place namedPlace(X3dNode node, const Place& parent) {
+        Place place = parent;
+        const auto ours = X3dDocument::metadata(node, kX3dObjectSet, "name");
+        if (ours)
+            place.name = *ours;
+        else if (const auto def = node.attribute("DEF"); def && !parent.isNamedByUs)
+            place.name = def.value();
+        place.isNamedByUs = ours || parent.isNamedByUs;
+        return place;
+    }
+
+    void visit(X3dNode given, const Place& parent, int depth) {
         constexpr int kDeepest = 128;
         constexpr std::size_t kMostVisits = 1'000'000;
         const X3dNode node = document_.resolved(given);
@@ -43,15 +62,15 @@ private:
             document_.fail(node, "is used too often; export the scene with fewer copies");
         if (progress_.isCancelled()) throw ReadFault{cancelledError().value()};
         const std::string_view kind = node.name();
-        const std::string name = node.attribute("DEF") ? node.attribute("DEF").value() : parentName;
-        if (kind == "Shape") return addShape(node, parent, name);
+        Place here = namedPlace(node, parent);
+        if (kind == "Shape") return addShape(node, here);
         if (kind == "Inline") ++inlines_;
         if (kind == "Inline" || kind == "ProtoDeclare" || kind == "Appearance") return;
-        const Affine here = parent * transformOf(node);
+        here.toWorld = here.toWorld * transformOf(node);
         int number = 0;
         for (const X3dNode child : node.children()) {
             if (child.type() != pugi::node_element || !isChosen(node, number++)) continue;
-            visit(child, here, name, depth + 1);
+            visit(child, here, depth + 1);
         }
     }
 
@@ -100,8 +119,8 @@ private:
                                   "fewer copies");
     }
 
-    void addShape(X3dNode shape, const Affine& toWorld, const std::string& name) {
-        WorldMesh mesh(source_, toWorld);
+    void addShape(X3dNode shape, const Place& place) {
+        WorldMesh mesh(source_, place.toWorld);
         for (const X3dNode child : shape.children()) {
             const X3dNode geometry = document_.resolved(child);
             const std::string_view kind = geometry.name();
@@ -111,22 +130,27 @@ private:
         }
         if (mesh.positions() == 0) return;
         demandBounded(shape, mesh.positions());
-        mesh.addTo(loaded_, name.empty() ? stemOf(source_) : name, {surfaces_.surfaceOf(shape)}, progress_);
+        mesh.addTo(loaded_, place.name.empty() ? stemOf(source_) : place.name, {surfaces_.surfaceOf(shape)},
+                   progress_);
         if (progress_.report)
             progress_.report(std::min(1.0, double(shape.offset_debug()) / double(source_.bytes().size())));
     }
 
     void sayWhatIsLeftOut() {
-        const auto say = [&](std::size_t count, const std::string& noun, const char* remedy) {
+        const auto say = [&](std::size_t count, const std::string& noun, const char* remedy,
+                             Severity severity = Severity::Warning) {
             if (count > 0)
-                loaded_.findings.push_back(
-                    {Severity::Warning, "", counted(count, noun) + " left out", remedy});
+                loaded_.findings.push_back({severity, "", counted(count, noun) + " left out", remedy});
         };
         for (const auto& [kind, count] : unknown_)
             say(count, "geometry of the kind " + inQuotes(kind), "export it as IndexedFaceSet");
         say(inlines_, "Inline", "open that file itself, or join the two");
         const auto movers = document_.all({"PositionInterpolator", "OrientationInterpolator", "Script"});
         say(movers.size(), "animation or script", "everything stands where the file puts it");
+        say(document_.all({"DirectionalLight", "PointLight", "SpotLight"}).size(), "light", "not felt",
+            Severity::Note);
+        say(document_.all({"Viewpoint", "OrthoViewpoint"}).size(), "viewpoint", "the view shows everything",
+            Severity::Note);
         const auto effects =
             document_.all({"ForceField", "SpringEffect", "ViscosityEffect", "PositionFunctionEffect",
                            "MagneticGeometryEffect", "TimeFunctionEffect", "RotationalSpringEffect"});

@@ -8,6 +8,7 @@
 #include "core/files/unique_names.h"
 #include "core/files/x3d/write_x3d_geometry.h"
 #include "core/files/x3d/write_x3d_surface.h"
+#include "core/files/x3d/x3d_metadata.h"
 
 namespace tactum {
 namespace {
@@ -76,7 +77,8 @@ template <class Value, class At> Keys keysOf(const Track<Value>& track, double c
 
 class X3dWriter {
 public:
-    X3dWriter(const Scene& scene, const Progress& progress) : scene_(scene), progress_(progress) {
+    X3dWriter(const Scene& scene, const X3dNames& files, const Progress& progress)
+        : scene_(scene), files_(files), progress_(progress) {
         for (const SceneObject& object : scene.objects)
             surfaces_ += object.surfaces.size();
         result_.losses = lossesOf(scene, ExportTarget::X3d);
@@ -97,13 +99,13 @@ public:
     }
 
 private:
-    static void writeHead(XmlElement& root) {
+    void writeHead(XmlElement& root) const {
         XmlElement head(root, "head");
         XmlElement(head, "meta").set("name", "generator").set("content", "Tactum");
         XmlElement(head, "meta")
             .set("name", "description")
             .set("content",
-                 "A haptic scene for H3DAPI; lengths in metres, y up. Start it with deviceinfo.x3d.");
+                 "A haptic scene for H3DAPI; lengths in metres, y up. Start it with " + files_.device + ".");
     }
 
     void writeSettings(XmlElement& scene) const {
@@ -141,7 +143,7 @@ private:
 
     static void writeName(XmlElement& node, const std::string& name) {
         XmlElement set(node, "MetadataSet");
-        set.set("containerField", "metadata").set("name", "Tactum object");
+        set.set("containerField", "metadata").set("name", kX3dObjectSet);
         XmlElement(set, "MetadataString")
             .set("containerField", "value")
             .set("name", "name")
@@ -183,8 +185,8 @@ private:
         XmlElement appearance(shape, "Appearance");
         XmlElement(appearance, "Material")
             .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
-        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface, name, result_.images,
-                     progress_);
+        writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface,
+                     {files_.maps + "/" + name, result_.images, progress_});
     }
 
     /// Lines and points have no texture coordinates.
@@ -269,6 +271,7 @@ private:
     }
 
     const Scene& scene_;
+    const X3dNames& files_;
     const Progress& progress_;
     std::size_t surfaces_ = 0, written_ = 0;
     const double proxyRadius_ = kProxyRadius.clamped(scene_.proxyRadius);
@@ -278,14 +281,19 @@ private:
 
 } // namespace
 
-X3dExport x3dOf(const Scene& scene) {
-    assertNotRealtime();
-    return X3dWriter(scene, {}).write();
+X3dNames X3dNames::beside(std::string_view stem) {
+    const std::string own = sideFileStem(stem);
+    return {own + "-maps", own + "-deviceinfo.x3d"};
 }
 
-Result<X3dExport> x3dOf(const Scene& scene, const Progress& progress) {
+X3dExport x3dOf(const Scene& scene, const X3dNames& names) {
     assertNotRealtime();
-    X3dExport written = X3dWriter(scene, progress).write();
+    return X3dWriter(scene, names, {}).write();
+}
+
+Result<X3dExport> x3dOf(const Scene& scene, const X3dNames& names, const Progress& progress) {
+    assertNotRealtime();
+    X3dExport written = X3dWriter(scene, names, progress).write();
     if (progress.isCancelled()) return cancelledError();
     return written;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -13,6 +14,14 @@ namespace tactum {
 
 /// The most that deviceinfo.x3d lets H3D command: what a light desk device gives for as long as one likes. N
 inline constexpr double kX3dForceLimit = 3;
+/// What lies beside the scene. In a bundle there is one scene alone; in a folder each has files of its own.
+struct X3dNames {
+    std::string maps = "maps"; ///< the folder of the images
+    std::string device = "deviceinfo.x3d";
+
+    /// Those of `stem`.x3d: `stem`-maps and `stem`-deviceinfo.x3d.
+    static X3dNames beside(std::string_view stem);
+};
 
 struct X3dImage {
     std::string name;  ///< beside the scene, as its url says: a folder, a slash and plain letters
@@ -20,8 +29,8 @@ struct X3dImage {
 };
 
 struct X3dExport {
-    std::string scene;            ///< scene.x3d
-    std::string device;           ///< deviceinfo.x3d: what H3D keeps apart
+    std::string scene;
+    std::string device;           ///< what H3D keeps apart
     std::vector<X3dImage> images; ///< depth maps and maps of parameters, in the order of the scene
     std::vector<Loss> losses;     ///< those of the table, and what flattening this scene's layers lost
 };
@@ -31,8 +40,8 @@ struct X3dExport {
 /// DepthMapSurface, one with other layers a HapticTexturesSurface, one with friction a FrictionalSurface, any
 /// other a SmoothSurface; what H3D cannot say stands in a MetadataSet under it. The same scene gives the same
 /// bytes. Thread: any but real time.
-X3dExport x3dOf(const Scene& scene);
+X3dExport x3dOf(const Scene& scene, const X3dNames& names = {});
 /// The same for somebody who waits: large pictures take seconds. Error: cancelled.
-Result<X3dExport> x3dOf(const Scene& scene, const Progress& progress);
+Result<X3dExport> x3dOf(const Scene& scene, const X3dNames& names, const Progress& progress);
 
 } // namespace tactum

@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/files/images/write_png.h"
+#include "core/files/x3d/x3d_metadata.h"
 #include "core/surface/friction.h"
 
 namespace tactum {
@@ -24,11 +25,12 @@ constexpr std::array<MapField, 3> kMapFields{
       "dynamic-friction"}}};
 
 void writeImage(XmlElement& surface, std::string_view field, const TextureImage& image,
-                const std::string& name, std::vector<X3dImage>& images, const Progress& progress) {
-    images.push_back({"maps/" + name + ".png", encodePng(image, 8, progress)});
+                std::string_view ending, const X3dPictures& pictures) {
+    pictures.images.push_back(
+        {pictures.stem + "-" + std::string(ending) + ".png", encodePng(image, 8, pictures.progress)});
     XmlElement(surface, "ImageTexture")
         .set("containerField", field)
-        .setStrings("url", {images.back().name})
+        .setStrings("url", {pictures.images.back().name})
         .set("repeatS", false)
         .set("repeatT", false);
 }
@@ -77,7 +79,7 @@ void writeLayer(XmlElement& metadata, const TextureLayer& layer) {
 /// What H3D has no field for.
 void writeMetadata(XmlElement& node, const Surface& surface) {
     XmlElement set(node, "MetadataSet");
-    set.set("containerField", "metadata").set("name", "Tactum surface");
+    set.set("containerField", "metadata").set("name", kX3dSurfaceSet);
     writeWord(set, "name", surface.name);
     writeNumber(set, kViscosity, surface.material.viscosity);
     writeWord(set, "force-shading", surface.shading.on ? "true" : "false");
@@ -152,7 +154,7 @@ X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface, const Progress
 }
 
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images, const Progress& progress) {
+                  const X3dPictures& pictures) {
     const std::string_view kind = nodeOf(flat, surface);
     XmlElement node(appearance, kind);
     node.set("useRelativeValues", false)
@@ -166,12 +168,10 @@ void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface&
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
             node.set(field.least, picture.low).set(field.most, picture.high);
     writeMetadata(node, surface);
-    if (flat.height.image)
-        writeImage(node, "depthMap", *flat.height.image, stem + "-height", images, progress);
+    if (flat.height.image) writeImage(node, "depthMap", *flat.height.image, "height", pictures);
     for (const MapField& field : kMapFields)
         if (const FlatPicture& picture = flat.*field.picture; picture.image)
-            writeImage(node, field.map, *picture.image, stem + "-" + std::string(field.ending), images,
-                       progress);
+            writeImage(node, field.map, *picture.image, field.ending, pictures);
 }
 
 } // namespace tactum

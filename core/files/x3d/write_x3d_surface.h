@@ -25,8 +25,15 @@ struct X3dSurface {
 /// Of no use after a cancel, as the next one.
 X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface, const Progress& progress);
 
-/// Writes the node into an Appearance, and appends its pictures, whose names begin with `stem`.
+/// Where the pictures of a surface go, and how their names begin.
+struct X3dPictures {
+    std::string stem;
+    std::vector<X3dImage>& images;
+    const Progress& progress;
+};
+
+/// Writes the node into an Appearance, and appends its pictures.
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
-                  const std::string& stem, std::vector<X3dImage>& images, const Progress& progress);
+                  const X3dPictures& pictures);
 
 } // namespace tactum

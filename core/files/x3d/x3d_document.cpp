@@ -119,6 +119,17 @@ std::vector<std::string> X3dDocument::strings(X3dNode node, const char* field) {
     return all;
 }
 
+std::optional<std::string> X3dDocument::metadata(X3dNode node, std::string_view set, std::string_view key) {
+    for (const X3dNode each : node.children("MetadataSet")) {
+        if (each.attribute("name").value() != set) continue;
+        for (const X3dNode value : each.children("MetadataString"))
+            if (const auto words = strings(value, "value");
+                value.attribute("name").value() == key && words.size() == 1)
+                return words[0];
+    }
+    return std::nullopt;
+}
+
 std::vector<X3dNode> X3dDocument::all(std::initializer_list<std::string_view> names) const {
     std::vector<X3dNode> found;
     visitAll([&](X3dNode node) {

@@ -34,6 +34,9 @@ public:
     /// The strings of an MFString; one without quotes is one string.
     static std::vector<std::string> strings(X3dNode node, const char* field);
 
+    /// What a MetadataString of this key says in the node's MetadataSet of this name; nothing without one.
+    static std::optional<std::string> metadata(X3dNode node, std::string_view set, std::string_view key);
+
     /// Every node of a kind in the whole file.
     std::vector<X3dNode> all(std::initializer_list<std::string_view> names) const;
 

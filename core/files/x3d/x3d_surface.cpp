@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/files/readers.h"
+#include "core/files/x3d/x3d_metadata.h"
 #include "core/scene/value_checks.h"
 
 namespace tactum {
@@ -91,6 +92,7 @@ Surface X3dSurfaces::surfaceOf(X3dNode shape) {
         surface.colour = Vec3(colour.data()).cwiseMax(0).cwiseMin(1).cast<float>();
     }
     const X3dNode haptic = geometryless ? document_.child(geometryless, kSurfaces) : X3dNode();
+    if (const auto ours = X3dDocument::metadata(haptic, kX3dSurfaceSet, "name")) surface.name = *ours;
     if (haptic) feel(haptic, surface);
     for (const X3dNode geometry : shape.children())
         if (const auto sides = sidesOf(document_.resolved(geometry), bool(haptic))) surface.sides = *sides;

@@ -78,7 +78,7 @@ constexpr long kHarmless[] = {
     SYS_lseek,
     SYS_faccessat,
 #ifdef SYS_faccessat2
-    SYS_faccessat2, // of realpath()
+    SYS_faccessat2, // without it the folder "." is not found, and with it nothing that lies in it
 #endif
     SYS_readlinkat,
     SYS_getcwd,

@@ -1,10 +1,12 @@
 // A bundle: the same bytes for the same scene, the forces that it promises, and no changed file unnoticed.
+#include <filesystem>
 #include <fstream>
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/archive/bundle_files.h"
+#include "core/base/atomic_file.h"
 #include "core/bundle/bundle.h"
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
@@ -62,6 +64,11 @@ Scene engraved(int side) {
 std::string bytesOf(const Scene& scene) {
     const auto bytes = bundleOf(scene);
     return bytes ? *bytes : throw std::runtime_error(bytes.error().text);
+}
+
+std::string bytesIn(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 } // namespace
@@ -172,6 +179,52 @@ private slots:
             QVERIFY2(line.find("up to " + number + " N") != std::string::npos, line.c_str());
             QVERIFY(files->file(bundle_name::kDevice).find("forceLimit=\"3\"") != std::string::npos);
         }
+    }
+
+    void aBundleOfALaterTactumIsNotReplaced_data() {
+        QTest::addColumn<QString>("version");
+        QTest::addColumn<bool>("replaced");
+        QTest::newRow("ours") << "\"1.0\"" << true;
+        QTest::newRow("a later minor") << "\"1.7\"" << true;
+        QTest::newRow("a later major") << "\"2.0\"" << false;
+        QTest::newRow("a later major of two digits") << "\"10.1\"" << false;
+        QTest::newRow("a number") << "2" << false;
+    }
+    void aBundleOfALaterTactumIsNotReplaced() {
+        QFETCH(QString, version);
+        QFETCH(bool, replaced);
+        auto zip = readZip(bytesOf(plate()));
+        std::string& manifest = zip->front().bytes;
+        manifest.replace(manifest.find("\"1.0\""), 5, version.toStdString());
+        zip->push_back({"later.bin", "what this version does not know"});
+        const std::string before = writeZip(*zip);
+        const auto file = write(before);
+        const auto saved = saveBundle(plate(), file);
+        QCOMPARE(bool(saved), replaced);
+        QCOMPARE(bytesIn(file) == before, !replaced);
+        if (replaced) return;
+        QVERIFY2(saved.error().text.find("choose another name") != std::string::npos,
+                 saved.error().text.c_str());
+    }
+
+    void aBundleWithASceneOfALaterTactumIsNotReplaced() {
+        auto files = readZip(bytesOf(plate()));
+        files->erase(files->begin()); // the manifest is made anew
+        std::string& glb = (*files)[0].bytes;
+        const std::string ours = "\"version\":\"1.0\"";
+        QVERIFY(glb.find(ours) != std::string::npos);
+        glb.replace(glb.find(ours), ours.size(), "\"version\":\"2.0\"");
+        const auto file = write(packBundle(*files));
+        QVERIFY(!saveBundle(plate(), file));
+    }
+
+    void onlyAsManyBackupsAsAskedFor() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath(QStringLiteral("b.zip")).toStdString();
+        QVERIFY(saveBundle(plate(), file, {}, 0) && saveBundle(plate(), file, {}, 0));
+        QVERIFY(!std::filesystem::exists(backupOf(file, 1)));
+        QVERIFY(saveBundle(plate(), file));
+        QVERIFY(std::filesystem::exists(backupOf(file, 1)));
     }
 
     void aStrokeTouchesWhatLiesBelowTheMiddle() {

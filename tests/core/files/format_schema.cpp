@@ -53,6 +53,14 @@ Schema reference(const char* name) {
     return {{"$ref", std::string("#/$defs/") + name}};
 }
 
+/// What has to be true of the extension wherever it stands.
+Schema extended(const char* name) {
+    return {{"properties", {{"extensions", {{"properties", {{kExtension, reference(name)}}}}}}}};
+}
+Schema eachExtended(const char* name) {
+    return {{"items", extended(name)}};
+}
+
 Schema patternSchema() {
     Schema properties{
         {"source", word(kTextureSources, "Where the values from 0 to 1 come from.")},
@@ -157,10 +165,17 @@ std::string formatSchema() {
                    {{"type", "number"}, {"description", "After it the motion starts again. Unit: s."}}},
                   {"translation", trackSchema("Three numbers a key. Unit: m.")},
                   {"rotation", trackSchema("Quaternions x, y, z, w.")}})}});
+    Schema places = extended("root")["properties"];
+    places["materials"] = eachExtended("material");
+    places["meshes"] = eachExtended("mesh");
+    places["nodes"] = eachExtended("node");
     Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                   {"title", "TACTUM_haptics"},
                   {"description", "The extension by which a glTF 2.0 file holds a haptic scene. Unknown "
-                                  "members are allowed everywhere and are kept."},
+                                  "members are allowed everywhere and are kept. The schema "
+                                  "is that of the file's JSON: it says of each place what may stand there."},
+                  {"type", "object"},
+                  {"properties", places},
                   {"$defs",
                    {{"root", root},
                     {"material", materialSchema()},

@@ -61,6 +61,24 @@ private slots:
         QVERIFY(said(*loaded, "has no unit: taken as metres; 2.4"));
     }
 
+    void camerasAndLightsAreLeftOutAloud() {
+        std::string dae = asDae("");
+        const auto insertBefore = [&](const std::string& place, const std::string& text) {
+            dae.insert(dae.find(place), text);
+        };
+        insertBefore("<library_materials>",
+                     "<library_lights><light id='l'><technique_common><point><color>1 1 1</color></point>"
+                     "</technique_common></light></library_lights><library_cameras><camera id='c'><optics>"
+                     "<technique_common><perspective><xfov>45</xfov><znear>0.1</znear><zfar>9</zfar>"
+                     "</perspective></technique_common></optics></camera></library_cameras>");
+        insertBefore("<node id='n'", "<node id='eye' name='eye'><instance_camera url='#c'/></node>"
+                                     "<node id='lamp' name='lamp'><instance_light url='#l'/></node>");
+        const auto loaded = folder_.load("a.dae", dae);
+        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        QVERIFY(said(*loaded, "1 camera left out") && said(*loaded, "1 light left out"));
+        QVERIFY(!said(*folder_.load("a.dae", asDae("")), "left out"));
+    }
+
     void fbxKeepsUnitNamesAndPlace() {
         for (const double centimetres : {1.0, 100.0, 2.54}) {
             const auto loaded = folder_.load("a.fbx", asFbx(centimetres));

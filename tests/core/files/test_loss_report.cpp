@@ -38,6 +38,8 @@ private slots:
     void everyLossHasAReason();
     void likeThingsStandOnOneLine();
     void hostileNamesBreakNeitherText();
+    void sentencesAreWhole();
+    void partsOfOtherProgramsAreSpokenOf();
 };
 
 void TestLossReport::aPlainSceneLosesOnlyWhatFormatsCannotSay() {
@@ -120,6 +122,36 @@ void TestLossReport::hostileNamesBreakNeitherText() {
         const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(reportJson(losses)));
         QCOMPARE(std::size_t(json.array().size()), losses.size());
         QCOMPARE(json.array()[0].toObject()["target"].toString(), QString("glb"));
+    }
+}
+
+void TestLossReport::sentencesAreWhole() {
+    Scene scene = plainScene();
+    scene.objects[0].name = std::string(90, 'x');
+    const std::string report = reportMarkdown(lossesOf(scene));
+    QVERIFY(report.find("the standard says no unit, ours beside it does |") != std::string::npos);
+    QVERIFY(report.find(scene.objects[0].name + " / skin |") != std::string::npos);
+}
+
+void TestLossReport::partsOfOtherProgramsAreSpokenOf() {
+    const std::vector<std::pair<std::string, std::string>> parts{
+        {R"("cameras":[{"type":"perspective"}])", "cameras"},
+        {R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}})", "lights"},
+        {R"("images":[{"bufferView":0}])", "pictures for the eye"},
+        {R"("animations":[{}])", "other parts of other programs"},
+        {R"("extensions":{"ABC_other":{}})", "other parts of other programs"}};
+    for (const auto& [json, what] : parts) {
+        Scene scene = plainScene();
+        scene.kept.foreign = std::make_shared<const ForeignGltf>(
+            ForeignGltf{R"({"asset":{"version":"2.0"},"nodes":[{}],)" + json + "}", ""});
+        for (const ExportTarget target : {ExportTarget::X3d, ExportTarget::Obj, ExportTarget::Stl})
+            for (const auto& [other, spoken] : parts) {
+                const Loss* loss = said(lossesOf(scene, target), target, spoken);
+                QVERIFY2(bool(loss) == (spoken == what), (json + ": " + spoken).c_str());
+            }
+        const auto losses = lossesOf(scene);
+        QCOMPARE(said(losses, ExportTarget::X3d, what)->kind, LossKind::Lost);
+        QCOMPARE(said(losses, ExportTarget::Glb, what)->kind, LossKind::Kept);
     }
 }
 

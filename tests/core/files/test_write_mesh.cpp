@@ -1,5 +1,6 @@
 // Bare meshes written and read by our own readers: equal up to what the format can say.
 #include <algorithm>
+#include <set>
 
 #include <QTest>
 
@@ -80,8 +81,9 @@ Scene randomScene(Rng& rng) {
 
 class MeshFolder : public FileFolder {
 public:
-    LoadedScene roundTrip(const Scene& scene, const std::string& ending) const {
-        const auto files = meshFilesOf(scene, ending, "mesh");
+    LoadedScene roundTrip(const Scene& scene, const std::string& ending,
+                          const std::string& stem = "mesh") const {
+        const auto files = meshFilesOf(scene, ending, stem);
         for (const MeshFile& file : *files)
             write(file.name, file.bytes);
         return loadScene(path() / files->front().name).value();
@@ -101,6 +103,7 @@ private slots:
     void hostileNamesStayOnTheirLine();
     void oneMeshAtRestComesBackAsItWas();
     void anotherEndingIsRefused();
+    void everyStemFindsItsLibrary();
 
 private:
     MeshFolder folder_;
@@ -211,6 +214,29 @@ void TestWriteMesh::anotherEndingIsRefused() {
     QVERIFY(!meshFilesOf({}, "dwg", "mesh"));
     for (const std::string& ending : writableMeshEndings())
         QVERIFY(meshFilesOf({}, ending, "mesh"));
+}
+
+void TestWriteMesh::everyStemFindsItsLibrary() {
+    Rng rng(3);
+    const Scene scene = randomScene(rng);
+    std::set<std::string> libraries;
+    const std::vector<std::string> stems{" lead",     "trail ",   "\t",     "in the middle", "line\nfeed",
+                                         "return\r",  "bell\a",   "back\\", "T\xC3\xA4sse",  "broken\xC3",
+                                         "broken~C3", "# remark", "a.b",    "\"quoted\""};
+    for (const std::string& stem : stems) {
+        const LoadedScene loaded = folder_.roundTrip(scene, "obj", stem);
+        for (const Finding& finding : loaded.findings)
+            QVERIFY2(finding.sentence.find("library") == std::string::npos, finding.sentence.c_str());
+        for (const Surface& surface : loaded.scene.objects[0].surfaces) { // in the order of their faces
+            const auto& all = scene.objects[0].surfaces;
+            const auto same = std::ranges::find(all, surface.name, &Surface::name);
+            QVERIFY2(same != all.end() && surface.colour == same->colour, stem.c_str());
+        }
+        std::filesystem::remove(folder_.path() / (stem + ".obj")); // QTemporaryDir cannot say some of them
+        libraries.insert(meshFilesOf(scene, "obj", stem)->back().name);
+    }
+    QCOMPARE(libraries.size(), stems.size());
+    QVERIFY(libraries.contains("T\xC3\xA4sse.mtl") && libraries.contains("a.b.mtl"));
 }
 
 QTEST_GUILESS_MAIN(TestWriteMesh)

@@ -110,6 +110,8 @@ private slots:
     void motionsFollowTheirKeys();
     void hiddenObjectsAreSwitchedOff();
     void theDeviceStandsApart();
+    void filesAreCalledAfterTheScene();
+    void ourReaderKnowsTheNamesAgain();
 
 private:
     FileFolder folder_;
@@ -342,6 +344,38 @@ void TestWriteX3d::theDeviceStandsApart() {
     QCOMPARE(device.one("RuspiniRenderer").number("proxyRadius"), 0.0031);
     QVERIFY(device.one("AnyDevice").number("forceLimit") > 0);
     QVERIFY(parsed(written.scene).all("DeviceInfo").empty());
+}
+
+void TestWriteX3d::filesAreCalledAfterTheScene() {
+    const Scene scene =
+        sceneOf(textured({heightLayer(TextureSource::Dots, TextureMapping::Planar, 0.02, 1e-4)}));
+    const X3dExport alone = x3dOf(scene), beside = x3dOf(scene, X3dNames::beside("my cup?"));
+    QVERIFY(!alone.images.empty());
+    QVERIFY(alone.images[0].name.starts_with("maps/"));
+    QVERIFY(alone.scene.find(" deviceinfo.x3d.") != std::string::npos);
+    QVERIFY(beside.images[0].name.starts_with("my~20cup~3F-maps/"));
+    QCOMPARE(X3dNames::beside("my cup?").device, std::string("my~20cup~3F-deviceinfo.x3d"));
+    QVERIFY(beside.scene.find(beside.images[0].name) != std::string::npos);
+    QVERIFY(beside.scene.find(" my~20cup~3F-deviceinfo.x3d.") != std::string::npos);
+}
+
+void TestWriteX3d::ourReaderKnowsTheNamesAgain() {
+    Rng rng(5);
+    Scene scene;
+    for (const char* name : {"lid", "a \"b\" \\ <c> & T\xC3\xA4sse", "  ]]> ", "1", "lid"}) {
+        SceneObject object = textured({});
+        object.name = name;
+        object.surfaces[0].name = std::string(name) + " skin";
+        if (scene.objects.size() % 2 == 0) object.motion = randomMotion(rng); // one Transform more
+        scene.add(object);
+    }
+    const auto loaded = loadScene(folder_.write("own.x3d", x3dOf(scene).scene));
+    QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+    QCOMPARE(loaded->scene.objects.size(), scene.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        QCOMPARE(loaded->scene.objects[i].name, scene.objects[i].name);
+        QCOMPARE(loaded->scene.objects[i].surfaces[0].name, scene.objects[i].surfaces[0].name);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestWriteX3d)

@@ -151,6 +151,9 @@ private slots:
         QVERIFY(said(loaded, "1 geometry of the kind \"Extrusion\" left out"));
         QVERIFY(said(loaded, "1 Inline left out") && said(loaded, "1 animation or script left out"));
         QVERIFY(said(loaded, "1 force effect of H3D left out"));
+        QVERIFY(!said(loaded, "light") && !said(loaded, "viewpoint"));
+        const auto seen = load(shape("") + "<Viewpoint/><PointLight/><SpotLight/>");
+        QVERIFY(said(seen, "1 viewpoint left out") && said(seen, "2 lights left out"));
     }
 
     void hostileFilesAreRefused_data() {

@@ -66,18 +66,6 @@ private slots:
         }
     }
 
-    /// The person stands in the folder, and says no more than the name.
-    void whatLiesBesideItIsFound() {
-        folder_.write("red.mtl", "newmtl a\nKd 1 0 0\n");
-        folder_.write("red.obj", "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
-        const auto before = std::filesystem::current_path();
-        std::filesystem::current_path(folder_.path());
-        const auto imported = importScene("red.obj");
-        std::filesystem::current_path(before);
-        QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
-        QVERIFY(imported->scene.objects[0].surfaces[0].colour == Eigen::Vector3f(1, 0, 0));
-    }
-
     void knowsOurOwnScenes() {
         const auto mesh = folder_.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         const auto foreign = importScene(mesh);
@@ -113,8 +101,13 @@ private slots:
         folder_.write("here.off", asOff(grid(1)));
         std::filesystem::current_path(folder_.path());
         const auto imported = importScene("here.off");
+        folder_.write("red.mtl", "newmtl red\nKd 1 0 0\n");
+        folder_.write("red.obj", "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const auto alone = importScene("red.obj"), dotted = importScene("./red.obj");
         std::filesystem::current_path(before);
         QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
+        for (const auto* red : {&alone, &dotted}) // and what lies beside it
+            QCOMPARE((*red)->scene.objects[0].surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
     }
 
     void aLinkThatLeadsElsewhereIsFollowed() {

@@ -1,0 +1,265 @@
+// tactum convert: which files it writes, what it leaves alone, and what it says.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/program.h"
+
+using namespace test_program;
+
+namespace {
+
+const QStringList kEndings{"glb", "zip", "x3d", "obj", "ply", "stl", "off"};
+
+// Grey pictures of one texel, and of two: black beside white.
+const char* const kGrain =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==";
+const char* const kEdge =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAAAAADRSSBWAAAAC0lEQVR4nGNg+A8AAQIBAEK+vGgAAAAASUVORK5CYII=";
+
+QByteArray bytesOf(const QString& file) {
+    QFile in(file);
+    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray("(not there)");
+}
+
+} // namespace
+
+class TestConvert : public QObject {
+    Q_OBJECT
+
+private:
+    std::unique_ptr<QTemporaryDir> folder_;
+
+    QString file(const QString& name) const { return folder_->filePath(name); }
+    QStringList names() const {
+        return QDir(folder_->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
+    }
+
+    QString write(const QString& name, const QByteArray& text) const {
+        QFile out(file(name));
+        if (!out.open(QIODevice::WriteOnly)) return {};
+        out.write(text);
+        return file(name);
+    }
+
+    // A square of two triangles. Its material: a colour, or a picture of heights.
+    QString plate(const QString& name, const QByteArray& library = {}) const {
+        return write(name, (library.isEmpty() ? "" : "mtllib " + library + "\nusemtl m\n") +
+                               "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                               "f 1/1 2/2 3/3 4/4\n");
+    }
+    QString bumpyPlate(const QString& name, const char* picture) const {
+        const QByteArray stem = name.section('.', 0, 0).toUtf8();
+        write(stem + ".png", QByteArray::fromBase64(picture));
+        write(stem + ".mtl", "newmtl m\nmap_bump " + stem + ".png\n");
+        return plate(name, stem + ".mtl");
+    }
+
+    Ended convert(const QString& in, const QString& out, const QStringList& options = {}) const {
+        return tactum(QStringList{"convert", in, out} + options, {}, folder_->path());
+    }
+
+    static bool isOneLine(const QByteArray& text) { return text.count('\n') == 1; }
+
+private slots:
+    void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+    void x3dExportsOfOneFolderStayApart() {
+        bumpyPlate("one.obj", kEdge);
+        bumpyPlate("two.obj", kEdge);
+        QFile::remove(file("two.png"));
+        write("two.png", QByteArray::fromBase64(kGrain));
+        const QStringList before = names();
+        QCOMPARE(convert("one.obj", "a.x3d").code, 0);
+        const QStringList maps = QDir(file("a-maps")).entryList(QDir::Files);
+        QCOMPARE(maps.size(), 1);
+        const QByteArray scene = bytesOf(file("a.x3d")), map = bytesOf(file("a-maps/" + maps[0])),
+                         device = bytesOf(file("a-deviceinfo.x3d"));
+        QVERIFY(scene.contains("a-maps/" + maps[0].toUtf8()) && device.contains("DeviceInfo"));
+        QCOMPARE(convert("two.obj", "b.x3d").code, 0);
+        QCOMPARE(bytesOf(file("a.x3d")), scene);
+        QCOMPARE(bytesOf(file("a-maps/" + maps[0])), map);
+        QCOMPARE(bytesOf(file("a-deviceinfo.x3d")), device);
+        for (const QString& name : names())
+            QVERIFY2(before.contains(name) || name.startsWith("a") || name.startsWith("b"), qPrintable(name));
+    }
+
+    void besideABlankTheSceneStillNamesItsFiles() {
+        bumpyPlate("one.obj", kEdge);
+        QCOMPARE(convert("one.obj", "my cup & co.X3D").code, 0);
+        const QRegularExpression url("url='&quot;([^&]*)&quot;'|url=\"&quot;([^&]*)&quot;\"");
+        const auto found = url.match(bytesOf(file("my cup & co.X3D")));
+        QVERIFY(found.hasMatch());
+        QVERIFY2(QFile::exists(file(found.captured(1) + found.captured(2))), qPrintable(found.captured()));
+    }
+
+    // The library is that of another model, or of the one that is read.
+    void whatTheInputReadsIsNotReplaced() {
+        const QByteArray library = "newmtl m\nKd 1 0 0\n";
+        write("bar.mtl", library);
+        plate("foo.obj", "bar.mtl");
+        const Ended ended = convert("foo.obj", "bar.obj");
+        QCOMPARE(ended.code, 2);
+        QVERIFY2(isOneLine(ended.error) && ended.error.contains("bar.mtl: belongs to foo.obj"), ended.error);
+        QCOMPARE(bytesOf(file("bar.mtl")), library);
+        QCOMPARE(names(), QStringList({"bar.mtl", "foo.obj"}));
+        plate("foo.obj", "./bar.mtl");
+        QCOMPARE(convert(file("foo.obj"), "bar.obj").code, 2);
+    }
+
+    // One that only sounds alike may be: exporting again is the usual case.
+    void exportingAgainIsNoClash() {
+        write("my-bar.mtl", "newmtl m\nKd 1 0 0\n");
+        plate("my-bar.obj", "my-bar.mtl");
+        for (int i = 0; i < 2; ++i)
+            for (const char* out : {"bar.obj", "bar.x3d"}) {
+                const Ended ended = convert("my-bar.obj", out);
+                QVERIFY2(ended.code == 0, ended.error);
+            }
+    }
+
+    void filesBesideTheResultReplaceNothingThatWasNamed() {
+        plate("in.obj");
+        write("a.mtl", "t,x,y,z\n0,0,0,0\n1,0,0,0\n"); // a finger path, by whatever name
+        for (const QStringList& options :
+             {QStringList{"--report", "b.mtl"}, QStringList{"--path", "a.mtl"}}) {
+            const QString out = options[1].section('.', 0, 0) + ".obj";
+            const Ended ended = convert("in.obj", out, options);
+            QCOMPARE(ended.code, 2);
+            QVERIFY2(isOneLine(ended.error) && ended.error.contains(options[1].toUtf8()), ended.error);
+            QVERIFY(!QFile::exists(file(out)));
+        }
+        QCOMPARE(convert("in.obj", "a.x3d", {"--report", "a-deviceinfo.x3d"}).code, 2);
+        QCOMPARE(convert("in.obj", "a.glb", {"--path", "a.mtl", "--report", "a.mtl"}).code, 2);
+        QCOMPARE(convert("in.obj", "a.glb", {"--path", "a.mtl", "--report", "a.json"}).code, 0);
+    }
+
+    void whatTheImportFoundIsSaid() {
+        plate("in.obj", "missing.mtl");
+        const Ended check = tactum({"check", file("in.obj")});
+        const Ended ended = convert("in.obj", "a.glb");
+        QCOMPARE(ended.code, 0);
+        const auto lines = ended.error.split('\n');
+        const auto said =
+            std::ranges::find_if(lines, [](auto& line) { return line.contains("missing.mtl"); });
+        QVERIFY2(said != lines.end(), ended.error);
+        QVERIFY(check.out.split('\n').contains(*said)); // as the other verb says it
+    }
+
+    void whatOthersPutInIsLostOutsideOfGltf() {
+        plate("in.obj");
+        QCOMPARE(convert("in.obj", "plain.glb").code, 0);
+        QByteArray glb = bytesOf(file("plain.glb"));
+        quint32 length = 0;
+        memcpy(&length, glb.constData() + 12, 4);
+        QJsonObject root = QJsonDocument::fromJson(glb.mid(20, int(length))).object();
+        root.remove("extensions"); // not ours any more
+        root.insert("cameras",
+                    QJsonArray{QJsonObject{{"type", "perspective"},
+                                           {"perspective", QJsonObject{{"yfov", 1}, {"znear", 0.1}}}}});
+        root.insert("buffers",
+                    QJsonArray{QJsonObject{{"byteLength", int(glb.size() - 28 - int(length))},
+                                           {"uri", "data:application/octet-stream;base64," +
+                                                       QString(glb.mid(28 + int(length)).toBase64())}}});
+        write("cam.gltf", QJsonDocument(root).toJson());
+        const Ended ended = convert("cam.gltf", "cam.x3d", {"--report", "cam.json"});
+        QVERIFY2(ended.code == 0, ended.error);
+        QVERIFY2(ended.error.contains("lost: scene: cameras: "), ended.error);
+        QVERIFY(bytesOf(file("cam.json")).contains("\"cameras\""));
+        const Ended kept = convert("cam.gltf", "cam.glb");
+        QVERIFY2(kept.code == 0 && !kept.error.contains("cameras"), kept.error);
+    }
+
+    void nothingLeavesBackups() {
+        bumpyPlate("in.obj", kEdge);
+        for (const QString& ending : kEndings)
+            for (int i = 0; i < 2; ++i)
+                QCOMPARE(convert("in.obj", "e." + ending).code, 0);
+        QDirIterator all(folder_->path(), QDir::Files, QDirIterator::Subdirectories);
+        while (all.hasNext())
+            QVERIFY2(!all.next().endsWith('1'), qPrintable(all.filePath()));
+    }
+
+    void aMissingFolderIsTheSameForEveryFormat() {
+        bumpyPlate("in.obj", kEdge);
+        for (const QString& ending : kEndings) {
+            const Ended ended = convert("in.obj", "no/such/e." + ending);
+            QCOMPARE(ended.code, 3);
+            QVERIFY2(isOneLine(ended.error) &&
+                         ended.error.contains(("no/such/e." + ending + ": cannot be written").toUtf8()),
+                     ended.error);
+            QVERIFY(!QFile::exists(file("no")));
+        }
+    }
+
+    void capitalsOfTheEndingDoNotMatter() {
+        plate("in.obj");
+        for (const QString& ending : kEndings) {
+            const QString out = "UP." + ending.toUpper();
+            const Ended ended = convert("in.obj", out);
+            QVERIFY2(ended.code == 0, ended.error);
+            QVERIFY(QFile::exists(file(out)));
+            QVERIFY(!QFile::exists(file("UP." + ending)));
+            QCOMPARE(tactum({"info", file(out)}).code, 0);
+        }
+    }
+
+    void infoRoundsForPeopleAlone() {
+        write("in.obj", "v 0.01 0 0\nv 0.15 0 0\nv 0.15 0.0007654321 0\nf 1 2 3\n");
+        const QByteArray text = tactum({"info", file("in.obj")}).out;
+        auto numbers = QRegularExpression(R"(\d+(\.\d+)?)").globalMatch(text);
+        while (numbers.hasNext()) {
+            QString digits = numbers.next().captured().remove('.');
+            QVERIFY2(digits.remove(QRegularExpression("^0+")).size() <= 6, text);
+        }
+        QVERIFY2(text.contains("diagonal 0.140002 m"), text);
+        const QJsonObject json =
+            QJsonDocument::fromJson(tactum({"info", file("in.obj"), "--json"}).out).object();
+        const double diagonal = json["bounds_m"].toObject()["diagonal"].toDouble();
+        QVERIFY(diagonal != 0.140002 && std::abs(diagonal - 0.140002) < 1e-6);
+    }
+
+    // The script itself, over a program that says what it was called with.
+    void theScriptPassesEveryVerb() {
+        const QByteArray help = tactum({"--help"}).out;
+        const QByteArray list = help.mid(help.indexOf("Subcommands:"));
+        QStringList verbs;
+        auto lines =
+            QRegularExpression(R"(^  ([a-z]+) )", QRegularExpression::MultilineOption).globalMatch(list);
+        while (lines.hasNext())
+            verbs += lines.next().captured(1);
+        QVERIFY2(verbs.size() >= 6, list);
+        QDir(folder_->path()).mkpath("cmake");
+        QDir(folder_->path()).mkpath("build/release");
+        QVERIFY(QFile::copy(TACTUM_ROOT "/run", file("run")));
+        write("cmake/setup.sh", "say() { :; }\ninstall_missing() { :; }\nbuild() { :; }\n");
+        QFile program(write("build/release/tactum", "#!/bin/sh\necho \"called: $*\"\n"));
+        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        const auto run = [&](const QString& arguments) {
+            QProcess shell;
+            shell.start("sh",
+                        {"-c", "unset DISPLAY WAYLAND_DISPLAY; bash '" + file("run") + "' " + arguments});
+            return shell.waitForFinished(60000) ? shell.readAllStandardOutput() : QByteArray();
+        };
+        const QByteArray usage = run("--help");
+        for (const QString& verb : verbs) {
+            QCOMPARE(run(verb + " a b"), "called: " + verb.toUtf8() + " a b\n");
+            QVERIFY2(usage.contains(verb.toUtf8()), usage);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestConvert)
+#include "test_convert.moc"
