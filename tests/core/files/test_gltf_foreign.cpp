@@ -132,7 +132,7 @@ private slots:
         const int camera = glb.add("cameras", {{"name", "wide"}, {"type", "perspective"}});
         const int eye = glb.add("nodes", {{"name", "eye"}, {"camera", camera}, {"translation", {0, 0, 2}}});
         glb.json["scenes"][0]["nodes"].push_back(eye);
-        const Parts after = again(glb);
+        Parts after = again(glb);
         const Json node = after.element("nodes", "eye");
         QVERIFY(node.is_object());
         QVERIFY(node["translation"] == Json({0, 0, 2}));
@@ -166,7 +166,7 @@ private slots:
             {{"name", "dots"}, {"source", dot}, {"sampler", glb.add("samplers", {{"wrapS", 33071}})}});
         glb.add("materials", {{"name", "unused"}, {"emissiveTexture", {{"index", texture}}}});
         glb.add("skins", {{"joints", {lamp}}});
-        const Parts after = again(glb);
+        Parts after = again(glb);
         const int now = after.index("nodes", "lamp");
         QVERIFY(now >= 0);
         const Json sway = after.element("animations", "sway");
@@ -199,7 +199,7 @@ private slots:
                 glb.add("nodes", {{"name", "eye"}, {"camera", camera}, {"translation", {0, 0, 2}}});
             const int body = glb.index("nodes", "first");
             glb.json["nodes"][std::size_t(body)]["children"] = {eye};
-            const Parts after = again(glb);
+            Parts after = again(glb);
             const Json material = after.element("materials", "first surface");
             const std::size_t index = material["pbrMetallicRoughness"]["baseColorTexture"]["index"];
             QVERIFY(after.json["textures"][index]["name"] == "dots");
@@ -229,7 +229,7 @@ private slots:
         glb.json["scenes"][0]["nodes"] = {1, group};
         const LoadedScene loaded = load(glb.glb());
         QCOMPARE(loaded.scene.objects.size(), std::size_t(3));
-        const Parts after = again(glb);
+        Parts after = again(glb);
         QCOMPARE(after.json["meshes"].size(), std::size_t(3));
         QVERIFY(after.element("nodes", "leaf")["extras"] == "green");
         QVERIFY(after.element("nodes", "group")["translation"] == Json({1, 0, 0}));
@@ -261,7 +261,7 @@ private slots:
         for (Json& view : packed.json["bufferViews"])
             view["byteOffset"] = view.value("byteOffset", std::size_t(0)) + 64;
         packed.json["buffers"][0]["byteLength"] = packed.binary.size();
-        const Parts after = again(packed);
+        Parts after = again(packed);
         QCOMPARE(after.numbers(after.index("accessors", "times")), (std::vector<float>{0, 0.5f, 2}));
         QVERIFY(after.binary.size() < packed.binary.size());
     }
@@ -271,7 +271,7 @@ private slots:
         glb.json["nodes"][0]["extensions"][kPhysics]["motion"] = {{"mass", 3}};
         glb.json["extensions"][kPhysics]["physicsJoints"] = Json::array({{{"limits", Json::array()}}});
         glb.json["extensions"]["MPEG_haptic_material"]["extras"] = "note";
-        const Parts after = again(glb);
+        Parts after = again(glb);
         QVERIFY(after.json["nodes"][0]["extensions"][kPhysics]["motion"]["mass"] == 3);
         QVERIFY(after.json["nodes"][0]["extensions"][kPhysics].contains("collider"));
         QCOMPARE(after.json["extensions"][kPhysics]["physicsJoints"].size(), std::size_t(1));
@@ -336,8 +336,8 @@ private slots:
         glb.json["meshes"][0]["primitives"][0]["attributes"]["_WEAR"] = wear;
         const LoadedScene loaded = load(glb.glb());
         QVERIFY2(said(loaded, "_WEAR of its meshes"), allOf(loaded).c_str());
-        const Parts after = again(glb);
-        const Json& now = after.json["meshes"][0]["primitives"][0];
+        Parts after = again(glb);
+        Json now = after.json["meshes"][0]["primitives"][0];
         QVERIFY(now["extras"]["seam"] == 1);
         QCOMPARE(now["extensions"]["KHR_materials_variants"]["mappings"][0]["material"].get<int>(),
                  after.index("materials", "red"));
@@ -410,7 +410,7 @@ private slots:
         Parts counted = again(glb);
         for (const Json& wrong : {Json{{"nodes", 99999999}, {"bytes", -1}}, Json(5), Json{{"nodes", "x"}}}) {
             counted.json["extensions"][kOurs]["foreign"] = wrong;
-            const Parts after = again(counted);
+            Parts after = again(counted);
             QVERIFY(after.element("nodes", "lamp").is_object());
             QCOMPARE(after.json["nodes"].size(), std::size_t(3));
         }
