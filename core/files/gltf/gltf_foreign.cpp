@@ -5,23 +5,12 @@
 
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_prune.h"
-#include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 
 namespace tactum {
 namespace {
 
 using Affine = Eigen::Affine3d;
-
-/// Every array of the format's root.
-constexpr std::array<const char*, 13> kArrays{"accessors", "animations", "buffers", "bufferViews", "cameras",
-                                              "images",    "materials",  "meshes",  "nodes",       "samplers",
-                                              "scenes",    "skins",      "textures"};
-
-Json* arrayIn(Json& root, const char* key) {
-    const auto found = root.find(key);
-    return found != root.end() && found->is_array() ? &*found : nullptr;
-}
 
 template <int N> std::optional<Eigen::Matrix<double, N, 1>> numbersOf(const Json& node, const char* key) {
     const Json* found = member(node, key);
@@ -50,29 +39,6 @@ Affine localOf(const Json& node) {
 void eraseKeys(Json& object, std::initializer_list<const char*> keys) {
     for (const char* key : keys)
         object.erase(key);
-}
-
-bool isObject(int node, const std::vector<int>& objects) {
-    return std::ranges::binary_search(objects, node);
-}
-
-/// Takes the channels that move objects out of the animations: the objects' motions say it now.
-void eraseMotions(Json& root, const std::vector<int>& objects) {
-    Json* animations = arrayIn(root, "animations");
-    if (!animations) return;
-    Json left = Json::array();
-    for (Json& animation : *animations) {
-        Json channels = Json::array();
-        for (const Json& channel : animation.value("channels", Json::array())) {
-            const Json* target = member(channel, "target");
-            const int node = target ? indexIn(*target, "node", std::size_t(1) << 30) : -1;
-            if (!isObject(node, objects)) channels.push_back(channel);
-        }
-        if (channels.empty()) continue;
-        animation["channels"] = std::move(channels);
-        left.push_back(std::move(animation));
-    }
-    *animations = std::move(left);
 }
 
 /// One buffer out of all.
@@ -127,38 +93,14 @@ void embedImages(const Source& source, Json& root, const tinygltf::Model& model,
     }
 }
 
-void truncate(Json& root, const Json& counts) {
-    for (const char* key : kArrays)
-        if (Json* all = arrayIn(root, key)) {
-            const std::size_t count = sizeIn(counts, key);
-            while (all->size() > count)
-                all->erase(all->size() - 1);
-            if (all->empty()) root.erase(key);
-        }
-}
-
-/// Scenes name their nodes by index, ours among them.
-void forgetNodesBeyond(Json& root) {
-    const Json* nodes = arrayIn(root, "nodes");
-    const std::size_t count = nodes ? nodes->size() : 0;
-    if (Json* scenes = arrayIn(root, "scenes"))
-        for (Json& scene : *scenes) {
-            if (!scene.is_object() || !member(scene, "nodes")) continue;
-            Json left = Json::array();
-            for (const Json& node : scene["nodes"])
-                if (node.is_number_unsigned() && node.get<std::uint64_t>() < count) left.push_back(node);
-            scene["nodes"] = std::move(left);
-            if (scene["nodes"].empty()) scene.erase("nodes");
-        }
-}
-
-/// What this version knows of our extension of the root is written anew; an extension without other keys
-/// goes.
-void forgetOurRoot(Json& root) {
-    eraseUse(root, kExtension);
-    if (!extensionOf(root)) return;
-    eraseKeys(root["extensions"][kExtension], {"version", "foreign", "copies", "finger", "proxyRadius"});
-    if (root["extensions"][kExtension].empty()) eraseExtension(root, kExtension);
+/// Those that became objects, where their data may not be left out.
+std::size_t meshesWithoutNode(Json& root) {
+    const Json* meshes = arrayIn(root, "meshes");
+    std::set<int> shown;
+    if (const Json* nodes = arrayIn(root, "nodes"); nodes && meshes)
+        for (const Json& node : *nodes)
+            if (const int mesh = indexIn(node, "mesh", meshes->size()); mesh >= 0) shown.insert(mesh);
+    return meshes ? meshes->size() - shown.size() : 0;
 }
 
 bool isNothing(const Json& root) {
@@ -182,7 +124,7 @@ Json foreignRoot(const Scene& scene) {
 
 Json arrayCounts(const Json& root) {
     Json counts = Json::object();
-    for (const char* key : kArrays)
+    for (const char* key : kGltfArrays)
         if (const auto found = root.find(key); found != root.end() && found->is_array() && !found->empty())
             counts[key] = found->size();
     return counts;
@@ -269,35 +211,14 @@ std::string imageBytes(const Source& source, const Json& image, const tinygltf::
 }
 
 std::shared_ptr<const ForeignGltf> foreignOf(const Source& source, const GltfFile& file,
-                                             const tinygltf::Model& model, const std::vector<int>& objects,
-                                             std::vector<std::string>& missing) {
-    Json root = file.json;
-    const Json* ours = extensionOf(file.json);
-    const Json* counts = ours ? member(*ours, "foreign") : nullptr;
+                                             const tinygltf::Model& model, const GltfParting& parting,
+                                             std::vector<std::string>& missing, std::size_t& idleMeshes) {
+    Json root = parting.root();
     std::string binary = mergedBuffers(root, model);
-    const std::vector<std::string> copies = copiesIn(file.json);
-    eraseCopies(root, copies);
-    if (ours) {
-        truncate(root, counts ? *counts : Json::object());
-        const std::uint64_t bytes = counts ? counts->value("bytes", std::uint64_t(0)) : 0;
-        if (bytes < binary.size()) binary.resize(bytes);
-        forgetNodesBeyond(root);
-    }
+    if (extensionOf(file.json)) parting.settle(root, binary);
     embedImages(source, root, model, binary, missing);
-    eraseMotions(root, objects);
-    if (Json* nodes = arrayIn(root, "nodes"))
-        for (std::size_t i = 0; i < nodes->size(); ++i) {
-            eraseExtension((*nodes)[i], kExtension);
-            eraseCopies((*nodes)[i], copies);
-            if (isObject(int(i), objects)) eraseKeys((*nodes)[i], {"mesh", "skin", "weights"});
-        }
-    if (Json* materials = arrayIn(root, "materials"))
-        for (Json& material : *materials) {
-            eraseLook(material);
-            eraseExtension(material, kExtension);
-        }
-    forgetOurRoot(root);
-    if (!ours) pruneMeshData(root, binary);
+    if (!extensionOf(file.json)) pruneMeshData(root, binary);
+    idleMeshes = meshesWithoutNode(root);
     if (isNothing(root)) return nullptr;
     return std::make_shared<const ForeignGltf>(
         ForeignGltf{root.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(binary)});

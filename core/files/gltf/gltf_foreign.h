@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/files/gltf/gltf_model.h"
+#include "core/files/gltf/gltf_parting.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
@@ -32,12 +33,12 @@ private:
     std::vector<int> parent_; ///< -1 for none
 };
 
-/// What is to be kept of a file: all of it that is not ours, in one binary chunk with its images. `objects`:
-/// the nodes that became objects, which lose their meshes. Null where nothing is left. `missing`: gets the
-/// images that are not there. Throws ReadFault.
+/// What is to be kept of a file: all of it that is not ours, in one binary chunk with its images. Null where
+/// nothing is left. `missing`: gets the images that are not there. `idleMeshes`: how many meshes stay in it
+/// that no node shows any more. Throws ReadFault.
 std::shared_ptr<const ForeignGltf> foreignOf(const Source& source, const GltfFile& file,
-                                             const tinygltf::Model& model, const std::vector<int>& objects,
-                                             std::vector<std::string>& missing);
+                                             const tinygltf::Model& model, const GltfParting& parting,
+                                             std::vector<std::string>& missing, std::size_t& idleMeshes);
 
 /// The bytes of an image of the file: of its buffer view, of a data URI, or of a file in its folder. Empty
 /// for none.

@@ -20,6 +20,12 @@ struct GltfMeshReader::Exact {
 
 namespace {
 
+constexpr const char* kUnfit = " does not fit the mesh, which is read as other programs do";
+
+std::string whereIs(int mesh) {
+    return "meshes[" + std::to_string(mesh) + "]." + kExtension;
+}
+
 /// About how many vertices and indices there are to read.
 std::size_t elementsOf(const tinygltf::Model& model) {
     std::size_t count = 0;
@@ -33,6 +39,20 @@ bool isPermutation(const std::vector<Index>& order) {
     for (const Index i : order)
         if (i >= order.size() || std::exchange(seen[i], 1)) return false;
     return true;
+}
+
+/// Whether these can be the positions that were drawn in single precision.
+bool areNear(const std::vector<Vec3>& exact, const GltfAccessor& drawn) {
+    constexpr double kSingle = 1e-6;
+    double size = 0, apart = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const Vec3 p(drawn.number(i, 0), drawn.number(i, 1), drawn.number(i, 2));
+        if (!isCoordinate(exact[i].x()) || !isCoordinate(exact[i].y()) || !isCoordinate(exact[i].z()))
+            return false;
+        size = std::max(size, exact[i].cwiseAbs().maxCoeff());
+        apart = std::max(apart, (p - exact[i]).cwiseAbs().maxCoeff());
+    }
+    return apart <= kSingle * size;
 }
 
 template <class T> void reorder(std::vector<T>& values, const std::vector<Index>& order, std::size_t each) {
@@ -62,16 +82,17 @@ RawMesh GltfMeshReader::read(int index) {
     shared_.clear();
     surfaceOf_.clear();
     const tinygltf::Mesh& mesh = model_.meshes[std::size_t(index)];
-    const Exact exact = exactOf(file_.json["meshes"][std::size_t(index)], mesh);
+    Exact exact = exactOf(index, raw.complaints);
     exact_ = &exact;
     for (const int material : exact.materials)
         surfaceFor(material, raw);
     SoupBuilder builder(pools_);
     for (const tinygltf::Primitive& primitive : mesh.primitives)
         readPrimitive(primitive, raw, builder);
-    if (!exact.order.empty() && exact.order.size() != builder.triangles())
-        source_.fail("meshes[" + std::to_string(index) + "] has an order of other triangles; remove " +
-                     kExtension + " from it");
+    if (!exact.order.empty() && exact.order.size() != builder.triangles()) {
+        raw.complaints.push_back(whereIs(index) + ".order" + kUnfit);
+        exact.order.clear();
+    }
     std::vector<Vec3> positions = std::move(pools_.positions);
     if (exact.ours) positions.resize(positions.size() - exact.copies.size());
     if (!exact.positions.empty()) positions = exact.positions;
@@ -85,50 +106,74 @@ RawMesh GltfMeshReader::read(int index) {
     return raw;
 }
 
-template <class T> std::vector<T> GltfMeshReader::rawView(const Json& object, const char* key) const {
-    if (!member(object, key)) return {};
+template <class T>
+std::vector<T> GltfMeshReader::rawView(const Json& object, const char* key, bool& fits) const {
+    if (!object.contains(key)) return {};
     const int index = indexIn(object, key, model_.bufferViews.size());
-    const auto fail = [&] {
-        source_.fail(std::string(kExtension) + "." + key +
-                     " of a mesh is not a list of its kind; export it again");
-    };
-    if (index < 0) fail();
-    const tinygltf::BufferView& view = model_.bufferViews[std::size_t(index)];
-    if (view.byteLength % sizeof(T) != 0) fail();
-    std::vector<T> values(view.byteLength / sizeof(T));
+    const tinygltf::BufferView* view = index < 0 ? nullptr : &model_.bufferViews[std::size_t(index)];
+    if (!view || view->byteLength % sizeof(T) != 0) {
+        fits = false;
+        return {};
+    }
+    std::vector<T> values(view->byteLength / sizeof(T));
     std::memcpy(static_cast<void*>(values.data()),
-                model_.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset, view.byteLength);
+                model_.buffers[std::size_t(view->buffer)].data.data() + view->byteOffset, view->byteLength);
     return values;
 }
 
 /// Another program may have changed the mesh and kept our extension: then it no longer fits, and does not
 /// count.
-GltfMeshReader::Exact GltfMeshReader::exactOf(const Json& mesh, const tinygltf::Mesh& drawn) const {
-    const Json* ours = extensionOf(mesh);
+GltfMeshReader::Exact GltfMeshReader::exactOf(int mesh, std::vector<std::string>& complaints) const {
+    const Json* ours = extensionOf(file_.json["meshes"][std::size_t(mesh)]);
+    const tinygltf::Mesh& drawn = model_.meshes[std::size_t(mesh)];
     if (!ours || drawn.primitives.empty()) return {};
+    const std::string where = whereIs(mesh);
     const auto position = drawn.primitives[0].attributes.find("POSITION");
-    if (position == drawn.primitives[0].attributes.end()) return {};
-    for (const tinygltf::Primitive& primitive : drawn.primitives)
-        if (primitive.attributes != drawn.primitives[0].attributes) return {};
+    const bool alike = std::ranges::all_of(drawn.primitives, [&](const tinygltf::Primitive& primitive) {
+        return primitive.attributes == drawn.primitives[0].attributes;
+    });
+    if (position == drawn.primitives[0].attributes.end() || !alike) {
+        complaints.push_back(where + " is of other primitives than those of its mesh");
+        return {};
+    }
     const GltfAccessor vertices(source_, model_, position->second, 3);
     Exact exact;
-    exact.copies = rawView<Index>(*ours, "copies");
-    exact.order = rawView<Index>(*ours, "order");
-    exact.uvs = rawView<Eigen::Vector2f>(*ours, "uvs");
-    exact.positions = rawView<Vec3>(*ours, "positions");
-    const std::size_t positions = vertices.size() - std::min(exact.copies.size(), vertices.size());
-    const auto far = [](const Vec3& p) {
-        return !isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z());
+    const std::size_t before = complaints.size();
+    const auto take = [&](auto& values, const char* key, const auto& isRight) {
+        bool fits = true;
+        values = rawView<typename std::decay_t<decltype(values)>::value_type>(*ours, key, fits);
+        if (!fits || !(values.empty() || isRight())) complaints.push_back(where + "." + key + kUnfit);
     };
-    const bool fits = (exact.positions.empty() || exact.positions.size() == positions) &&
-                      (exact.uvs.empty() || exact.uvs.size() == vertices.size()) &&
-                      std::ranges::all_of(exact.copies, [&](Index i) { return i < positions; }) &&
-                      isPermutation(exact.order) && std::ranges::none_of(exact.positions, far);
-    if (!fits) return {};
+    std::size_t positions = vertices.size();
+    take(exact.copies, "copies", [&] {
+        positions -= std::min(exact.copies.size(), positions);
+        return std::ranges::all_of(exact.copies, [&](Index i) { return i < positions; });
+    });
+    take(exact.order, "order", [&] { return isPermutation(exact.order); });
+    take(exact.uvs, "uvs", [&] { return exact.uvs.size() == vertices.size(); });
+    take(exact.positions, "positions",
+         [&] { return exact.positions.size() == positions && areNear(exact.positions, vertices); });
+    if (complaints.size() > before) return {};
     exact.ours = true;
-    for (const Json& each : ours->value("surfaces", Json::array()))
-        exact.materials.push_back(indexIn(Json{{"i", each}}, "i", model_.materials.size()));
+    exact.materials = surfacesIn(*ours, where, complaints);
     return exact;
+}
+
+std::vector<int> GltfMeshReader::surfacesIn(const Json& ours, const std::string& where,
+                                            std::vector<std::string>& complaints) const {
+    std::vector<int> materials;
+    const Json* surfaces = member(ours, "surfaces");
+    if (!surfaces) return materials;
+    bool fits = surfaces->is_array();
+    for (const Json& each : fits ? *surfaces : Json::array()) {
+        const int material = indexIn(Json{{"i", each}}, "i", model_.materials.size());
+        if (material < 0 || std::ranges::find(materials, material) != materials.end())
+            fits = false;
+        else
+            materials.push_back(material);
+    }
+    if (!fits) complaints.push_back(where + ".surfaces is not a list of different materials of the file");
+    return materials;
 }
 
 void GltfMeshReader::readPrimitive(const tinygltf::Primitive& primitive, RawMesh& raw, SoupBuilder& builder) {

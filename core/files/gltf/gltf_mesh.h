@@ -16,6 +16,7 @@ struct RawMesh {
     TriangleSoup soup;
     std::vector<int> materials; ///< of each surface; -1 for none
     BuildReport report;
+    std::vector<std::string> complaints; ///< a sentence for each thing in our extension that does not fit
 };
 
 /// A small file can name one mesh very often.
@@ -41,8 +42,11 @@ private:
     };
     struct Exact;
 
-    Exact exactOf(const Json& mesh, const tinygltf::Mesh& model) const;
-    template <class T> std::vector<T> rawView(const Json& object, const char* key) const;
+    Exact exactOf(int mesh, std::vector<std::string>& complaints) const;
+    std::vector<int> surfacesIn(const Json& ours, const std::string& where,
+                                std::vector<std::string>& complaints) const;
+    /// Of a kind that is not T: empty, and `fits` becomes false.
+    template <class T> std::vector<T> rawView(const Json& object, const char* key, bool& fits) const;
     void readPrimitive(const tinygltf::Primitive& primitive, RawMesh& raw, SoupBuilder& builder);
     const Vertices& verticesOf(const tinygltf::Primitive& primitive);
     Vertices readVertices(const tinygltf::Primitive& primitive);

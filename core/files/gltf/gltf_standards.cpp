@@ -144,13 +144,12 @@ void StandardCopies::add(const SceneObject& object, int node, int mesh) {
     if (mesh < 0) return;
     const Index surface = largest(object);
     if (mpeg_)
-        root_["meshes"][std::size_t(mesh)]["extensions"][kMpegExtension] = {
-            {"hapticMaterialIndex", mpegMaterial(object, surface)}};
+        root_["meshes"][std::size_t(mesh)]["extensions"][kMpegExtension]["hapticMaterialIndex"] =
+            mpegMaterial(object, surface);
     if (physics_)
-        root_["nodes"][std::size_t(node)]["extensions"][kPhysicsExtension] = {
-            {"collider",
-             {{"geometry", {{"node", node}, {"convexHull", false}}},
-              {"physicsMaterial", physicsMaterial(object.surfaces[surface])}}}};
+        root_["nodes"][std::size_t(node)]["extensions"][kPhysicsExtension]["collider"] = {
+            {"geometry", {{"node", node}, {"convexHull", false}}},
+            {"physicsMaterial", physicsMaterial(object.surfaces[surface])}};
 }
 
 std::vector<std::string> copiesIn(const Json& root) {
@@ -159,14 +158,20 @@ std::vector<std::string> copiesIn(const Json& root) {
     const Json* copies = ours ? member(*ours, "copies") : nullptr;
     if (copies && copies->is_array())
         for (const Json& name : *copies)
-            if (name.is_string()) names.push_back(name.get<std::string>());
+            if (name == kMpegExtension || name == kPhysicsExtension || name == kTransformExtension)
+                names.push_back(name.get<std::string>());
     return names;
 }
 
+/// Beside what our writer says by them another program may have put in more.
 void eraseCopies(Json& element, const std::vector<std::string>& wrote) {
     for (const std::string& name : wrote) {
-        eraseExtension(element, name);
         eraseUse(element, name);
+        if (!extensionOf(element, name.c_str())) continue;
+        Json& copy = element["extensions"][name];
+        for (const char* key : {"materials", "hapticMaterialIndex", "physicsMaterials", "collider"})
+            copy.erase(key);
+        if (copy.empty()) eraseExtension(element, name);
     }
 }
 

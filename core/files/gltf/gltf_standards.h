@@ -53,7 +53,8 @@ private:
 /// The copies that our own writer made in the file of this root; empty for a file of another program.
 std::vector<std::string> copiesIn(const Json& root);
 
-/// Takes the copies away that our own writer made, from a root or one of its elements.
+/// Takes the copies away that our own writer made, from a root or one of its elements. What another program
+/// has put beside them stays.
 void eraseCopies(Json& element, const std::vector<std::string>& wrote);
 
 /// Takes the look away that our own writer gave a material.

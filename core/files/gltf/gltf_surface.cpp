@@ -55,9 +55,10 @@ public:
 private:
     template <class T>
     bool take(const char* key, bool (Json::*is)() const noexcept, const char* kind, T& value) {
-        const Json* found = member(object_, key);
-        if (!found) return false;
-        if (!(found->*is)()) {
+        if (!object_.is_object()) return false;
+        const auto found = object_.find(key);
+        if (found == object_.end()) return false;
+        if (!((*found).*is)()) {
             complain(std::string(key) + " is not " + kind);
             return false;
         }
@@ -140,6 +141,22 @@ TextureLayer readLayer(Members members, const ReadImageAt& imageAt) {
     return layer;
 }
 
+const Json* versionIn(const Json& root) {
+    const Json* ours = extensionOf(root);
+    const auto found = ours ? ours->find("version") : Json::const_iterator();
+    return ours && found != ours->end() ? &*found : nullptr;
+}
+
+std::string textOf(const Json& version) {
+    return version.is_string() ? version.get<std::string>() : version.dump();
+}
+
+/// -1 for what is no number.
+std::int64_t majorOf(const std::string& version) {
+    std::int64_t major = -1;
+    return parseNumber(version.substr(0, version.find('.')), major) ? major : -1;
+}
+
 } // namespace
 
 const Json* member(const Json& object, const char* key) {
@@ -182,13 +199,20 @@ std::size_t sizeIn(const Json& object, const char* key) {
 }
 
 std::optional<std::string> laterFormat(const Json& root) {
-    const Json* ours = extensionOf(root);
-    const Json* version = ours ? member(*ours, "version") : nullptr;
-    if (!version) return std::nullopt;
-    const std::string text = version->is_string() ? version->get<std::string>() : version->dump();
-    std::int64_t major = 0;
-    if (parseNumber(text.substr(0, text.find('.')), major) && major == kFormatMajor) return std::nullopt;
-    return printable(text, 20);
+    const Json* version = versionIn(root);
+    if (!version || !(majorOf(textOf(*version)) > kFormatMajor)) return std::nullopt;
+    return printable(textOf(*version), 20);
+}
+
+std::optional<std::string> strangeVersion(const Json& root) {
+    const Json* version = versionIn(root);
+    if (!version || laterFormat(root)) return std::nullopt;
+    const std::string text = textOf(*version);
+    const std::size_t point = text.find('.');
+    std::int64_t minor = -1;
+    const bool usual = version->is_string() && point != std::string::npos && majorOf(text) >= 1 &&
+                       parseNumber(text.substr(point + 1), minor) && minor >= 0;
+    return usual ? std::nullopt : std::optional(inQuotes(printable(text, 20)));
 }
 
 std::string jsonKey(std::string_view key) {

@@ -29,9 +29,11 @@ int indexIn(const Json& object, const char* key, std::size_t end);
 /// A member that is a whole number from zero on, or zero: as tinygltf reads an offset.
 std::size_t sizeIn(const Json& object, const char* key);
 
-/// The version in the extension of a root, when it is of another major number than ours: the file is not ours
-/// to read or to replace.
+/// The version in the extension of a root, when it is of a greater major number than ours: the file is not
+/// ours to read or to replace.
 std::optional<std::string> laterFormat(const Json& root);
+/// The version, for a sentence, when it is no text of two numbers from 1.0 on, and not a later one either.
+std::optional<std::string> strangeVersion(const Json& root);
 
 /// "static-friction" as "staticFriction": how a parameter's key is spelled in JSON.
 std::string jsonKey(std::string_view key);

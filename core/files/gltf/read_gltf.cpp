@@ -4,6 +4,7 @@
 // more than what others can read; what neither knows is kept for saving.
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "core/base/text.h"
@@ -36,10 +37,12 @@ private:
     void readRoot();
     void readFinger(int view);
     void place(const PlacedMesh& placed, const RawMesh& raw);
-    void keep(SceneObject& object, const PlacedMesh& placed) const;
-    Kept keptOf(const char* array, int index) const;
+    void keep(SceneObject& object, const PlacedMesh& placed, const RawMesh& raw);
+    void readNode(SceneObject& object, const PlacedMesh& placed, const Json& ours);
+    Kept keptOf(const char* array, int index, Json primitives = {}) const;
+    Json keptPrimitives(int mesh, const RawMesh& raw);
     void noteLostAttributes(const std::vector<PlacedMesh>& placed);
-    void keepForeign(const std::vector<PlacedMesh>& placed);
+    void keepForeign();
     Surface surfaceOf(int material, const PlacedMesh& placed);
     std::shared_ptr<const TextureImage> imageAt(int texture);
     void say(Severity severity, const std::string& object, const std::string& sentence,
@@ -53,6 +56,8 @@ private:
     tinygltf::Model model_;
     GltfMeshReader meshes_;
     std::vector<std::string> copies_ = copiesIn(file_.json); ///< of our own writer
+    std::vector<int> objectNodes_;                           ///< rising
+    std::optional<GltfParting> parting_;
     LoadedScene loaded_;
     SoupShelf shelf_;
     std::map<int, std::shared_ptr<const TextureImage>> images_; ///< by texture
@@ -97,19 +102,26 @@ LoadedScene GltfReader::read() {
     readRoot();
     std::map<int, RawMesh> meshes;
     const GltfMotions motions(source_, model_);
-    loaded_.findings = motions.findings();
+    loaded_.findings.insert(loaded_.findings.end(), motions.findings().begin(), motions.findings().end());
     noteStretchedRotations(model_, loaded_.findings);
     const std::vector<PlacedMesh> all = placedMeshes(source_, model_, motions);
+    for (const PlacedMesh& placed : all)
+        objectNodes_.push_back(placed.node);
+    std::ranges::sort(objectNodes_);
+    parting_.emplace(file_.json, objectNodes_);
+    loaded_.findings.insert(loaded_.findings.end(), parting_->findings().begin(), parting_->findings().end());
     for (const PlacedMesh& placed : all) {
         const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
-        if (isNew)
+        if (isNew) {
             mesh->second = meshes_.read(placed.mesh);
-        else
+            for (const std::string& complaint : mesh->second.complaints)
+                say(Severity::Warning, "", complaint, "left out; export it again");
+        } else
             meshes_.countTriangles(mesh->second.soup.triangles.size());
         place(placed, mesh->second);
     }
     noteLostAttributes(all);
-    keepForeign(all);
+    keepForeign();
     return std::move(loaded_);
 }
 
@@ -124,6 +136,17 @@ void GltfReader::readRoot() {
     loaded_.ours = ours != nullptr;
     const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
     if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
+    if (ours && ours->contains(jsonKey(kProxyRadius.key)) && !(radius && radius->is_number()))
+        say(Severity::Warning, "", std::string(kExtension) + ".proxyRadius is not a number",
+            "the initial value is used");
+    if (const auto strange = strangeVersion(file_.json))
+        say(Severity::Warning, "",
+            std::string(kExtension) + ".version " + *strange + " is not a version of the form 1.0",
+            "read as version " + std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor));
+    if (const Json* copies = ours ? member(*ours, "copies") : nullptr;
+        copies && !(copies->is_array() && copies->size() == copies_.size()))
+        say(Severity::Warning, "", std::string(kExtension) + ".copies names what is no copy",
+            "only the extensions that are written as copies are written anew");
     if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
 }
 
@@ -162,7 +185,7 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
     object.geometry = shelf_.shared(object.geometry);
     object.pose = placed.pose;
     object.motion = placed.motion;
-    keep(object, placed);
+    keep(object, placed, raw);
     const auto warn = [&](bool applies, const char* sentence, const char* remedy) {
         if (applies) say(Severity::Warning, object.name, sentence, remedy);
     };
@@ -173,37 +196,75 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
 }
 
 /// What our extension of the node says, and all that nobody here knows.
-void GltfReader::keep(SceneObject& object, const PlacedMesh& placed) const {
+void GltfReader::keep(SceneObject& object, const PlacedMesh& placed, const RawMesh& raw) {
     object.kept = keptOf("nodes", placed.node);
-    object.keptMesh = keptOf("meshes", placed.mesh);
-    const Json& node = file_.json["nodes"][std::size_t(placed.node)];
-    const Json* ours = extensionOf(node);
-    if (!ours) return;
-    const Json* visible = member(*ours, "visible");
-    if (visible && visible->is_boolean()) object.visible = visible->get<bool>();
-    const Json* motion = member(*ours, "motion");
-    if (!motion || placed.rest < 0) return;
+    object.keptMesh = keptOf("meshes", placed.mesh, keptPrimitives(placed.mesh, raw));
+    if (const Json* ours = extensionOf(file_.json["nodes"][std::size_t(placed.node)]))
+        readNode(object, placed, *ours);
+}
+
+void GltfReader::readNode(SceneObject& object, const PlacedMesh& placed, const Json& ours) {
+    const auto complain = [&](const std::string& what, const char* remedy) {
+        say(Severity::Warning, object.name, std::string(kExtension) + "." + what, remedy);
+    };
+    const auto visible = ours.find("visible");
+    if (visible != ours.end() && visible->is_boolean())
+        object.visible = visible->get<bool>();
+    else if (visible != ours.end())
+        complain("visible is not true or false", "it is visible");
+    const Json* motion = member(ours, "motion");
+    if (!motion) return;
     const auto exact = motionOf(*motion);
-    if (!exact) return;
+    if (!exact) return complain("motion is damaged", "its animation is felt, in single precision");
+    if (placed.rest < 0)
+        return complain("motion is not that of its nodes any more",
+                        "its animation is felt, in single precision");
     object.motion = std::make_shared<const Motion>(*exact);
     object.pose = rigidOf(source_, model_, placed.rest);
 }
 
+/// What others have put into the primitives of a mesh, by the surfaces and kinds that these become.
+Json GltfReader::keptPrimitives(int mesh, const RawMesh& raw) {
+    constexpr const char* kPacked = "KHR_draco_mesh_compression"; // names the data of old
+    Json kept = Json::array();
+    for (Json primitive : file_.json["meshes"][std::size_t(mesh)]["primitives"]) {
+        eraseExtension(primitive, kPacked);
+        if (!member(primitive, "extensions") && !member(primitive, "extras")) continue;
+        const int material = indexIn(primitive, "material", model_.materials.size());
+        const auto surface = std::ranges::find(raw.materials, material) - raw.materials.begin();
+        const int mode = primitive.value("mode", 4);
+        Json as{{"surface", surface}, {"corners", mode == 0 ? 1 : mode <= 3 ? 2 : 3}};
+        const bool doubled = std::ranges::any_of(kept, [&](const Json& other) {
+            return other["surface"] == as["surface"] && other["corners"] == as["corners"];
+        });
+        if (doubled) {
+            say(Severity::Warning, "",
+                "meshes[" + std::to_string(mesh) +
+                    "] has two primitives of one material with extensions or extras",
+                "those of the first are written when the scene is saved");
+            break;
+        }
+        for (const char* key : {"extensions", "extras"})
+            if (const Json* found = member(primitive, key)) as[key] = *found;
+        kept.push_back(std::move(as));
+    }
+    return kept;
+}
+
 /// An element without what the reader makes of it. Its place counts only in the foreign part of the file.
-Kept GltfReader::keptOf(const char* array, int index) const {
+Kept GltfReader::keptOf(const char* array, int index, Json primitives) const {
     const auto all = file_.json.find(array);
     if (all == file_.json.end() || index < 0 || std::size_t(index) >= all->size()) return {};
-    const Json* ours = extensionOf(file_.json);
-    const Json* foreign = ours ? member(*ours, "foreign") : nullptr;
-    const std::size_t count = !ours ? all->size() : foreign ? foreign->value(array, std::size_t(0)) : 0;
     Json element = (*all)[std::size_t(index)];
     for (const char* key :
          {"primitives", "mesh", "children", "translation", "rotation", "scale", "matrix", "skin", "weights"})
         element.erase(key);
+    if (!primitives.empty()) element["primitives"] = std::move(primitives);
     eraseCopies(element, copies_);
     if (array == std::string_view("materials")) eraseLook(element);
-    return {std::size_t(index) < count ? index : -1, std::make_shared<const std::string>(element.dump(
-                                                         -1, ' ', false, Json::error_handler_t::replace))};
+    parting_->renumber(array, element);
+    return {parting_->place(array, index), std::make_shared<const std::string>(
+                                               element.dump(-1, ' ', false, Json::error_handler_t::replace))};
 }
 
 /// What a mesh has for the eye alone, and what saving does not keep.
@@ -212,23 +273,26 @@ void GltfReader::noteLostAttributes(const std::vector<PlacedMesh>& placed) {
     for (const PlacedMesh& each : placed)
         for (const tinygltf::Primitive& primitive : model_.meshes[std::size_t(each.mesh)].primitives)
             for (const auto& [name, accessor] : primitive.attributes)
-                if (name.starts_with("COLOR_") || (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0"))
-                    lost.insert(name);
+                if (name.starts_with("COLOR_") || (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0") ||
+                    name.starts_with("_") || (name == "TANGENT" && !loaded_.ours))
+                    lost.insert(printable(name, kLongestName));
     for (const std::string& name : lost)
-        say(Severity::Note, "", name + " of its meshes is for the eye alone",
+        say(Severity::Note, "",
+            name + " of its meshes is " + (name.starts_with("_") ? "another program's" : "for the eye alone"),
             "not written when the scene is saved");
 }
 
-void GltfReader::keepForeign(const std::vector<PlacedMesh>& placed) {
-    std::vector<int> nodes;
-    for (const PlacedMesh& each : placed)
-        nodes.push_back(each.node);
-    std::ranges::sort(nodes);
+void GltfReader::keepForeign() {
     std::vector<std::string> missing;
-    loaded_.scene.kept.foreign = foreignOf(source_, file_, model_, nodes, missing);
+    std::size_t idle = 0;
+    loaded_.scene.kept.foreign = foreignOf(source_, file_, model_, *parting_, missing, idle);
     for (const std::string& image : missing)
         say(Severity::Note, "", "its picture " + inQuotes(image) + " is not in its folder or of another kind",
             "not needed for touch; put it beside the file to keep it when saving");
+    if (idle > 0)
+        say(Severity::Note, "",
+            std::to_string(idle) + " of its meshes stay in the file as they were, though no node shows them",
+            "something that is not known here may use their data; leave them out where they come from");
 }
 
 Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed) {

@@ -72,11 +72,11 @@ Json overlaid(const Kept& kept, const Json& ours) {
 /// too.
 void keepUnknownKeys(const Json& before, Json& now) {
     for (const auto& [key, value] : before.items()) {
-        if (!now.contains(key))
+        if (!now.contains(key) && key != "texture") // that of a pattern: of an image that it has no more
             now[key] = value;
-        else if (value.is_object() && now[key].is_object())
+        else if (value.is_object() && now.contains(key) && now[key].is_object())
             keepUnknownKeys(value, now[key]);
-        else if (key == "layers" && value.is_array())
+        else if (key == "layers" && value.is_array() && now[key].is_array())
             for (std::size_t i = 0; i < std::min(value.size(), now[key].size()); ++i)
                 if (value[i].is_object() && value[i].value("name", Json()) == now[key][i]["name"])
                     keepUnknownKeys(value[i], now[key][i]);
@@ -95,6 +95,18 @@ Json& objectAt(Json& parent, const char* key) {
     Json& found = parent[key];
     if (!found.is_object()) found = Json::object();
     return found;
+}
+
+/// What others have put into a primitive of the same surface and kind.
+Json withKept(const Json& mesh, const DrawnPart& part, Json primitive) {
+    const Json* all = member(mesh, "primitives");
+    for (const Json& kept : all && all->is_array() ? *all : Json::array()) {
+        if (kept.value("surface", -1) != int(part.surface) || kept.value("corners", 0) != part.corners)
+            continue;
+        for (const char* key : {"extensions", "extras"})
+            if (const Json* found = member(kept, key)) primitive[key] = *found;
+    }
+    return primitive;
 }
 
 int GltfWriter::addMaterial(const SceneObject& object, Index at) {
@@ -141,14 +153,21 @@ int GltfWriter::addMesh(const SceneObject& object) {
     Json ours = store.exact.is_null() ? Json::object() : store.exact;
     for (Index i = 0; i < object.surfaces.size(); ++i)
         ours["surfaces"].push_back(addMaterial(object, i));
+    Json mesh = overlaid(object.keptMesh, {{"name", object.name}, {"weights", nullptr}});
     Json primitives = Json::array();
     for (const auto& [part, indices] : store.parts)
-        primitives.push_back({{"attributes", store.attributes},
-                              {"indices", indices},
-                              {"mode", kModes[part.corners - 1]},
-                              {"material", ours["surfaces"][part.surface]}});
-    Json mesh = overlaid(object.keptMesh, {{"name", object.name}, {"weights", nullptr}});
+        primitives.push_back(withKept(mesh, part,
+                                      {{"attributes", store.attributes},
+                                       {"indices", indices},
+                                       {"mode", kModes[part.corners - 1]},
+                                       {"material", ours["surfaces"][part.surface]}}));
     mesh["primitives"] = std::move(primitives);
+    if (Json* before =
+            objectAt(mesh, "extensions").contains(kExtension) ? &mesh["extensions"][kExtension] : nullptr) {
+        for (const char* key : {"surfaces", "positions", "copies", "order", "uvs"})
+            before->erase(key); // of the geometry of then
+        keepUnknownKeys(*before, ours);
+    }
     objectAt(mesh, "extensions")[kExtension] = std::move(ours);
     return data_.add("meshes", std::move(mesh));
 }
