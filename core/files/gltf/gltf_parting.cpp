@@ -240,9 +240,10 @@ void GltfParting::keepNamedBy(const char* of, Json element) {
 
 void GltfParting::number() {
     for (const auto& [array, isForeign] : foreign_) {
+        std::vector<int>& places = places_[array]; // of an array that is not there, too
         int next = 0;
         for (const char each : isForeign)
-            places_[array].push_back(each ? next++ : -1);
+            places.push_back(each ? next++ : -1);
     }
 }
 

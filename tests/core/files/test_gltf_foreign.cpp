@@ -404,6 +404,16 @@ private slots:
         QVERIFY2(load(glb).findings.empty(), allOf(load(glb)).c_str());
     }
 
+    void anArrayThatIsNoneHasNoPlaces() {
+        for (const char* array : {"materials", "nodes", "bufferViews", "accessors", "images", "textures"})
+            for (const Json& wrong : {Json::object(), Json(7), Json()}) {
+                Parts parts(saved(bodies()));
+                parts.json[array] = wrong;
+                const auto loaded = folder_.load("scene.glb", parts.glb());
+                if (loaded) load(saved(loaded->scene)); // or refused
+            }
+    }
+
     void damagedCountsLoseNothing() {
         Parts glb(saved(bodies()));
         glb.add("nodes", {{"name", "lamp"}});
