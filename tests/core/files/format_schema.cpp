@@ -55,10 +55,11 @@ Schema reference(const char* name) {
 
 /// What has to be true of the extension wherever it stands.
 Schema extended(const char* name) {
-    return {{"properties", {{"extensions", {{"properties", {{kExtension, reference(name)}}}}}}}};
+    const Schema extensions{{"type", "object"}, {"properties", {{kExtension, reference(name)}}}};
+    return {{"type", "object"}, {"properties", {{"extensions", extensions}}}};
 }
 Schema eachExtended(const char* name) {
-    return {{"items", extended(name)}};
+    return {{"type", "array"}, {"items", extended(name)}};
 }
 
 Schema patternSchema() {
