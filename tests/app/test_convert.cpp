@@ -40,18 +40,12 @@ class TestConvert : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<WorkFolder> folder_;
 
-    QString file(const QString& name) const { return folder_->filePath(name); }
+    QString file(const QString& name) const { return folder_->file(name); }
+    QString write(const QString& name, const QByteArray& text) const { return folder_->write(name, text); }
     QStringList names() const {
-        return QDir(folder_->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
-    }
-
-    QString write(const QString& name, const QByteArray& text) const {
-        QFile out(file(name));
-        if (!out.open(QIODevice::WriteOnly)) return {};
-        out.write(text);
-        return file(name);
+        return QDir(folder_->folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot, QDir::Name);
     }
 
     // A square of two triangles. Its material: a colour, or a picture of heights.
@@ -68,13 +62,11 @@ private:
     }
 
     Ended convert(const QString& in, const QString& out, const QStringList& options = {}) const {
-        return tactum(QStringList{"convert", in, out} + options, {}, folder_->path());
+        return tactum(QStringList{"convert", in, out} + options, {}, folder_->folder.path());
     }
 
-    static bool isOneLine(const QByteArray& text) { return text.count('\n') == 1; }
-
 private slots:
-    void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+    void init() { folder_ = std::make_unique<WorkFolder>(); }
 
     void x3dExportsOfOneFolderStayApart() {
         bumpyPlate("one.obj", kEdge);
@@ -112,7 +104,7 @@ private slots:
         plate("foo.obj", "bar.mtl");
         const Ended ended = convert("foo.obj", "bar.obj");
         QCOMPARE(ended.code, 2);
-        QVERIFY2(isOneLine(ended.error) && ended.error.contains("bar.mtl: belongs to foo.obj"), ended.error);
+        QVERIFY2(oneLine(ended.error).contains("bar.mtl: belongs to foo.obj"), ended.error);
         QCOMPARE(bytesOf(file("bar.mtl")), library);
         QCOMPARE(names(), QStringList({"bar.mtl", "foo.obj"}));
         plate("foo.obj", "./bar.mtl");
@@ -138,7 +130,7 @@ private slots:
             const QString out = options[1].section('.', 0, 0) + ".obj";
             const Ended ended = convert("in.obj", out, options);
             QCOMPARE(ended.code, 2);
-            QVERIFY2(isOneLine(ended.error) && ended.error.contains(options[1].toUtf8()), ended.error);
+            QVERIFY2(oneLine(ended.error).contains(options[1].toUtf8()), ended.error);
             QVERIFY(!QFile::exists(file(out)));
         }
         QCOMPARE(convert("in.obj", "a.x3d", {"--report", "a-deviceinfo.x3d"}).code, 2);
@@ -187,7 +179,7 @@ private slots:
         for (const QString& ending : kEndings)
             for (int i = 0; i < 2; ++i)
                 QCOMPARE(convert("in.obj", "e." + ending).code, 0);
-        QDirIterator all(folder_->path(), QDir::Files, QDirIterator::Subdirectories);
+        QDirIterator all(folder_->folder.path(), QDir::Files, QDirIterator::Subdirectories);
         while (all.hasNext())
             QVERIFY2(!all.next().endsWith('1'), qPrintable(all.filePath()));
     }
@@ -197,8 +189,7 @@ private slots:
         for (const QString& ending : kEndings) {
             const Ended ended = convert("in.obj", "no/such/e." + ending);
             QCOMPARE(ended.code, 3);
-            QVERIFY2(isOneLine(ended.error) &&
-                         ended.error.contains(("no/such/e." + ending + ": cannot be written").toUtf8()),
+            QVERIFY2(oneLine(ended.error).contains(("no/such/e." + ending + ": cannot be written").toUtf8()),
                      ended.error);
             QVERIFY(!QFile::exists(file("no")));
         }
@@ -241,8 +232,8 @@ private slots:
         while (lines.hasNext())
             verbs += lines.next().captured(1);
         QVERIFY2(verbs.size() >= 6, list);
-        QDir(folder_->path()).mkpath("cmake");
-        QDir(folder_->path()).mkpath("build/release");
+        QDir(folder_->folder.path()).mkpath("cmake");
+        QDir(folder_->folder.path()).mkpath("build/release");
         QVERIFY(QFile::copy(TACTUM_ROOT "/run", file("run")));
         write("cmake/setup.sh", "say() { :; }\ninstall_missing() { :; }\nbuild() { :; }\n");
         QFile program(write("build/release/tactum", "#!/bin/sh\necho \"called: $*\"\n"));

@@ -1,0 +1,185 @@
+// What goes wrong on the command line: one line that says what to do, and an exit code that says whose fault
+// it is.
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QtTest>
+
+#include "tests/app/program.h"
+
+using namespace test_program;
+
+class TestCommandErrors : public QObject, WorkFolder {
+    Q_OBJECT
+
+private slots:
+    void wrongUsageIsTwo_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no path") << QStringList{"touch", "x.obj"};
+        QTest::newRow("no scene") << QStringList{"info"};
+        QTest::newRow("unknown option") << QStringList{"check", "x.obj", "--nonsense"};
+        QTest::newRow("unknown flag without verb") << QStringList{"--nonsense"};
+        QTest::newRow("not a number") << QStringList{"touch", "x", "--path", "y", "--stiffness", "1,5"};
+        QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};
+        QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
+        QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
+        QTest::newRow("no side") << QStringList{"touch", "x", "--path", "y", "--sides", "inside"};
+        QTest::newRow("contradicting friction") << QStringList{
+            "touch", "x", "--path", "y", "--static-friction", "0.2", "--dynamic-friction", "0.5"};
+    }
+    void wrongUsageIsTwo() {
+        QFETCH(QStringList, arguments);
+        const Ended ended = tactum(arguments);
+        QCOMPARE(ended.code, 2);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        QVERIFY(ended.out.isEmpty());
+    }
+
+    void badInputIsOne() {
+        const QString path = pressAndSlide(0.002, 0);
+        const QString broken = write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
+        for (const QStringList& arguments :
+             {QStringList{"touch", broken, "--path", path}, QStringList{"info", broken},
+              QStringList{"check", broken}, QStringList{"info", file("missing.obj")},
+              QStringList{"touch", plate(), "--path", file("missing.csv")}}) {
+            const Ended ended = tactum(arguments);
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QVERIFY(tactum({"info", broken}).error.contains("broken.obj:3")); // where
+    }
+
+    void unwritableOutputIsThree() {
+        const QString path = pressAndSlide(0.002, 0);
+        const Ended ended = tactum({"touch", plate(), "--path", path, "--out", file("no/such/folder.csv")});
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--picture", file("p.png")}).code,
+                 3); // no display
+    }
+
+    void resultsNeverReplaceTheirInputs() {
+        const QString path = pressAndSlide(0.002, 0), model = plate();
+        for (const QStringList& outputs : {QStringList{"--out", model}, QStringList{"--out", path},
+                                           QStringList{"--out", file("same"), "--summary", file("same")}}) {
+            const Ended ended = tactum(QStringList{"touch", model, "--path", path} + outputs);
+            QCOMPARE(ended.code, 2);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QCOMPARE(tactum({"info", model}).code, 0); // still a model
+    }
+
+    void theWindowNeedsADisplay() {
+        const Ended ended = tactum({plate()});
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+    }
+
+    void whatCannotBeOpenedIsSaidBeforeTheDisplay() {
+        const Ended missing = tactum({file("missing.obj")});
+        QCOMPARE(missing.code, 1);
+        QVERIFY2(oneLine(missing.error).contains("missing.obj: no such file"), missing.error);
+        const Ended mistyped = tactum({"chekc"});
+        QCOMPARE(mistyped.code, 2);
+        QVERIFY2(oneLine(mistyped.error).contains("'chekc' is no verb"), mistyped.error);
+    }
+
+    void aDisplayThatCannotBeReachedIsThree() {
+        const QString path = pressAndSlide(0.002, 0);
+        for (const QStringList& arguments :
+             {QStringList{plate()},
+              QStringList{"touch", plate(), "--path", path, "--picture", file("p.png")}}) {
+            const Ended ended = tactum(arguments, ":4711");
+            QCOMPARE(ended.code, 3);
+            QVERIFY2(oneLine(ended.error).contains("the display :4711 cannot be reached"), ended.error);
+        }
+    }
+
+    void aDisplayWithoutOpenGlIsThree() {
+        const QString display = qEnvironmentVariable("DISPLAY");
+        if (display.isEmpty()) QSKIP("there is no display to take OpenGL from");
+        qputenv("QT_XCB_GL_INTEGRATION", "none");
+        const Ended ended = tactum({plate()}, display);
+        qunsetenv("QT_XCB_GL_INTEGRATION");
+        QCOMPARE(ended.code, 3);
+        QVERIFY2(oneLine(ended.error).contains("has no OpenGL 3.2"), ended.error);
+    }
+
+    void aFullDiskUnderStandardOutputIsThree() {
+        QProcess shell;
+        shell.start("sh", {"-c", QStringLiteral("'%1' devices > /dev/full").arg(TACTUM_PROGRAM)});
+        QVERIFY(shell.waitForFinished());
+        QCOMPARE(shell.exitCode(), 3);
+    }
+
+    /// The scene still goes from the reader to us: what is written is longer.
+    void aFileThatMayNotGrowIsThree() {
+        QByteArray rows = "t,x,y,z\n";
+        for (int i = 0; i < 2000; ++i)
+            rows += QByteArray::number(1e-3 * i) + ",0,0.01,0\n";
+        const QString path = write("long-path.csv", rows);
+        for (const QString& verb : {QStringLiteral("touch '%1' --path '%2'").arg(plate(), path),
+                                    QStringLiteral("play '" TACTUM_REPLAYS "/few-bumps.tactum-recording'")}) {
+            QProcess shell;
+            shell.start("sh", {"-c", QStringLiteral("ulimit -f 64; exec '%1' %2 --out '%3'")
+                                         .arg(TACTUM_PROGRAM, verb, file("long.csv"))});
+            QVERIFY(shell.waitForFinished(60000));
+            QVERIFY(shell.exitStatus() == QProcess::NormalExit);
+            QCOMPARE(shell.exitCode(), 3);
+            QVERIFY(oneLine(shell.readAllStandardError()).contains("long.csv"));
+        }
+    }
+
+    void aFolderIsCalledOne() {
+        const QString path = pressAndSlide(0.002, 0), here = file(".");
+        for (const QStringList& arguments :
+             {QStringList{"play", here}, QStringList{"touch", plate(), "--path", here},
+              QStringList{"touch", here, "--path", path}, QStringList{"info", here},
+              QStringList{"check", here}, QStringList{"convert", here, file("to.glb")}}) {
+            const Ended ended = tactum(arguments);
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(oneLine(ended.error).contains("is a folder; name a file in it"), ended.error);
+        }
+    }
+
+    // A new file would take the place of a pipe; or of the file with everything else that we say.
+    void resultsGoIntoPipesDevicesAndOurOwnOutput() {
+        const auto path = write("stream.csv", "t,x,y,z\n0,0,0.01,0\n0.001,0,0.009,0\n");
+        const QString touch =
+            QStringLiteral("'%1' touch '%2' --path '%3' --out ").arg(TACTUM_PROGRAM, plate(), path);
+        const QString all = file("all.txt"), pipe = file("pipe");
+        for (const QString& command :
+             {touch + "/dev/stdout | cat > '" + all + "'", touch + "/dev/stdout > '" + all + "'",
+              touch + "'" + all + "' > '" + all + "'",
+              "mkfifo '" + pipe + "'; cat '" + pipe + "' > '" + all + "' & " + touch + "'" + pipe + "' >> '" +
+                  all + ".later'; wait; cat '" + all + ".later' >> '" + all + "'"}) {
+            QProcess shell;
+            shell.start("sh", {"-c", command});
+            QVERIFY(shell.waitForFinished(60000));
+            QFile in(all);
+            QVERIFY(in.open(QIODevice::ReadOnly));
+            const QList<QByteArray> lines = in.readAll().split('\n');
+            QCOMPARE(lines.size(), 5); // a header, two rows, the summary, and nothing after it
+            QVERIFY2(lines[0].startsWith("t,finger_x") && lines[3].startsWith("{\"triangles\""), lines[0]);
+        }
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/null"}).code, 0);
+        QVERIFY(!QFileInfo("/dev/null").isFile());
+        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/full"}).code, 3);
+    }
+
+    void whatCannotBePlayedIsOne() {
+        for (const QString& recording :
+             {plate(), file("nothing.tactum-recording"), write("torn.tactum-recording", "TACTUMRC")}) {
+            const Ended ended = tactum({"play", recording});
+            QCOMPARE(ended.code, 1);
+            QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
+        }
+        QCOMPARE(tactum({"play"}).code, 2);
+        const QString copy = write("copy.tactum-recording", "x");
+        QCOMPARE(tactum({"play", copy, "--out", copy}).code, 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandErrors)
+#include "test_command_errors.moc"
