@@ -1,11 +1,8 @@
-#include <algorithm>
-#include <cctype>
-#include <fstream>
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/output_files.h"
 #include "app/results.h"
-#include "core/base/atomic_file.h"
 #include "core/base/text.h"
 #include "core/bundle/bundle.h"
 #include "core/files/loss_report.h"
@@ -21,84 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of the result.
-struct OutFile {
-    fs::path path;
-    std::string bytes;
-};
-
 /// A way out of the program: writes the files, and says what becomes of the scene there.
 struct Writer {
     std::string_view ending; ///< lower case
     ExportTarget target;
     Result<void> (*write)(const Scene&, const ConvertOptions&, std::vector<Loss>&);
 };
-
-tl::unexpected<Error> usageError(const fs::path& file, const std::string& sentence) {
-    return tl::unexpected<Error>(Error{Error::Kind::Usage, file.string() + ": " + sentence});
-}
-
-/// Whether the text of a file has this word between characters that are none of a name.
-bool hasWord(const fs::path& file, const std::string& word) {
-    const auto isOfName = [](int c) {
-        return std::isalnum(c) || c >= 0x80 ||
-               std::string_view("_-.~").find(char(c)) != std::string_view::npos;
-    };
-    std::ifstream in(file, std::ios::binary);
-    std::string text(1, '\n'); // what is before the file
-    std::string block(1 << 20, '\0');
-    while (in) {
-        in.read(block.data(), std::streamsize(block.size()));
-        text.append(block, 0, std::size_t(in.gcount()));
-        if (!in) text += '\n';
-        for (std::size_t at = text.find(word, 1); at != std::string::npos; at = text.find(word, at + 1)) {
-            const std::size_t end = at + word.size();
-            if (end < text.size() && !isOfName(std::uint8_t(text[at - 1])) &&
-                !isOfName(std::uint8_t(text[end])))
-                return true;
-        }
-        text.erase(0, text.size() - std::min(text.size(), word.size() + 1));
-    }
-    return false;
-}
-
-/// Whether a file is one that the input reads beside itself, a material library or a picture. No reader tells
-/// what it opened; the input has to name it.
-bool isNamedBy(const fs::path& input, const fs::path& file) {
-    std::error_code fault;
-    if (!fs::is_regular_file(file, fault) || !fs::is_regular_file(input, fault)) return false;
-    const fs::path folder = fs::canonical(input.has_parent_path() ? input.parent_path() : ".", fault);
-    if (fault) return false;
-    const std::string name = fs::weakly_canonical(file, fault).lexically_relative(folder).generic_string();
-    return !fault && !name.empty() && !name.starts_with("..") && hasWord(input, name); // readers stay inside
-}
-
-/// Before anything is written: files that were not asked for by name must not cost what was there either.
-Result<void> checkFiles(const ConvertOptions& options, const std::vector<OutFile>& files) {
-    std::vector<fs::path> inputs{options.in}, outputs;
-    if (options.path) inputs.push_back(*options.path);
-    if (options.report) outputs.push_back(*options.report);
-    for (const OutFile& file : files)
-        outputs.push_back(file.path);
-    if (const auto clash = clashOf(inputs, outputs))
-        return usageError(*clash, "would be written beside the result, and " + std::string(kClash));
-    for (const OutFile& file : files)
-        if (file.path != options.out && isNamedBy(options.in, file.path))
-            return usageError(file.path, "belongs to " + options.in.string() +
-                                             " and would be replaced; choose another name for the result");
-    return {};
-}
-
-/// All of them; the last one is the one that was asked for, so that it is there only when all others are.
-Result<void> writeAll(const ConvertOptions& options, const std::vector<OutFile>& files) {
-    if (const auto apart = checkFiles(options, files); !apart) return apart;
-    for (const OutFile& file : files) {
-        std::error_code fault;
-        if (file.path.has_parent_path()) fs::create_directory(file.path.parent_path(), fault);
-        if (const auto written = writeFileAtomically(file.path, file.bytes, 0); !written) return written;
-    }
-    return {};
-}
 
 Result<void> writeGlb(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
     return saveScene(scene, options.out, {}, 0);

@@ -63,6 +63,8 @@ public:
 private:
     enum class Pool { Positions, Uvs, Normals };
 
+    /// The first word of each line, and the fields behind it.
+    void eachLine(const Progress& progress, const auto& does);
     // First pass.
     void readPools();
     void readPosition(Fields fields);
@@ -112,22 +114,28 @@ private:
     std::vector<PolygonCorner> corners_; ///< scratch
 };
 
-void ObjReader::readPools() {
+void ObjReader::eachLine(const Progress& progress, const auto& does) {
     const std::string_view bytes = source_.bytes();
-    ProgressMeter meter(firstPass_, bytes.size(), 1 << 20);
+    ProgressMeter meter(progress, bytes.size(), 1 << 20);
     Lines lines(bytes, true);
     for (std::string_view line; lines.next(line);) {
         demandGoingOn(meter, lines.offset());
         line_ = lines.number();
         Fields fields(line);
         const std::string_view word = fields.next();
+        does(word, fields);
+    }
+}
+
+void ObjReader::readPools() {
+    eachLine(firstPass_, [this](std::string_view word, const Fields& fields) {
         if (word == "v")
             readPosition(fields);
         else if (word == "vn")
             readNormal(fields);
         else if (word == "vt")
             readUv(fields);
-    }
+    });
 }
 
 double ObjReader::number(Fields& fields, std::string_view what) const {
@@ -170,15 +178,8 @@ void ObjReader::readUv(Fields fields) {
 }
 
 void ObjReader::readElements() {
-    const std::string_view bytes = source_.bytes();
-    ProgressMeter meter(secondPass_, bytes.size(), 1 << 20);
     objectName_ = stemOf(source_);
-    Lines lines(bytes, true);
-    for (std::string_view line; lines.next(line);) {
-        demandGoingOn(meter, lines.offset());
-        line_ = lines.number();
-        Fields fields(line);
-        const std::string_view word = fields.next();
+    eachLine(secondPass_, [this](std::string_view word, const Fields& fields) {
         if (word == "v")
             ++seenPositions_;
         else if (word == "vt")
@@ -187,7 +188,7 @@ void ObjReader::readElements() {
             ++seenNormals_;
         else
             readElement(word, fields);
-    }
+    });
 }
 
 void ObjReader::readElement(std::string_view word, Fields fields) {

@@ -13,20 +13,8 @@ namespace {
 
 constexpr double kSide = 0.08; // m
 
-/// A square of side kSide in the plane z = 0 whose coordinates run from `low` to `high`.
 Soup uvSheet(const Vector2d& low = {0, 0}, const Vector2d& high = {1, 1}) {
-    auto soup = std::make_shared<TriangleSoup>();
-    const auto corner = [&](double x, double y) {
-        soup->positions.emplace_back(kSide * x, kSide * y, 0);
-        return Vector2d(low + (high - low).cwiseProduct(Vector2d(x, y))).cast<float>().eval();
-    };
-    const std::array uvs{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-    soup->triangles = {{0, 1, 2}, {0, 2, 3}};
-    soup->surfaceOf = {0, 0};
-    for (const auto& t : soup->triangles)
-        for (const Index i : t)
-            soup->cornerUvs.push_back(uvs[i]);
-    return soup;
+    return std::make_shared<const TriangleSoup>(uvSquare(kSide, low, high));
 }
 
 SceneObject objectOf(std::vector<TextureLayer> layers, Soup soup = uvSheet()) {

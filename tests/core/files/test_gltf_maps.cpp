@@ -19,24 +19,11 @@ namespace {
 
 constexpr double kSide = 0.02; // m
 
-/// A square in the plane z = 0 with normals, whose coordinates run from `low` to `high`.
+/// With normals, as bumps that can be seen need them.
 Soup sheet(const Vector2d& low = {0, 0}, const Vector2d& high = {1, 1}) {
-    auto soup = std::make_shared<TriangleSoup>();
-    std::array<Eigen::Vector2f, 4> uvs;
-    constexpr std::array<std::array<double, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vector2d at(kCorners[i][0], kCorners[i][1]);
-        soup->positions.emplace_back(kSide * at.x(), kSide * at.y(), 0);
-        uvs[i] = Vector2d(low + (high - low).cwiseProduct(at)).cast<float>();
-    }
-    soup->triangles = {{0, 1, 2}, {0, 2, 3}};
-    soup->surfaceOf = {0, 0};
-    for (const auto& t : soup->triangles)
-        for (const Index i : t) {
-            soup->cornerUvs.push_back(uvs[i]);
-            soup->cornerNormals.emplace_back(0, 0, 1);
-        }
-    return soup;
+    TriangleSoup soup = uvSquare(kSide, low, high);
+    soup.cornerNormals.assign(soup.cornerUvs.size(), {0, 0, 1});
+    return std::make_shared<const TriangleSoup>(std::move(soup));
 }
 
 /// Rises by 0.3 along u and by 0.6 along v.

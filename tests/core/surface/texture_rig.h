@@ -54,6 +54,22 @@ struct UvTriangle {
     }
 };
 
+/// A square in the plane z = 0 with a corner at the origin, whose coordinates run from `low` to `high`.
+inline TriangleSoup uvSquare(double side, const Vector2d& low = {0, 0}, const Vector2d& high = {1, 1}) {
+    TriangleSoup soup;
+    std::vector<Eigen::Vector2f> uvs;
+    for (const Vector2d& at : {Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1), Vector2d(0, 1)}) {
+        soup.positions.emplace_back(side * at.x(), side * at.y(), 0);
+        uvs.push_back(Vector2d(low + (high - low).cwiseProduct(at)).cast<float>());
+    }
+    soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+    soup.surfaceOf = {0, 0};
+    for (const auto& t : soup.triangles)
+        for (const Index i : t)
+            soup.cornerUvs.push_back(uvs[i]);
+    return soup;
+}
+
 /// A layer of height that nothing else changes.
 inline TextureLayer heightLayer(TextureSource source, TextureMapping mapping, double size, double height) {
     TextureLayer layer;
