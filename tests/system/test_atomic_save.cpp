@@ -256,9 +256,9 @@ void TestAtomicSave::aKillBeforeAnyCallLeavesTheOldOrTheNew() {
     }
 }
 
-/// A program that saves two versions in turn for as long as it lives.
-[[noreturn]] static void saveForEver(const fs::path& file, const std::string (&versions)[2]) {
-    for (unsigned i = 0;; ++i)
+/// A program that saves two versions in turn for as long as it lives, the one of index `first` first.
+[[noreturn]] static void saveForEver(const fs::path& file, const std::string (&versions)[2], unsigned first) {
+    for (unsigned i = first;; ++i)
         if (!writeFileAtomically(file, versions[i % 2])) _exit(1);
 }
 
@@ -278,7 +278,7 @@ void TestAtomicSave::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     std::string before = versions[1];
     for (int i = 0; i < kills; ++i) {
         const pid_t child = fork();
-        if (child == 0) saveForEver(file, versions);
+        if (child == 0) saveForEver(file, versions, before == versions[0]); // what is not there
         usleep(unsigned(random()) % (2 * oneSave));
         kill(child, SIGKILL);
         int status = 0;
