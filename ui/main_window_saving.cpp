@@ -89,6 +89,7 @@ void MainWindow::askToOverwrite() {
     question->setInformativeText(
         tr("Saving writes this scene over it; what it holds now is kept beside it as the first backup."));
     auto* elsewhere = question->addButton(tr("Save As..."), QMessageBox::ActionRole);
+    question->setDefaultButton(elsewhere); // who presses Enter out of habit loses nothing
     question->setAttribute(Qt::WA_DeleteOnClose);
     connect(question, &QMessageBox::finished, this, [this, question, elsewhere](int answer) {
         if (question->clickedButton() == elsewhere) return saveAs();
