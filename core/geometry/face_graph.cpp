@@ -119,7 +119,7 @@ private:
             for (Side* after = first; first != last; first = after) {
                 while (after != last && after->upper == first->upper)
                     ++after;
-                join(first, after);
+                join(first, after, first->upper != v);
                 done += std::size_t(after - first);
             }
             if (!meter_.goesOn(2 * n + done / 3)) return false;
@@ -130,7 +130,18 @@ private:
     Index& across(const Use& use) { return graph_.ring_[use.triangle].across[use.side]; }
     float& bend(const Use& use) { return graph_.ring_[use.triangle].bend[use.side]; }
 
-    void join(const Side* first, const Side* last) {
+    void note(const Use& use, Edge edge) { graph_.ring_[use.triangle].edge[use.side] = edge; }
+
+    void join(const Side* first, const Side* last, bool isEdge) {
+        if (isEdge) {
+            const bool flipped = last - first == 2 && first[0].use.forward == first[1].use.forward;
+            const Edge edge = last - first > 2    ? Edge::Crowd
+                              : last - first == 1 ? Edge::Border
+                              : flipped           ? Edge::Flipped
+                                                  : Edge::Joint;
+            for (const Side* side = first; side != last; ++side)
+                note(side->use, edge);
+        }
         for (const Side* side = first + 1; side != last; ++side)
             parts_.join(first->use.triangle, side->use.triangle);
         if (last - first == 2) return joinTwo(first[0].use, first[1].use);

@@ -56,6 +56,23 @@ public:
     /// no other one at all. Each once, as two positions of the soup.
     std::vector<std::array<Index, 2>> outline(const TriangleSet& set) const;
 
+    /// What an edge of a triangle is to the mesh; None for the sides of segments and points.
+    enum class Edge : std::uint8_t {
+        None,
+        Border,  ///< nobody else is there
+        Joint,   ///< one neighbour, which agrees about front and back
+        Flipped, ///< one neighbour, which does not
+        Crowd    ///< more than one neighbour
+    };
+    Edge edgeOf(Index triangle, int side) const { return ring_[triangle].edge[std::size_t(side)]; }
+    /// Across a Joint or a Flipped edge.
+    Index neighbour(Index triangle, int side) const { return ring_[triangle].across[std::size_t(side)]; }
+
+    /// The lowest triangle at an edge that is a Crowd.
+    Index firstAround(Index triangle, int side) const {
+        return usesOf(ring_[triangle].across[std::size_t(side)]).first->triangle;
+    }
+
     /// Calls f(neighbour) for the neighbours over side i (0 to 2: the edge from corner i to the next; of a
     /// segment its ends; of a point 0) of a triangle.
     template <class F> void eachAcross(Index triangle, int side, F f) const {
@@ -74,6 +91,7 @@ private:
     struct alignas(32) Ring {
         std::array<Index, 3> across{kNothing, kNothing, kNothing}; ///< neighbour, group of uses, or nothing
         std::array<float, 3> bend{kCrease, kCrease, kCrease};      ///< of the edge to the neighbour, radian
+        std::array<Edge, 3> edge{};
         Index part = 0; ///< lowest triangle of all that hang together over edges
     };
     /// A triangle at an edge of more than two.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/filing.h"
+#include "core/geometry/sliver.h"
 #include "core/geometry/weld.h"
 
 namespace tactum {
@@ -40,16 +41,14 @@ private:
     }
 
     bool countKinds() {
-        const double diagonal = boundsOf(soup_).diagonal();
-        const double least = 2 * 1e-12 * diagonal * diagonal;
-        const auto& p = soup_.positions;
+        const SliverRule isSliver(soup_);
         return eachTriangle([&](const Corners& t) {
             const Kind kind = kindOf(t);
             ++(kind == Kind::Triangle  ? health_.triangles
                : kind == Kind::Segment ? health_.segments
                                        : health_.points);
             if (kind != Kind::Triangle) return;
-            health_.slivers += (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).squaredNorm() < least * least;
+            health_.slivers += isSliver(t);
         });
     }
 

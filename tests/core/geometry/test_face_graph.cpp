@@ -212,6 +212,23 @@ private slots:
         QCOMPARE(graph.connected(7), all(64));
     }
 
+    /// Pages around one edge, each opposite to another that goes on where it ends.
+    void anEdgeOfTooManyIsACrease() {
+        const auto book = [](Index pages) {
+            TriangleSoup soup;
+            soup.positions = {{0, 0, 0}, {0, 0, 1}};
+            for (Index i = 0; i < pages; ++i) {
+                const double turn = 2 * M_PI * i / pages;
+                soup.positions.emplace_back(std::cos(turn), std::sin(turn), 0.5);
+                soup.triangles.push_back({i < pages / 2 ? 0u : 1u, i < pages / 2 ? 1u : 0u, 2 + i});
+            }
+            soup.surfaceOf.assign(pages, 0);
+            return graphOf(soup);
+        };
+        QCOMPARE(book(16).smooth(3, 5 * kDegree), (TriangleSet{3, 11}));
+        QCOMPARE(book(18).smooth(3, 5 * kDegree), (TriangleSet{3}));
+    }
+
     void segmentsFollowEachOther() {
         TriangleSoup soup = cube();
         for (double x : {2.0, 3.0, 4.0})
