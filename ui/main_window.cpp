@@ -22,7 +22,9 @@
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
+#include "ui/panels/tool_strip.h"
 #include "ui/recording_saver.h"
+#include "ui/select_tool.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -43,7 +45,8 @@ QString firstFile(const QMimeData& data) {
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
-      view_(new SceneView), notice_(new NoticeBar), centre_(new QStackedWidget),
+      view_(new SceneView), selecting_(new SelectTool(document, *view_, this)),
+      selectStrip_(new ToolStrip), notice_(new NoticeBar), centre_(new QStackedWidget),
       start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
@@ -59,6 +62,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectSaving();
     connectEdit();
     connectView();
+    connectSelecting();
     connectDevice();
     connectHealth();
     connectDocument();
@@ -78,6 +82,7 @@ QWidget* MainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(notice_);
+    column->addWidget(selectStrip_);
     column->addWidget(centre_, 1);
     column->addWidget(playbackBar_);
     centre_->addWidget(start_);
@@ -103,7 +108,7 @@ void MainWindow::showFault(const QString& sentence) {
 void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
     playback_->end(); // whoever edits wants to see it
-    if (change.what == What::Selection) return view_->setSelection(document_.selection());
+    if (change.what == What::Selection) return showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     if (change.touchesShape()) {
         view_->setScene(document_.scene());

@@ -26,6 +26,8 @@ class NoticeBar;
 class Playback;
 class PlaybackBar;
 class RecordingSaver;
+class SelectTool;
+class ToolStrip;
 class SceneView;
 class StartPage;
 class StatusStrip;
@@ -74,6 +76,10 @@ private:
     void setArmed(bool armed);
     void showArmed(bool armed);
     void frame();
+    // Of selecting: main_window_selecting.cpp.
+    void connectSelecting();
+    void fillSelectStrip();
+    void showSelection();
     // Of saving: main_window_saving.cpp.
     void connectSaving();
     void save();
@@ -106,6 +112,8 @@ private:
     WorldPublisher publisher_;
     Actions actions_;
     SceneView* view_;
+    SelectTool* selecting_;
+    ToolStrip* selectStrip_;
     NoticeBar* notice_;
     QStackedWidget* centre_;
     StartPage* start_;

@@ -18,6 +18,7 @@
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
 #include "ui/style.h"
@@ -150,8 +151,6 @@ void MainWindow::connectEdit() {
         const auto active = document_.selection();
         if (active) document_.setLocked(document_.selected(), !document_.surface(*active)->locked);
     });
-    connect(&actions_["split"], &QAction::triggered, &document_, &Document::splitSelection);
-    connect(&actions_["merge"], &QAction::triggered, &document_, &Document::mergeSelected);
     connect(&actions_["remove"], &QAction::triggered, this, [this] {
         if (const auto chosen = document_.selection()) document_.removeObject(chosen->object);
     });
@@ -163,6 +162,7 @@ void MainWindow::connectView() {
         tools->addAction(&actions_[id]);
     connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
     connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
+    connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
     actions_["touch"].trigger();
     connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);
     const std::pair<const char*, StandardView> views[] = {{"view-front", StandardView::Front},
@@ -178,9 +178,6 @@ void MainWindow::connectView() {
     // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
     auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
-    connect(view_, &SceneView::surfacePicked, this, [this](std::optional<SurfaceRef> surface) {
-        if (!playback_->active()) document_.select(surface); // a recording shows surfaces of another scene
-    });
     connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
         if (grabbed) hint_->followed();
     });

@@ -120,7 +120,7 @@ void MainWindow::beginPlayback() {
     actions_["armed"].setChecked(false);
     setLive(false);
     notice_->endProgress();
-    view_->setSelection(std::nullopt);
+    view_->setSelection({});
     shownShape_ = 0;
     centre_->setCurrentWidget(view_);
     setWindowTitle(tr("%1 - Tactum").arg(QFileInfo(playback_->file()).fileName()));
@@ -137,7 +137,7 @@ void MainWindow::endPlayback() {
     const QString name = QFileInfo(QString::fromStdU16String(document_.path().u16string())).fileName();
     setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));
     view_->setScene(document_.scene());
-    view_->setSelection(document_.selection());
+    view_->setSelection(document_.selected());
     if (!document_.empty()) view_->fit();
     centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
     notice_->showNote(tr("Live again. The forces are off: Device > Forces on."));

@@ -220,6 +220,12 @@ void ModelLayer::finish() {
         if (model->smooth.valid()) show(*model, model->smooth.get());
 }
 
+vtkMatrix4x4* ModelLayer::placeOf(ObjectId object) const {
+    const auto model = models_.find(object);
+    if (model == models_.end() || !model->second->visible || model->second->parts.empty()) return nullptr;
+    return model->second->parts.front()->actor->GetUserMatrix();
+}
+
 vtkActor* ModelLayer::actorOf(const SurfaceRef& surface) const {
     const auto model = models_.find(surface.object);
     if (model == models_.end() || !model->second->visible) return nullptr;

@@ -20,6 +20,7 @@
 #include "ui/theme.h"
 #include "ui/view/display_mesh.h"
 
+class vtkMatrix4x4;
 class vtkRenderer;
 
 namespace tactum {
@@ -42,6 +43,8 @@ public:
     /// Waits for them.
     void finish();
 
+    /// Where an object is now; null when it is not there or not visible.
+    vtkMatrix4x4* placeOf(ObjectId object) const;
     /// The actor of a surface, if it exists and is visible.
     vtkActor* actorOf(const SurfaceRef& surface) const;
 

@@ -124,6 +124,11 @@ std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray,
     return std::nullopt;
 }
 
+std::shared_ptr<const TriangleSoup> ScenePicker::soupOf(ObjectId object) const {
+    const auto target = std::ranges::find(targets_, object, &Target::object);
+    return target == targets_.end() ? nullptr : target->soup;
+}
+
 bool ScenePicker::isFree(const Vec3& from, const Vec3& to) const {
     const double length = (to - from).norm();
     if (!(length > 0)) return true;

@@ -35,6 +35,8 @@ public:
 
     /// The nearest visible surface along the ray.
     std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
+    /// The geometry of an object; null when it is not there.
+    std::shared_ptr<const TriangleSoup> soupOf(ObjectId object) const;
     /// Whether nothing lies between two points. World frame.
     bool isFree(const Vec3& from, const Vec3& to) const;
 

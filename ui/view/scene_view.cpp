@@ -21,7 +21,7 @@ constexpr double kUnseenPixels = 0.1;
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), model(*stage.solid), overlay(*stage.solid, *stage.ghost),
+    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), overlay(*stage.solid, *stage.ghost),
       camera(defaultCamera()) {
     applyTheme();
 }
@@ -29,10 +29,14 @@ SceneView::Impl::Impl(SceneView& owner)
 void SceneView::Impl::applyTheme() {
     stage.setBackground(theme());
     overlay.setTheme(theme());
+    faces.setTheme(theme());
 }
 
 void SceneView::Impl::refreshSelection() {
-    stage.setOutlined(selection ? model.actorOf(*selection) : nullptr);
+    std::vector<vtkActor*> outlined;
+    for (const SurfaceRef surface : selection)
+        if (vtkActor* actor = model.actorOf(surface)) outlined.push_back(actor);
+    stage.setOutlined(outlined);
 }
 
 Bounds SceneView::Impl::shown() const {
@@ -86,10 +90,26 @@ void SceneView::setScene(const Scene& scene) {
     changed();
 }
 
-void SceneView::setSelection(std::optional<SurfaceRef> surface) {
-    impl_->selection = surface;
+void SceneView::setSelection(std::vector<SurfaceRef> surfaces) {
+    impl_->selection = std::move(surfaces);
     impl_->refreshSelection();
     changed();
+}
+
+void SceneView::setSelectedFaces(ObjectId object, std::vector<Index> faces) {
+    impl_->facesOf = object;
+    impl_->faces.show(impl_->picker.soupOf(object), faces);
+    changed();
+}
+
+void SceneView::beginBox() {
+    impl_->letGo();
+    impl_->boxNext = true;
+    setCursor(Qt::CrossCursor);
+}
+
+const ViewCamera& SceneView::camera() const {
+    return impl_->camera;
 }
 
 void SceneView::setTool(ViewTool tool) {
@@ -164,6 +184,7 @@ void SceneView::prepareFrame() {
     }
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
+    impl_->faces.place(impl_->model.placeOf(impl_->facesOf));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
 }
 
@@ -171,6 +192,13 @@ void SceneView::paintOver() {
     QPainter painter(this);
     painter.setFont(font());
     drawAxes(painter, impl_->camera, impl_->theme());
+    if (impl_->drag == ViewDrag::Box) {
+        QColor fill = impl_->theme().accent;
+        painter.setPen(fill);
+        fill.setAlphaF(0.15f);
+        painter.setBrush(fill);
+        painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
+    }
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }
 

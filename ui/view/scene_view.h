@@ -3,12 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QImage>
+#include <QRectF>
 
 #include "core/runtime/channels.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
+#include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
 
 namespace tactum {
@@ -34,8 +37,13 @@ public:
     /// Shows a scene. Objects whose geometry is still the same keep what was made of it. The first scene
     /// with an extent is fitted into the view; later ones leave the camera alone.
     void setScene(const Scene& scene);
-    /// Outlines a surface; nothing when empty.
-    void setSelection(std::optional<SurfaceRef> surface);
+    /// Outlines surfaces.
+    void setSelection(std::vector<SurfaceRef> surfaces);
+    /// Lays the selection's colour over triangles of an object, in the numbers of its geometry.
+    void setSelectedFaces(ObjectId object, std::vector<Index> faces);
+    /// The next drag with the left button draws a box instead; Esc gives it up.
+    void beginBox();
+    const ViewCamera& camera() const;
     void setTool(ViewTool tool);
     /// What the loops reported, once a frame: bodies that move by themselves are shown at its time, while
     /// picking sees them at the time 0. forceLimit in N, > 0.
@@ -60,8 +68,10 @@ public:
 signals:
     /// The surface under the cursor changed.
     void surfaceHovered(std::optional<tactum::SurfaceRef> surface);
-    /// A click chose a surface, or nothing.
-    void surfacePicked(std::optional<tactum::SurfaceRef> surface);
+    /// A click chose a place on a surface, or nothing.
+    void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
+    /// A box was drawn, in logical pixels.
+    void boxDrawn(QRectF box, Qt::KeyboardModifiers modifiers);
     /// A drag, the wheel or a key moved the finger's goal. World frame, metre.
     void handGoalMoved(tactum::Vec3 goal_W);
     /// The mouse took hold of the finger, or let it go.

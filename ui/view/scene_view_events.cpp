@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -33,8 +34,8 @@ std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patien
 }
 
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
-    drag = ViewDrag::Orbit;
-    if (alt || tool != ViewTool::Touch) return;
+    drag = std::exchange(boxNext, false) ? ViewDrag::Box : ViewDrag::Orbit;
+    if (drag == ViewDrag::Box || alt || tool != ViewTool::Touch) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (hit || isNearFinger(cursor)) takeHold(cursor, hit);
 }
@@ -78,13 +79,21 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
 }
 
 /// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
-void SceneView::Impl::release(QPointF cursor) {
+void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    if (drag == ViewDrag::Box) return endBox(cursor, modifiers);
     const bool clicked = !moved && (drag == ViewDrag::Hand || drag == ViewDrag::Orbit);
     letGo();
     showCursor(cursor);
     if (!clicked) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
-    emit view.surfacePicked(hit ? std::optional(hit->surface) : std::nullopt);
+    emit view.picked(hit, modifiers);
+}
+
+void SceneView::Impl::endBox(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    letGo();
+    showCursor(cursor);
+    view.changed();
+    if (moved) emit view.boxDrawn(QRectF(pressedAt, cursor).normalized(), modifiers);
 }
 
 void SceneView::Impl::hoverAt(QPointF cursor) {
@@ -110,6 +119,7 @@ void SceneView::Impl::refreshHover() {
 
 void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
+    if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
     view.setCursor(tool == ViewTool::Touch ? Qt::CrossCursor : Qt::PointingHandCursor);
@@ -126,7 +136,11 @@ void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
 }
 
 bool SceneView::Impl::handKey(int key, QPointF cursor) {
-    if (key == Qt::Key_Escape && hand.grip() != Grip::None) {
+    if (key == Qt::Key_Escape && (boxNext || drag == ViewDrag::Box)) {
+        boxNext = false;
+        letGo();
+        view.changed();
+    } else if (key == Qt::Key_Escape && hand.grip() != Grip::None) {
         letGo();
     } else if (key == Qt::Key_G && tool == ViewTool::Touch) {
         if (hand.grip() == Grip::Follow)
@@ -218,7 +232,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (impl_->drag == ViewDrag::None) return event->ignore();
-    impl_->release(event->position());
+    impl_->release(event->position(), event->modifiers());
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "ui/view/face_layer.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/model_layer.h"
 #include "ui/view/scene_picker.h"
@@ -14,7 +15,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -31,7 +32,8 @@ struct SceneView::Impl {
     std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;
     void pressLeft(QPointF cursor, bool alt);
     void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
-    void release(QPointF cursor);
+    void release(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    void endBox(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void letGo();
     void setGrip(Grip grip, QPointF cursor);
@@ -49,6 +51,7 @@ struct SceneView::Impl {
     SceneView& view;
     ViewStage stage;
     ModelLayer model;
+    FaceLayer faces;
     TouchOverlay overlay;
     ScenePicker picker;
     std::vector<Vec3> spanning; ///< what is fitted into the view
@@ -60,7 +63,10 @@ struct SceneView::Impl {
     bool overlayVisible = true;
     bool dark = true;
     bool fitted = false;
-    std::optional<SurfaceRef> selection, hovered;
+    std::vector<SurfaceRef> selection;
+    std::optional<SurfaceRef> hovered;
+    ObjectId facesOf = 0; ///< whose triangles are selected
+    bool boxNext = false; ///< the next drag draws a box
 
     ViewTool tool = ViewTool::Touch;
     ViewDrag drag = ViewDrag::None;

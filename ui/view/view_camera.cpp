@@ -40,6 +40,20 @@ std::optional<QPointF> ViewCamera::project(const Vec3& p_W) const {
     return QPointF(0.5 * size.width() + d.dot(right()), 0.5 * size.height() - d.dot(up()));
 }
 
+Eigen::Matrix4d ViewCamera::clipFromWorld() const {
+    constexpr double kNear = 1e-3, kFar = 1e3; // of the distance to the focus
+    const double scale = 1 / std::tan(0.5 * fieldOfView), near = kNear * distance, far = kFar * distance;
+    Eigen::Matrix4d clip = Eigen::Matrix4d::Zero(), view = Eigen::Matrix4d::Identity();
+    clip(0, 0) = scale * size.height() / size.width();
+    clip(1, 1) = scale;
+    clip(2, 2) = (near + far) / (near - far);
+    clip(2, 3) = 2 * near * far / (near - far);
+    clip(3, 2) = -1;
+    view.topLeftCorner<3, 3>() << right().transpose(), up().transpose(), -forward().transpose();
+    view.topRightCorner<3, 1>() = -(view.topLeftCorner<3, 3>() * eye());
+    return clip * view;
+}
+
 Ray ViewCamera::ray(QPointF pixel) const {
     return {eye(), (pointAtDepthOf(focus, pixel) - eye()).normalized()};
 }

@@ -39,6 +39,9 @@ struct ViewCamera {
     double depth(const Vec3& p_W) const { return (p_W - eye()).dot(forward()); }
     /// The pixel that shows a point; nothing for a point behind the eye.
     std::optional<QPointF> project(const Vec3& p_W) const;
+    /// From the world to OpenGL's clip space, column vectors: divided by its last number, a point's first two
+    /// are -1 to 1 from the left to the right and from the lower to the upper edge of the view.
+    Eigen::Matrix4d clipFromWorld() const;
     /// From the eye through a pixel.
     Ray ray(QPointF pixel) const;
     /// Length of a pixel's side at the depth of a point, m.

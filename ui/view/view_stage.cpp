@@ -55,14 +55,15 @@ void ViewStage::setBackground(const Theme& theme) {
     outlinePass_->setColour(theme.accent);
 }
 
-void ViewStage::setOutlined(vtkActor* actor) {
+void ViewStage::setOutlined(const std::vector<vtkActor*>& actors) {
     outline_->RemoveAllViewProps();
-    if (!actor) return;
-    vtkNew<vtkActor> copy;
-    copy->SetMapper(actor->GetMapper());
-    copy->SetUserMatrix(actor->GetUserMatrix());
-    useNoLight(*copy);
-    outline_->AddActor(copy);
+    for (vtkActor* actor : actors) {
+        vtkNew<vtkActor> copy;
+        copy->SetMapper(actor->GetMapper());
+        copy->SetUserMatrix(actor->GetUserMatrix());
+        useNoLight(*copy);
+        outline_->AddActor(copy);
+    }
 }
 
 void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {

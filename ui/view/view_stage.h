@@ -1,6 +1,8 @@
 // The layers that every picture of a scene is made of, and the light they stand in. Private to this folder.
 #pragma once
 
+#include <vector>
+
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -29,8 +31,8 @@ public:
     /// The background and the outline's colour.
     void setBackground(const Theme& theme);
     void setOutlineWidth(double devicePixels) { outlinePass_->setWidth(float(devicePixels)); }
-    /// Draws the outline of this actor; of none for null.
-    void setOutlined(vtkActor* actor);
+    /// Draws one outline around these actors.
+    void setOutlined(const std::vector<vtkActor*>& actors);
     /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
     void look(const ViewCamera& camera, const Bounds& shown);
 

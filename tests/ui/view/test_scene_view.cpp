@@ -171,20 +171,21 @@ private slots:
         Shown shown;
         shown.view.setTool(ViewTool::Select);
         const ObjectId ball = shown.scene.objects[0].id;
-        QSignalSpy picked(&shown.view, &SceneView::surfacePicked);
+        QSignalSpy picked(&shown.view, &SceneView::picked);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre - QPoint(0, 60));
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(40, 60));
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, QPoint(10, 10));
         QCOMPARE(picked.size(), 3);
-        QVERIFY(picked[0][0].value<Picked>() == (SurfaceRef{ball, kUpper}));
-        QVERIFY(picked[1][0].value<Picked>() == (SurfaceRef{ball, kLower}));
-        QVERIFY(!picked[2][0].value<Picked>());
+        const auto hit = [&](int i) { return picked[i][0].value<std::optional<PickHit>>(); };
+        QVERIFY(hit(0)->surface == (SurfaceRef{ball, kUpper}));
+        QVERIFY(hit(1)->surface == (SurfaceRef{ball, kLower}));
+        QVERIFY(!hit(2));
     }
 
     void aDragChoosesNothing() {
         Shown shown;
         shown.view.setTool(ViewTool::Select);
-        QSignalSpy picked(&shown.view, &SceneView::surfacePicked);
+        QSignalSpy picked(&shown.view, &SceneView::picked);
         shown.drag(kCentre, kCentre + QPoint(50, 20));
         QVERIFY(picked.isEmpty());
     }
@@ -221,7 +222,7 @@ private slots:
         Shown shown;
         const QPoint rim = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 1);
         const QColor before = shown.colourAt(rim);
-        shown.view.setSelection(SurfaceRef{shown.scene.objects[0].id, kUpper});
+        shown.view.setSelection({{shown.scene.objects[0].id, kUpper}});
         double nearest = 1e3;
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
@@ -231,7 +232,7 @@ private slots:
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
         QVERIFY(nearest > 100);
-        shown.view.setSelection(std::nullopt);
+        shown.view.setSelection({});
         shown.view.fit();
         QVERIFY(difference(shown.colourAt(rim), before) < 3);
     }
@@ -419,7 +420,7 @@ private slots:
         window.resize(900, 700);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        view->setSelection(SurfaceRef{1, kUpper});
+        view->setSelection({{1, kUpper}});
         for (bool floating : {true, false, true}) {
             dock->setFloating(floating);
             QTest::qWait(150);
@@ -445,7 +446,7 @@ private slots:
         {
             SceneView hidden;
             hidden.setScene(ballScene());
-            hidden.setSelection(SurfaceRef{1, kUpper});
+            hidden.setSelection({{1, kUpper}});
         }
         auto window = std::make_unique<QWidget>();
         auto* child = new SceneView(window.get());

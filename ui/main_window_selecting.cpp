@@ -1,0 +1,106 @@
+// Selecting and what is done with a selection: commands, and the row above the view.
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/parameter_field.h"
+#include "ui/panels/tool_strip.h"
+#include "ui/playback.h"
+#include "ui/select_tool.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+struct ReachCommand {
+    const char* id;
+    SelectReach reach;
+    const char* name; ///< in the row above the view
+};
+constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, "Surface"},
+                                     {"take-material", SelectReach::Material, "Same feel"},
+                                     {"take-connected", SelectReach::Connected, "Connected"},
+                                     {"take-smooth", SelectReach::Smooth, "Smooth"},
+                                     {"take-similar", SelectReach::Similar, "Similar normals"},
+                                     {"take-triangle", SelectReach::Triangle, "Triangle"}};
+
+} // namespace
+
+void MainWindow::connectSelecting() {
+    auto* reaches = new QActionGroup(this);
+    for (const ReachCommand& each : kReaches) {
+        QAction& action = actions_[each.id];
+        reaches->addAction(&action);
+        connect(&action, &QAction::triggered, this, [this, reach = each.reach] {
+            selecting_->setReach(reach);
+            actions_["select"].trigger();
+        });
+    }
+    actions_["take-surface"].setChecked(true);
+    const std::pair<const char*, void (SelectTool::*)()> simple[] = {
+        {"select-all", &SelectTool::takeAll},         {"select-none", &SelectTool::takeNothing},
+        {"select-like", &SelectTool::takeLikeActive}, {"grow", &SelectTool::grow},
+        {"shrink", &SelectTool::shrink},              {"invert", &SelectTool::invert}};
+    for (const auto& [id, command] : simple)
+        connect(&actions_[id], &QAction::triggered, selecting_, command);
+    connect(&actions_["box"], &QAction::triggered, this, [this] {
+        actions_["select"].trigger();
+        view_->beginBox();
+    });
+    connect(&actions_["split"], &QAction::triggered, &document_, &Document::splitSelection);
+    connect(&actions_["merge"], &QAction::triggered, &document_, &Document::mergeSelected);
+    // A recording shows surfaces of another scene.
+    connect(view_, &SceneView::picked, this, [this](const std::optional<PickHit>& hit, auto modifiers) {
+        if (playback_->active()) return;
+        if (actions_["select"].isChecked()) return selecting_->take(hit, modifiers);
+        document_.select(hit ? std::optional(hit->surface) : std::nullopt);
+    });
+    connect(view_, &SceneView::boxDrawn, this, [this](const QRectF& box, auto modifiers) {
+        if (!playback_->active()) selecting_->takeBox(box, modifiers);
+    });
+    connect(selecting_, &SelectTool::progressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Finding the neighbours of every triangle"), fraction, secondsLeft, false);
+    });
+    connect(selecting_, &SelectTool::finished, notice_, &NoticeBar::endProgress);
+    fillSelectStrip();
+}
+
+void MainWindow::fillSelectStrip() {
+    QList<QAction*> actions;
+    QStringList names;
+    for (const ReachCommand& each : kReaches) {
+        actions << &actions_[each.id];
+        names << tr(each.name);
+    }
+    selectStrip_->addLabel(tr("A click takes"));
+    selectStrip_->addChoices(actions, names);
+    auto* angle = new ParameterField(kSelectAngle);
+    angle->setMaximumWidth(200);
+    connect(angle, &ParameterField::edited, this, [this, angle](double value) {
+        selecting_->setAngle(value);
+        angle->setValue(value);
+    });
+    const auto showAngle = [angle, this] {
+        angle->setVisible(actions_["take-smooth"].isChecked() || actions_["take-similar"].isChecked());
+    };
+    for (QAction* action : actions)
+        connect(action, &QAction::toggled, angle, showAngle);
+    showAngle();
+    selectStrip_->addField(angle);
+    selectStrip_->addStretch();
+    for (const char* id : {"grow", "shrink", "invert", "split", "merge"})
+        selectStrip_->addAction(&actions_[id]);
+}
+
+void MainWindow::showSelection() {
+    const FaceSelection& faces = document_.selectedFaces();
+    view_->setSelection(document_.selected());
+    view_->setSelectedFaces(faces.object, faces.faces);
+    for (const char* id : {"grow", "shrink", "split"})
+        actions_[id].setEnabled(!faces.empty());
+    actions_["merge"].setEnabled(document_.selected().size() > 1);
+}
+
+} // namespace tactum
