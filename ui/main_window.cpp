@@ -14,15 +14,18 @@
 
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
+#include "ui/journal.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/playback_bar.h"
+#include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
 #include "ui/recording_saver.h"
+#include "ui/recovery.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -47,7 +50,9 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), samples_(samples) {
+      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
+      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
+      samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
@@ -63,6 +68,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectHealth();
     connectDocument();
     connectRecordings();
+    connectRecovery();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -77,6 +83,7 @@ QWidget* MainWindow::makeCentre() {
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(recoveryBar_);
     column->addWidget(notice_);
     column->addWidget(centre_, 1);
     column->addWidget(playbackBar_);
@@ -175,7 +182,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
     engine_.setArmed(false);
-    if (leaving_ || !document_.modified()) return QMainWindow::closeEvent(event);
+    if (leaving_ || !document_.modified()) {
+        journal_->discard();
+        return QMainWindow::closeEvent(event);
+    }
     event->ignore();
     leave(tr("closing"), [this] {
         leaving_ = true;

@@ -22,10 +22,13 @@ namespace tactum {
 
 class GuardWatch;
 class HandLink;
+class Journal;
 class NoticeBar;
 class Playback;
 class PlaybackBar;
 class RecordingSaver;
+class Recovery;
+class RecoveryBar;
 class SceneView;
 class StartPage;
 class StatusStrip;
@@ -45,6 +48,7 @@ public:
     void showFault(const QString& sentence);
     SceneView& view() { return *view_; }
     Document& document() { return document_; }
+    Journal& journal() { return *journal_; }
     const WorldPublisher& publisher() const { return publisher_; }
 
 protected:
@@ -83,6 +87,7 @@ private:
     void showFile();
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
+    void connectRecovery(); ///< main_window_recovery.cpp
     // Of recordings: main_window_playback.cpp.
     void connectRecordings();
     void saveRecording();
@@ -116,6 +121,9 @@ private:
     GuardWatch* guard_;
     Playback* playback_;
     RecordingSaver* saver_;
+    Journal* journal_;
+    Recovery* recovery_;
+    RecoveryBar* recoveryBar_;
     Docks docks_;
     QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
