@@ -6,12 +6,14 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/comparison.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
@@ -52,10 +54,11 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
       saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
       recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      samples_(samples) {
+      comparison_(new Comparison(document, engine, publisher_, this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
+    addCompareDock();
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -69,6 +72,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectDocument();
     connectRecordings();
     connectRecovery();
+    connectPalette();
+    connectCompare();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -91,6 +96,7 @@ QWidget* MainWindow::makeCentre() {
     centre_->addWidget(view_);
     start_->setRecent(recentFiles());
     view_->setFocusPolicy(Qt::StrongFocus);
+    view_->setAccessibleName(tr("Model and finger"));
     return body;
 }
 
@@ -169,8 +175,13 @@ void MainWindow::frame() {
     status_->display(engine_);
 }
 
+// The frame and the title of the window take some of it.
+QSize MainWindow::firstSize(QSize room) {
+    return QSize(1440, 900).boundedTo(room - QSize(0, 5 * kRhythm));
+}
+
 void MainWindow::restore() {
-    resize(1440, 900);
+    resize(firstSize(screen()->availableSize()));
     QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());

@@ -68,7 +68,7 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     engine.setArmed(true);
     applyTheme(rememberedTheme());
     window = std::make_unique<MainWindow>(document, engine, hand, samples);
-    window->resize(size);
+    if (size.isValid()) window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
     // Without a window manager nobody else gives it the keyboard.
