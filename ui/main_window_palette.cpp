@@ -106,10 +106,11 @@ void MainWindow::addSurfaces(std::vector<PaletteEntry>& entries) {
 
 void MainWindow::connectPalette() {
     connect(&actions_["palette"], &QAction::triggered, this, &MainWindow::openPalette);
+    const auto docks = findChildren<QDockWidget*>(); // now: who comes to the front comes last later
     connect(&actions_["next-panel"], &QAction::triggered, this,
-            [this] { focusNextPanel(*this, *centre_->currentWidget(), true); });
+            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, true); });
     connect(&actions_["previous-panel"], &QAction::triggered, this,
-            [this] { focusNextPanel(*this, *centre_->currentWidget(), false); });
+            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, false); });
     auto* search = new QToolButton;
     search->setObjectName(QStringLiteral("palette-button"));
     search->setText(tr("Search for a command   %1")

@@ -1,16 +1,14 @@
 #include "ui/panel_focus.h"
 
-#include <algorithm>
-
+#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
-#include <QMainWindow>
 
 namespace tactum {
 
 namespace {
 
-/// The first part of a panel that takes the keys: in the order of Tab, which is that of making.
+/// The first part of a panel that takes the keys.
 QWidget* firstWithKeys(QWidget& panel) {
     if (panel.focusPolicy() & Qt::TabFocus) return &panel;
     for (auto* part : panel.findChildren<QWidget*>())
@@ -20,29 +18,21 @@ QWidget* firstWithKeys(QWidget& panel) {
     return &panel;
 }
 
-/// From left to right, and from top to bottom.
-QList<QDockWidget*> openDocks(const QMainWindow& window) {
-    QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
-    docks.removeIf([](const QDockWidget* dock) { return dock->isHidden() || !dock->widget(); });
-    std::ranges::stable_sort(docks, [](const QDockWidget* a, const QDockWidget* b) {
-        return std::pair(a->x(), a->y()) < std::pair(b->x(), b->y());
-    });
-    return docks;
-}
-
 } // namespace
 
-void focusNextPanel(QMainWindow& window, QWidget& centre, bool forward) {
-    const QList<QDockWidget*> docks = openDocks(window);
+void focusNextPanel(QWidget& centre, const QList<QDockWidget*>& docks, bool forward) {
+    QList<QDockWidget*> open = docks;
+    // What lies behind a tab is hidden, but its action knows better.
+    open.removeIf([](const QDockWidget* dock) { return !dock->toggleViewAction()->isChecked(); });
     QList<QWidget*> ring{&centre};
-    for (QDockWidget* dock : docks)
+    for (QDockWidget* dock : open)
         ring << dock->widget();
     const QWidget* now = QApplication::focusWidget();
     qsizetype at = 0;
     for (qsizetype i = 0; i < ring.size(); ++i)
         if (now && (ring[i] == now || ring[i]->isAncestorOf(now))) at = i;
     const qsizetype next = (at + (forward ? 1 : ring.size() - 1)) % ring.size();
-    if (next > 0) docks[next - 1]->raise();
+    if (next > 0) open[next - 1]->raise();
     firstWithKeys(*ring[next])->setFocus(Qt::TabFocusReason);
 }
 
