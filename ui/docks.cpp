@@ -9,6 +9,7 @@
 #include "ui/panels/inspector.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/problems.h"
+#include "ui/style.h"
 
 namespace tactum {
 
@@ -28,28 +29,42 @@ QUndoView* historyView(Document& document) {
     auto* view = new QUndoView(&document.history());
     view->setObjectName(QStringLiteral("history"));
     view->setEmptyLabel(QObject::tr("As opened"));
+    view->setCleanIcon(icon(QStringLiteral("save")));
+    view->setToolTip(QObject::tr("Click a step to go back or forth to it; the disk marks what is saved"));
     view->setAccessibleName(QObject::tr("History"));
     return view;
 }
 
-/// Two docks in one place, the first on top. While tabs name them they need no titles.
+/// While tabs name a dock it needs no title.
+void followTabs(QMainWindow& window, QDockWidget& dock) {
+    auto* bare = new QWidget(&dock);
+    const auto follow = [&window, &dock, bare] {
+        dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
+        bare->setVisible(dock.titleBarWidget());
+    };
+    follow();
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, follow);
+    QObject::connect(&dock, &QDockWidget::dockLocationChanged, &dock, follow);
+}
+
+/// Two docks in one place, the first on top.
 void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
     window.setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
     window.tabifyDockWidget(&first, &second);
     first.raise();
-    for (QDockWidget* dock : {&first, &second}) {
-        auto* bare = new QWidget(dock);
-        const auto follow = [&window, dock, bare] {
-            dock->setTitleBarWidget(window.tabifiedDockWidgets(dock).isEmpty() ? nullptr : bare);
-            bare->setVisible(dock->titleBarWidget());
-        };
-        follow();
-        QObject::connect(dock, &QDockWidget::visibilityChanged, dock, follow);
-        QObject::connect(dock, &QDockWidget::dockLocationChanged, dock, follow);
-    }
+    followTabs(window, first);
+    followTabs(window, second);
 }
 
 } // namespace
+
+void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
+                  QWidget* body) {
+    auto* dock = addDock(window, name, title, body, window.dockWidgetArea(&beside));
+    window.tabifyDockWidget(&beside, dock);
+    followTabs(window, *dock);
+    window.tabifiedDockWidgets(dock).first()->raise();
+}
 
 Docks addDocks(QMainWindow& window, Document& document) {
     Docks docks{new Outliner(document), new Inspector(document), new Problems(document), new ForcePlot,

@@ -22,6 +22,10 @@ struct Docks {
     HealthPanel* health = nullptr;
 };
 
+/// Adds a dock behind another one, in the same tabs.
+void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
+                  QWidget* body);
+
 /// Adds all docks to a window; it owns them.
 Docks addDocks(QMainWindow& window, Document& document);
 

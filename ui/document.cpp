@@ -242,6 +242,10 @@ void Document::removeObject(ObjectId id) {
                                    std::move(objects), {SceneChange::What::Objects});
 }
 
+void Document::replaceScene(const QString& text, const Scene& scene) {
+    edit<Scene>(text, [](Scene& now) { return &now; }, scene, {SceneChange::What::Objects});
+}
+
 Scene Document::fitted(Scene scene) {
     const double diagonal = boundsOf(scene).diagonal();
     if (diagonal < kSmallest || diagonal > kLargest) fitDiagonal(scene, kFitted);

@@ -73,6 +73,7 @@ public:
     bool empty() const { return scene_.objects.empty(); }
     /// File of the scene; empty before the first open().
     const std::filesystem::path& path() const { return file_.path; }
+    const FileStamp& stamp() const { return file_; }
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
@@ -105,6 +106,8 @@ public:
     void setVisible(ObjectId id, bool visible);
     void showAll();
     void removeObject(ObjectId id);
+    /// Another state of the scene in place of this one, as one step of the history.
+    void replaceScene(const QString& text, const Scene& scene);
 
     /// The selected triangles become a surface of their own, which is then selected. Ends with editEnded().
     void splitSelection();
@@ -126,6 +129,9 @@ public:
     /// history. A sample is a beginning: what is made of it gets a file of its own.
     void open(const std::filesystem::path& file, bool isSample = false);
     void cancelOpen() { job_.cancel(); }
+    /// Goes on with a scene that was not saved: under the name of its file, with unsaved changes. `own`:
+    /// whether hasOwnFile() held. Ends with opened().
+    void adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own);
 
     /// Writes the scene as it is now, on a worker, and makes `file` its file. Ends with saved() or
     /// saveFailed(); edits, and opening another scene, can go on meanwhile. One save at a time: the others

@@ -32,6 +32,14 @@ void Document::open(const std::filesystem::path& file, bool isSample) {
     emit openProgressed(0, -1);
 }
 
+void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own) {
+    job_.cancel();
+    adopt(std::move(loaded), file);
+    own_ = own;
+    history_.resetClean(); // no step leads to what is in the file
+    emit opened();
+}
+
 bool Document::hasOwnFile() const {
     const QString ending = QString::fromStdU16String(path().extension().u16string());
     return own_ && ending.compare(u'.' + QString::fromUtf8(kSceneEnding), Qt::CaseInsensitive) == 0;

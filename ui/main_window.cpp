@@ -6,18 +6,22 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/comparison.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
+#include "ui/journal.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/playback_bar.h"
+#include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
@@ -25,6 +29,7 @@
 #include "ui/panels/tool_strip.h"
 #include "ui/recording_saver.h"
 #include "ui/select_tool.h"
+#include "ui/recovery.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -50,10 +55,13 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), samples_(samples) {
+      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
+      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
+      comparison_(new Comparison(document, engine, publisher_, this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
+    addCompareDock();
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -67,6 +75,9 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectHealth();
     connectDocument();
     connectRecordings();
+    connectRecovery();
+    connectPalette();
+    connectCompare();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -81,6 +92,7 @@ QWidget* MainWindow::makeCentre() {
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(recoveryBar_);
     column->addWidget(notice_);
     column->addWidget(selectStrip_);
     column->addWidget(centre_, 1);
@@ -89,6 +101,7 @@ QWidget* MainWindow::makeCentre() {
     centre_->addWidget(view_);
     start_->setRecent(recentFiles());
     view_->setFocusPolicy(Qt::StrongFocus);
+    view_->setAccessibleName(tr("Model and finger"));
     return body;
 }
 
@@ -167,8 +180,13 @@ void MainWindow::frame() {
     status_->display(engine_);
 }
 
+// The frame and the title of the window take some of it.
+QSize MainWindow::firstSize(QSize room) {
+    return QSize(1440, 900).boundedTo(room - QSize(0, 5 * kRhythm));
+}
+
 void MainWindow::restore() {
-    resize(1440, 900);
+    resize(firstSize(screen()->availableSize()));
     QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
@@ -180,7 +198,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
     engine_.setArmed(false);
-    if (leaving_ || !document_.modified()) return QMainWindow::closeEvent(event);
+    if (leaving_ || !document_.modified()) {
+        journal_->discard();
+        return QMainWindow::closeEvent(event);
+    }
     event->ignore();
     leave(tr("closing"), [this] {
         leaving_ = true;

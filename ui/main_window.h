@@ -20,14 +20,19 @@ class QStackedWidget;
 
 namespace tactum {
 
+class Comparison;
 class GuardWatch;
 class HandLink;
+class Journal;
 class NoticeBar;
 class Playback;
 class PlaybackBar;
+struct PaletteEntry;
 class RecordingSaver;
 class SelectTool;
 class ToolStrip;
+class Recovery;
+class RecoveryBar;
 class SceneView;
 class StartPage;
 class StatusStrip;
@@ -47,6 +52,10 @@ public:
     void showFault(const QString& sentence);
     SceneView& view() { return *view_; }
     Document& document() { return document_; }
+    Journal& journal() { return *journal_; }
+    Comparison& comparison() { return *comparison_; }
+    /// Of a window that was never opened before, on a screen with so much room.
+    static QSize firstSize(QSize room);
     const WorldPublisher& publisher() const { return publisher_; }
 
 protected:
@@ -89,6 +98,18 @@ private:
     void showFile();
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
+    void connectRecovery(); ///< main_window_recovery.cpp
+    // Of the command palette: main_window_palette.cpp.
+    void connectPalette();
+    void openPalette();
+    QString whyNot(const QString& id) const;
+    void addPanels(std::vector<PaletteEntry>& entries);
+    void addSurfaces(std::vector<PaletteEntry>& entries);
+    // Of two states of the scene: main_window_compare.cpp.
+    void addCompareDock();
+    void connectCompare();
+    void followComparison();
+    void exportComparison();
     // Of recordings: main_window_playback.cpp.
     void connectRecordings();
     void saveRecording();
@@ -124,6 +145,10 @@ private:
     GuardWatch* guard_;
     Playback* playback_;
     RecordingSaver* saver_;
+    Journal* journal_;
+    Recovery* recovery_;
+    RecoveryBar* recoveryBar_;
+    Comparison* comparison_;
     Docks docks_;
     QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden

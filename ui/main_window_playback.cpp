@@ -31,8 +31,9 @@ constexpr double kKeyStep = 0.01; // s
 constexpr double kSlice = 0.016;  // s
 
 /// What would change the document, the hand or the forces.
-constexpr const char* kLiveActions[] = {"touch", "select", "hide",          "show-all", "remove",
-                                        "armed", "stop",   "restart-proxy", "undo",     "redo"};
+constexpr const char* kLiveActions[] = {
+    "touch", "select", "hide",          "show-all",    "remove", "armed",   "stop",       "restart-proxy",
+    "undo",  "redo",   "record-stroke", "take-stroke", "mark-a", "swap-ab", "compare-now"};
 
 QString ending() {
     return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
@@ -107,8 +108,10 @@ void MainWindow::setLive(bool live) {
         actions_["undo"].setEnabled(document_.history().canUndo());
         actions_["redo"].setEnabled(document_.history().canRedo());
         actions_["stop"].setEnabled(engine_.armed());
+        followComparison();
     }
-    for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history"})
+    for (const char* name :
+         {"dock-outliner", "dock-problems", "dock-inspector", "dock-history", "dock-compare"})
         if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
     hand_->setSuspended(!live);
     view_->setTool(live && actions_["touch"].isChecked() ? ViewTool::Touch : ViewTool::Select);

@@ -26,6 +26,8 @@ constexpr Command kCommands[] = {
     {"redo", "Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "redo", "Do the last undone edit again"},
     {"remove", "Edit", "Re&move object", "Ctrl+Del", "remove", "Take the object out of the scene", false,
      true},
+    {"palette", "Edit", "&Find a command...", "Ctrl+Shift+P", "", "Every command by a few letters of it",
+     false, true},
     {"select-all", "Select", "&All surfaces", "A", "", "Every surface that is visible"},
     {"select-none", "Select", "&Nothing", "Alt+A", "", "No surface and no triangle"},
     {"select-like", "Select", "&Same feel", "Shift+G", "", "Every surface that feels like the active one"},
@@ -69,6 +71,8 @@ constexpr Command kCommands[] = {
      true, true},
     {"panels", "View", "&Hide all panels", "F9", "",
      "The view alone; Tab does the same while the view has the focus", true},
+    {"next-panel", "View", "&Next panel", "F6", "", "Give the keys to the next panel", false, true},
+    {"previous-panel", "View", "Pre&vious panel", "Shift+F6", "", "Give the keys to the panel before"},
     {"armed", "Device", "&Forces on", "Ctrl+Return", "power",
      "Let the device push. It starts without force and follows", true},
     {"stop", "Device", "&Stop", "", "stop", "Forces off at once; also hold Esc for half a second"},
@@ -78,6 +82,19 @@ constexpr Command kCommands[] = {
      true},
     {"restart-proxy", "Device", "&Put the proxy on the finger", "Ctrl+R", "",
      "Frees a proxy that is on the wrong side of a surface", false, true},
+    {"record-stroke", "Compare", "&Record a stroke", "Ctrl+Shift+K", "",
+     "Remember what the finger does until it is chosen again", true},
+    {"take-stroke", "Compare", "&Take the last 10 s", "", "",
+     "The stroke is what the finger did in the last ten seconds"},
+    {"mark-a", "Compare", "&Mark as A", "Ctrl+Shift+A", "",
+     "The scene as it is now is what edits are held against", false, true},
+    {"swap-ab", "Compare", "&Swap A and B", "Ctrl+Shift+X", "",
+     "The scene becomes A again, and A what the scene was"},
+    {"compare-now", "Compare", "&Compare now", "Ctrl+Shift+C", "", "The stroke is felt in A and in the scene",
+     false, true},
+    {"compare-auto", "Compare", "After &each edit", "", "", "Each edit is compared with A at once", true},
+    {"compare-csv", "Compare", "E&xport CSV...", "", "", "Both forces of each step of the stroke", false,
+     true},
     {"keyboard", "Help", "&Keyboard", "F1", "keyboard", "All keys on one page"},
     {"about", "Help", "&About Tactum", "", "", "Version and licence"},
 };
@@ -101,6 +118,17 @@ QList<QKeySequence> keysOf(const Command& command) {
          QString::fromLatin1(command.keys).split(QStringLiteral("; "), Qt::SkipEmptyParts))
         keys << QKeySequence::fromString(part, QKeySequence::PortableText);
     return keys;
+}
+
+/// The title with a key for Alt that no menu before it has.
+QString withKey(const QString& title, QString& used) {
+    for (qsizetype i = 0; i < title.size(); ++i) {
+        const QChar letter = title[i].toLower();
+        if (!letter.isLetter() || used.contains(letter)) continue;
+        used += letter;
+        return QString(title).insert(i, u'&');
+    }
+    return title;
 }
 
 QString tooltipOf(const Command& command) {
@@ -138,9 +166,10 @@ QAction& Actions::operator[](const char* id) const {
 
 void Actions::fill(QMenuBar& bar) const {
     QMenu* menu = nullptr;
+    QString used;
     for (const Command& command : kCommands) {
         if (!menu || menu->objectName() != QLatin1String(command.menu)) {
-            menu = bar.addMenu(tr(command.menu));
+            menu = bar.addMenu(withKey(tr(command.menu), used));
             menu->setObjectName(QString::fromLatin1(command.menu));
         }
         if (command.separatorBefore) menu->addSeparator();

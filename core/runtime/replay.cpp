@@ -19,14 +19,32 @@ std::int64_t nanoseconds() {
         .count();
 }
 
+/// What is left of the force without the share of the normals that push.
+double tangentialOf(const HapticOutput& output) {
+    Vec3 rest = output.force;
+    for (int i = 0; i < std::min(output.contacts, kMaxModelPlanes); ++i) {
+        const Vec3& normal = output.contact[std::size_t(i)].normal;
+        rest -= std::max(0.0, rest.dot(normal)) * normal;
+    }
+    return output.contacts > 0 ? rest.norm() : 0;
+}
+
 } // namespace
 
 TouchTrace replay(const World& world, const std::vector<FingerPoint>& path) {
+    return *replay(world, path, {});
+}
+
+Result<TouchTrace> replay(const World& world, const std::vector<FingerPoint>& path,
+                          const Progress& progress) {
+    constexpr std::size_t kLook = 512; // steps between two looks
+    ProgressMeter meter(progress, path.size(), kLook);
     TouchTrace rows;
     rows.reserve(path.size());
     SimState state;
     if (!path.empty()) state.time = path.front().t - kFirstStep;
     for (const FingerPoint& point : path) {
+        if (!meter.goesOn(rows.size())) return cancelledError();
         const double dt = rows.empty() ? kFirstStep : point.t - rows.back().t;
         HapticInput input{point.position, Vec3::Zero()};
         if (!rows.empty()) input.fingerVelocity = (point.position - rows.back().finger) / dt;
@@ -34,7 +52,7 @@ TouchTrace replay(const World& world, const std::vector<FingerPoint>& path) {
         const HapticOutput output = hapticStep(world, state, input, dt);
         const std::int64_t end = nanoseconds();
         rows.push_back({point.t, point.position, output.proxy, output.force, output.contacts,
-                        output.report.rounds, end - begin});
+                        output.report.rounds, end - begin, tangentialOf(output)});
     }
     return rows;
 }

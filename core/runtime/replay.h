@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/runtime/world.h"
 #include "core/scene/finger_path.h"
 
@@ -18,12 +19,15 @@ struct TouchRow {
     int contacts = 0;
     int rounds = 0;            ///< of move and update
     std::int64_t updateNs = 0; ///< how long the step took
+    double tangential = 0;     ///< N of the force along the surfaces that push
 };
 using TouchTrace = std::vector<TouchRow>;
 
 /// One haptic step for each point of the path; its time step is the time since the point before. Bodies that
 /// move by themselves are at each point where the path's time puts them.
 TouchTrace replay(const World& world, const std::vector<FingerPoint>& path);
+/// The same; fails when it is cancelled.
+Result<TouchTrace> replay(const World& world, const std::vector<FingerPoint>& path, const Progress& progress);
 
 struct UpdateTimes {
     double mean = 0;

@@ -43,6 +43,7 @@ Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), doc
     auto* scroll = new QScrollArea;
     scroll->setWidget(body);
     scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     column(this, 0)->addWidget(scroll);
     connect(&document_, &Document::changed, this, &Inspector::refresh);

@@ -21,6 +21,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     text_->setObjectName(QStringLiteral("notice-text"));
     text_->setWordWrap(true);
+    text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a path is one long word
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);

@@ -53,6 +53,7 @@ StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(pare
     centred->addStretch(3);
     auto* scrolled = new QScrollArea; // a small window stays small
     scrolled->setWidgetResizable(true);
+    scrolled->setFocusPolicy(Qt::NoFocus); // it follows the button that has the keys
     scrolled->setWidget(page);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);

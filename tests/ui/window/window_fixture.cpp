@@ -11,6 +11,7 @@
 #include <QWindow>
 
 #include "device/simulated_hand.h"
+#include "ui/journal.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
@@ -26,6 +27,7 @@ void prepareProcess() {
 void useSettingsIn(const QString& folder) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
+    qputenv("XDG_DATA_HOME", folder.toLocal8Bit()); // the journals
 }
 
 QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {
@@ -66,7 +68,7 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     engine.setArmed(true);
     applyTheme(rememberedTheme());
     window = std::make_unique<MainWindow>(document, engine, hand, samples);
-    window->resize(size);
+    if (size.isValid()) window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
     // Without a window manager nobody else gives it the keyboard.
@@ -75,6 +77,7 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
 }
 
 TouchedWindow::~TouchedWindow() {
+    window->journal().discard(); // a test that edits leaves nothing for the next one to recover
     window.reset();
     engine.stop();
 }

@@ -34,6 +34,7 @@ public:
     /// Makes another device around the simulated hand, one that gives trouble for instance.
     using Around = std::function<std::unique_ptr<HapticDevice>(std::unique_ptr<HapticDevice>)>;
 
+    /// `size`: an invalid one leaves the window as it comes.
     explicit TouchedWindow(QSize size = {1200, 800}, const QStringList& samples = {},
                            const Around& around = {});
     ~TouchedWindow();

@@ -1,0 +1,175 @@
+#include "core/files/journal.h"
+
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+#include "core/archive/sha256.h"
+#include "core/base/atomic_file.h"
+#include "core/base/byte_stream.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/source.h"
+
+namespace tactum {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A glb is a header, a chunk of JSON with all numbers, and a chunk of meshes and images. The journal keeps
+// the header and the JSON in one file, which names the other one by its fingerprint: an edit of a number
+// writes kilobytes. Who replaces the first file has changed the journal, so that is done last.
+constexpr std::string_view kMagic = "tactum journal 1\n";
+constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
+constexpr std::string_view kShapes = "shapes-";
+constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;
+constexpr std::uint64_t kMost = std::uint64_t(4) << 30; // what a glb can hold
+
+struct Journal {
+    JournalEntry entry;
+    std::string shapes; ///< fingerprint of the second file
+    std::uint64_t shapeBytes = 0;
+    std::string numbers; ///< the beginning of the glb
+};
+
+template <class Io> void fields(Io& io, Journal& journal) {
+    JournalEntry& entry = journal.entry;
+    std::string file = entry.file.native();
+    io(file), io(entry.fileWritten), io(entry.fileBytes), io(entry.own), io(entry.title), io(entry.edited);
+    entry.file = file;
+    io(journal.shapes), io(journal.shapeBytes), io(journal.numbers);
+}
+
+std::string bytesOf(Journal journal) {
+    StringOut out;
+    fields(out, journal);
+    return std::string(kMagic) + sha256(out.bytes) + out.bytes;
+}
+
+/// Where the meshes and images of a glb begin.
+std::size_t endOfNumbers(std::string_view glb) {
+    std::uint32_t json = 0;
+    std::memcpy(&json, glb.data() + kGlbHeader, sizeof json);
+    return kGlbHeader + kChunkHeader + json;
+}
+
+tl::unexpected<Error> damaged(const fs::path& folder, const std::string& what) {
+    return inputError(shownPath(folder) + ": the journal is damaged: " + what);
+}
+
+Result<std::string> contentOf(const fs::path& file) {
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault) || fs::file_size(file, fault) > kMost)
+        return damaged(file.parent_path(), file.filename().string() + " is missing");
+    std::ostringstream bytes;
+    std::ifstream in(file, std::ios::binary);
+    if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+    if (!in || !bytes) return machineError(shownPath(file) + ": cannot be read; check the disk");
+    return std::move(bytes).str();
+}
+
+Result<Journal> readNumbers(const fs::path& folder) {
+    const auto bytes = contentOf(folder / kNumbers);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    constexpr std::size_t kPrint = 64;
+    const std::string_view all = *bytes;
+    if (!all.starts_with(kMagic) || all.size() < kMagic.size() + kPrint)
+        return damaged(folder, "it does not begin as one");
+    const std::string_view rest = all.substr(kMagic.size() + kPrint);
+    if (sha256(rest) != all.substr(kMagic.size(), kPrint)) return damaged(folder, "bytes have changed");
+    try {
+        ByteIn in(rest, "the journal", kMagic.size() + kPrint, "it was kept");
+        Journal journal;
+        fields(in, journal);
+        return journal;
+    } catch (const ByteFault& fault) {
+        return damaged(folder, fault.error.text);
+    }
+}
+
+fs::path shapesOf(const fs::path& folder, const std::string& print) {
+    return folder / (std::string(kShapes) + print);
+}
+
+/// What no journal names any more, and what an interrupted save left.
+void tidy(const fs::path& folder, const fs::path& shapes) {
+    std::error_code fault;
+    for (const auto& each : fs::directory_iterator(folder, fault)) {
+        const std::string name = each.path().filename();
+        const bool isOld = name.starts_with(kShapes) && each.path() != shapes;
+        if (isOld || name.starts_with(".tactum-") || name == kUnpacked) fs::remove(each.path(), fault);
+    }
+}
+
+Result<void> replaceJournal(const fs::path& folder, const JournalEntry& entry, std::string_view glb) {
+    const std::size_t end = endOfNumbers(glb);
+    const std::string_view shapes = glb.substr(end);
+    Journal journal{entry, sha256(shapes), shapes.size(), std::string(glb.substr(0, end))};
+    std::error_code fault;
+    fs::create_directories(folder, fault); // what is wrong with it the first write says
+    const fs::path kept = shapesOf(folder, journal.shapes);
+    if (fs::file_size(kept, fault) != shapes.size() || fault) // a file of that name is whole
+        if (const auto written = writeFileAtomically(kept, shapes, 0); !written) return written;
+    if (const auto written = writeFileAtomically(folder / kNumbers, bytesOf(journal), 0); !written)
+        return written;
+    tidy(folder, kept);
+    return {};
+}
+
+} // namespace
+
+Result<void> writeJournal(const fs::path& folder, const JournalEntry& entry, const Scene& scene,
+                          const Progress& progress) {
+    try {
+        const auto glb = glbOf(scene, progress);
+        if (!glb) return tl::unexpected<Error>(glb.error());
+        if (progress.isCancelled()) return cancelledError();
+        return replaceJournal(folder, entry, *glb);
+    } catch (const std::bad_alloc&) {
+        return machineError(shownPath(folder) + ": not enough memory for the journal; close other programs");
+    }
+}
+
+Result<JournalEntry> readJournalEntry(const fs::path& folder) {
+    auto journal = readNumbers(folder);
+    if (!journal) return tl::unexpected<Error>(journal.error());
+    return std::move(journal->entry);
+}
+
+Result<fs::path> unpackJournal(const fs::path& folder) {
+    const auto journal = readNumbers(folder);
+    if (!journal) return tl::unexpected<Error>(journal.error());
+    const auto shapes = contentOf(shapesOf(folder, journal->shapes));
+    if (!shapes) return tl::unexpected<Error>(shapes.error());
+    if (shapes->size() != journal->shapeBytes || sha256(*shapes) != journal->shapes)
+        return damaged(folder, "meshes or images have changed");
+    const fs::path file = folder / kUnpacked;
+    if (const auto written = writeFileAtomically(file, journal->numbers + *shapes, 0); !written)
+        return tl::unexpected<Error>(written.error());
+    return file;
+}
+
+bool holdsJournal(const fs::path& folder) {
+    std::error_code fault;
+    return fs::exists(folder / kNumbers, fault);
+}
+
+void removeJournal(const fs::path& folder) {
+    std::error_code fault; // what cannot be removed is offered again
+    fs::remove(folder / kNumbers, fault);
+    if (!fault) fs::remove_all(folder, fault);
+}
+
+void touchJournal(const fs::path& folder) {
+    std::error_code fault; // a journal that is not there needs none
+    fs::last_write_time(folder / kNumbers, fs::file_time_type::clock::now(), fault);
+}
+
+fs::file_time_type lastSignOf(const fs::path& folder) {
+    std::error_code fault;
+    const auto written = fs::last_write_time(folder / kNumbers, fault);
+    return fault ? fs::last_write_time(folder, fault) : written;
+}
+
+} // namespace tactum

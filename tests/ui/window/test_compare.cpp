@@ -1,0 +1,236 @@
+// A stroke over two states of the scene, in the window: recorded, marked, edited, compared, swapped, written.
+#include <QApplication>
+#include <QCheckBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+
+#include "core/runtime/compile.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/comparison.h"
+
+using namespace tactum;
+
+namespace {
+
+void setStiffness(Document& document, double stiffness) {
+    const SurfaceRef top{document.scene().objects.front().id, 2};
+    for (const MaterialField& field : kMaterialFields)
+        if (field.parameter == &kStiffness) document.setMaterialValue(top, field, stiffness);
+}
+
+/// Down onto the upper side of the cube, slowly.
+std::vector<FingerPoint> press(std::size_t steps = 2000) {
+    std::vector<FingerPoint> path;
+    for (std::size_t i = 0; i < steps; ++i)
+        path.push_back({1e-3 * double(i), Vec3(0.001, 0.055 - 0.008 * double(i) / double(steps), 0.002)});
+    return path;
+}
+
+/// Waits for a result that an edit, a mark or a swap has led to.
+bool isCompared(const Comparison& comparison) {
+    return QTest::qWaitFor([&] { return comparison.result() && !comparison.working(); }, kPatience);
+}
+
+bool isCalled(const TouchedWindow& program, const char* button) {
+    auto* found = program.window->findChild<QPushButton*>(QString::fromLatin1(button));
+    if (!found || !found->isEnabled()) return false;
+    found->click();
+    return true;
+}
+
+} // namespace
+
+class TestCompare : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void theSameSceneDiffersByNothing();
+    void anEditIsComparedByItself();
+    void swappingIsOneStepOfTheHistory();
+    void whatTheFingerDidIsAStroke();
+    void theNewestEditWins();
+    void anotherSceneForgetsA();
+    void theFileHasAPointInEveryLocale();
+    void aLargeMeshDoesNotHoldTheWindowUp();
+};
+
+void TestCompare::theSameSceneDiffersByNothing() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    comparison.setStroke(press());
+    QVERIFY(!comparison.result());
+    comparison.markA();
+    QVERIFY(isCompared(comparison));
+    QCOMPARE(comparison.result()->difference.rms, 0.0);
+    QCOMPARE(comparison.result()->difference.largest, 0.0);
+    QVERIFY(comparison.result()->difference.workA > 0);
+    QCOMPARE(comparison.result()->difference.workA, comparison.result()->difference.workB);
+}
+
+void TestCompare::anEditIsComparedByItself() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    setStiffness(program.document, 400);
+    comparison.setStroke(press());
+    comparison.markA();
+    QVERIFY(isCompared(comparison));
+    setStiffness(program.document, 800);
+    QVERIFY(comparison.working());
+    QVERIFY(isCompared(comparison));
+    // Twice the stiffness: the difference is the force of A. Deepest at the end, 3 mm and the proxy's radius.
+    const double depth = 0.05 + program.document.scene().proxyRadius - press().back().position.y();
+    const double damping = program.document.scene().objects[0].surfaces[2].material.damping;
+    QCOMPARE(damping, kDamping.initial);
+    const TouchRow& lastA = comparison.result()->a->back();
+    QVERIFY(std::abs(lastA.force.y() - 400 * depth) < 1e-6 + damping * 0.01);
+    QVERIFY(std::abs(comparison.result()->difference.largest - 400 * depth) < 1e-6 + damping * 0.01);
+    const auto* figures = program.window->findChild<QLabel*>(QStringLiteral("compare-figures"));
+    QVERIFY(figures->text().contains(QStringLiteral("rms")) &&
+            !figures->text().contains(u',' + QStringLiteral("0")));
+    // Without it nothing is compared until somebody asks.
+    comparison.setAutomatic(false);
+    setStiffness(program.document, 400);
+    QVERIFY(!comparison.working());
+    comparison.compare();
+    QVERIFY(isCompared(comparison));
+    QCOMPARE(comparison.result()->difference.largest, 0.0);
+}
+
+void TestCompare::swappingIsOneStepOfTheHistory() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    const auto stiffness = [&] { return program.document.scene().objects[0].surfaces[2].material.stiffness; };
+    setStiffness(program.document, 400);
+    QVERIFY(!isCalled(program, "compare-swap"));
+    QVERIFY(isCalled(program, "compare-mark"));
+    setStiffness(program.document, 800);
+    const int steps = program.document.history().count();
+    QVERIFY(isCalled(program, "compare-swap"));
+    QCOMPARE(stiffness(), 400.0);
+    QCOMPARE(program.document.history().count(), steps + 1);
+    QVERIFY(isCalled(program, "compare-swap")); // A was what the scene had been
+    QCOMPARE(stiffness(), 800.0);
+    program.document.history().undo();
+    QCOMPARE(stiffness(), 400.0);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+    QVERIFY(comparison.hasA());
+}
+
+void TestCompare::whatTheFingerDidIsAStroke() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    QVERIFY(isCalled(program, "compare-record"));
+    QVERIFY(comparison.recording());
+    program.press(program.centre());
+    program.frames(20);
+    program.wheel(program.centre(), 4);
+    program.frames(20);
+    QVERIFY(isCalled(program, "compare-record"));
+    program.release(program.centre());
+    QVERIFY(!comparison.recording());
+    const auto& stroke = comparison.stroke();
+    QVERIFY(stroke.size() > 100 && isFingerPath(stroke));
+    QCOMPARE(stroke.front().t, 0.0);
+    comparison.markA();
+    QVERIFY(isCompared(comparison));
+    QVERIFY(comparison.result()->difference.workA != 0); // it did touch
+    QVERIFY(isCalled(program, "compare-last"));
+    QVERIFY(comparison.stroke().back().t <= 10.0 + 1e-9);
+}
+
+void TestCompare::theNewestEditWins() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    setStiffness(program.document, 400);
+    comparison.setStroke(press(200'000));
+    comparison.markA();
+    for (int i = 1; i <= 20; ++i)
+        setStiffness(program.document, 400 + i);
+    setStiffness(program.document, 800);
+    QVERIFY(isCompared(comparison));
+    const double last = comparison.result()->b->back().force.y() / comparison.result()->a->back().force.y();
+    QVERIFY2(std::abs(last - 2) < 0.01, qPrintable(QString::number(last)));
+    comparison.setStroke(press(200'000));
+    comparison.cancel();
+    QTRY_VERIFY_WITH_TIMEOUT(!comparison.working(), kPatience);
+    QVERIFY(!comparison.result());
+}
+
+void TestCompare::anotherSceneForgetsA() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    comparison.setStroke(press());
+    comparison.markA();
+    QVERIFY(isCompared(comparison));
+    QVERIFY(program.open(writeCube(folder_, 2)));
+    QVERIFY(!comparison.hasA() && !comparison.result());
+    QVERIFY(!comparison.stroke().empty());
+}
+
+void TestCompare::theFileHasAPointInEveryLocale() {
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    comparison.setStroke(press(50));
+    comparison.markA();
+    QVERIFY(isCompared(comparison));
+    const QString file = folder_.filePath(QStringLiteral("both.csv"));
+    QTimer answer;
+    connect(&answer, &QTimer::timeout, &answer, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        dialog->selectFile(file);
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+    answer.start(20);
+    QVERIFY(isCalled(program, "compare-export"));
+    answer.stop();
+    QLocale::setDefault(QLocale::c());
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = written.readAll().split('\n');
+    QCOMPARE(lines.size(), 50 + 2); // the heading, and nothing after the last line
+    QCOMPARE(lines[1].count(','), lines[0].count(','));
+    QVERIFY(lines[20].contains('.'));
+}
+
+/// The window has the processor back before anything was prepared or replayed.
+void TestCompare::aLargeMeshDoesNotHoldTheWindowUp() {
+    TouchedWindow program;
+    QByteArray text;
+    constexpr int kSide = 240;
+    for (int i = 0; i < kSide * kSide; ++i)
+        text += "v " + QByteArray::number(4e-4 * (i % kSide)) + " 0 " +
+                QByteArray::number(4e-4 * (i / kSide)) + '\n';
+    for (int i = 0; i + kSide + 1 < kSide * kSide; ++i)
+        if ((i + 1) % kSide != 0)
+            text += "f " + QByteArray::number(i + 1) + ' ' + QByteArray::number(i + 2) + ' ' +
+                    QByteArray::number(i + kSide + 1) + '\n';
+    QVERIFY(program.open(writeFile(folder_, QStringLiteral("fine.obj"), text)));
+    Comparison& comparison = program.window->comparison();
+    comparison.setStroke(press(100'000));
+    comparison.markA();
+    QVERIFY(comparison.working() && !comparison.result());
+    QVERIFY(isCompared(comparison));
+    QVERIFY(comparison.result()->a->size() == 100'000);
+}
+
+QTEST_MAIN(TestCompare)
+#include "test_compare.moc"

@@ -1,0 +1,370 @@
+// What was edited outlives the program: killed, started again, recovered.
+#include <csignal>
+#include <filesystem>
+
+#include <QApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/base/process_mark.h"
+#include "core/files/gltf/write_gltf.h"
+#include "core/files/journal.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/journal.h"
+#include "ui/panels/recovery_bar.h"
+
+using namespace tactum;
+namespace fs = std::filesystem;
+
+namespace {
+
+void setStiffness(Document& document, double stiffness, Gesture gesture = 0) {
+    const SurfaceRef first{document.scene().objects.front().id, 0};
+    for (const MaterialField& field : kMaterialFields)
+        if (field.parameter == &kStiffness) document.setMaterialValue(first, field, stiffness, gesture);
+}
+
+void write(const QString& file, const std::string& bytes) {
+    QFile out(file);
+    if (!out.open(QIODevice::WriteOnly) || out.write(bytes.data(), qint64(bytes.size())) < 0)
+        qFatal("%s cannot be written", qPrintable(file));
+}
+
+QByteArray read(const QString& file) {
+    QFile in(file);
+    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+}
+
+std::vector<fs::path> journals() {
+    std::vector<fs::path> found;
+    std::error_code fault;
+    for (const auto& each : fs::directory_iterator(Journal::home(), fault))
+        found.push_back(each.path());
+    return found;
+}
+
+/// The program that is killed: opens a scene, edits it `edits` times, says what it has, and goes on until
+/// then.
+int editUntilKilled(const QString& settings, const QString& scene, int edits) {
+    useSettingsIn(settings);
+    TouchedWindow program;
+    if (!program.open(scene)) return 2;
+    for (int i = 1; i <= edits; ++i)
+        setStiffness(program.document, 100 + i);
+    write(settings + QStringLiteral("/edited.glb"), *glbOf(program.document.scene()));
+    for (;;)
+        program.frames(10);
+}
+
+/// Another run of this program, whose data are in the same folder.
+class OtherRun {
+public:
+    OtherRun(const QString& settings, const QString& scene, int edits) {
+        process_.setProcessChannelMode(QProcess::ForwardedChannels);
+        process_.start(QCoreApplication::applicationFilePath(),
+                       {QStringLiteral("--edit"), settings, scene, QString::number(edits)});
+    }
+    ~OtherRun() { kill(); }
+    bool waitForJournals(std::size_t count) {
+        return QTest::qWaitFor(
+            [&] {
+                const auto all = journals();
+                return std::size_t(std::ranges::count_if(all, holdsJournal)) == count;
+            },
+            kPatience);
+    }
+    void kill() {
+        process_.kill();
+        process_.waitForFinished();
+    }
+    qint64 pid() const { return process_.processId(); }
+
+private:
+    QProcess process_;
+};
+
+QPushButton* choice(const TouchedWindow& program, const char* name, int line = 0) {
+    return program.window->findChild<QPushButton*>(
+        QStringLiteral("%1-%2").arg(QLatin1String(name)).arg(line));
+}
+
+const QWidget& bar(const TouchedWindow& program) {
+    return *program.window->findChild<RecoveryBar*>();
+}
+
+QString noticeOf(const TouchedWindow& program) {
+    const auto* label = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+    return label->isVisible() ? label->text() : QString();
+}
+
+/// A journal as a run that ended has left it.
+fs::path leaveJournal(const Scene& scene, const std::string& title, std::int64_t edited) {
+    static std::uint64_t count = 0;
+    ProcessMark dead = ownMark();
+    dead.began = ++count; // nobody's any more
+    const fs::path folder = Journal::home() / (nameOf(dead) + "_0");
+    if (!writeJournal(folder, {.file = "/nowhere/" + title, .title = title, .edited = edited}, scene))
+        qFatal("the journal cannot be written");
+    return folder;
+}
+
+} // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> folder_;
+
+    Scene someScene() {
+        TouchedWindow program;
+        if (!program.open(writeCube(*folder_))) qFatal("the cube cannot be opened");
+        return program.document.scene();
+    }
+
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        useSettingsIn(folder_->path());
+    }
+
+    void aKilledProgramLosesNothing();
+    void aRunThatGoesOnKeepsItsJournal();
+    void throwingAwayCanBeTakenBackUntilTheEnd();
+    void severalAreOfferedAtOnce();
+    void aDamagedJournalIsSaidAndKept();
+    void savingAndLeavingEndTheJournal();
+    void anEditIsInItAfterTheTimeOrTheCount();
+    void aDragIsInItToo();
+    void whatCannotBeWrittenIsSaidOnce();
+    void theHistoryOutlivesASave();
+};
+
+void TestRecovery::aKilledProgramLosesNothing() {
+    const QString cube = writeCube(*folder_);
+    const QByteArray original = read(cube);
+    {
+        OtherRun run(folder_->path(), cube, 20);
+        QVERIFY(run.waitForJournals(1));
+        run.kill();
+    }
+    const QByteArray edited = read(folder_->filePath(QStringLiteral("edited.glb")));
+    QVERIFY(!edited.isEmpty());
+    TouchedWindow program;
+    QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+    const QString text = program.window->findChild<QLabel*>(QStringLiteral("recovery-text-0"))->text();
+    QVERIFY2(text.startsWith(QStringLiteral("cube.obj was not saved: edited until ")), qPrintable(text));
+    QSignalSpy opened(&program.document, &Document::opened);
+    choice(program, "recovery-recover")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
+    const std::string recovered = *glbOf(program.document.scene());
+    QVERIFY(QByteArray::fromStdString(recovered) == edited);
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 120.0);
+    // Under the old name, modified, and its file as it was.
+    QVERIFY(program.document.modified() && program.window->isWindowModified());
+    QCOMPARE(QString::fromStdString(program.document.path().string()), cube);
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    QVERIFY(!program.document.hasOwnFile());
+    QCOMPARE(read(cube), original);
+    QVERIFY(!bar(program).isVisible());
+    // Still in a journal, now this run's, until it is saved.
+    QCOMPARE(journals().size(), std::size_t(1));
+    QVERIFY(holdsJournal(journals().front()));
+    QSignalSpy saved(&program.document, &Document::saved);
+    program.document.save(folder_->filePath(QStringLiteral("kept.glb")).toStdString());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(journals().empty(), kPatience);
+}
+
+void TestRecovery::aRunThatGoesOnKeepsItsJournal() {
+    OtherRun run(folder_->path(), writeCube(*folder_), 20);
+    QVERIFY(run.waitForJournals(1));
+    const auto theirs = journals();
+    TouchedWindow program;
+    program.frames(60);
+    QVERIFY(!bar(program).isVisible());
+    QVERIFY(program.open(writeCube(*folder_)));
+    for (int i = 0; i < 20; ++i)
+        setStiffness(program.document, 300 + i);
+    QVERIFY(run.waitForJournals(2));
+    program.window->journal().discard();
+    QTRY_VERIFY_WITH_TIMEOUT(journals() == theirs, kPatience);
+}
+
+void TestRecovery::throwingAwayCanBeTakenBackUntilTheEnd() {
+    leaveJournal(someScene(), "cube.obj", 1000);
+    {
+        TouchedWindow program;
+        QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+        choice(program, "recovery-throw")->click();
+        QVERIFY(!choice(program, "recovery-recover"));
+        choice(program, "recovery-back")->click();
+        QVERIFY(choice(program, "recovery-recover"));
+    }
+    // That run ended with it: its name is this process's, which goes on. As if it had ended as well:
+    QCOMPARE(journals().size(), std::size_t(1));
+    ProcessMark dead = ownMark();
+    dead.began = 7;
+    fs::rename(journals().front(), Journal::home() / (nameOf(dead) + "_3"));
+    {
+        TouchedWindow program;
+        QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+        choice(program, "recovery-throw")->click();
+        QCOMPARE(journals().size(), std::size_t(1));
+    }
+    QVERIFY(journals().empty());
+}
+
+void TestRecovery::severalAreOfferedAtOnce() {
+    const Scene scene = someScene();
+    leaveJournal(scene, "older.glb", 1000);
+    leaveJournal(scene, "newer.glb", 2000);
+    TouchedWindow program;
+    QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+    const auto textOf = [&](int line) {
+        return program.window->findChild<QLabel*>(QStringLiteral("recovery-text-%1").arg(line))->text();
+    };
+    QVERIFY(textOf(0).startsWith(QStringLiteral("newer.glb")) &&
+            textOf(1).startsWith(QStringLiteral("older.glb")));
+    QSignalSpy opened(&program.document, &Document::opened);
+    choice(program, "recovery-recover", 1)->click();
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
+    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("older.glb")));
+    QVERIFY(bar(program).isVisible() && textOf(0).startsWith(QStringLiteral("newer.glb")));
+    // What was recovered is unsaved: the other one does not take its place without a question.
+    choice(program, "recovery-recover")->click();
+    auto* question = program.window->findChild<QMessageBox*>(QStringLiteral("unsaved"));
+    QVERIFY(question);
+    question->button(QMessageBox::Discard)->click();
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, kPatience);
+    QVERIFY(!bar(program).isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(journals().size(), std::size_t(1), kPatience);
+    QVERIFY(readJournalEntry(journals().front())->title == "newer.glb");
+}
+
+void TestRecovery::aDamagedJournalIsSaidAndKept() {
+    const fs::path folder = leaveJournal(someScene(), "cube.obj", 1000);
+    std::string bytes = read(QString::fromStdString((folder / "journal").string())).toStdString();
+    bytes[bytes.size() / 2] ^= 1;
+    write(QString::fromStdString((folder / "journal").string()), bytes);
+    {
+        TouchedWindow program;
+        QTRY_VERIFY_WITH_TIMEOUT(noticeOf(program).contains(QStringLiteral("damaged")), kPatience);
+        QVERIFY(!bar(program).isVisible());
+    }
+    QCOMPARE(journals().size(), std::size_t(1));
+    QVERIFY(journals().front().filename().string().starts_with("damaged-"));
+    TouchedWindow again;
+    again.frames(60);
+    QVERIFY(noticeOf(again).isEmpty());
+    QCOMPARE(journals().size(), std::size_t(1));
+}
+
+void TestRecovery::savingAndLeavingEndTheJournal() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    const auto edit = [&](double stiffness) {
+        setStiffness(program.document, stiffness);
+        QSignalSpy written(&program.window->journal(), &Journal::written);
+        program.window->journal().writeNow();
+        return QTest::qWaitFor([&] { return written.size() == 1; }, kPatience) && journals().size() == 1;
+    };
+    QVERIFY(edit(201));
+    program.document.history().undo(); // nothing is left to lose
+    QTRY_VERIFY_WITH_TIMEOUT(journals().empty(), kPatience);
+    QVERIFY(edit(202));
+    program.document.save(folder_->filePath(QStringLiteral("kept.glb")).toStdString());
+    QTRY_VERIFY_WITH_TIMEOUT(journals().empty(), kPatience);
+    QVERIFY(edit(203));
+    program.window->close();
+    program.window->findChild<QMessageBox*>(QStringLiteral("unsaved"))->button(QMessageBox::Discard)->click();
+    QTRY_VERIFY_WITH_TIMEOUT(journals().empty(), kPatience);
+}
+
+void TestRecovery::anEditIsInItAfterTheTimeOrTheCount() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    Journal& journal = program.window->journal();
+    QSignalSpy written(&journal, &Journal::written);
+    const Journal::Pace pace;
+    QVERIFY(pace.milliseconds < 30'000 && pace.edits <= 20);
+    for (int i = 1; i < pace.edits; ++i)
+        setStiffness(program.document, 100 + i);
+    program.frames(30);
+    QCOMPARE(written.size(), 0);
+    setStiffness(program.document, 150);
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 1, kPatience);
+    // The clock counts from the first edit that is not in it: who goes on editing does not put it off.
+    journal.setPace({200, 1000});
+    for (int i = 0; i < 1000 && written.size() < 2; ++i) {
+        setStiffness(program.document, 160 + i % 7);
+        QTest::qWait(20);
+    }
+    QCOMPARE(written.size(), 2);
+}
+
+void TestRecovery::aDragIsInItToo() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    Journal& journal = program.window->journal();
+    QSignalSpy written(&journal, &Journal::written);
+    journal.setPace({100, 1000});
+    const Gesture drag = newGesture();
+    setStiffness(program.document, 100, drag);
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 1, kPatience);
+    setStiffness(program.document, 101, drag); // the same step of the history
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 2, kPatience);
+}
+
+void TestRecovery::whatCannotBeWrittenIsSaidOnce() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    fs::remove_all(Journal::home());
+    fs::create_directories(Journal::home().parent_path());
+    write(QString::fromStdString(Journal::home().string()), "no folder");
+    Journal& journal = program.window->journal();
+    journal.setPace({20, 1000});
+    QSignalSpy failed(&journal, &Journal::failed), written(&journal, &Journal::written);
+    setStiffness(program.document, 101);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QVERIFY(noticeOf(program).startsWith(QStringLiteral("What you edit is not kept")));
+    QVERIFY(!noticeOf(program).contains(u'\n'));
+    for (int i = 0; i < 5; ++i) {
+        setStiffness(program.document, 102 + i);
+        QTest::qWait(60);
+    }
+    QCOMPARE(failed.size(), 1);
+    // It tries again by itself.
+    fs::remove(Journal::home());
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 1, kPatience);
+}
+
+void TestRecovery::theHistoryOutlivesASave() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    const double before = program.document.scene().objects[0].surfaces[0].material.stiffness;
+    setStiffness(program.document, 333);
+    QSignalSpy saved(&program.document, &Document::saved);
+    program.document.save(folder_->filePath(QStringLiteral("kept.glb")).toStdString());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+    QCOMPARE(program.document.history().text(0), QStringLiteral("Stiffness of right"));
+    program.document.history().undo();
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, before);
+    QVERIFY(program.document.modified());
+}
+
+int main(int argc, char** argv) {
+    prepareProcess();
+    QApplication app(argc, argv);
+    const QStringList words = app.arguments();
+    if (words.value(1) == QLatin1String("--edit"))
+        return editUntilKilled(words[2], words[3], words[4].toInt());
+    TestRecovery test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_recovery.moc"

@@ -1,0 +1,125 @@
+// The command palette of the window, and the way from panel to panel.
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include "ui/main_window.h"
+#include "ui/panel_focus.h"
+#include "ui/panels/command_palette.h"
+#include "ui/playback.h"
+#include "ui/recent_files.h"
+
+namespace tactum {
+
+namespace {
+
+QString plain(QString text) {
+    if (text.endsWith(QStringLiteral("..."))) text.chop(3);
+    return text.remove(u'&');
+}
+
+/// Why a command can be off, where there is one reason alone.
+struct Reason {
+    const char* id;
+    const char* sentence;
+};
+constexpr Reason kReasons[] = {
+    {"save", "Nothing is open."},
+    {"save-as", "Nothing is open."},
+    {"export", "Nothing is open."},
+    {"save-picture", "Nothing is open."},
+    {"undo", "There is no edit to take back."},
+    {"redo", "No edit was taken back."},
+    {"stop", "The forces are off already."},
+    {"dead-man", "This device has no button that could be held."},
+    {"swap-ab", "No state was marked as A."},
+    {"compare-now", "There is no stroke, or no state was marked as A."},
+    {"compare-csv", "Nothing was compared yet."},
+};
+
+} // namespace
+
+QString MainWindow::whyNot(const QString& id) const {
+    if (playback_->active()) return tr("A recording is shown; end it first.");
+    for (const Reason& reason : kReasons)
+        if (id == QLatin1String(reason.id)) return tr(reason.sentence);
+    return tr("It has no effect as things are.");
+}
+
+void MainWindow::openPalette() {
+    std::vector<PaletteEntry> entries;
+    for (const Command& command : commands()) {
+        QAction& action = actions_[command.id];
+        const QString id = action.objectName();
+        if (id == QLatin1String("palette")) continue;
+        entries.push_back({id, plain(action.text()), tr(command.menu),
+                           action.shortcut().toString(QKeySequence::NativeText), tr(command.sentence),
+                           action.isEnabled() ? QString() : whyNot(id), [&action] { action.trigger(); }});
+    }
+    addPanels(entries);
+    addSurfaces(entries);
+    for (const QString& file : recentFiles())
+        entries.push_back({{},
+                           tr("Open recent %1").arg(QFileInfo(file).fileName()),
+                           tr("File"),
+                           {},
+                           file,
+                           {},
+                           [this, file] { open(file); }});
+    auto* palette = new CommandPalette(std::move(entries), this);
+    palette->open();
+}
+
+void MainWindow::addPanels(std::vector<PaletteEntry>& entries) {
+    for (auto* dock : findChildren<QDockWidget*>()) {
+        const QString title = dock->windowTitle().section(QStringLiteral("  "), 0, 0); // without a count
+        entries.push_back({dock->objectName(),
+                           tr("Panel %1").arg(title),
+                           tr("View"),
+                           {},
+                           tr("Show the panel and give it the keys"),
+                           {},
+                           [dock] {
+                               dock->show();
+                               dock->raise();
+                               dock->widget()->setFocus(Qt::ShortcutFocusReason);
+                           }});
+    }
+}
+
+void MainWindow::addSurfaces(std::vector<PaletteEntry>& entries) {
+    const QString reason = playback_->active() ? whyNot({}) : QString();
+    for (const SceneObject& object : document_.scene().objects)
+        for (Index i = 0; i < Index(object.surfaces.size()); ++i) {
+            const SurfaceRef ref{object.id, i};
+            entries.push_back({{},
+                               tr("Select surface %1").arg(QString::fromStdString(object.surfaces[i].name)),
+                               QString::fromStdString(object.name),
+                               {},
+                               tr("See and set how it feels"),
+                               reason,
+                               [this, ref] { document_.select(ref); }});
+        }
+}
+
+void MainWindow::connectPalette() {
+    connect(&actions_["palette"], &QAction::triggered, this, &MainWindow::openPalette);
+    const auto docks = findChildren<QDockWidget*>(); // now: who comes to the front comes last later
+    connect(&actions_["next-panel"], &QAction::triggered, this,
+            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, true); });
+    connect(&actions_["previous-panel"], &QAction::triggered, this,
+            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, false); });
+    auto* search = new QToolButton;
+    search->setObjectName(QStringLiteral("palette-button"));
+    search->setText(tr("Search for a command   %1")
+                        .arg(actions_["palette"].shortcut().toString(QKeySequence::NativeText)));
+    search->setToolTip(actions_["palette"].toolTip());
+    search->setProperty("search", true);
+    search->setFocusPolicy(Qt::NoFocus); // it has its key
+    connect(search, &QToolButton::clicked, this, &MainWindow::openPalette);
+    menuBar()->setCornerWidget(search);
+}
+
+} // namespace tactum

@@ -1,0 +1,31 @@
+// Scenes of runs that died, and the journal of this one.
+#include "ui/journal.h"
+#include "ui/main_window.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/recovery_bar.h"
+#include "ui/playback.h"
+#include "ui/recovery.h"
+
+namespace tactum {
+
+void MainWindow::connectRecovery() {
+    connect(journal_, &Journal::failed, notice_, &NoticeBar::showError);
+    connect(recovery_, &Recovery::failed, notice_, &NoticeBar::showError);
+    connect(recoveryBar_, &RecoveryBar::recoverAsked, this, [this](std::size_t index) {
+        leave(tr("recovering a scene"), [this, index] {
+            playback_->end();
+            recovery_->recover(index);
+        });
+    });
+    connect(recovery_, &Recovery::progressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Recovering"), fraction, secondsLeft, false);
+    });
+    connect(recovery_, &Recovery::recovered, this, [this](const QString& title) {
+        notice_->showNote(tr("%1 is as it was before the program stopped. Save it to keep it; its file has "
+                             "not been touched.")
+                              .arg(title));
+    });
+    recovery_->look();
+}
+
+} // namespace tactum

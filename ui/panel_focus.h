@@ -1,0 +1,15 @@
+// F6: from panel to panel without a mouse.
+#pragma once
+
+#include <QList>
+
+class QDockWidget;
+class QWidget;
+
+namespace tactum {
+
+/// Gives the keys to the next panel of these that is open, or to the one before; `centre` is one as well. A
+/// panel that lies behind a tab comes to the front. Thread: ui.
+void focusNextPanel(QWidget& centre, const QList<QDockWidget*>& docks, bool forward);
+
+} // namespace tactum
