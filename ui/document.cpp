@@ -191,6 +191,21 @@ void Document::removeObject(ObjectId id) {
                                    std::move(objects), {SceneChange::What::Objects});
 }
 
+void Document::setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text) {
+    auto place = [id](Scene& scene) {
+        SceneObject* object = scene.find(id);
+        return object ? &object->geometry : nullptr;
+    };
+    edit<std::shared_ptr<const TriangleSoup>>(text, place, std::move(geometry), {SceneChange::What::Objects});
+}
+
+void Document::scaleScene(double factor) {
+    Scene scaled = scene_;
+    fitDiagonal(scaled, factor * boundsOf(scene_).diagonal());
+    edit<Scene>(tr("Scale the scene"), [](Scene& scene) { return &scene; }, std::move(scaled),
+                {SceneChange::What::Everything});
+}
+
 Scene Document::fitted(Scene scene) {
     const double diagonal = boundsOf(scene).diagonal();
     if (diagonal < kSmallest || diagonal > kLargest) fitDiagonal(scene, kFitted);

@@ -86,6 +86,10 @@ public:
     void setVisible(ObjectId id, bool visible);
     void showAll();
     void removeObject(ObjectId id);
+    /// Gives an object another mesh, with triangles on the same surfaces; `text` names the step.
+    void setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text);
+    /// Scales the whole scene about its centre, which comes to the origin.
+    void scaleScene(double factor);
 
     /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
     /// A mesh of another program that does not fit a hand is scaled as the first, undoable step of the new

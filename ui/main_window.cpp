@@ -62,6 +62,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectDevice();
     connectHealth();
     connectDocument();
+    connectProblems();
     connectRecordings();
     setAcceptDrops(true);
     restore();

@@ -6,9 +6,11 @@
 
 #include <QImage>
 
+#include "core/geometry/triangle_set.h"
 #include "core/runtime/channels.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
+#include "ui/view/view_camera.h"
 #include "ui/view/vtk_widget.h"
 
 namespace tactum {
@@ -45,6 +47,14 @@ public:
     /// Shows the whole scene from where the camera looks now.
     void fit();
     void showStandardView(StandardView view);
+    /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
+    /// from, a direction of any length; zero: from where it looks now. World frame, metre.
+    void flyTo(const Vec3& centre_W, double radius, const Vec3& from_W = Vec3::Zero());
+    /// Draws the edges of some triangles of a body in the colour of faults, also through what is before them.
+    /// X_WB; no triangles: nothing.
+    void setMarked(std::shared_ptr<const TriangleSoup> soup, const TriangleSet& triangles, const Pose& pose);
+    bool hasMarked() const;
+    const ViewCamera& camera() const;
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);
