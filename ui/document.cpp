@@ -246,6 +246,13 @@ void Document::replaceScene(const QString& text, const Scene& scene) {
     edit<Scene>(text, [](Scene& now) { return &now; }, scene, {SceneChange::What::Objects});
 }
 
+void Document::scaleScene(double factor) {
+    Scene scaled = scene_;
+    fitDiagonal(scaled, factor * boundsOf(scene_).diagonal());
+    edit<Scene>(tr("Scale the scene"), [](Scene& scene) { return &scene; }, std::move(scaled),
+                {SceneChange::What::Everything});
+}
+
 Scene Document::fitted(Scene scene) {
     const double diagonal = boundsOf(scene).diagonal();
     if (diagonal < kSmallest || diagonal > kLargest) fitDiagonal(scene, kFitted);

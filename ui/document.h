@@ -108,6 +108,8 @@ public:
     void removeObject(ObjectId id);
     /// Another state of the scene in place of this one, as one step of the history.
     void replaceScene(const QString& text, const Scene& scene);
+    /// Scales the whole scene about its centre, which comes to the origin.
+    void scaleScene(double factor);
 
     /// The selected triangles become a surface of their own, which is then selected. Ends with editEnded().
     void splitSelection();

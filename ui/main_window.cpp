@@ -74,6 +74,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectDevice();
     connectHealth();
     connectDocument();
+    connectProblems();
     connectRecordings();
     connectRecovery();
     connectPalette();

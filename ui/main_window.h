@@ -37,6 +37,7 @@ class SceneView;
 class StartPage;
 class StatusStrip;
 class TouchHint;
+struct Problem;
 
 /// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
 class MainWindow : public QMainWindow {
@@ -74,6 +75,8 @@ private:
     void connectView();
     void connectDevice();
     void connectDocument();
+    void connectProblems();
+    void showPlace(ObjectId id, const Problem& problem);
     void restore();
     void setTheme(ThemeChoice choice);
 

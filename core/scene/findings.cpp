@@ -1,5 +1,7 @@
 #include "core/scene/findings.h"
 
+#include <algorithm>
+
 namespace tactum {
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -31,6 +33,19 @@ void appendHealth(std::vector<Finding>& findings, const std::string& object, con
     if (health.components > 1)
         notes.add(note, health.components, "part", "that share no vertex",
                   "kept; if they should be one, merge close vertices");
+}
+
+bool saysHealth(const Finding& finding) {
+    static const std::vector<Finding> all = [] {
+        MeshHealth every;
+        every.slivers = every.duplicateFaces = every.nonManifoldEdges = every.flippedEdges = 1;
+        every.boundaryEdges = every.holes = 1;
+        every.components = 2;
+        std::vector<Finding> findings;
+        appendHealth(findings, {}, every);
+        return findings;
+    }();
+    return std::ranges::any_of(all, [&](const Finding& one) { return one.remedy == finding.remedy; });
 }
 
 } // namespace tactum

@@ -23,13 +23,14 @@ inline const std::vector<Room> kRooms{
     {"core/proxy", {"core/collision", "core/surface", "core/dynamics"}},
     {"core/control", {"core/base"}},
     {"core/scene", {"core/geometry", "core/surface", "core/dynamics"}},
+    {"core/health", {"core/scene", "core/collision"}},
     {"core/files", {"core/scene", "core/archive"}},
     {"core/import", {"core/files"}},
     {"core/runtime", {"core/scene", "core/control", "core/proxy"}},
     {"core/bundle", {"core/runtime", "core/files"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"device", {"core/control"}},
-    {"ui", {"core/recording", "core/bundle"}},
+    {"ui", {"core/recording", "core/bundle", "core/health"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle"}},
 };
 

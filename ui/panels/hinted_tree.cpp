@@ -25,7 +25,7 @@ void HintedTree::setWrapping() {
 
 /// A tree leaves the height of wrapped rows to whoever fills it.
 void HintedTree::wrapRows() {
-    const int width = viewport()->width() - iconSize().width() - 3 * kRhythm;
+    const int width = columnWidth(0) - iconSize().width() - 3 * kRhythm;
     for (int i = 0; i < topLevelItemCount(); ++i) {
         const QRect text =
             fontMetrics().boundingRect(0, 0, width, 10000, Qt::TextWordWrap, topLevelItem(i)->text(0));

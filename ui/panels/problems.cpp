@@ -1,5 +1,11 @@
 #include "ui/panels/problems.h"
 
+#include <algorithm>
+
+#include <QHeaderView>
+#include <QPushButton>
+
+#include "ui/numbers.h"
 #include "ui/style.h"
 
 namespace tactum {
@@ -48,6 +54,32 @@ QString lineOf(const Finding& finding) {
     return Problems::tr("%1: %2").arg(QString::fromStdString(finding.object), sentence);
 }
 
+QString wordsOf(const PlacedFinding& found) {
+    switch (found.repair) {
+    case Repair::FillHoles:
+        return Problems::tr("Close the holes whose rim is simple; wide openings stay.");
+    case Repair::AgreeOnFronts:
+        return Problems::tr("Turn triangles over until neighbours agree, with the front outside.");
+    case Repair::RemoveDuplicates:
+        return Problems::tr("Remove triangles that repeat another one of the same surface and front.");
+    case Repair::MendSlivers:
+        return Problems::tr("Take these triangles out without opening the mesh.");
+    case Repair::Scale:
+        return Problems::tr("Scale the scene by %1.").arg(numberText(found.factor, 4));
+    case Repair::None:
+        break;
+    }
+    return {};
+}
+
+/// The surface that a finding concerns first.
+Index surfaceOf(const SceneObject& object, const PlacedFinding& found) {
+    if (!found.problem || found.problem->triangles.empty()) return 0;
+    const Index first = found.problem->triangles.front();
+    const auto& surfaceOf = object.geometry->surfaceOf;
+    return first < surfaceOf.size() ? surfaceOf[first] : 0;
+}
+
 } // namespace
 
 Problems::Problems(Document& document, QWidget* parent)
@@ -58,48 +90,105 @@ Problems::Problems(Document& document, QWidget* parent)
     setAccessibleName(tr("Problems"));
     setRootIsDecorated(false);
     setWrapping();
-    connect(this, &QTreeWidget::itemActivated, this, &Problems::selectObjectOf);
-    connect(this, &QTreeWidget::itemClicked, this, &Problems::selectObjectOf);
+    setColumnCount(2);
+    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    connect(this, &QTreeWidget::itemActivated, this, &Problems::show);
+    connect(this, &QTreeWidget::itemClicked, this, &Problems::show);
+    connect(&repairing_, &BackgroundJob::progressed, this, &Problems::repairProgressed);
     connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
         using What = SceneChange::What;
         if (change.touchesShape() || change.what == What::Sides || change.what == What::Names) check();
+        if (change.what == What::Selection && !showing_) emit placeGone();
     });
 }
 
 void Problems::check() {
-    job_.start([this, scene = document_.scene()](const Progress&) -> BackgroundJob::Delivery {
-        return [this, health = validate(scene)] { fill(health); };
+    emit placeGone();
+    job_.start([this, scene = document_.scene(),
+                known = known_](const Progress& progress) -> BackgroundJob::Delivery {
+        auto examined = std::make_shared<Result<Examined>>(examine(scene, known, progress));
+        return [this, examined] {
+            if (*examined) fill(std::move(**examined));
+        };
     });
 }
 
-void Problems::fill(const std::vector<Finding>& health) {
+void Problems::fill(Examined examined) {
     clear();
+    rows_.clear();
+    known_ = std::move(examined.meshes);
+    // What the reader said of a mesh may be mended by now, or is said again with its place.
     for (const Finding& finding : document_.findings())
-        add(finding);
-    for (const Finding& finding : health) // the reader has said some of it already
-        if (!has(finding)) add(finding);
+        if (!saysHealth(finding)) add({finding, 0, {}, Repair::None, 1});
+    for (const PlacedFinding& found : examined.findings) {
+        const auto isSame = [&](const PlacedFinding& row) { return row.finding == found.finding; };
+        if (found.problem || std::ranges::none_of(rows_, isSame)) add(found);
+    }
     wrapRows();
     emit counted(topLevelItemCount());
 }
 
-bool Problems::has(const Finding& finding) const {
-    return !findItems(lineOf(finding), Qt::MatchExactly).isEmpty();
-}
-
-void Problems::add(const Finding& finding) {
+void Problems::add(const PlacedFinding& found) {
+    const Finding& finding = found.finding;
     const QString remedy = QString::fromStdString(finding.remedy);
     auto* item = new QTreeWidgetItem(this, {lineOf(finding)});
     item->setIcon(0, icon(iconOf(finding.severity), colourOf(finding.severity)));
-    item->setData(0, Qt::UserRole, QString::fromStdString(finding.object));
     item->setToolTip(
         0, QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>")
                .arg(wordOf(finding.severity), lineOf(finding).toHtmlEscaped(), remedy.toHtmlEscaped()));
+    rows_.push_back(found);
+    if (found.repair != Repair::None) addButton(item, found);
 }
 
-void Problems::selectObjectOf(const QTreeWidgetItem* item) {
-    const std::string name = item->data(0, Qt::UserRole).toString().toStdString();
+void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
+    auto* button = new QPushButton(tr("Fix"), this);
+    button->setObjectName(QStringLiteral("fix"));
+    button->setAccessibleName(tr("Fix %1").arg(lineOf(found.finding)));
+    button->setToolTip(wordsOf(found));
+    connect(button, &QPushButton::clicked, this, [this, found] { mend(found); });
+    setItemWidget(item, 1, button);
+}
+
+void Problems::show(const QTreeWidgetItem* item) {
+    const PlacedFinding& found = rows_[std::size_t(indexOfTopLevelItem(item))];
+    const std::string& name = found.finding.object;
+    showing_ = true;
     for (const SceneObject& object : document_.scene().objects)
-        if (object.name == name) return document_.select(SurfaceRef{object.id, 0});
+        if (found.object == 0 ? object.name == name : object.id == found.object) {
+            document_.select(SurfaceRef{object.id, surfaceOf(object, found)});
+            break;
+        }
+    showing_ = false;
+    if (found.problem)
+        emit placeAsked(found.object, *found.problem);
+    else
+        emit placeGone();
+}
+
+void Problems::mend(const PlacedFinding& found) {
+    if (found.repair == Repair::Scale) return document_.scaleScene(found.factor);
+    const SceneObject* object = document_.scene().find(found.object);
+    if (!object || repairing_.running()) return;
+    if (std::ranges::any_of(object->surfaces, &Surface::locked))
+        return emit repaired(tr("%1 has a locked surface. Unlock it first.")
+                                 .arg(QString::fromStdString(object->name)));
+    repairing_.start([this, id = object->id, soup = object->geometry,
+                      how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
+        return [this, id, soup, mended = repair(soup, how, progress)] { finishRepair(id, soup, mended); };
+    });
+}
+
+void Problems::finishRepair(ObjectId id, const std::shared_ptr<const TriangleSoup>& before,
+                            const Result<Mended>& mended) {
+    const SceneObject* object = document_.scene().find(id);
+    if (!mended || !object || object->geometry != before) // cancelled, or edited meanwhile
+        return emit repaired(tr("Nothing was changed."));
+    const QString name = QString::fromStdString(object->name);
+    const QString done = QString::fromStdString(mended->done);
+    document_.setGeometry(id, mended->soup, tr("Mend %1").arg(name));
+    emit repaired(mended->changes > 0
+                      ? tr("%1: %2. Undo takes it back.").arg(name, done)
+                      : tr("%1: %2; mend this one in the modelling program.").arg(name, done));
 }
 
 } // namespace tactum

@@ -1,33 +1,50 @@
-// What is the matter with the scene, and what to do about it.
+// What is the matter with the scene, where it is, and what to do about it.
 #pragma once
 
 #include <vector>
 
+#include "core/health/examine.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/panels/hinted_tree.h"
 
 namespace tactum {
 
-/// The reader's findings and those of validate(), checked on a worker whenever shapes change. Activating one
-/// selects its object.
+/// The reader's findings and those of examine(), looked for on a worker whenever shapes change. Activating
+/// one selects its object and shows its place. A row that a safe repair can mend has a button for it: one
+/// undoable step, made on a worker too.
 class Problems : public HintedTree {
     Q_OBJECT
 public:
     explicit Problems(Document& document, QWidget* parent = nullptr);
 
+    void cancelRepair() { repairing_.cancel(); }
+
 signals:
     void counted(int problems);
+    /// To be looked at: triangles of an object, and the ball around them in the frame of its body.
+    void placeAsked(tactum::ObjectId object, const tactum::Problem& problem);
+    /// What was shown last is no longer to be seen.
+    void placeGone();
+    void repairProgressed(double fraction, double secondsLeft);
+    /// One line for the person; also when nothing could be mended.
+    void repaired(const QString& sentence);
 
 private:
     void check();
-    void fill(const std::vector<Finding>& health);
-    void add(const Finding& finding);
-    bool has(const Finding& finding) const;
-    void selectObjectOf(const QTreeWidgetItem* item);
+    void fill(Examined examined);
+    void add(const PlacedFinding& found);
+    void addButton(QTreeWidgetItem* item, const PlacedFinding& found);
+    void show(const QTreeWidgetItem* item);
+    void mend(const PlacedFinding& found);
+    void finishRepair(ObjectId object, const std::shared_ptr<const TriangleSoup>& before,
+                      const Result<Mended>& mended);
 
     Document& document_;
-    BackgroundJob job_;
+    BackgroundJob job_, repairing_;
+    std::vector<KnownMesh> known_;
+    std::vector<PlacedFinding> rows_; ///< in the order of the items
+    bool showing_ = false;            ///< a place, by a click on its row
 };
 
 } // namespace tactum

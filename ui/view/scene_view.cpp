@@ -1,5 +1,6 @@
 #include "ui/view/scene_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -21,8 +22,8 @@ constexpr double kUnseenPixels = 0.1;
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), overlay(*stage.solid, *stage.ghost),
-      camera(defaultCamera()) {
+    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid),
+      marks(*stage.solid, *stage.ghost), overlay(*stage.solid, *stage.ghost), camera(defaultCamera()) {
     applyTheme();
 }
 
@@ -30,6 +31,7 @@ void SceneView::Impl::applyTheme() {
     stage.setBackground(theme());
     overlay.setTheme(theme());
     faces.setTheme(theme());
+    marks.setColour(theme().fault);
 }
 
 void SceneView::Impl::refreshSelection() {
@@ -63,6 +65,12 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
         if (!impl_->hand.advance(1e-3 * double(impl_->glideClock.restart()))) return impl_->glideTimer.stop();
         impl_->goalMoved();
     });
+    impl_->flight.setDuration(350);
+    impl_->flight.setStartValue(0.0);
+    impl_->flight.setEndValue(1.0);
+    impl_->flight.setEasingCurve(QEasingCurve::InOutCubic);
+    connect(&impl_->flight, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& part) { impl_->fly(part.toDouble()); });
     impl_->meshTimer.setInterval(50);
     connect(&impl_->meshTimer, &QTimer::timeout, this, [this] {
         if (impl_->model.takeFinished()) changed();
@@ -108,10 +116,6 @@ void SceneView::beginBox() {
     setCursor(Qt::CrossCursor);
 }
 
-const ViewCamera& SceneView::camera() const {
-    return impl_->camera;
-}
-
 void SceneView::setTool(ViewTool tool) {
     impl_->letGo();
     impl_->tool = tool;
@@ -135,6 +139,7 @@ void SceneView::setProxyRadius(double metres) {
 }
 
 void SceneView::fit() {
+    impl_->flight.stop();
     impl_->camera.size = size();
     impl_->camera.fit(impl_->spanning);
     impl_->fitted = isVisible() && impl_->picker.bounds().diagonal() > 0; // else again once the size is known
@@ -150,6 +155,48 @@ void SceneView::showStandardView(StandardView standard) {
     impl_->camera.yaw = angles.yaw * kDegree;
     impl_->camera.pitch = angles.pitch * kDegree;
     fit();
+}
+
+void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
+    constexpr double kLeast = 0.02; // of the scene: nearer there is nothing left to know it by
+    const double size = std::max(radius, kLeast * impl_->picker.bounds().diagonal());
+    ViewCamera to = impl_->camera;
+    to.size = impl_->camera.size = this->size();
+    if (const Vec3 from = from_W.stableNormalized(); from != Vec3::Zero()) {
+        to.yaw = std::atan2(from.x(), from.z());
+        to.pitch = std::asin(std::clamp(from.y(), -1.0, 1.0));
+    }
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(centre_W + size * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+    to.fit(corners);
+    impl_->flownFrom = impl_->camera;
+    impl_->flownTo = to;
+    impl_->flight.start();
+}
+
+void SceneView::Impl::fly(double part) {
+    const ViewCamera &from = flownFrom, &to = flownTo;
+    const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+    camera.focus = from.focus + part * (to.focus - from.focus);
+    camera.distance = from.distance * std::pow(to.distance / from.distance, part);
+    camera.yaw = std::remainder(from.yaw + part * turn, 2 * std::numbers::pi);
+    camera.pitch = from.pitch + part * (to.pitch - from.pitch);
+    view.changed();
+}
+
+void SceneView::setMarked(std::shared_ptr<const TriangleSoup> soup, const TriangleSet& triangles,
+                          const Pose& pose) {
+    impl_->marks.show(soup.get(), triangles, pose);
+    changed();
+}
+
+bool SceneView::hasMarked() const {
+    return impl_->marks.any();
+}
+
+const ViewCamera& SceneView::camera() const {
+    return impl_->camera;
 }
 
 void SceneView::setOverlayVisible(bool visible) {

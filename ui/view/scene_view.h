@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QRectF>
 
+#include "core/geometry/triangle_set.h"
 #include "core/runtime/channels.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
@@ -43,7 +44,6 @@ public:
     void setSelectedFaces(ObjectId object, std::vector<Index> faces);
     /// The next drag with the left button draws a box instead; Esc gives it up.
     void beginBox();
-    const ViewCamera& camera() const;
     void setTool(ViewTool tool);
     /// What the loops reported, once a frame: bodies that move by themselves are shown at its time, while
     /// picking sees them at the time 0. forceLimit in N, > 0.
@@ -53,6 +53,14 @@ public:
     /// Shows the whole scene from where the camera looks now.
     void fit();
     void showStandardView(StandardView view);
+    /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
+    /// from, a direction of any length; zero: from where it looks now. World frame, metre.
+    void flyTo(const Vec3& centre_W, double radius, const Vec3& from_W = Vec3::Zero());
+    /// Draws the edges of some triangles of a body in the colour of faults, also through what is before them.
+    /// X_WB; no triangles: nothing.
+    void setMarked(std::shared_ptr<const TriangleSoup> soup, const TriangleSet& triangles, const Pose& pose);
+    bool hasMarked() const;
+    const ViewCamera& camera() const;
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);

@@ -204,6 +204,7 @@ bool SceneView::Impl::nudgeKey(int key, double scale) {
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
+    impl_->flight.stop();
     const QPointF cursor = event->position();
     impl_->pressedAt = impl_->cursorAt = cursor;
     impl_->moved = false;
@@ -245,6 +246,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
+    impl_->flight.stop();
     const double notches = event->angleDelta().y() / 120.0;
     if (impl_->hand.grip() == Grip::None) return impl_->zoomAt(event->position(), notches);
     impl_->hand.push(notches, impl_->camera);
@@ -252,6 +254,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
+    impl_->flight.stop();
     const bool pad = event->modifiers() & Qt::KeypadModifier;
     const double scale = event->modifiers() & Qt::ShiftModifier ? kFineStep : 1;
     if (event->key() == Qt::Key_Home) return fit();

@@ -3,9 +3,11 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <QVariantAnimation>
 
 #include "ui/view/face_layer.h"
 #include "ui/view/hand_tool.h"
+#include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
@@ -26,6 +28,8 @@ struct SceneView::Impl {
     /// All that must not be clipped away.
     Bounds shown() const;
     void refreshSelection();
+    /// `part` of the way of a flight, 0 to 1.
+    void fly(double part);
     void applyTheme();
 
     bool isNearFinger(QPointF cursor) const;
@@ -52,10 +56,13 @@ struct SceneView::Impl {
     ViewStage stage;
     ModelLayer model;
     FaceLayer faces;
+    MarkLayer marks;
     TouchOverlay overlay;
     ScenePicker picker;
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
+    ViewCamera flownFrom, flownTo;
+    QVariantAnimation flight;
     HandTool hand;
 
     std::optional<TouchState> touch;

@@ -1,0 +1,137 @@
+// The list of problems: where they are, and mending them.
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+namespace {
+
+/// A cube of 0.1 m without half of its top, and with a triangle of the front turned over.
+QString writeTroubled(const QTemporaryDir& folder) {
+    QByteArray text;
+    for (int i = 0; i < 8; ++i)
+        text += QStringLiteral("v %1 %2 %3\n")
+                    .arg(i & 1 ? 0.05 : -0.05)
+                    .arg(i & 2 ? 0.05 : -0.05)
+                    .arg(i & 4 ? 0.05 : -0.05)
+                    .toLatin1();
+    text += "f 2 4 8\nf 2 8 6\nf 1 5 7\nf 1 7 3\nf 3 7 8\nf 1 2 6\nf 1 6 5\n"
+            "f 5 6 8\nf 5 7 8\nf 1 3 4\nf 1 4 2\n";
+    return writeFile(folder, QStringLiteral("box.obj"), text);
+}
+
+} // namespace
+
+class TestProblems : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static QTreeWidget& list(const TouchedWindow& program) {
+        return *program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
+    }
+    static QTreeWidgetItem* row(const TouchedWindow& program, const QString& part) {
+        for (int i = 0; i < list(program).topLevelItemCount(); ++i)
+            if (list(program).topLevelItem(i)->text(0).contains(part)) return list(program).topLevelItem(i);
+        return nullptr;
+    }
+    static void click(const TouchedWindow& program, const QString& part) {
+        QTreeWidget& tree = list(program);
+        const QRect place = tree.visualItemRect(row(program, part));
+        QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, {place.left() + 30, place.center().y()});
+    }
+    static void fix(const TouchedWindow& program, const QString& part) {
+        auto* button = qobject_cast<QPushButton*>(list(program).itemWidget(row(program, part), 1));
+        QVERIFY(button && !button->accessibleName().isEmpty());
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void rowsShowTheirPlace();
+    void fixMendsAndUndoBringsBack();
+    void aWrongUnitIsOneStep();
+};
+
+const auto kHole = QStringLiteral("open rim"), kFlipped = QStringLiteral("face opposite ways");
+
+void TestProblems::rowsShowTheirPlace() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeTroubled(folder_)));
+    QTRY_VERIFY_WITH_TIMEOUT(row(program, kHole) && row(program, kFlipped), kPatience);
+    SceneView& view = program.window->view();
+    QVERIFY(!view.hasMarked());
+    program.document.select(std::nullopt);
+    click(program, kHole);
+    QVERIFY(view.hasMarked());
+    QVERIFY(program.document.selection().has_value());
+    // The triangles around the hole in the top reach down all sides.
+    const Vec3 middle(0, 0, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((view.camera().focus - middle).norm() < 1e-9, kPatience);
+    click(program, kFlipped);
+    QTRY_VERIFY_WITH_TIMEOUT(view.camera().focus.z() > 0.01, kPatience);
+    if (qEnvironmentVariableIsSet("TACTUM_PICTURE")) {
+        program.frames(60);
+        program.window->grab().save(qEnvironmentVariable("TACTUM_PICTURE"));
+    }
+    // Choosing something else ends it.
+    program.document.select(std::nullopt);
+    QVERIFY(!view.hasMarked());
+}
+
+void TestProblems::fixMendsAndUndoBringsBack() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeTroubled(folder_)));
+    const Scene before = program.document.scene();
+    const int steps = program.document.history().index();
+    QTRY_VERIFY_WITH_TIMEOUT(row(program, kHole) && row(program, kFlipped), kPatience);
+    click(program, kFlipped);
+    fix(program, kFlipped);
+    QTRY_VERIFY_WITH_TIMEOUT(!row(program, kFlipped), kPatience);
+    QVERIFY(row(program, kHole));
+    QVERIFY(!program.window->view().hasMarked());
+    const auto* notice = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+    QVERIFY(notice->text().contains(QStringLiteral("1 triangle turned over")));
+    fix(program, kHole);
+    QTRY_VERIFY_WITH_TIMEOUT(!row(program, kHole), kPatience);
+    const TriangleSoup& mended = *program.document.scene().objects[0].geometry;
+    QCOMPARE(mended.triangles.size(), std::size_t(12));
+    QCOMPARE(program.document.history().index(), steps + 2);
+    QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+    program.document.history().undo();
+    program.document.history().undo();
+    QVERIFY(program.document.scene() == before);
+    QVERIFY(*program.document.scene().objects[0].geometry == *before.objects[0].geometry);
+    QTRY_VERIFY_WITH_TIMEOUT(row(program, kHole) && row(program, kFlipped), kPatience);
+    QVERIFY(row(program, kHole)->text(0).startsWith(QStringLiteral("box")));
+    program.document.history().redo();
+    program.document.history().redo();
+    QTRY_VERIFY_WITH_TIMEOUT(!row(program, kHole) && !row(program, kFlipped), kPatience);
+}
+
+/// Opened in millimetres it was scaled; with that undone, the list says so and scales it again.
+void TestProblems::aWrongUnitIsOneStep() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_, 1000)));
+    program.document.history().undo();
+    const auto unit = QStringLiteral("looks like another unit");
+    QTRY_VERIFY_WITH_TIMEOUT(row(program, unit), kPatience);
+    const double large = boundsOf(program.document.scene()).diagonal();
+    fix(program, unit);
+    QVERIFY(std::abs(boundsOf(program.document.scene()).diagonal() / large - 0.001) < 1e-12);
+    QTRY_VERIFY_WITH_TIMEOUT(!row(program, unit), kPatience);
+    program.document.history().undo();
+    QCOMPARE(boundsOf(program.document.scene()).diagonal(), large);
+}
+
+QTEST_MAIN(TestProblems)
+#include "test_problems.moc"
