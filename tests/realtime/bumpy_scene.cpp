@@ -30,8 +30,8 @@ SceneObject movingOver(SceneObject plate, int edit) {
     return plate;
 }
 
-std::vector<TextureLayer> someLayers() {
-    std::vector<TextureLayer> layers(3);
+std::vector<TextureLayer> someLayers(const TriangleSoup& plate) {
+    std::vector<TextureLayer> layers(4);
     layers[0].pattern.size = 2e-3;
     layers[0].strength = 2e-4;
     layers[1].pattern.source = TextureSource::Grooves;
@@ -39,6 +39,12 @@ std::vector<TextureLayer> someLayers() {
     layers[1].ownPlane = true;
     layers[2].target = TextureTarget::StaticFriction;
     layers[2].strength = 0.5;
+    std::vector<float> values;
+    for (std::size_t i = 0; i < plate.positions.size(); ++i)
+        values.push_back(float(i % 7) / 6);
+    layers[3].pattern.source = TextureSource::Painted;
+    layers[3].pattern.painted.values = std::make_shared<const PaintedValues>(std::move(values));
+    layers[3].mask = layers[3].pattern;
     return layers;
 }
 
@@ -75,7 +81,7 @@ Scene bumpyScene(const std::shared_ptr<const TriangleSoup>& plate, int edit) {
     material.viscosity = edit % 4;
     // Five edits plain, five shaded, five with texture too.
     object.surfaces[0].shading.on = edit / 5 % 3 > 0;
-    if (edit / 5 % 3 > 1) object.surfaces[0].layers = someLayers();
+    if (edit / 5 % 3 > 1) object.surfaces[0].layers = someLayers(*plate);
     Scene scene;
     scene.add(object);
     scene.add(movingOver(object, edit));
