@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// Texels: from a place in a triangle to the farthest of the four that an interpolation reads there.
+constexpr double kMargin = 1.4142135623730951;
 constexpr int kTile = 32; ///< texels: what is known of changes
 /// A triangle that the brush reaches on more texels than this shows the image so often that none can be told.
 constexpr double kMostTexels = 1 << 24;
@@ -75,7 +77,7 @@ void ImageStroke::gather(Index triangle, const Vec3& centre, double radius) {
             if (!TexelTriangle::isInside(weights)) {
                 if (cover_->isCovered(texel)) continue;
                 const auto [nearest, apart] = on.nearestTo({x + 0.5, y + 0.5});
-                if (apart > 1) continue;
+                if (apart > kMargin) continue;
                 weights = nearest;
             }
             const Vec3 place = weights[0] * soup.positions[corners[0]] +

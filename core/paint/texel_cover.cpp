@@ -52,7 +52,7 @@ std::pair<Vec3, double> TexelTriangle::nearestTo(const Vector2d& place) const {
     const auto flat = [](const Vector2d& p) { return Vec3(p.x(), p.y(), 0); };
     const ClosestPoint closest =
         closestPoint({flat(corners_[0]), flat(corners_[1]), flat(corners_[2])}, flat(place));
-    return {closest.weights, (closest.point - flat(place)).cwiseAbs().maxCoeff()};
+    return {closest.weights, (closest.point - flat(place)).norm()};
 }
 
 TexelCover::TexelCover(const TriangleSoup& soup, const PaintableSurfaces& surfaces, const TexelMap& map)

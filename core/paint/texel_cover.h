@@ -20,7 +20,10 @@ struct TexelMap {
     std::size_t texels() const { return std::size_t(width) * std::size_t(height); }
     /// The texel of the image at any place of its repeats, in row-major order.
     std::size_t wrapped(int x, int y) const {
-        const auto part = [](int i, int size) { return std::size_t((i % size + size) % size); };
+        const auto part = [](int i, int size) {
+            return std::size_t(i >= 0 && i < size ? i
+                                                  : (i % size + size) % size); // a division takes its time
+        };
         return part(y, height) * std::size_t(width) + part(x, width);
     }
     bool operator==(const TexelMap&) const = default;
@@ -49,7 +52,7 @@ public:
     bool hasArea() const { return std::isfinite(perArea_); }
     /// Of its corners at a place, also beside it; sum 1.
     Vec3 weightsAt(const Eigen::Vector2d& place) const;
-    /// Those of its point nearest to a place, and how far apart they are along the farther axis, in texels.
+    /// Those of its point nearest to a place, and how far apart they are, in texels.
     std::pair<Vec3, double> nearestTo(const Eigen::Vector2d& place) const;
 
     static bool isInside(const Vec3& weights) {

@@ -30,7 +30,18 @@ SceneObject movingOver(SceneObject plate, int edit) {
     return plate;
 }
 
-std::vector<TextureLayer> someLayers(const TriangleSoup& plate) {
+/// The same for all plates and edits.
+std::shared_ptr<const PaintedValues> stripes() {
+    static const auto painted = [] {
+        std::vector<float> values;
+        for (Index i = 0; i < (kCells + 1) * (kCells + 1); ++i)
+            values.push_back(float(i % 7) / 6);
+        return std::make_shared<const PaintedValues>(std::move(values));
+    }();
+    return painted;
+}
+
+std::vector<TextureLayer> someLayers() {
     std::vector<TextureLayer> layers(4);
     layers[0].pattern.size = 2e-3;
     layers[0].strength = 2e-4;
@@ -39,11 +50,8 @@ std::vector<TextureLayer> someLayers(const TriangleSoup& plate) {
     layers[1].ownPlane = true;
     layers[2].target = TextureTarget::StaticFriction;
     layers[2].strength = 0.5;
-    std::vector<float> values;
-    for (std::size_t i = 0; i < plate.positions.size(); ++i)
-        values.push_back(float(i % 7) / 6);
     layers[3].pattern.source = TextureSource::Painted;
-    layers[3].pattern.painted.values = std::make_shared<const PaintedValues>(std::move(values));
+    layers[3].pattern.painted.values = stripes();
     layers[3].mask = layers[3].pattern;
     return layers;
 }
@@ -81,7 +89,7 @@ Scene bumpyScene(const std::shared_ptr<const TriangleSoup>& plate, int edit) {
     material.viscosity = edit % 4;
     // Five edits plain, five shaded, five with texture too.
     object.surfaces[0].shading.on = edit / 5 % 3 > 0;
-    if (edit / 5 % 3 > 1) object.surfaces[0].layers = someLayers(*plate);
+    if (edit / 5 % 3 > 1) object.surfaces[0].layers = someLayers();
     Scene scene;
     scene.add(object);
     scene.add(movingOver(object, edit));

@@ -82,7 +82,8 @@ Json patternJson(const TexturePattern& pattern, const WriteShared& shared) {
               {"frame", poseJson(pattern.frame)}};
     putTable(json, kPatternFields, pattern);
     if (pattern.image) json["texture"] = {{"index", shared.textureOf(pattern.image)}};
-    if (pattern.painted.values) json["painted"] = shared.paintOf(pattern.painted.values);
+    if (pattern.painted.values && pattern.painted.values->size() > 0)
+        json["painted"] = shared.paintOf(pattern.painted.values);
     return json;
 }
 

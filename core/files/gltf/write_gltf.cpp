@@ -32,20 +32,22 @@ public:
     Result<std::string> write();
 
 private:
-    /// A soup in the binary chunk: what meshes of any surfaces share.
-    struct Stored {
-        Json attributes, exact;
-        std::vector<Index> copies; ///< the position of each vertex beyond the soup's positions
-        std::vector<std::pair<DrawnPart, int>> parts; ///< without their vertices, and the accessor of these
-    };
-
-    const Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
     /// What is painted on one mesh, by the numbers of their attributes.
     using Paints = std::vector<std::shared_ptr<const PaintedValues>>;
 
+    /// A soup in the binary chunk: what meshes of any surfaces share.
+    struct Stored {
+        Json attributes, exact;
+        std::vector<Index> copies;  ///< the position of each vertex beyond the soup's positions
+        Paints paints;              ///< on some of its objects
+        std::vector<int> accessors; ///< of these
+        std::vector<std::pair<DrawnPart, int>> parts; ///< without their vertices, and the accessor of these
+    };
+
+    Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
     Json paintJson(const std::shared_ptr<const PaintedValues>& painted, const SceneObject& object,
                    Paints& paints);
-    int paintAccessor(const std::shared_ptr<const PaintedValues>& painted, const Stored& store);
+    int paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store);
     int addMaterial(const SceneObject& object, Index at, Paints& paints);
     int addMesh(const SceneObject& object);
     int addNode(const SceneObject& object);
@@ -63,7 +65,6 @@ private:
     SoupShelf shelf_;
     std::set<const TriangleSoup*> bumpy_; ///< with tangents
     std::map<const TriangleSoup*, Stored> soups_;
-    std::map<std::pair<const PaintedValues*, const Stored*>, int> paintAccessors_;
     std::set<int> claimedNodes_, claimedMaterials_;
     std::vector<int> nodes_; ///< of each object
 };
@@ -118,25 +119,31 @@ Json withKept(const Json& mesh, const DrawnPart& part, Json primitive) {
     return primitive;
 }
 
+auto findSame(const auto& paints, const std::shared_ptr<const PaintedValues>& painted) {
+    return std::ranges::find_if(paints,
+                                [&](const auto& other) { return other == painted || *other == *painted; });
+}
+
 /// An attribute of the vertices where there is a value for each position, else the bare numbers.
 Json GltfWriter::paintJson(const std::shared_ptr<const PaintedValues>& painted, const SceneObject& object,
                            Paints& paints) {
     if (painted->size() != object.geometry->positions.size())
         return {{"bufferView", data_.addRawView(painted->all())}};
-    const auto isSame = [&](const auto& other) { return other == painted || *other == *painted; };
-    const auto known = std::ranges::find_if(paints, isSame);
+    const auto known = findSame(paints, painted);
     const auto number = known - paints.begin();
     if (known == paints.end()) paints.push_back(painted);
     return {{"attribute", number}};
 }
 
-int GltfWriter::paintAccessor(const std::shared_ptr<const PaintedValues>& painted, const Stored& store) {
-    const auto [found, isNew] = paintAccessors_.try_emplace({painted.get(), &store}, 0);
-    if (!isNew) return found->second;
+/// Objects of one mesh may be painted alike.
+int GltfWriter::paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store) {
+    const auto known = findSame(store.paints, painted);
+    if (known != store.paints.end()) return store.accessors[std::size_t(known - store.paints.begin())];
     std::vector<float> values = painted->all();
     for (const Index position : store.copies)
         values.push_back(painted->all()[position]);
-    return found->second = data_.addAttribute(values);
+    store.paints.push_back(painted);
+    return store.accessors.emplace_back(data_.addAttribute(values));
 }
 
 int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints) {
@@ -159,8 +166,8 @@ int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints)
     return index;
 }
 
-const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>& soup,
-                                             std::size_t surfaces) {
+GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>& soup,
+                                       std::size_t surfaces) {
     const auto [found, isNew] = soups_.try_emplace(shelf_.shared(soup).get());
     Stored& store = found->second;
     if (!isNew) return store;
@@ -181,7 +188,7 @@ const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const Triangl
 
 int GltfWriter::addMesh(const SceneObject& object) {
     constexpr int kModes[] = {0, 1, 4};
-    const Stored& store = stored(object.geometry, object.surfaces.size());
+    Stored& store = stored(object.geometry, object.surfaces.size());
     Json ours = store.exact.is_null() ? Json::object() : store.exact;
     Paints paints;
     for (Index i = 0; i < object.surfaces.size(); ++i)
