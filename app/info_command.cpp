@@ -88,6 +88,7 @@ Json layerJson(const LayerDescription& layer) {
             {"target", layer.target},
             {"strength", number(layer.strength)},
             {"blend", layer.blend},
+            {"mask", layer.mask},
             {"opacity", number(layer.opacity)}};
 }
 
@@ -158,7 +159,9 @@ void print(const Shading& shading) {
 
 void print(const LayerDescription& layer) {
     std::cout << "    layer " << layer.name << (layer.enabled ? "" : " (off)") << ": " << layer.source
-              << (layer.image.empty() ? "" : " ") << layer.image << ", mapping " << layer.mapping << ", "
+              << (layer.image.empty() ? "" : " ") << layer.image
+              << (layer.mapping.empty() ? "" : ", mapping ") << layer.mapping
+              << (layer.mask.empty() ? "" : ", mask ") << layer.mask << ", "
               << textOf(layer.target, layer.strength) << ", blend " << layer.blend << ", "
               << textOf(layer.opacity.key, layer.opacity) << '\n';
 }

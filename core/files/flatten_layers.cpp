@@ -16,10 +16,7 @@ using Eigen::Vector2d;
 using ValueOf = std::function<double(const TextureFeel&)>;
 using IsWanted = std::function<bool(TextureTarget)>;
 
-bool usesUvs(const CompiledPattern& pattern) {
-    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
-}
-bool usesUvs(const CompiledLayer& layer) {
+bool liesOnUvs(const CompiledLayer& layer) {
     return usesUvs(layer.pattern) && (!layer.mask || usesUvs(*layer.mask));
 }
 
@@ -37,8 +34,26 @@ Vector2d texelsPerRepeat(const CompiledPattern& pattern) {
         return {kTexelsPerWave * std::max(pattern.wave.harmonics, 1), 0}; // the same all along
     case TextureSource::Dots:
         return Vector2d::Constant(kTexelsPerWave * std::max(pattern.wave.harmonics, 1));
+    case TextureSource::Painted:
+        break; // has no repeats: see paintedTexels()
     }
     return Vector2d::Zero();
+}
+
+/// Texels for each metre that show what is painted: four from corner to corner of a triangle of mean size.
+double paintedTexels(const TriangleSoup& soup, Index surface) {
+    double area = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        if (soup.surfaceOf[i] != surface) continue;
+        const auto& t = soup.triangles[i];
+        const Vec3& a = soup.positions[t[0]];
+        const double twice = (soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a).norm();
+        area += twice / 2;
+        count += twice > 0;
+    }
+    constexpr double kTexelsPerEdge = 4;
+    return count > 0 ? kTexelsPerEdge / std::sqrt(2 * area / double(count)) : 0;
 }
 
 bool isWhole(double x) {
@@ -99,11 +114,11 @@ private:
     }
 
     bool needsCover() const {
-        return !std::ranges::all_of(stack_.layers, [](auto& l) { return usesUvs(l); });
+        return !std::ranges::all_of(stack_.layers, [](auto& l) { return liesOnUvs(l); });
     }
 
     void leaveOutUnmapped(const std::string& reason) {
-        const auto count = std::erase_if(stack_.layers, [](auto& layer) { return !usesUvs(layer); });
+        const auto count = std::erase_if(stack_.layers, [](auto& layer) { return !liesOnUvs(layer); });
         lose((count == 1 ? "1 layer that needs" : std::to_string(count) + " layers that need") +
              " no texture coordinates left out: " + reason);
     }
@@ -120,8 +135,8 @@ private:
         metresPerUv_ = metresPerUvOf(soup_, surface_);
         Vector2d most = Vector2d::Zero();
         for (const CompiledLayer& layer : stack_.layers) {
-            most = most.cwiseMax(density(layer.pattern, metresPerUv_));
-            if (layer.mask) most = most.cwiseMax(density(*layer.mask, metresPerUv_));
+            most = most.cwiseMax(densityOf(layer.pattern));
+            if (layer.mask) most = most.cwiseMax(densityOf(*layer.mask));
         }
         wanted_ = (most.cwiseProduct(canvas_.size).array() - 1e-6).ceil().max(1.0).min(1e9);
         const Vector2d sides = wanted_.cwiseMin(double(how_.largestSide));
@@ -130,6 +145,11 @@ private:
         for (int i = 0; i < 2; ++i) // grooves need one row alone, which is no lack of detail
             if (sides[i] < wanted_[i])
                 smallestFeature_ = std::max(smallestFeature_, metresPerUv_ * canvas_.size[i] / sides[i]);
+    }
+
+    Vector2d densityOf(const CompiledPattern& pattern) const {
+        if (pattern.source != TextureSource::Painted) return density(pattern, metresPerUv_);
+        return Vector2d::Constant(metresPerUv_ * paintedTexels(soup_, surface_));
     }
 
     void loseDetail() {
@@ -188,6 +208,8 @@ private:
         point.position = weights[0] * triangle.a + weights[1] * triangle.b + weights[2] * triangle.c;
         point.normal = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
         point.uvGradient = uvGradientOf(triangle, uvs);
+        point.triangle = index;
+        point.weights = weights;
     }
 
     FlatPicture finish() {

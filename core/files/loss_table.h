@@ -61,6 +61,10 @@ inline bool anyLayer(const LossSubject& s, bool (*is)(const TextureLayer&)) {
 inline bool always(const LossSubject&) {
     return true;
 }
+inline bool isPainted(const TextureLayer& layer) {
+    return layer.pattern.source == TextureSource::Painted ||
+           (layer.mask && layer.mask->source == TextureSource::Painted);
+}
 inline bool isHeight(const TextureLayer& layer) {
     return layer.target == TextureTarget::Height;
 }
@@ -188,6 +192,12 @@ inline const std::array kSurfaceRows{
              degraded("flattened to pictures of 8 bits; their mean alone where there is height as well"),
              degraded("dynamic friction and stiffness as pictures of 16 bits and at most 192 texels a side; "
                       "the standard has one coefficient of friction"),
+             kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
+    LossRow{"painted values",
+            [](const LossSubject& s) { return anyLayer(s, isPainted); },
+            {kept("as an attribute of the vertices"),
+             degraded("in the pictures of their layers; without texture coordinates they are not there"),
+             degraded("in the pictures of their layers; without texture coordinates they are not there"),
              kNoPhysics, kNoFeel, kNoFeel, kNoFeel, kNoFeel}},
     LossRow{
         "layers of viscosity",

@@ -11,7 +11,7 @@ namespace tactum {
 namespace {
 
 struct Tables {
-    SharedTable<TextureImage> images;
+    LayerTables shared;
     SharedTable<TriangleSoup> soups;
     SharedTable<Motion> motions;
 };
@@ -65,7 +65,7 @@ template <class Io> void transfer(Io& io, Shading& shading, Tables&) {
 }
 
 template <class Io> void transfer(Io& io, TextureLayer& layer, Tables& tables) {
-    layerBytes(io, layer, tables.images);
+    layerBytes(io, layer, tables.shared);
     if constexpr (Io::kReads) layer.name = printable(layer.name, kLongestName);
 }
 
@@ -148,7 +148,8 @@ void writeTransfer(ByteOut& out, const LoadedScene& loaded) {
     StringOut values;
     transfer(values, const_cast<LoadedScene&>(loaded), tables); // writing does not touch it
     writeTable(out, tables.soups); // first, where they lie as in memory: they are the most
-    writeTable(out, tables.images);
+    writeTable(out, tables.shared.images);
+    writeTable(out, tables.shared.paints);
     writeTable(out, tables.motions);
     out.append(values.bytes.data(), values.bytes.size());
 }
@@ -158,7 +159,8 @@ LoadedScene readTransfer(std::string_view bytes) {
               "the reader was broken by the file; do not trust it");
     Tables tables;
     readTable(in, tables.soups, 40, readSoup);
-    readTable(in, tables.images, 28, readImage);
+    readTable(in, tables.shared.images, 28, readImage);
+    readTable(in, tables.shared.paints, 8, readPainted);
     readTable(in, tables.motions, 32, readMotion);
     LoadedScene loaded;
     transfer(in, loaded, tables);

@@ -14,6 +14,8 @@ TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangl
     TexturePoint point;
     point.position = closest.point;
     point.normal = normal;
+    point.triangle = index;
+    point.weights = closest.weights;
     const auto& uvs = obstacle.mesh->soup->cornerUvs;
     if (uvs.empty()) return point;
     CornerUvs corners;

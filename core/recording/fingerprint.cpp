@@ -22,4 +22,10 @@ std::uint64_t fingerprintOf(const TextureImage& image) {
     return print.value();
 }
 
+std::uint64_t fingerprintOf(const PaintedValues& painted) {
+    Fingerprint print;
+    print.add(painted.all());
+    return print.value();
+}
+
 } // namespace tactum

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_soup.h"
+#include "core/surface/painted_values.h"
 #include "core/surface/texture_image.h"
 
 namespace tactum {
@@ -36,8 +37,10 @@ private:
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
-/// Geometry and images that a file does not hold are told by the fingerprint of their content.
+/// Geometry, images and painted values that a file does not hold are told by the fingerprint of their
+/// content.
 std::uint64_t fingerprintOf(const TriangleSoup& soup);
 std::uint64_t fingerprintOf(const TextureImage& image);
+std::uint64_t fingerprintOf(const PaintedValues& painted);
 
 } // namespace tactum

@@ -17,7 +17,7 @@ constexpr std::size_t kMostSurfaces = std::size_t(1) << 22;
 
 /// What objects share, each once.
 struct Tables {
-    SharedTable<TextureImage> images;
+    LayerTables shared;
     SharedTable<TriangleSoup> soups;
     SharedTable<Motion> motions;
     std::vector<SceneObject> objects;
@@ -31,7 +31,7 @@ template <class Io> void surface(Io& io, Surface& s, Tables& tables) {
     numbersByKey(io, kMaterialFields, s.material);
     io.count(s.layers, 64);
     for (TextureLayer& each : s.layers)
-        layerBytes(io, each, tables.images);
+        layerBytes(io, each, tables.shared);
 }
 
 template <class Io> void object(Io& io, SceneObject& o, Tables& tables) {
@@ -67,7 +67,8 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known) {
         in(whole), in(fingerprint);
         if (whole) {
             each = read(in);
-            in.demand(fingerprintOf(*each) == fingerprint, "geometry or an image has changed");
+            in.demand(fingerprintOf(*each) == fingerprint,
+                      "geometry, an image or painted values have changed");
             continue;
         }
         const auto& parts = known();
@@ -118,10 +119,15 @@ void KnownParts::addAllOf(const Scene& scene) {
         if (each.geometry) soups.push_back(each.geometry);
         for (const Surface& part : each.surfaces)
             for (const TextureLayer& felt : part.layers) {
-                if (felt.pattern.image) images.push_back(felt.pattern.image);
-                if (felt.mask && felt.mask->image) images.push_back(felt.mask->image);
+                add(felt.pattern);
+                if (felt.mask) add(*felt.mask);
             }
     }
+}
+
+void KnownParts::add(const TexturePattern& pattern) {
+    if (pattern.image) images.push_back(pattern.image);
+    if (pattern.painted.values) paints.push_back(pattern.painted.values);
 }
 
 bool areSmall(const std::vector<RecordedScene>& list) {
@@ -135,6 +141,8 @@ bool areSmall(const std::vector<RecordedScene>& list) {
         for (const auto& image : parts.images)
             if (seen.insert(image.get()).second)
                 texels += std::size_t(image->width()) * std::size_t(image->height());
+        for (const auto& painted : parts.paints)
+            if (seen.insert(painted.get()).second) texels += painted->size();
     }
     return triangles <= kMostTriangles && texels <= kMostTexels;
 }
@@ -148,7 +156,8 @@ std::string sceneBytes(const std::vector<RecordedScene>& list, bool whole) {
     objects.count(tables.objects, 1);
     for (std::size_t i = 0; i < tables.objects.size(); ++i)
         object(objects, tables.objects[i], tables);
-    writeTable(shapes, tables.images, whole);
+    writeTable(shapes, tables.shared.images, whole);
+    writeTable(shapes, tables.shared.paints, whole);
     writeTable(shapes, tables.soups, whole);
     shapes.count(tables.motions.items, 1);
     for (const auto& each : tables.motions.items)
@@ -161,7 +170,9 @@ std::vector<RecordedScene> readScenes(ByteIn& in, const std::function<KnownParts
     std::optional<KnownParts> known;
     const auto parts = [&]() -> const KnownParts& { return known ? *known : known.emplace(find()); };
     readTable(
-        in, tables.images, readImage, [&]() -> const auto& { return parts().images; });
+        in, tables.shared.images, readImage, [&]() -> const auto& { return parts().images; });
+    readTable(
+        in, tables.shared.paints, readPainted, [&]() -> const auto& { return parts().paints; });
     readTable(
         in, tables.soups, readSoup, [&]() -> const auto& { return parts().soups; });
     in.count(tables.motions.items, 32);

@@ -14,8 +14,10 @@ namespace tactum {
 struct KnownParts {
     std::vector<std::shared_ptr<const TriangleSoup>> soups;
     std::vector<std::shared_ptr<const TextureImage>> images;
+    std::vector<std::shared_ptr<const PaintedValues>> paints;
 
     void addAllOf(const Scene& scene);
+    void add(const TexturePattern& pattern);
 };
 
 /// `whole`: with all geometry and images, whatever their size.

@@ -19,9 +19,12 @@ LayerDescription described(const TextureLayer& layer) {
             .source = kTextureSources[std::size_t(pattern.source)].key,
             .image = pattern.source == TextureSource::Image && pattern.image ? pattern.image->name()
                                                                              : std::string(),
-            .mapping = kTextureMappings[std::size_t(pattern.mapping)].key,
+            .mapping = pattern.source == TextureSource::Painted
+                           ? std::string_view()
+                           : kTextureMappings[std::size_t(pattern.mapping)].key,
             .target = kTextureTargets[std::size_t(layer.target)].key,
             .blend = kTextureBlends[std::size_t(layer.blend)].key,
+            .mask = layer.mask ? kTextureSources[std::size_t(layer.mask->source)].key : std::string_view(),
             .strength = described(strengthParameter(layer.target), layer.strength),
             .opacity = described(kTextureOpacity, layer.opacity)};
 }

@@ -23,8 +23,10 @@ struct LayerDescription {
     std::string name;
     bool enabled = true;
     std::string_view source;
-    std::string image; ///< its name; empty for another source, or when it is missing
-    std::string_view mapping, target, blend;
+    std::string image;        ///< its name; empty for another source, or when it is missing
+    std::string_view mapping; ///< empty for what is painted
+    std::string_view target, blend;
+    std::string_view mask;         ///< its source; empty for none
     ParameterDescription strength; ///< m for a height, else a ratio
     ParameterDescription opacity;
 };

@@ -50,28 +50,35 @@ template <class Io, class Table, class Values> void numbersByKey(Io& io, const T
     }
 }
 
-template <class Io> void patternBytes(Io& io, TexturePattern& p, SharedTable<TextureImage>& images) {
+/// What layers share.
+struct LayerTables {
+    SharedTable<TextureImage> images;
+    SharedTable<PaintedValues> paints;
+};
+
+template <class Io> void patternBytes(Io& io, TexturePattern& p, LayerTables& tables) {
     // All members: another one does not compile. Those without a use here are in kPatternFields.
-    auto& [source, image, mapping, size, offsetU, offsetV, rotation, frame, radius, fill, softness, octaves,
-           seed] = p;
+    auto& [source, image, painted, mapping, size, offsetU, offsetV, rotation, frame, radius, fill, softness,
+           octaves, seed] = p;
     choose(io, source, kTextureSources.size());
     choose(io, mapping, kTextureMappings.size());
-    link(io, image, images);
+    link(io, image, tables.images);
+    link(io, painted.values, tables.paints);
     io(frame);
     numbersByKey(io, kPatternFields, p);
 }
 
-template <class Io> void layerBytes(Io& io, TextureLayer& l, SharedTable<TextureImage>& images) {
+template <class Io> void layerBytes(Io& io, TextureLayer& l, LayerTables& tables) {
     auto& [name, enabled, pattern, target, strength, blend, opacity, mask, ownPlane] = l;
     io(name), io(enabled), io(strength), io(opacity), io(ownPlane);
     choose(io, target, kTextureTargets.size());
     choose(io, blend, kTextureBlends.size());
-    patternBytes(io, pattern, images);
+    patternBytes(io, pattern, tables);
     bool masked = mask.has_value();
     io(masked);
     if (!masked) return;
     if (!mask) mask.emplace();
-    patternBytes(io, *mask, images);
+    patternBytes(io, *mask, tables);
 }
 
 } // namespace tactum

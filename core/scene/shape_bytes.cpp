@@ -88,6 +88,19 @@ std::shared_ptr<const TextureImage> readImage(ByteIn& in) {
     return std::make_shared<const TextureImage>(width, height, std::move(texels), printable(name, 200), bits);
 }
 
+void write(ByteOut& out, const PaintedValues& painted) {
+    std::vector<float> values = painted.all();
+    out.bulk(values);
+}
+
+std::shared_ptr<const PaintedValues> readPainted(ByteIn& in) {
+    std::vector<float> values;
+    in.bulk(values);
+    in.demand(std::ranges::all_of(values, [](float value) { return value >= 0 && value <= 1; }),
+              "a painted value is not from 0 to 1");
+    return std::make_shared<const PaintedValues>(std::move(values));
+}
+
 void write(ByteOut& out, const TriangleSoup& geometry) {
     soup(out, const_cast<TriangleSoup&>(geometry)); // writing does not touch it
 }

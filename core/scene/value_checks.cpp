@@ -11,10 +11,6 @@ namespace {
 
 using Severity = Finding::Severity;
 
-bool needsUvs(const TexturePattern& pattern) {
-    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
-}
-
 bool isRotation(const Quat& q) {
     return std::abs(q.norm() - 1) < 1e-3;
 }
@@ -59,6 +55,7 @@ private:
         // A wave of this height and length is as steep as a proxy can be guided by.
         constexpr double kSteepWave = 1 / 3.14159265358979;
         if (layer.target == TextureTarget::Height && layer.pattern.source != TextureSource::Image &&
+            layer.pattern.source != TextureSource::Painted &&
             std::abs(layer.strength) > kSteepWave * layer.pattern.size)
             warn("height" + of + " is large for its size: " + withUnit(layer.strength, "m") +
                      " in repeats of " + withUnit(layer.pattern.size, "m"),
@@ -71,13 +68,25 @@ private:
         if (pattern.source == TextureSource::Image && !pattern.image)
             warn("image" + of + " is missing, so the layer is not felt",
                  "choose a picture, or another source");
-        if (needsUvs(pattern) && !hasUvs())
+        if (pattern.source == TextureSource::Painted) return checkPainted(pattern, of);
+        if (usesUvs(pattern) && !hasUvs())
             warn("mapping" + of + " needs texture coordinates, which the mesh has not, so it is not felt",
                  "choose the triplanar mapping, or unwrap the mesh in the modelling program");
-        if (!needsUvs(pattern) &&
+        if (!usesUvs(pattern) &&
             !(isRotation(pattern.frame.rotation) && pattern.frame.translation.allFinite()))
             findings_.push_back({Severity::Error, object_.name, "mapping frame" + of + " is not a pose",
                                  "set its position and rotation again"});
+    }
+
+    void checkPainted(const TexturePattern& pattern, const std::string& of) {
+        const std::size_t corners = object_.geometry ? object_.geometry->positions.size() : 0;
+        if (!pattern.painted.values)
+            warn("nothing is painted" + of + ", so it is not felt", "paint it, or choose another source");
+        else if (pattern.painted.values->size() != corners)
+            warn("what is painted" + of + " is of a mesh with " +
+                     counted(pattern.painted.values->size(), "position") + ", and this one has " +
+                     std::to_string(corners) + ", so it is not felt",
+                 "paint it again, or undo the change of the mesh");
     }
 
     bool hasUvs() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/surface/image_sample.h"
+#include "core/surface/painted_sample.h"
 
 namespace tactum {
 namespace {
@@ -26,12 +27,15 @@ FlatSample sampleFlat(const CompiledPattern& pattern, const FlatPoint& point,
         return dots(pattern.wave, point, smallestFeature);
     case TextureSource::Weave:
         return weave(point, smallestFeature);
+    case TextureSource::Painted:
+        break; // lies on no plane
     }
     return {};
 }
 
 TextureField sample(const CompiledPattern& pattern, const TexturePoint& point,
                     double smallestFeature) noexcept {
+    if (pattern.source == TextureSource::Painted) return samplePainted(pattern, point);
     const FlatPoints points = flatPoints(pattern, point);
     TextureField field;
     for (std::size_t i = 0; i < std::size_t(points.count); ++i) {

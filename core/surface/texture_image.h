@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,16 @@ public:
     TextureImage(int width, int height, std::vector<std::uint16_t> texels, std::string name = {},
                  int bits = 16);
 
+    /// A rectangle of the finest level, inside the image.
+    struct Region {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    /// This image with other texels in these regions, and of 16 bits: the same as one built of them, for the
+    /// cost of a copy and of what lies above the regions in the levels. `texels`: of the whole finest level,
+    /// of which nothing but the regions is read. Thread: any but real time.
+    std::shared_ptr<const TextureImage> withRegions(std::span<const Region> regions,
+                                                    std::span<const std::uint16_t> texels) const;
+
     int width() const noexcept { return levels_[0].width; }
     int height() const noexcept { return levels_[0].height; }
     int bits() const noexcept { return bits_; }
@@ -46,6 +58,7 @@ public:
 
 private:
     void addLevel(const Level& finer);
+    void fillAbove(int finer, std::span<Region> regions);
 
     std::string name_;
     int bits_ = 16;

@@ -9,15 +9,17 @@
 #include <string_view>
 
 #include "core/base/vec.h"
+#include "core/surface/painted_values.h"
 #include "core/surface/texture_image.h"
 #include "core/surface/texture_parameters.h"
 
 namespace tactum {
 
 /// Where the values from 0 to 1 come from.
-enum class TextureSource : std::uint8_t { Image, Noise, Grooves, Dots, Weave };
+enum class TextureSource : std::uint8_t { Image, Noise, Grooves, Dots, Weave, Painted };
 
-/// How the flat pattern comes onto the surface. All but the first two need no texture coordinates.
+/// How the flat pattern comes onto the surface. All but the first two need no texture coordinates. What is
+/// painted is on the surface already and needs none of them.
 enum class TextureMapping : std::uint8_t {
     Uv,          ///< the mesh's coordinates, scaled as a whole so that lengths are metres on average
     UvUnit,      ///< the mesh's coordinates as they are: one repeat fills the unit square
@@ -37,8 +39,12 @@ enum class TextureTarget : std::uint8_t { Height, StaticFriction, DynamicFrictio
 struct NamedChoice {
     std::string_view key, label;
 };
-inline constexpr std::array<NamedChoice, 5> kTextureSources{
-    {{"image", "Image"}, {"noise", "Noise"}, {"grooves", "Grooves"}, {"dots", "Dots"}, {"weave", "Weave"}}};
+inline constexpr std::array<NamedChoice, 6> kTextureSources{{{"image", "Image"},
+                                                             {"noise", "Noise"},
+                                                             {"grooves", "Grooves"},
+                                                             {"dots", "Dots"},
+                                                             {"weave", "Weave"},
+                                                             {"painted", "Painted"}}};
 inline constexpr std::array<NamedChoice, 6> kTextureMappings{{{"uv", "UV, in metres"},
                                                               {"uv-unit", "UV, unit square"},
                                                               {"triplanar", "Triplanar"},
@@ -61,6 +67,7 @@ inline constexpr std::array<NamedChoice, 5> kTextureTargets{{{"height", "Height"
 struct TexturePattern {
     TextureSource source = TextureSource::Noise;
     std::shared_ptr<const TextureImage> image; ///< of the source Image
+    SharedPaint painted;                       ///< of the source Painted
     TextureMapping mapping = TextureMapping::Triplanar;
     double size = kTextureSize.initial;         ///< m: width of a repeat; its height follows the image
     double offsetU = kTextureOffsetU.initial;   ///< m
@@ -75,6 +82,12 @@ struct TexturePattern {
 
     bool operator==(const TexturePattern&) const = default;
 };
+
+/// Whether it lies on the mesh's texture coordinates.
+inline bool usesUvs(const TexturePattern& pattern) {
+    return pattern.source != TextureSource::Painted &&
+           (pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit);
+}
 
 /// One layer. Its amount is strength x value; opacity x mask says how much of the layer counts.
 ///

@@ -83,10 +83,6 @@ void addFramed(FlatPoints& points, const CompiledPattern& pattern, const Texture
         points.point[std::size_t(i)].perMetre = (points.point[std::size_t(i)].perMetre * pattern.axes).eval();
 }
 
-bool usesUvs(const CompiledPattern& pattern) noexcept {
-    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
-}
-
 } // namespace
 
 Gradient uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/geometry/triangle.h"
+#include "core/geometry/triangle_soup.h"
 #include "core/surface/texture_field.h"
 #include "core/surface/texture_stack.h"
 
@@ -16,6 +17,8 @@ struct TexturePoint {
     Eigen::Vector2d uv = Eigen::Vector2d::Zero(); ///< the mesh's texture coordinates
     /// d uv / d position along the surface, 1/m; zero when there are no texture coordinates.
     Eigen::Matrix<double, 2, 3> uvGradient = Eigen::Matrix<double, 2, 3>::Zero();
+    Index triangle = 0;                      ///< of the mesh: what is painted asks for it
+    Vec3 weights{1.0 / 3, 1.0 / 3, 1.0 / 3}; ///< of its corners at `position`; sum 1
 };
 
 /// The texture coordinates of a triangle's corners.

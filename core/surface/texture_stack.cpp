@@ -15,10 +15,6 @@ TexturePattern madeSafe(TexturePattern pattern) {
     return pattern;
 }
 
-bool needsUvs(const TexturePattern& pattern) {
-    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
-}
-
 void placeFrame(CompiledPattern& compiled, const TexturePattern& pattern) {
     const double norm = pattern.frame.rotation.norm();
     if (!std::isfinite(norm) || norm < 1e-6 || !pattern.frame.translation.allFinite()) return;
@@ -43,12 +39,18 @@ double metresPerRadian(const TexturePattern& pattern) {
     return repeats * pattern.size / turn;
 }
 
-/// Empty when it cannot be felt.
-std::optional<CompiledPattern> compiled(const TexturePattern& wanted, double metresPerUv) {
+/// Empty when it cannot be felt. `stack`: for its mesh.
+std::optional<CompiledPattern> compiled(const TexturePattern& wanted, const TextureStack& stack) {
     const TexturePattern pattern = madeSafe(wanted);
+    const double metresPerUv = stack.metresPerUv;
     if (pattern.source == TextureSource::Image && !pattern.image) return std::nullopt;
-    if (needsUvs(pattern) && !(metresPerUv > 0)) return std::nullopt;
+    if (usesUvs(pattern) && !(metresPerUv > 0)) return std::nullopt;
     CompiledPattern result;
+    if (pattern.source == TextureSource::Painted) {
+        result.painted = pattern.painted.values;
+        result.soup = stack.soup;
+        if (!result.painted || result.painted->size() != stack.soup->positions.size()) return std::nullopt;
+    }
     result.source = pattern.source;
     result.mapping = pattern.mapping;
     result.image = pattern.image;
@@ -64,14 +66,14 @@ std::optional<CompiledPattern> compiled(const TexturePattern& wanted, double met
     return result;
 }
 
-std::optional<CompiledLayer> compiled(const TextureLayer& layer, double metresPerUv) {
+std::optional<CompiledLayer> compiled(const TextureLayer& layer, const TextureStack& stack) {
     if (!layer.enabled) return std::nullopt;
-    const auto pattern = compiled(layer.pattern, metresPerUv);
+    const auto pattern = compiled(layer.pattern, stack);
     if (!pattern) return std::nullopt;
     CompiledLayer result;
     result.pattern = *pattern;
     if (layer.mask) {
-        result.mask = compiled(*layer.mask, metresPerUv);
+        result.mask = compiled(*layer.mask, stack);
         if (!result.mask) return std::nullopt; // a layer without its mask would be felt everywhere
     }
     result.target = layer.target;
@@ -83,7 +85,7 @@ std::optional<CompiledLayer> compiled(const TextureLayer& layer, double metresPe
 }
 
 bool asksForUvs(const TextureLayer& layer) {
-    return layer.enabled && (needsUvs(layer.pattern) || (layer.mask && needsUvs(*layer.mask)));
+    return layer.enabled && (usesUvs(layer.pattern) || (layer.mask && usesUvs(*layer.mask)));
 }
 
 double knownMetresPerUv(const TextureStack& wanted,
@@ -118,7 +120,7 @@ compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<c
     if (std::any_of(layers.begin(), layers.end(), asksForUvs))
         stack->metresPerUv = knownMetresPerUv(*stack, known);
     for (const TextureLayer& layer : layers)
-        if (auto ready = compiled(layer, stack->metresPerUv);
+        if (auto ready = compiled(layer, *stack);
             ready && stack->layers.size() < std::size_t(kMostTextureLayers))
             stack->layers.push_back(std::move(*ready));
     limitOwnPlanes(stack->layers);

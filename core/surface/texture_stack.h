@@ -17,17 +17,26 @@ struct CompiledPattern {
     TextureSource source = TextureSource::Noise;
     TextureMapping mapping = TextureMapping::Triplanar;
     std::shared_ptr<const TextureImage> image; ///< never empty for the source Image
-    double metresPerUv = 0;                    ///< of one unit of the mesh's coordinates
-    Mat3 axes = Mat3::Identity();              ///< rows: the axes of the mapping frame, in the body frame
-    Vec3 origin = Vec3::Zero();                ///< of the mapping frame, body frame, m
-    double radius = 1;                         ///< m
-    double metresPerRadian = 1;                ///< around the axis; a turn is a whole number of repeats
+    /// Never empty for the source Painted: as many values as the soup has positions.
+    std::shared_ptr<const PaintedValues> painted;
+    std::shared_ptr<const TriangleSoup> soup; ///< of the source Painted
+    double metresPerUv = 0;                   ///< of one unit of the mesh's coordinates
+    Mat3 axes = Mat3::Identity();             ///< rows: the axes of the mapping frame, in the body frame
+    Vec3 origin = Vec3::Zero();               ///< of the mapping frame, body frame, m
+    double radius = 1;                        ///< m
+    double metresPerRadian = 1;               ///< around the axis; a turn is a whole number of repeats
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();              ///< m
     Eigen::Matrix2d repeatsPerMetre = Eigen::Matrix2d::Identity(); ///< turns and scales
     WaveShape wave;
     int octaves = 1;
     std::uint32_t seed = 0;
 };
+
+/// Whether it lies on the mesh's texture coordinates. Thread: real time.
+inline bool usesUvs(const CompiledPattern& pattern) noexcept {
+    return pattern.source != TextureSource::Painted &&
+           (pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit);
+}
 
 struct CompiledLayer {
     CompiledPattern pattern;
@@ -50,11 +59,11 @@ struct TextureStack {
     double metresPerUv = -1; ///< negative where no layer asked for it
 };
 
-/// The stack of one surface. Layers that are off, lack their image, or ask for UVs that the mesh has not are
-/// left out (validation tells the person); nothing is returned when none is left. A stack among `known` that
-/// was made of the same is returned itself; images bring their levels along, so a new stack costs no more
-/// than its numbers, and a look at the mesh where the UVs' scale is needed and not known. Thread: any but
-/// real time.
+/// The stack of one surface. Layers that are off, lack their image, have painted values that are not one for
+/// each position of the mesh, or ask for UVs that it has not are left out (validation tells the person);
+/// nothing is returned when none is left. A stack among `known` that was made of the same is returned itself;
+/// images bring their levels along, so a new stack costs no more than its numbers, and a look at the mesh
+/// where the UVs' scale is needed and not known. Thread: any but real time.
 std::shared_ptr<const TextureStack>
 compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<const TriangleSoup>& soup,
                 Index surface, std::span<const std::shared_ptr<const TextureStack>> known = {});

@@ -19,6 +19,7 @@ inline const std::vector<Room> kRooms{
     {"core/geometry", {"core/base"}},
     {"core/collision", {"core/geometry"}},
     {"core/surface", {"core/geometry"}},
+    {"core/paint", {"core/surface"}},
     {"core/dynamics", {"core/base"}},
     {"core/proxy", {"core/collision", "core/surface", "core/dynamics"}},
     {"core/control", {"core/base"}},
@@ -30,7 +31,7 @@ inline const std::vector<Room> kRooms{
     {"core/bundle", {"core/runtime", "core/files"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"device", {"core/control"}},
-    {"ui", {"core/recording", "core/bundle", "core/health"}},
+    {"ui", {"core/recording", "core/bundle", "core/health", "core/paint"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle"}},
 };
 
@@ -93,6 +94,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/surface/image_sample",
     "core/surface/procedural_texture",
     "core/surface/texture_mapping",
+    "core/surface/painted_sample",
     "core/surface/texture_feel",
     "core/surface/shaded_normal",
     "core/dynamics/body_motion",

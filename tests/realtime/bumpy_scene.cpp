@@ -30,8 +30,19 @@ SceneObject movingOver(SceneObject plate, int edit) {
     return plate;
 }
 
+/// The same for all plates and edits.
+std::shared_ptr<const PaintedValues> stripes() {
+    static const auto painted = [] {
+        std::vector<float> values;
+        for (Index i = 0; i < (kCells + 1) * (kCells + 1); ++i)
+            values.push_back(float(i % 7) / 6);
+        return std::make_shared<const PaintedValues>(std::move(values));
+    }();
+    return painted;
+}
+
 std::vector<TextureLayer> someLayers() {
-    std::vector<TextureLayer> layers(3);
+    std::vector<TextureLayer> layers(4);
     layers[0].pattern.size = 2e-3;
     layers[0].strength = 2e-4;
     layers[1].pattern.source = TextureSource::Grooves;
@@ -39,6 +50,9 @@ std::vector<TextureLayer> someLayers() {
     layers[1].ownPlane = true;
     layers[2].target = TextureTarget::StaticFriction;
     layers[2].strength = 0.5;
+    layers[3].pattern.source = TextureSource::Painted;
+    layers[3].pattern.painted.values = stripes();
+    layers[3].mask = layers[3].pattern;
     return layers;
 }
 

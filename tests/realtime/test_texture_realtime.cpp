@@ -38,6 +38,8 @@ std::vector<std::shared_ptr<const TextureStack>> everyStack(Rng& rng) {
             TextureLayer layer;
             layer.pattern.source = TextureSource(i % kTextureSources.size());
             layer.pattern.image = image;
+            layer.pattern.painted.values =
+                std::make_shared<const PaintedValues>(std::vector{0.1F, 0.9F, 0.4F});
             layer.pattern.mapping = TextureMapping(mapping);
             layer.target = TextureTarget(i / 2);
             layer.blend = TextureBlend(i % kTextureBlends.size());

@@ -55,11 +55,20 @@ private:
             texels.push_back(std::uint16_t(bits == 8 ? random_() % 256 * 257 : random_() % 65536));
         return std::make_shared<const TextureImage>(width, height, texels, name("image"), bits);
     }
+    /// Now and then of another mesh, and now and then the same once more.
+    std::shared_ptr<const PaintedValues> painted() {
+        if (lastPainted_ && chance(3)) return lastPainted_;
+        std::vector<float> values(chance(8) ? std::size_t(count(1, 9)) : positions_);
+        for (float& value : values)
+            value = chance(5) ? float(count(0, 1)) : float(unit());
+        return lastPainted_ = std::make_shared<const PaintedValues>(std::move(values));
+    }
     TexturePattern pattern() {
         TexturePattern p;
         p.source = choice<TextureSource>(kTextureSources.size());
         p.mapping = choice<TextureMapping>(kTextureMappings.size());
         if (p.source == TextureSource::Image) p.image = image();
+        if (p.source == TextureSource::Painted && !chance(8)) p.painted.values = painted();
         p.frame = {rotation(), vector(0.1)};
         for (const PatternField& field : kPatternFields)
             p.*field.value = within(*field.parameter);
@@ -142,8 +151,10 @@ private:
         object.visible = !chance(4);
         const std::size_t surfaces = std::size_t(count(1, 4));
         object.geometry = soup(surfaces);
+        positions_ = object.geometry->positions.size();
         if (shared) {
             object.geometry = shared;
+            positions_ = shared->positions.size();
             while (object.surfaces.size() <= std::ranges::max(shared->surfaceOf))
                 object.surfaces.push_back(surface());
         }
@@ -157,6 +168,8 @@ private:
     }
 
     std::mt19937 random_;
+    std::size_t positions_ = 0; ///< of the mesh whose surfaces are drawn
+    std::shared_ptr<const PaintedValues> lastPainted_;
 };
 
 /// The first difference in words; empty where every value is the same. Objects may have other ids, and what

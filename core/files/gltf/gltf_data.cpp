@@ -43,6 +43,10 @@ int GltfData::addAttribute(const std::vector<Eigen::Vector3f>& values, bool boun
     return accessor;
 }
 
+int GltfData::addAttribute(const std::vector<float>& values) {
+    return addAccessor(addView(bytesOf(values), kVertices), kFloat, "SCALAR", values.size());
+}
+
 int GltfData::addAttribute(const std::vector<Eigen::Vector2f>& values) {
     return addAccessor(addView(bytesOf(values), kVertices), kFloat, "VEC2", values.size());
 }

@@ -32,6 +32,7 @@ public:
     }
     /// Accessors of their own views: vertex attributes with their bounds, indices, and numbers of animations.
     int addAttribute(const std::vector<Eigen::Vector3f>& values, bool bounds);
+    int addAttribute(const std::vector<float>& values);
     int addAttribute(const std::vector<Eigen::Vector2f>& values);
     int addAttribute(const std::vector<Eigen::Vector4f>& values);
     int addIndices(const std::vector<std::uint32_t>& values);

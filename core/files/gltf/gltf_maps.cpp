@@ -50,10 +50,7 @@ Eigen::Vector4f tangentOf(const Frame& frame, const Vec3& normal) {
     return {float(along.x()), float(along.y()), float(along.z()), side};
 }
 
-bool usesUvs(const TexturePattern& pattern) {
-    return pattern.mapping == TextureMapping::Uv || pattern.mapping == TextureMapping::UvUnit;
-}
-bool usesUvs(const TextureLayer& layer) {
+bool liesOnUvs(const TextureLayer& layer) {
     return usesUvs(layer.pattern) && (!layer.mask || usesUvs(*layer.mask));
 }
 
@@ -61,7 +58,7 @@ bool usesUvs(const TextureLayer& layer) {
 Index firstLike(const SceneObject& object, Index surface) {
     const auto& layers = object.surfaces[surface].layers;
     if (object.geometry->cornerUvs.empty() ||
-        !std::ranges::all_of(layers, [](auto& layer) { return usesUvs(layer); }))
+        !std::ranges::all_of(layers, [](auto& layer) { return liesOnUvs(layer); }))
         return surface;
     const UvCanvas canvas = uvRectangleOf(*object.geometry, surface);
     const double metres = metresPerUvOf(*object.geometry, surface);

@@ -79,6 +79,8 @@ void GltfMeshReader::countTriangles(std::size_t more) {
 RawMesh GltfMeshReader::read(int index) {
     RawMesh raw;
     pools_ = {};
+    paints_.clear();
+    paintsAreRight_ = true;
     shared_.clear();
     surfaceOf_.clear();
     const tinygltf::Mesh& mesh = model_.meshes[std::size_t(index)];
@@ -98,6 +100,10 @@ RawMesh GltfMeshReader::read(int index) {
     if (!exact.positions.empty()) positions = exact.positions;
     pools_.positions = positions; // missing normals are computed from them
     raw.soup = builder.finish(std::move(positions), raw.report);
+    addPaints(raw);
+    if (!paintsAreRight_)
+        raw.complaints.push_back("what is painted on meshes[" + std::to_string(index) +
+                                 "] is not a number from 0 to 1 for each vertex");
     if (exact.order.empty()) return raw;
     reorder(raw.soup.triangles, exact.order, 1);
     reorder(raw.soup.surfaceOf, exact.order, 1);
@@ -226,7 +232,38 @@ GltfMeshReader::Vertices GltfMeshReader::readVertices(const tinygltf::Primitive&
     for (std::size_t i = 0; vertices.uvs && i < count; ++i) // v counts downward there, upward here
         pools_.uvs[first + i] = Eigen::Vector2d(uvs->number(i, 0), 1 - uvs->number(i, 1)).cast<float>();
     if (!exact_->uvs.empty()) pools_.uvs = exact_->uvs;
+    readPaints(primitive, vertices);
     return vertices;
+}
+
+/// Another program may have changed the mesh; as long as it keeps the attributes, what is painted stays on
+/// it.
+void GltfMeshReader::readPaints(const tinygltf::Primitive& primitive, const Vertices& vertices) {
+    for (const auto& [name, accessor] : primitive.attributes) {
+        const int number = paintNumber(name);
+        if (number < 0) continue;
+        painted_ += vertices.count;
+        const GltfAccessor values(source_, model_, accessor, 1);
+        if (painted_ > kMostPaintedValues || values.size() < vertices.count) {
+            paintsAreRight_ = false;
+            continue;
+        }
+        std::vector<float>& all = paints_[number];
+        all.resize(vertices.first, 0);
+        for (std::size_t i = 0; i < vertices.count; ++i) {
+            const double value = values.number(i, 0);
+            paintsAreRight_ &= value >= 0 && value <= 1;
+            all.push_back(float(value));
+        }
+    }
+}
+
+/// Vertices without the attribute are not painted.
+void GltfMeshReader::addPaints(RawMesh& raw) {
+    for (auto& [number, values] : paints_) {
+        values.resize(raw.soup.positions.size(), 0);
+        raw.paints[number] = std::make_shared<const PaintedValues>(std::move(values));
+    }
 }
 
 std::vector<Index> GltfMeshReader::indicesOf(const tinygltf::Primitive& primitive,

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/files/gltf/gltf_model.h"
 #include "core/geometry/soup_builder.h"
+#include "core/surface/painted_values.h"
 
 namespace tactum {
 
@@ -15,6 +17,8 @@ namespace tactum {
 struct RawMesh {
     TriangleSoup soup;
     std::vector<int> materials; ///< of each surface; -1 for none
+    /// What is painted on it, by the numbers of the attributes; as many values as positions.
+    std::map<int, std::shared_ptr<const PaintedValues>> paints;
     BuildReport report;
     std::vector<std::string> complaints; ///< a sentence for each thing in our extension that does not fit
 };
@@ -53,7 +57,8 @@ private:
     std::vector<Index> indicesOf(const tinygltf::Primitive& primitive, const Vertices& vertices) const;
     void addElements(SoupBuilder& builder, int mode, const std::vector<Index>& indices, const Vertices& from,
                      Index surface);
-    void useExactVertices(const Exact& exact);
+    void readPaints(const tinygltf::Primitive& primitive, const Vertices& vertices);
+    void addPaints(RawMesh& raw);
     Index positionOf(Index vertex) const;
     Index surfaceFor(int material, RawMesh& raw);
 
@@ -61,9 +66,11 @@ private:
     const GltfFile& file_;
     const tinygltf::Model& model_;
     ProgressMeter meter_;
-    std::size_t done_ = 0, triangles_ = 0;
+    std::size_t done_ = 0, triangles_ = 0, painted_ = 0;
     // Of the mesh being read.
     VertexPools pools_;
+    std::map<int, std::vector<float>> paints_; ///< by number, for each vertex in the pools
+    bool paintsAreRight_ = true;
     std::map<std::array<int, 3>, Vertices> shared_; ///< by accessors of positions, normals and coordinates
     std::map<int, Index> surfaceOf_;
     const Exact* exact_ = nullptr;

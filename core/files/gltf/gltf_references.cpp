@@ -81,6 +81,14 @@ void visitMesh(Json& mesh, const Visit& visit) {
     visit.all(ours, "surfaces", "materials");
 }
 
+void visitMaterial(Json& material, const Visit& visit) {
+    visit.textures(material);
+    Visit::each(Visit::extension(material, kExtension), "layers", [&](Json& layer) {
+        for (const char* pattern : {"pattern", "mask"})
+            visit(Visit::in(Visit::in(&layer, pattern), "painted"), "bufferView", "bufferViews");
+    });
+}
+
 void visitNode(Json& node, const Visit& visit) {
     visit(&node, "mesh", "meshes");
     visit(&node, "skin", "skins");
@@ -137,7 +145,7 @@ void visitReferences(const char* array, Json& element, const VisitReference& vis
     if (of == "accessors") visitAccessor(element, visit);
     if (of == "animations") visitAnimation(element, visit);
     if (of == "images") visit(&element, "bufferView", "bufferViews");
-    if (of == "materials") visit.textures(element);
+    if (of == "materials") visitMaterial(element, visit);
     if (of == "meshes") visitMesh(element, visit);
     if (of == "nodes") visitNode(element, visit);
     if (of == "scenes") visit.all(&element, "nodes", "nodes", Naming::Lists);

@@ -76,12 +76,14 @@ template <class Table, class Values> void putTable(Json& to, const Table& fields
         to[jsonKey(field.parameter->key)] = values.*field.value;
 }
 
-Json patternJson(const TexturePattern& pattern, const WriteImage& textureOf) {
+Json patternJson(const TexturePattern& pattern, const WriteShared& shared) {
     Json json{{"source", kTextureSources[std::size_t(pattern.source)].key},
               {"mapping", kTextureMappings[std::size_t(pattern.mapping)].key},
               {"frame", poseJson(pattern.frame)}};
     putTable(json, kPatternFields, pattern);
-    if (pattern.image) json["texture"] = {{"index", textureOf(pattern.image)}};
+    if (pattern.image) json["texture"] = {{"index", shared.textureOf(pattern.image)}};
+    if (pattern.painted.values && pattern.painted.values->size() > 0)
+        json["painted"] = shared.paintOf(pattern.painted.values);
     return json;
 }
 
@@ -98,29 +100,30 @@ void readPose(Members& members, const char* key, Pose& pose) {
     pose.rotation = unitLength(rotation);
 }
 
-void readPattern(Members& members, const ReadImageAt& imageAt, TexturePattern& pattern) {
+void readPattern(Members& members, const ReadShared& shared, TexturePattern& pattern) {
     members("source", pattern.source, kTextureSources);
     members("mapping", pattern.mapping, kTextureMappings);
     members.table(kPatternFields, pattern);
     readPose(members, "frame", pattern.frame);
+    if (const Json* painted = members.object("painted")) pattern.painted.values = shared.paintAt(*painted);
     const Json* texture = members.object("texture");
     if (!texture) return;
-    pattern.image = imageAt(indexIn(*texture, "index", std::size_t(1) << 30));
+    pattern.image = shared.imageAt(indexIn(*texture, "index", std::size_t(1) << 30));
 }
 
-Json layerJson(const TextureLayer& layer, const WriteImage& textureOf) {
+Json layerJson(const TextureLayer& layer, const WriteShared& shared) {
     return {{"name", layer.name},
             {"enabled", layer.enabled},
-            {"pattern", patternJson(layer.pattern, textureOf)},
+            {"pattern", patternJson(layer.pattern, shared)},
             {"target", kTextureTargets[std::size_t(layer.target)].key},
             {"strength", layer.strength},
             {"blend", kTextureBlends[std::size_t(layer.blend)].key},
             {"opacity", layer.opacity},
-            {"mask", layer.mask ? patternJson(*layer.mask, textureOf) : Json(nullptr)},
+            {"mask", layer.mask ? patternJson(*layer.mask, shared) : Json(nullptr)},
             {"ownPlane", layer.ownPlane}};
 }
 
-TextureLayer readLayer(Members members, const ReadImageAt& imageAt) {
+TextureLayer readLayer(Members members, const ReadShared& shared) {
     TextureLayer layer;
     members("name", layer.name);
     members("enabled", layer.enabled);
@@ -132,11 +135,11 @@ TextureLayer readLayer(Members members, const ReadImageAt& imageAt) {
     members("ownPlane", layer.ownPlane);
     if (const Json* pattern = members.object("pattern")) {
         Members parts(*pattern, members.inside("pattern"), members.complaints());
-        readPattern(parts, imageAt, layer.pattern);
+        readPattern(parts, shared, layer.pattern);
     }
     if (const Json* mask = members.object("mask")) {
         Members parts(*mask, members.inside("mask"), members.complaints());
-        readPattern(parts, imageAt, layer.mask.emplace());
+        readPattern(parts, shared, layer.mask.emplace());
     }
     return layer;
 }
@@ -158,6 +161,13 @@ std::int64_t majorOf(const std::string& version) {
 }
 
 } // namespace
+
+int paintNumber(std::string_view attribute) {
+    std::int64_t number = -1;
+    if (!attribute.starts_with(kPaintAttribute)) return -1;
+    const bool isOne = parseNumber(attribute.substr(kPaintAttribute.size()), number);
+    return isOne && number >= 0 && number < kMostPaints ? int(number) : -1;
+}
 
 const Json* member(const Json& object, const char* key) {
     if (!object.is_object()) return nullptr;
@@ -234,7 +244,7 @@ Json poseJson(const Pose& pose) {
     return {{"translation", vectorJson(pose.translation)}, {"rotation", quaternionJson(pose.rotation)}};
 }
 
-Json surfaceJson(const Surface& surface, const WriteImage& textureOf) {
+Json surfaceJson(const Surface& surface, const WriteShared& shared) {
     Json json{{"sides", nameOf(surface.sides)},
               {"shading",
                {{"on", surface.shading.on},
@@ -245,11 +255,11 @@ Json surfaceJson(const Surface& surface, const WriteImage& textureOf) {
     if (surface.locked) json["locked"] = true;
     putTable(json, kMaterialFields, surface.material);
     for (const TextureLayer& layer : surface.layers)
-        json["layers"].push_back(layerJson(layer, textureOf));
+        json["layers"].push_back(layerJson(layer, shared));
     return json;
 }
 
-void readSurfaceJson(const Json& extension, const ReadImageAt& imageAt, Surface& surface,
+void readSurfaceJson(const Json& extension, const ReadShared& shared, Surface& surface,
                      std::vector<std::string>& complaints) {
     Members members(extension, kExtension, complaints);
     members.table(kMaterialFields, surface.material);
@@ -272,7 +282,7 @@ void readSurfaceJson(const Json& extension, const ReadImageAt& imageAt, Surface&
     if (!layers->is_array()) return members.complain("layers is not a list");
     for (std::size_t i = 0; i < layers->size(); ++i)
         surface.layers.push_back(readLayer(
-            Members((*layers)[i], members.inside("layers[" + std::to_string(i) + "]"), complaints), imageAt));
+            Members((*layers)[i], members.inside("layers[" + std::to_string(i) + "]"), complaints), shared));
 }
 
 } // namespace tactum

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/files/gltf/gltf_file.h"
@@ -16,6 +17,14 @@ namespace tactum {
 inline constexpr const char* kExtension = "TACTUM_haptics";
 /// Of the format. Another major number is another format, a higher minor one has keys that we do not know.
 inline constexpr int kFormatMajor = 1, kFormatMinor = 0;
+
+/// What is painted on a mesh is an attribute of its vertices, whose name is this and a number.
+inline constexpr std::string_view kPaintAttribute = "_TACTUM_PAINT_";
+inline constexpr int kMostPaints = 1 << 16; ///< of one mesh
+/// Values of all meshes together: a small file can name one list of them very often.
+inline constexpr std::size_t kMostPaintedValues = std::size_t(1) << 25;
+/// The number in the name of an attribute; -1 for any other attribute.
+int paintNumber(std::string_view attribute);
 
 /// The extension object of an element, or null.
 const Json* extensionOf(const Json& element, const char* name = kExtension);
@@ -43,12 +52,27 @@ using WriteImage = std::function<int(const std::shared_ptr<const TextureImage>&)
 /// The image of a texture index; null when there is none, which it says itself.
 using ReadImageAt = std::function<std::shared_ptr<const TextureImage>(int texture)>;
 
-Json surfaceJson(const Surface& surface, const WriteImage& textureOf);
+/// What stands for painted values in a pattern, and these again; null when it is damaged, which it says
+/// itself.
+using WritePaint = std::function<Json(const std::shared_ptr<const PaintedValues>&)>;
+using ReadPaint = std::function<std::shared_ptr<const PaintedValues>(const Json& painted)>;
+
+/// Where the large things are that a surface shares with others.
+struct WriteShared {
+    WriteImage textureOf;
+    WritePaint paintOf;
+};
+struct ReadShared {
+    ReadImageAt imageAt;
+    ReadPaint paintAt;
+};
+
+Json surfaceJson(const Surface& surface, const WriteShared& shared);
 
 /// Fills material, sides, shading and layers; what is missing stays initial. `complaints`: a sentence for
 /// each member that has a wrong type or an unknown word, which stays initial too. Numbers out of range are
 /// kept as they are: validation speaks of them.
-void readSurfaceJson(const Json& extension, const ReadImageAt& imageAt, Surface& surface,
+void readSurfaceJson(const Json& extension, const ReadShared& shared, Surface& surface,
                      std::vector<std::string>& complaints);
 
 /// Translation and rotation under the keys of a glTF node; nothing for what is not there.

@@ -43,7 +43,9 @@ private:
     Json keptPrimitives(int mesh, const RawMesh& raw);
     void noteLostAttributes(const std::vector<PlacedMesh>& placed);
     void keepForeign();
-    Surface surfaceOf(int material, const PlacedMesh& placed);
+    Surface surfaceOf(int material, const PlacedMesh& placed, const RawMesh& raw);
+    std::shared_ptr<const PaintedValues> paintOf(const Json& painted, const RawMesh& raw,
+                                                 std::vector<std::string>& complaints);
     std::shared_ptr<const TextureImage> imageAt(int texture);
     void say(Severity severity, const std::string& object, const std::string& sentence,
              const std::string& remedy) {
@@ -60,7 +62,9 @@ private:
     std::optional<GltfParting> parting_;
     LoadedScene loaded_;
     SoupShelf shelf_;
-    std::map<int, std::shared_ptr<const TextureImage>> images_; ///< by texture
+    std::map<int, std::shared_ptr<const TextureImage>> images_;  ///< by texture
+    std::map<int, std::shared_ptr<const PaintedValues>> paints_; ///< by buffer view
+    std::size_t painted_ = 0;                                    ///< values of these
 };
 
 /// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
@@ -176,7 +180,7 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
             source_.fail("coordinate of node " + inQuotes(placed.name) + " is beyond 1e6 m; scale the model");
     std::vector<Surface> surfaces;
     for (const int material : raw.materials)
-        surfaces.push_back(surfaceOf(material, placed));
+        surfaces.push_back(surfaceOf(material, placed, raw));
     const std::size_t before = loaded_.scene.objects.size();
     addObject(loaded_, placed.name.empty() ? stemOf(source_) : placed.name, raw.report, std::move(soup),
               std::move(surfaces), Progress{{}, progress_.cancelled});
@@ -274,7 +278,7 @@ void GltfReader::noteLostAttributes(const std::vector<PlacedMesh>& placed) {
         for (const tinygltf::Primitive& primitive : model_.meshes[std::size_t(each.mesh)].primitives)
             for (const auto& [name, accessor] : primitive.attributes)
                 if (name.starts_with("COLOR_") || (name.starts_with("TEXCOORD_") && name != "TEXCOORD_0") ||
-                    name.starts_with("_") || (name == "TANGENT" && !loaded_.ours))
+                    (name.starts_with("_") && paintNumber(name) < 0) || (name == "TANGENT" && !loaded_.ours))
                     lost.insert(printable(name, kLongestName));
     for (const std::string& name : lost)
         say(Severity::Note, "",
@@ -295,7 +299,7 @@ void GltfReader::keepForeign() {
             "something that is not known here may use their data; leave them out where they come from");
 }
 
-Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed) {
+Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed, const RawMesh& raw) {
     Surface surface = namedSurface("surface");
     const auto image = [&](int texture) { return imageAt(texture); };
     std::vector<std::string> said;
@@ -315,11 +319,31 @@ Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed) {
     const Json* ours = extensionOf(file_.json["materials"][std::size_t(material)]);
     if (!ours) return surface;
     std::vector<std::string> complaints;
-    readSurfaceJson(*ours, image, surface, complaints);
+    const auto paint = [&](const Json& painted) { return paintOf(painted, raw, complaints); };
+    readSurfaceJson(*ours, {image, paint}, surface, complaints);
     for (const std::string& complaint : complaints)
         say(Severity::Warning, "", "material " + inQuotes(surface.name) + ": " + complaint,
             "the initial value is used");
     return surface;
+}
+
+std::shared_ptr<const PaintedValues> GltfReader::paintOf(const Json& painted, const RawMesh& raw,
+                                                         std::vector<std::string>& complaints) {
+    const int number = indexIn(painted, "attribute", kMostPaints);
+    if (const auto found = raw.paints.find(number); found != raw.paints.end()) return found->second;
+    const int view = indexIn(painted, "bufferView", model_.bufferViews.size());
+    if (const auto found = paints_.find(view); found != paints_.end()) return found->second;
+    const tinygltf::BufferView* of = view < 0 ? nullptr : &model_.bufferViews[std::size_t(view)];
+    const std::size_t count = of ? of->byteLength / sizeof(float) : 0;
+    painted_ += count;
+    if (count == 0 || painted_ > kMostPaintedValues) {
+        complaints.push_back("what is painted names values that are not there");
+        return nullptr;
+    }
+    std::vector<float> values(count);
+    std::memcpy(values.data(), model_.buffers[std::size_t(of->buffer)].data.data() + of->byteOffset,
+                count * sizeof(float));
+    return paints_[view] = std::make_shared<const PaintedValues>(std::move(values));
 }
 
 std::shared_ptr<const TextureImage> GltfReader::imageAt(int texture) {

@@ -32,14 +32,23 @@ public:
     Result<std::string> write();
 
 private:
+    /// What is painted on one mesh, by the numbers of their attributes.
+    using Paints = std::vector<std::shared_ptr<const PaintedValues>>;
+
     /// A soup in the binary chunk: what meshes of any surfaces share.
     struct Stored {
         Json attributes, exact;
+        std::vector<Index> copies;  ///< the position of each vertex beyond the soup's positions
+        Paints paints;              ///< on some of its objects
+        std::vector<int> accessors; ///< of these
         std::vector<std::pair<DrawnPart, int>> parts; ///< without their vertices, and the accessor of these
     };
 
-    const Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
-    int addMaterial(const SceneObject& object, Index at);
+    Stored& stored(const std::shared_ptr<const TriangleSoup>& soup, std::size_t surfaces);
+    Json paintJson(const std::shared_ptr<const PaintedValues>& painted, const SceneObject& object,
+                   Paints& paints);
+    int paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store);
+    int addMaterial(const SceneObject& object, Index at, Paints& paints);
     int addMesh(const SceneObject& object);
     int addNode(const SceneObject& object);
     int place(Json node, const SceneObject& object);
@@ -72,6 +81,7 @@ Json overlaid(const Kept& kept, const Json& ours) {
 /// too.
 void keepUnknownKeys(const Json& before, Json& now) {
     for (const auto& [key, value] : before.items()) {
+        if (key == "painted") continue;             // it says where the values were
         if (!now.contains(key) && key != "texture") // that of a pattern: of an image that it has no more
             now[key] = value;
         else if (value.is_object() && now.contains(key) && now[key].is_object())
@@ -109,15 +119,43 @@ Json withKept(const Json& mesh, const DrawnPart& part, Json primitive) {
     return primitive;
 }
 
-int GltfWriter::addMaterial(const SceneObject& object, Index at) {
+auto findSame(const auto& paints, const std::shared_ptr<const PaintedValues>& painted) {
+    return std::ranges::find_if(paints,
+                                [&](const auto& other) { return other == painted || *other == *painted; });
+}
+
+/// An attribute of the vertices where there is a value for each position, else the bare numbers.
+Json GltfWriter::paintJson(const std::shared_ptr<const PaintedValues>& painted, const SceneObject& object,
+                           Paints& paints) {
+    if (painted->size() != object.geometry->positions.size())
+        return {{"bufferView", data_.addRawView(painted->all())}};
+    const auto known = findSame(paints, painted);
+    const auto number = known - paints.begin();
+    if (known == paints.end()) paints.push_back(painted);
+    return {{"attribute", number}};
+}
+
+/// Objects of one mesh may be painted alike.
+int GltfWriter::paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store) {
+    const auto known = findSame(store.paints, painted);
+    if (known != store.paints.end()) return store.accessors[std::size_t(known - store.paints.begin())];
+    std::vector<float> values = painted->all();
+    for (const Index position : store.copies)
+        values.push_back(painted->all()[position]);
+    store.paints.push_back(painted);
+    return store.accessors.emplace_back(data_.addAttribute(values));
+}
+
+int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints) {
     const Surface& surface = object.surfaces[at];
-    const auto textureOf = [&](const auto& image) { return data_.addTexture(image); };
+    const WriteShared shared{[&](const auto& image) { return data_.addTexture(image); },
+                             [&](const auto& painted) { return paintJson(painted, object, paints); }};
     Json material = overlaid(surface.kept, {{"name", surface.name}});
     if (!surface.kept.json)
         material.merge_patch({{"doubleSided", true},
                               {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.7}}}});
     objectAt(material, "pbrMetallicRoughness")["baseColorFactor"] = colourJson(material, surface.colour);
-    Json ours = surfaceJson(surface, textureOf);
+    Json ours = surfaceJson(surface, shared);
     if (const Json* before = extensionOf(material)) keepUnknownKeys(*before, ours);
     objectAt(material, "extensions")[kExtension] = std::move(ours);
     copies_.addLook(object, at, material);
@@ -128,8 +166,8 @@ int GltfWriter::addMaterial(const SceneObject& object, Index at) {
     return index;
 }
 
-const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>& soup,
-                                             std::size_t surfaces) {
+GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>& soup,
+                                       std::size_t surfaces) {
     const auto [found, isNew] = soups_.try_emplace(shelf_.shared(soup).get());
     Stored& store = found->second;
     if (!isNew) return store;
@@ -144,20 +182,25 @@ const GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const Triangl
     if (!mesh.uvsAreExact) store.exact["uvs"] = data_.addRawView(mesh.trueUvs);
     for (DrawnPart& part : mesh.parts)
         store.parts.emplace_back(DrawnPart{part.surface, part.corners, {}}, data_.addIndices(part.vertices));
+    store.copies = std::move(mesh.copies);
     return store;
 }
 
 int GltfWriter::addMesh(const SceneObject& object) {
     constexpr int kModes[] = {0, 1, 4};
-    const Stored& store = stored(object.geometry, object.surfaces.size());
+    Stored& store = stored(object.geometry, object.surfaces.size());
     Json ours = store.exact.is_null() ? Json::object() : store.exact;
+    Paints paints;
     for (Index i = 0; i < object.surfaces.size(); ++i)
-        ours["surfaces"].push_back(addMaterial(object, i));
+        ours["surfaces"].push_back(addMaterial(object, i, paints));
+    Json attributes = store.attributes;
+    for (std::size_t i = 0; i < paints.size(); ++i)
+        attributes[std::string(kPaintAttribute) + std::to_string(i)] = paintAccessor(paints[i], store);
     Json mesh = overlaid(object.keptMesh, {{"name", object.name}, {"weights", nullptr}});
     Json primitives = Json::array();
     for (const auto& [part, indices] : store.parts)
         primitives.push_back(withKept(mesh, part,
-                                      {{"attributes", store.attributes},
+                                      {{"attributes", attributes},
                                        {"indices", indices},
                                        {"mode", kModes[part.corners - 1]},
                                        {"material", ours["surfaces"][part.surface]}}));

@@ -69,6 +69,13 @@ Schema patternSchema() {
         {"texture",
          object("Of the source image: a glTF texture, linear, 0 to 1 in its first channel, 8 or 16 bits.",
                 {{"index", index("Of the glTF texture.")}})},
+        {"painted",
+         object(
+             "Of the source painted: where its values from 0 to 1 are.",
+             {{"attribute",
+               index("Attribute _TACTUM_PAINT_n of the primitives of the mesh: a scalar for each "
+                     "vertex, the same wherever vertices repeat a position.")},
+              {"bufferView", index("Instead, where there are not as many values as positions: floats.")}})},
         {"frame", object("Of the mappings without texture coordinates, in the frame of the node.",
                          {{"translation", numbers(3, "Unit: m.")},
                           {"rotation", numbers(4, "Quaternion x, y, z, w.")}})}};

@@ -58,6 +58,7 @@ private slots:
     void anImageThatDoesNotReachTheEndsKeepsItsValues();
     void imagesAreAddedUp();
     void planarGroovesFollowTheirFormula();
+    void whatIsPaintedIsShownWhereItLies();
     void cylindersAreUnrolled();
     void ownPlanesAreAddedOnTop();
     void aFactorIsFlattenedAsItIsFelt();
@@ -136,6 +137,28 @@ void TestFlattenLayers::planarGroovesFollowTheirFormula() {
     });
     QVERIFY2(steps <= 0.51, qPrintable(QString("%1 steps").arg(steps)));
     QVERIFY(picture.canvas.width >= 8 * wave.harmonics * 8); // eight repeats, eight texels to the finest wave
+}
+
+/// Values of a function that is linear in space; where there are no coordinates nothing is shown, and that is
+/// said.
+void TestFlattenLayers::whatIsPaintedIsShownWhereItLies() {
+    const Soup soup = uvSheet();
+    std::vector<float> values;
+    for (const Vec3& p : soup->positions)
+        values.push_back(float(0.1 + 4 * p.x() + 6 * p.y()));
+    TextureLayer layer = heightLayer(TextureSource::Painted, TextureMapping::Triplanar, 0.01, 4e-4);
+    layer.pattern.painted.values = std::make_shared<const PaintedValues>(values);
+    const FlatPicture picture = flattenHeight(objectOf({layer}), 0);
+    QVERIFY(picture.image && picture.lost.empty());
+    QVERIFY(picture.canvas.width >= 4);
+    const double steps =
+        stepsFrom(picture, [](const Vector2d& p) { return 4e-4 * (0.1 + 4 * p.x() + 6 * p.y()); });
+    QVERIFY2(steps <= 0.52, qPrintable(QString("%1 steps").arg(steps)));
+    auto bare = std::make_shared<TriangleSoup>(*soup);
+    bare->cornerUvs.clear();
+    const FlatPicture none = flattenHeight(objectOf({layer}, bare), 0);
+    QVERIFY(!none.image);
+    QCOMPARE(none.lost.size(), std::size_t(1));
 }
 
 /// The same sheet seen from the axis of a cylinder far away, and seen in its own coordinates.

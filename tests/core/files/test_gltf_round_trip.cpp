@@ -45,6 +45,30 @@ Json theirs() {
     return json;
 }
 
+/// A mesh with normals, so that corners at one position are several vertices, with two painted surfaces.
+Scene painted() {
+    auto soup = std::make_shared<TriangleSoup>(lopsided());
+    soup->surfaceOf = {0, 1, 0};
+    for (int i = 0; i < 9; ++i)
+        soup->cornerNormals.push_back(i % 2 == 0 ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitY());
+    SceneObject object;
+    object.name = "painted";
+    object.geometry = soup;
+    object.surfaces.resize(2);
+    object.surfaces[0].name = "skin", object.surfaces[1].name = "nail";
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Painted;
+    layer.pattern.painted.values = std::make_shared<const PaintedValues>(std::vector{0.0F, 0.1F, 0.7F, 1.0F});
+    object.surfaces[0].layers = {layer};
+    layer.mask = layer.pattern;
+    layer.pattern.painted.values =
+        std::make_shared<const PaintedValues>(std::vector{1.0F, 0.2F, 0.0F, 1 / 3.0F});
+    object.surfaces[1].layers = {layer};
+    Scene scene;
+    scene.add(std::move(object));
+    return scene;
+}
+
 std::size_t jsonLength(const std::string& glb) {
     std::uint32_t length = 0;
     std::memcpy(&length, glb.data() + 12, 4);
@@ -207,6 +231,82 @@ private slots:
         const Vec3 inBody(matrix[12], matrix[13], matrix[14]);
         QVERIFY((scene.objects[0].pose.apply(inBody) - Vec3(0, 3, 2)).norm() < 1e-12);
     }
+    /// Two surfaces, of one mesh and of different ones: values of the vertices, each list once.
+    void whatIsPaintedIsAnAttribute() {
+        const Scene scene = painted();
+        const std::string glb = saved(scene);
+        const Json json = jsonOf(glb);
+        const Json& primitives = json["meshes"][0]["primitives"];
+        QCOMPARE(primitives.size(), std::size_t(2));
+        for (const Json& primitive : primitives) {
+            const Json& attributes = primitive["attributes"];
+            QVERIFY(attributes.contains("_TACTUM_PAINT_0") && attributes.contains("_TACTUM_PAINT_1"));
+            QVERIFY(!attributes.contains("_TACTUM_PAINT_2"));
+            const Json &values = json["accessors"][attributes["_TACTUM_PAINT_0"].get<std::size_t>()],
+                       &places = json["accessors"][attributes["POSITION"].get<std::size_t>()];
+            QVERIFY(values["type"] == "SCALAR" && values["componentType"] == 5126);
+            QVERIFY(values["count"] == places["count"] && values["count"] > 4); // vertices are split
+        }
+        const auto loaded = folder_.load("scene.glb", glb);
+        QVERIFY(loaded && !said(*loaded, "PAINT"));
+        const std::string found = difference(scene, loaded->scene);
+        QVERIFY2(found.empty(), found.c_str());
+        const auto& layers = loaded->scene.objects[0].surfaces[0].layers;
+        QVERIFY(layers[0].pattern.painted.values->all() == std::vector<float>({0, 0.1F, 0.7F, 1}));
+        QVERIFY(layers[0].pattern.painted.values ==
+                loaded->scene.objects[0].surfaces[1].layers[0].mask->painted.values);
+        QCOMPARE(saved(loaded->scene), glb);
+    }
+    /// As one does that knows nothing of ours but keeps the attributes of vertices.
+    void whatIsPaintedStaysOnAMeshThatAnotherProgramHasChanged() {
+        const std::string glb = saved(painted());
+        Json json = jsonOf(glb);
+        json["meshes"][0].erase("extensions");
+        const Scene scene = load(packGlb(json, std::string_view(glb).substr(28 + jsonLength(glb))));
+        const SceneObject& object = scene.objects[0];
+        const auto& values = *object.surfaces[0].layers[0].pattern.painted.values;
+        QCOMPARE(values.size(), object.geometry->positions.size());
+        const std::vector<float> expected{0, 0.1F, 0.7F, 1};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            for (std::size_t k = 0; k < 4; ++k)
+                if (object.geometry->positions[i] == lopsided().positions[k])
+                    QCOMPARE(values.all()[i], expected[k]);
+    }
+    void damagedPaintIsSaid_data() {
+        QTest::addColumn<QString>("damage");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("gone") << "gone"
+                              << "what is painted names values that are not there";
+        QTest::newRow("few") << "few"
+                             << "is not a number from 0 to 1 for each vertex";
+        QTest::newRow("beyond") << "beyond"
+                                << "is not a number from 0 to 1 for each vertex";
+    }
+    void damagedPaintIsSaid() {
+        QFETCH(QString, damage);
+        QFETCH(QString, sentence);
+        const std::string glb = saved(painted());
+        std::string binary(std::string_view(glb).substr(28 + jsonLength(glb)));
+        Json json = jsonOf(glb);
+        Json& values =
+            json["accessors"]
+                [json["meshes"][0]["primitives"][0]["attributes"]["_TACTUM_PAINT_0"].get<std::size_t>()];
+        if (damage == "few") values["count"] = 2;
+        if (damage == "gone")
+            for (Json& primitive : json["meshes"][0]["primitives"])
+                primitive["attributes"].erase("_TACTUM_PAINT_0");
+        const float high = 2;
+        if (damage == "beyond")
+            std::memcpy(binary.data() +
+                            json["bufferViews"][values["bufferView"].get<std::size_t>()]["byteOffset"]
+                                .get<std::size_t>(),
+                        &high, sizeof high);
+        const auto loaded = folder_.load("scene.glb", packGlb(json, binary));
+        QVERIFY(loaded.has_value());
+        QVERIFY(said(*loaded, sentence.toStdString()));
+        QVERIFY(loaded->scene.objects[0].surfaces[0].layers.size() == 1);
+    }
+
     void whatALaterVersionAddsStays() {
         const std::string first = saved(SceneDice(3).scene());
         Json json = jsonOf(first);

@@ -67,6 +67,7 @@ void TestLossReport::everyFeatureIsNoticed() {
     surface.layers.push_back(heightLayer(TextureSource::Dots, TextureMapping::Planar, 0.01, 1e-4));
     surface.layers.push_back(surface.layers[0]);
     surface.layers[1].target = TextureTarget::Viscosity;
+    surface.layers[1].mask.emplace().source = TextureSource::Painted;
     Rng rng(1);
     object.motion = randomMotion(rng);
     object.visible = false;
@@ -74,7 +75,7 @@ void TestLossReport::everyFeatureIsNoticed() {
     const auto losses = lossesOf(scene);
     for (const char* what :
          {"viscosity", "damping", "static friction", "dynamic friction", "motion", "hidden",
-          "layers of height", "layers of viscosity", "felt side", "force shading", "pose"})
+          "layers of height", "painted values", "layers of viscosity", "felt side", "force shading", "pose"})
         QVERIFY2(said(losses, ExportTarget::X3d, what), what);
     QVERIFY(!said(losses, ExportTarget::X3d, "layers of friction or stiffness"));
     QCOMPARE(said(losses, ExportTarget::X3d, "viscosity")->kind, LossKind::Lost);

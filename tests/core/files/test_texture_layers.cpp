@@ -167,6 +167,27 @@ private slots:
         QVERIFY(saidOf(sceneWith(noImage)).empty());
     }
 
+    void whatIsPaintedFitsItsMesh() {
+        TextureLayer layer;
+        layer.pattern.source = TextureSource::Painted;
+        layer.pattern.mapping = TextureMapping::Uv; // says nothing here
+        layer.pattern.frame.rotation.coeffs().setZero();
+        QVERIFY(oneFinding(sceneWith(layer), Severity::Warning,
+                           "nothing is painted of layer \"veins\" of surface \"top\", so it is not felt"));
+        layer.pattern.painted.values = std::make_shared<const PaintedValues>(std::vector<float>(4));
+        QVERIFY(
+            oneFinding(sceneWith(layer), Severity::Warning,
+                       "what is painted of layer \"veins\" of surface \"top\" is of a mesh with 4 positions, "
+                       "and this one has 3, so it is not felt"));
+        layer.pattern.painted.values = std::make_shared<const PaintedValues>(std::vector<float>(3));
+        QVERIFY(saidOf(sceneWith(layer)).empty());
+        TextureLayer masked;
+        masked.mask = layer.pattern;
+        QVERIFY(saidOf(sceneWith(masked)).empty());
+        masked.mask->painted = {};
+        QVERIFY(oneFinding(sceneWith(masked), Severity::Warning, "nothing is painted of the mask of layer"));
+    }
+
     void everyNumberIsHeldAgainstItsRange() {
         for (const PatternField& field : kPatternFields) {
             const std::string label(field.parameter->label);

@@ -39,6 +39,7 @@ LoadedScene richScene() {
     layer.mask = layer.pattern;
     layer.mask->source = TextureSource::Dots;
     layer.mask->image = nullptr;
+    layer.mask->painted.values = std::make_shared<const PaintedValues>(std::vector{0.25F, 1.0F});
     layer.ownPlane = true;
     Surface surface;
     surface.name = "skin";

@@ -63,6 +63,23 @@ double wentWith(Hand& hand, double side) {
     return hand.output().proxy.x() - before;
 }
 
+// value(x, y) from 0 to 1 at the positions of the sheet.
+template <class Value> SharedPaint paintedOn(const Soup& soup, Value&& value) {
+    std::vector<float> values;
+    for (const Vec3& p : soup->positions)
+        values.push_back(float(value(p.x(), p.y())));
+    return {std::make_shared<const PaintedValues>(std::move(values))};
+}
+
+TextureLayer paintedLayer(SharedPaint paint, TextureTarget target, double strength) {
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Painted;
+    layer.pattern.painted = std::move(paint);
+    layer.target = target;
+    layer.strength = strength;
+    return layer;
+}
+
 } // namespace
 
 class TextureStepTest : public QObject {
@@ -77,6 +94,9 @@ private slots:
     void valleyOfTwoFlanksHolds();
     void frictionFollowsItsMap();
     void stiffnessFollowsItsMap();
+    void paintedFrictionRampsOverThePlane();
+    void paintedHeightTiltsTheForce();
+    void paintedMaskFadesABump();
     void nothingIsLifted();
     void comesToRest();
     void servoFeelsTheSame();
@@ -216,6 +236,60 @@ void TextureStepTest::stiffnessFollowsItsMap() {
 }
 
 // Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there.
+// The factor rises from 1 to 2 across the sheet: so does what holds at rest.
+void TextureStepTest::paintedFrictionRampsOverThePlane() {
+    const Soup soup = sheet(0.05, 20);
+    const SharedPaint across = paintedOn(soup, [](double x, double) { return (x + 0.05) / 0.1; });
+    const auto world = texturedWorld(soup,
+                                     {paintedLayer(across, TextureTarget::StaticFriction, 1),
+                                      paintedLayer(across, TextureTarget::DynamicFriction, 1)},
+                                     rough(0.3, 0.2));
+    for (const double x : {-0.041, -0.0123, 0.0, 0.018, 0.0377}) {
+        Hand hand = pressedAt(world, x, 0.002);
+        double most = 0;
+        hand.go(hand.finger() + Vec3(0, 6e-4, 0), 2e-4, // across the ramp: the factor stays
+                [&](const Hand& h) { most = std::max(most, ratio(h).norm()); });
+        const double factor = 1 + (x + 0.05) / 0.1;
+        QVERIFY2(std::abs(most / (0.3 * factor) - 1) < 0.005, qPrintable(QString::number(most / 0.3)));
+        const double slides = ratio(hand).norm();
+        QVERIFY2(std::abs(slides / (0.2 * factor) - 1) < 0.005, qPrintable(QString::number(slides / 0.2)));
+    }
+}
+
+// A painted ramp of slope s turns the force by atan(s), downhill, whichever way it lies.
+void TextureStepTest::paintedHeightTiltsTheForce() {
+    const Soup soup = sheet(0.05, 20);
+    for (const double s : {0.01, 0.04, 0.07})
+        for (const double turn : {0.0, 1.1, 2.5, -2.0}) {
+            const Vec3 uphill(std::cos(turn), std::sin(turn), 0);
+            const double rise =
+                0.5 / (0.05 * std::sqrt(2.0)); // values per metre: 0 to 1 from corner to corner
+            const SharedPaint ramped =
+                paintedOn(soup, [&](double x, double y) { return 0.5 + rise * Vec3(x, y, 0).dot(uphill); });
+            const Hand hand = pressedAt(
+                texturedWorld(soup, {paintedLayer(ramped, TextureTarget::Height, s / rise)}), 0.0013, 0.0007);
+            const Vec3 force = hand.output().force;
+            const double angle = std::atan2(force.head<2>().norm(), force.z());
+            QVERIFY2(std::abs(angle - std::atan(s)) < 0.01 * s, qPrintable(QString::number(angle)));
+            QVERIFY((ratio(hand) + s * uphill).norm() < 0.01 * s);
+        }
+}
+
+// Under a mask m the slope is m grad h + h grad m: here h rises along x and m along y.
+void TextureStepTest::paintedMaskFadesABump() {
+    const Soup soup = sheet(0.05, 20);
+    TextureLayer layer = paintedLayer(paintedOn(soup, [](double x, double) { return 0.5 + 10 * x; }),
+                                      TextureTarget::Height, 5e-3);
+    layer.mask =
+        paintedLayer(paintedOn(soup, [](double, double y) { return 0.5 + 10 * y; }), TextureTarget::Height, 0)
+            .pattern;
+    const double x = 0.0113, y = -0.0207;
+    const Hand hand = pressedAt(texturedWorld(soup, {layer}), x, y);
+    const Vec3 at = hand.output().proxy;
+    const Vec3 expected = -5e-3 * 10 * Vec3(0.5 + 10 * at.y(), 0.5 + 10 * at.x(), 0);
+    QVERIFY2((ratio(hand) - expected).norm() < 0.01 * expected.norm(), qPrintable(text(ratio(hand))));
+}
+
 void TextureStepTest::nothingIsLifted() {
     for (TextureSource source : {TextureSource::Noise, TextureSource::Dots, TextureSource::Grooves})
         for (double size : {5e-4, 5e-3})

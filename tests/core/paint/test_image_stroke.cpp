@@ -1,0 +1,229 @@
+// The brush on the texels of an image: the same as on vertices where both can tell, and no gaps at seams.
+#include <QtTest>
+
+#include "core/surface/image_sample.h"
+#include "tests/core/paint/paint_rig.h"
+#include "tests/core/surface/texture_rig.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+/// The sheet with uv = linear (x, y) + shift.
+Soup laidOut(double half, int cells, const Eigen::Matrix2d& linear, const Vector2d& shift) {
+    auto soup = std::make_shared<TriangleSoup>(*sheet(half, cells));
+    for (const auto& triangle : soup->triangles)
+        for (const Index corner : triangle)
+            soup->cornerUvs.push_back((linear * soup->positions[corner].head<2>() + shift).cast<float>());
+    return soup;
+}
+
+Image plain(int width, int height, double value) {
+    return imageOf(width, height, [=](double, double) { return value; });
+}
+
+TexelMap mapOf(const Image& image) {
+    TexelMap map;
+    map.width = image->width(), map.height = image->height();
+    map.perUv = Vector2d(map.width, map.height).asDiagonal();
+    return map;
+}
+
+Image onImage(const Soup& soup, const Image& before, const Brush& brush, const std::vector<Dab>& places,
+              const PaintableSurfaces& surfaces = {}) {
+    ImageStroke stroke(reachOf(soup), surfaces,
+                       std::make_shared<const TexelCover>(*soup, PaintableSurfaces{}, mapOf(before)), before,
+                       brush);
+    for (const Dab& place : places)
+        stroke.moveTo(place);
+    return stroke.image();
+}
+
+double valueAt(const TextureImage& image, const Vector2d& uv) {
+    return sampleImage(image, {uv, {}}, 0).value;
+}
+
+std::vector<std::uint16_t> texels(const TextureImage& image) {
+    const std::uint16_t* first = image.row(image.level(0), 0);
+    return {first, first + image.width() * image.height()};
+}
+
+} // namespace
+
+class TestImageStroke : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Of every texel, by where its centre lies on the sheet; also where coordinates are turned, mirrored and
+    /// skewed.
+    void aDabHasItsClosedForm() {
+        const double half = 0.02, radius = 6e-3, strength = 0.8;
+        Eigen::Matrix2d linear;
+        for (const auto& [a, b, c, d] : {std::array{25.0, 0.0, 0.0, 25.0}, {-20.0, 5.0, 3.0, 20.0}}) {
+            linear << a, b, c, d;
+            const Vector2d shift(0.5, 0.5);
+            const Soup soup = laidOut(half, 9, linear, shift);
+            const Vec3 centre(2e-3, -1e-3, 1e-3);
+            const Image after = onImage(soup, plain(200, 120, 0.1),
+                                        brushOf(BrushMode::Add, radius, strength, 0.6), {{centre}});
+            int inside = 0;
+            for (int y = 0; y < 120; ++y)
+                for (int x = 0; x < 200; ++x) {
+                    const Vector2d uv((x + 0.5) / 200, (y + 0.5) / 120), xy = linear.inverse() * (uv - shift);
+                    if (xy.cwiseAbs().maxCoeff() > half) continue; // beside the sheet
+                    const double apart = (Vec3(xy.x(), xy.y(), 0) - centre).norm();
+                    const double expected = 0.1 + strength * expectedFalloff(apart / radius, 0.6);
+                    QVERIFY2(std::abs(after->texel(after->level(0), x, y) - expected) < 2e-4,
+                             qPrintable(QString("%1 %2: %3 instead of %4")
+                                            .arg(x)
+                                            .arg(y)
+                                            .arg(after->texel(after->level(0), x, y))
+                                            .arg(expected)));
+                    inside += apart < radius;
+                }
+            QVERIFY(inside > 1000);
+        }
+    }
+
+    /// The same stroke on vertices and on texels, each read at the vertices: apart by what the brush changes
+    /// over a texel at most.
+    void vertexAndImageAgree() {
+        const double half = 0.02, radius = 5e-3;
+        const int side = 256;
+        const Soup soup = laidOut(half, 40, 25 * Eigen::Matrix2d::Identity(), {0.5, 0.5});
+        std::vector<Dab> places{{{-0.01, 0.002, 0}}, {{0.007, 0.006, 0}}, {{0.003, -0.011, 0}}};
+        for (const BrushMode mode :
+             {BrushMode::Add, BrushMode::Subtract, BrushMode::Set, BrushMode::Smooth}) {
+            const Brush brush = brushOf(mode, radius, 0.7, 1, 0.9);
+            const auto values =
+                onVertices(soup, brush, places, std::vector<float>(soup->positions.size(), 0.5F));
+            const Image image = onImage(soup, plain(side, side, 0.5), brush, places);
+            // The falloff is nowhere steeper than 1.5 / radius.
+            const double texel = 2 * half / side, most = 0.7 * 1.5 * texel / radius;
+            double apart = 0, changed = 0;
+            for (std::size_t i = 0; i < soup->positions.size(); ++i) {
+                const Vec3& p = soup->positions[i];
+                if (p.cwiseAbs().maxCoeff() > half - texel) continue; // the image repeats there
+                const Vector2d uv = 25 * p.head<2>() + Vector2d(0.5, 0.5);
+                apart = std::max(apart, std::abs(double(values[i]) - valueAt(*image, uv)));
+                changed = std::max(changed, std::abs(double(values[i]) - 0.5));
+            }
+            QVERIFY2(apart < most, qPrintable(QString("%1: %2").arg(int(mode)).arg(apart)));
+            QVERIFY(mode == BrushMode::Smooth || changed > 0.25);
+        }
+    }
+
+    /// A ball of which every triangle is an island of its own, with two texels between: read anywhere on the
+    /// surface with its bilinear filter, the image shows no gap.
+    void seamsLeaveNoGaps() {
+        auto soup = std::make_shared<TriangleSoup>(*ball(0.02, 2));
+        const int across = int(std::ceil(std::sqrt(double(soup->triangles.size())))), cell = 12, edge = 9;
+        const int side = across * cell;
+        for (std::size_t i = 0; i < soup->triangles.size(); ++i) {
+            const Vector2d low(double(int(i) % across * cell), double(int(i) / across * cell));
+            for (const Vector2d& corner :
+                 {Vector2d(1.3, 1.6), Vector2d(1.3 + edge, 1.9), Vector2d(1.7, 1.6 + edge)})
+                soup->cornerUvs.push_back(((low + corner) / side).cast<float>());
+        }
+        const Image after = onImage(soup, plain(side, side, 0), brushOf(BrushMode::Add, 0.2, 1, 0),
+                                    {{{0.02, 0, 0}, Vec3::UnitX()}});
+        Rng rng(8);
+        int read = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const std::size_t triangle = rng() % soup->triangles.size();
+            const Triangle t = triangleOf(*soup, triangle);
+            if ((t.b - t.a).cross(t.c - t.a).x() <= 0) continue; // faces away
+            Vec3 w(uniform(rng, 0, 1), uniform(rng, 0, 1), uniform(rng, 0, 1));
+            w[int(rng() % 3)] = 0; // on a seam, where it is hardest
+            w /= w.sum();
+            Vector2d uv = Vector2d::Zero();
+            for (std::size_t k = 0; k < 3; ++k)
+                uv += w[int(k)] * soup->cornerUvs[3 * triangle + k].cast<double>();
+            QVERIFY2(valueAt(*after, uv) > 1 - 1e-4, qPrintable(QString::number(valueAt(*after, uv))));
+            ++read;
+        }
+        QVERIFY(read > 5000);
+    }
+
+    /// Neither by its own surface nor by the margin of its neighbour.
+    void lockedSurfacesStay() {
+        auto soup =
+            std::make_shared<TriangleSoup>(*laidOut(0.02, 20, 25 * Eigen::Matrix2d::Identity(), {0.5, 0.5}));
+        for (std::size_t i = 0; i < soup->triangles.size(); ++i)
+            soup->surfaceOf[i] = soup->positions[soup->triangles[i][0]].x() >= 0 ? 1 : 0;
+        const Image before = plain(128, 128, 0.25);
+        const Image after =
+            onImage(soup, before, brushOf(BrushMode::Add, 9e-3, 1, 0), {{Vec3::Zero()}}, {{true, false}});
+        int painted = 0;
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 128; ++x) {
+                const bool changed =
+                    after->texel(after->level(0), x, y) != before->texel(before->level(0), x, y);
+                QVERIFY(!changed || x < 64);
+                painted += changed;
+            }
+        QVERIFY(painted > 1000);
+    }
+
+    /// Where the layer moves, turns and scales its image the texels are those that the layer shows.
+    void theMapIsThatOfTheLayer() {
+        Rng rng(9);
+        const Soup soup = laidOut(0.02, 4, 25 * Eigen::Matrix2d::Identity(), {0.5, 0.5});
+        const Image image = imageOf(64, 40, [&](double, double) { return uniform(rng, 0, 1); });
+        for (const TextureMapping mapping : {TextureMapping::Uv, TextureMapping::UvUnit}) {
+            TextureLayer layer = imageLayer(image, mapping, 0.013, 1e-3);
+            layer.pattern.offsetU = 1e-3, layer.pattern.offsetV = -2e-3, layer.pattern.rotation = 0.4;
+            const auto stack = stackOf({layer}, soup);
+            const TexelMap map = texelMapOf(stack->layers[0].pattern);
+            for (int i = 0; i < 50; ++i) {
+                TexturePoint point;
+                point.uv = {uniform(rng, 0, 1), uniform(rng, 0, 1)};
+                const Vector2d texel = map.perUv * point.uv + map.shift;
+                const double there = valueAt(*image, texel.cwiseQuotient(Vector2d(64, 40)));
+                QVERIFY(std::abs(feel(*stack, point, 0).height - 1e-3 * there) < 1e-9);
+            }
+        }
+    }
+
+    void theSameStrokeGivesTheSameBits() {
+        const Soup soup =
+            laidOut(0.02, 15, 60 * Eigen::Matrix2d::Identity(), {0.3, 0.1}); // over the edges too
+        Rng rng(10);
+        const Image before = imageOf(90, 70, [&](double, double) { return uniform(rng, 0, 1); });
+        const std::vector<Dab> places{{{-0.01, 0.002, 0}}, {{0.007, 0.006, 0}}};
+        for (int mode = 0; mode < 4; ++mode) {
+            const Brush brush = brushOf(BrushMode(mode), 4e-3, 0.7, 0.5, 0.9);
+            const Image one = onImage(soup, before, brush, places),
+                        two = onImage(soup, before, brush, places);
+            QVERIFY(texels(*one) == texels(*two));
+            QVERIFY(texels(*one) != texels(*before));
+            const TextureImage whole(90, 70, texels(*one)); // its levels as well
+            const auto& top = whole.level(3);
+            for (int y = 0; y < top.height; ++y)
+                QVERIFY(
+                    std::equal(whole.row(top, y), whole.row(top, y) + top.width, one->row(one->level(3), y)));
+        }
+        ImageStroke none(reachOf(soup), {},
+                         std::make_shared<const TexelCover>(*soup, PaintableSurfaces{}, mapOf(before)),
+                         before, Brush{});
+        none.paint({{9, 9, 9}});
+        QVERIFY(none.image() == before);
+    }
+
+    /// Coordinates that are damaged, or repeat the image ten thousand times, cost no more than others.
+    void oddCoordinatesAreSurvived() {
+        const Image before = plain(32, 32, 0);
+        for (const double scale : {0.0, 1e-9, 1e7, 1e30}) {
+            const Soup soup = laidOut(0.02, 3, scale * Eigen::Matrix2d::Identity(), {0, 0});
+            const Image after = onImage(soup, before, brushOf(BrushMode::Add, 5e-3, 1, 1), {{Vec3::Zero()}});
+            for (const std::uint16_t texel : texels(*after))
+                QVERIFY(texel <= 65535);
+        }
+        const Soup bare = sheet(0.02, 3);
+        QVERIFY(onImage(bare, before, Brush{}, {{Vec3::Zero()}}) == before);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestImageStroke)
+#include "test_image_stroke.moc"
