@@ -250,7 +250,8 @@ void Player::stepServo() {
         differs("servo tick", number, row.time, what);
     note(servo_, output, servoState_);
     count(row);
-    trace_.push_back({row.time, servo_.finger, sim_.proxy.position, output.force});
+    trace_.push_back(tracePoint(
+        {.t = row.time, .finger = servo_.finger, .force = output.force, .energy = servo_.energy}, sim_.model));
 }
 
 void Player::differs(const char* loop, std::uint64_t number, double time, const std::string& what) {
