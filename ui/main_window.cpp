@@ -59,6 +59,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectSaving();
     connectEdit();
     connectView();
+    connectFelt();
     connectDevice();
     connectHealth();
     connectDocument();
@@ -158,7 +159,7 @@ void MainWindow::frame() {
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
-    docks_.plot->take(engine_);
+    drawTrace();
     status_->display(engine_);
 }
 

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "ui/view/felt_view.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/model_layer.h"
 #include "ui/view/scene_picker.h"
@@ -50,6 +51,7 @@ struct SceneView::Impl {
     ViewStage stage;
     ModelLayer model;
     TouchOverlay overlay;
+    FeltView felt;
     ScenePicker picker;
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
@@ -67,7 +69,7 @@ struct SceneView::Impl {
     QPointF pressedAt, cursorAt;
     bool moved = false;
     QTimer glideTimer, meshTimer;
-    QElapsedTimer glideClock;
+    QElapsedTimer glideClock, fadeClock;
 };
 
 } // namespace tactum
