@@ -71,6 +71,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connectSelecting();
+    connectFelt();
     connectDevice();
     connectHealth();
     connectDocument();
@@ -177,7 +178,7 @@ void MainWindow::frame() {
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
-    docks_.plot->take(engine_);
+    drawTrace();
     status_->display(engine_);
 }
 

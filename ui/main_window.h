@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <QMainWindow>
 #include <QTimer>
@@ -120,6 +121,11 @@ private:
     void endPlayback();
     void setLive(bool live);
     void playFrame();
+    // Of what is felt, seen and heard: main_window_felt.cpp.
+    void connectFelt();
+    void showFelt();
+    void drawTrace();
+    void exportPlot();
     // Of guard and health: main_window_health.cpp.
     void connectHealth();
     void watchHealth();
@@ -160,6 +166,7 @@ private:
     std::function<void()> afterSave_; ///< what the person wanted to do next
     bool leaving_ = false;            ///< the person has agreed to close the window
     bool riskAccepted_ = false;       ///< of stiffness above the ceiling, until the program ends
+    std::vector<TracePoint> trace_;   ///< of this frame
     QTimer frames_;
 };
 

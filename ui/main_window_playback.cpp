@@ -45,8 +45,8 @@ QString suggestedFile() {
         QDateTime::currentDateTime().toString(QStringLiteral("'touch' yyyy-MM-dd HH-mm")) + ending());
 }
 
-/// In slices as long as a frame: the plot takes the contacts of one haptic step for each of them.
-void plot(ForcePlot& plot, Player& player) {
+/// In slices as long as a frame: plot and trail take the contacts of one haptic step for each of them.
+void plot(ForcePlot& plot, SceneView& view, Player& player) {
     const std::vector<TracePoint> ticks = player.takeTrace();
     const std::vector<ReplayedStep> steps = player.takeSteps();
     std::vector<TracePoint> slice;
@@ -56,8 +56,9 @@ void plot(ForcePlot& plot, Player& player) {
         if (i + 1 < ticks.size() && ticks[i].t - slice.front().t < kSlice) continue;
         while (passed < steps.size() && steps[passed].row->time <= ticks[i].t)
             ++passed;
-        plot.take(slice, passed > 0 ? steps[passed - 1].output : player.proxy().output,
-                  player.run().device.maxForce);
+        const HapticOutput& touch = passed > 0 ? steps[passed - 1].output : player.proxy().output;
+        plot.take(slice, touch, player.run().device.maxForce, player.proxy().rate);
+        view.addTrail(slice, touch);
         slice.clear();
     }
 }
@@ -137,6 +138,8 @@ void MainWindow::endPlayback() {
     setLive(true);
     showHealthOf(false);
     docks_.plot->clear();
+    view_->clearTrail();
+    view_->setWorld(publisher_.world());
     const QString name = QFileInfo(QString::fromStdU16String(document_.path().u16string())).fileName();
     setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));
     view_->setScene(document_.scene());
@@ -155,8 +158,12 @@ void MainWindow::playFrame() {
         view_->setScene(*world->scene);
     }
     if (view_->isVisible()) view_->setHaptics(player.proxy(), player.servo(), device.maxForce, true);
-    if (playback_->takeJump()) docks_.plot->clear();
-    plot(*docks_.plot, player);
+    view_->setWorld(player.sharedWorld());
+    if (playback_->takeJump()) {
+        docks_.plot->clear();
+        view_->clearTrail();
+    }
+    plot(*docks_.plot, *view_, player);
     for (TracePoint live; engine_.popTrace(live);)
         continue;
     status_->display(player.proxy(), player.servo(), device);

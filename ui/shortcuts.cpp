@@ -19,6 +19,7 @@ constexpr Command kCommands[] = {
      "One zip for other programs: glTF, X3D for H3D, images, a finger path with its forces, a report", false,
      true},
     {"save-picture", "File", "Save &picture...", "", "picture", "Write the view as a PNG file", false, true},
+    {"export-plot", "File", "Export the p&lot...", "", "", "Write the plot as CSV, PNG or SVG"},
     {"save-recording", "File", "Save &recording of the last minute...", "Ctrl+Shift+R", "record",
      "Everything that was touched and felt in the last minute, to be played again bit for bit", false, true},
     {"quit", "File", "&Quit", "Ctrl+Q", "", "Forces off, and out", false, true},
@@ -69,6 +70,40 @@ constexpr Command kCommands[] = {
      "Look from the corner between them"},
     {"overlay", "View", "Finger and f&orces", "Ctrl+T", "overlay", "Show finger, proxy, force and contacts",
      true, true},
+    {"contact-normals", "View/&At the contact", "&Normals", "", "", "Where each contact pushes to", true},
+    {"contact-planes", "View/&At the contact", "&Planes", "", "",
+     "The constraint planes of the proxy as discs, their rims yellow while they stick, violet while they "
+     "slip",
+     true},
+    {"friction-cone", "View/&At the contact", "Friction &cone", "", "cone",
+     "The forces that friction holds: the force's arrow lies inside until the contact slips", true},
+    {"trail", "View/&At the contact", "&Trail of the proxy", "", "trail",
+     "Where the proxy was in the last seconds: beads where it stuck, a line where it slipped", true},
+    {"map-stiffness", "View/&Colour map", "&Stiffness", "", "", "Colours the surfaces by their stiffness",
+     true},
+    {"map-damping", "View/&Colour map", "&Damping", "", "", "Colours the surfaces by their damping", true},
+    {"map-static-friction", "View/&Colour map", "S&tatic friction", "", "",
+     "Colours the surfaces by their static friction, as their layers make it", true},
+    {"map-dynamic-friction", "View/&Colour map", "D&ynamic friction", "", "",
+     "Colours the surfaces by their dynamic friction, as their layers make it", true},
+    {"map-viscosity", "View/&Colour map", "&Viscosity", "", "", "Colours the surfaces by their viscosity",
+     true},
+    {"map-height", "View/&Colour map", "&Height of texture", "", "",
+     "Colours the surfaces by the sum of their height layers", true},
+    {"bumps-1", "View/&Bumps", "As high as they are &felt", "", "", "Draws the height layers as they are",
+     true},
+    {"bumps-10", "View/&Bumps", "&Ten times as high", "", "", "Draws the height layers ten times as high",
+     true},
+    {"bumps-100", "View/&Bumps", "A &hundred times as high", "", "",
+     "Draws the height layers a hundred times as high", true},
+    {"felt-normals", "View", "Felt &normals", "N", "normals",
+     "Needles along the normals that are felt; the view says where they are not those that are drawn", true},
+    {"spheres", "View/&Sphere tree", "&Show", "Ctrl+B", "spheres",
+     "The bounding spheres of one level of the collision hierarchy", true},
+    {"spheres-finer", "View/&Sphere tree", "One level &finer", "+; =", "",
+     "The children of the spheres shown"},
+    {"spheres-coarser", "View/&Sphere tree", "One level &coarser", "-", "",
+     "The parents of the spheres shown"},
     {"panels", "View", "&Hide all panels", "F9", "",
      "The view alone; Tab does the same while the view has the focus", true},
     {"next-panel", "View", "&Next panel", "F6", "", "Give the keys to the next panel", false, true},
@@ -139,6 +174,16 @@ QString tooltipOf(const Command& command) {
                : QStringLiteral("%1 (%2)").arg(sentence, keys.front().toString(QKeySequence::NativeText));
 }
 
+/// The menu of that name; made at the end of its parent when it is not there yet.
+QMenu* menuOf(QMenuBar& bar, const QString& name, QString& used) {
+    if (auto* known = bar.findChild<QMenu*>(name)) return known;
+    const QString parent = name.section(u'/', 0, -2), title = QObject::tr(qPrintable(name.section(u'/', -1)));
+    QMenu* menu =
+        parent.isEmpty() ? bar.addMenu(withKey(title, used)) : menuOf(bar, parent, used)->addMenu(title);
+    menu->setObjectName(name);
+    return menu;
+}
+
 } // namespace
 
 std::span<const Command> commands() {
@@ -165,13 +210,9 @@ QAction& Actions::operator[](const char* id) const {
 }
 
 void Actions::fill(QMenuBar& bar) const {
-    QMenu* menu = nullptr;
     QString used;
     for (const Command& command : kCommands) {
-        if (!menu || menu->objectName() != QLatin1String(command.menu)) {
-            menu = bar.addMenu(withKey(tr(command.menu), used));
-            menu->setObjectName(QString::fromLatin1(command.menu));
-        }
+        QMenu* menu = menuOf(bar, QString::fromLatin1(command.menu), used);
         if (command.separatorBefore) menu->addSeparator();
         menu->addAction(actions_.at(command.id));
     }

@@ -15,7 +15,7 @@ namespace tactum {
 /// One command. Rows stand in the order of their menu.
 struct Command {
     const char* id;
-    const char* menu;     ///< title of its menu
+    const char* menu;     ///< title of its menu; "View/Bumps" is a menu inside another
     const char* text;     ///< in the menu
     const char* keys;     ///< portable key sequences separated by "; "; may be empty
     const char* icon;     ///< name in resources/icons, may be empty

@@ -44,6 +44,7 @@ void WorldPublisher::compileMaterials() {
 void WorldPublisher::publish(std::shared_ptr<const World> world) {
     world_ = world;
     engine_.publish(std::move(world));
+    emit published();
 }
 
 } // namespace tactum

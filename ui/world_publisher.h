@@ -25,6 +25,8 @@ public:
 
 signals:
     void progressed(double fraction, double secondsLeft);
+    /// The engine has a World that differs from the one before.
+    void published();
     /// The engine has a World with other shapes than before.
     void shapesPublished();
 

@@ -128,6 +128,12 @@ const World* Player::world() const {
     return worldOf(rows[nextProxy_ == 0 ? 0 : nextProxy_ - 1].world);
 }
 
+std::shared_ptr<const World> Player::sharedWorld() const {
+    const World* now = world();
+    const auto found = now ? worlds_.find(now->revision) : worlds_.end();
+    return found == worlds_.end() ? nullptr : found->second;
+}
+
 // The last state of the servo before the time, and the last of the proxy before the model that it rendered.
 // Without rows of the servo, the last of the proxy.
 Player::Beginning Player::beginningBefore(double time) const {
@@ -250,7 +256,9 @@ void Player::stepServo() {
         differs("servo tick", number, row.time, what);
     note(servo_, output, servoState_);
     count(row);
-    trace_.push_back({row.time, servo_.finger, sim_.proxy.position, output.force});
+    trace_.push_back(
+        tracePoint({.t = row.time, .finger = servo_.finger, .force = output.force, .energy = servo_.energy},
+                   sim_.model));
 }
 
 void Player::differs(const char* loop, std::uint64_t number, double time, const std::string& what) {

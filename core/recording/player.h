@@ -47,6 +47,8 @@ public:
     // What the last steps gave.
     /// The World of the last haptic step; of the next one before the first. nullptr when there is none.
     const World* world() const;
+    /// The same, to keep.
+    std::shared_ptr<const World> sharedWorld() const;
     const ProxyTelemetry& proxy() const { return proxy_; }
     /// With the misses since the recording began; whose they were it does not know.
     const ServoTelemetry& servo() const { return servo_; }

@@ -18,6 +18,7 @@
 #include "core/runtime/haptic_step.h"
 #include "core/runtime/recorder.h"
 #include "core/runtime/servo_telemetry.h"
+#include "core/runtime/trace_point.h"
 #include "core/runtime/world.h"
 
 namespace tactum {
@@ -43,14 +44,6 @@ struct ProxyTelemetry {
 struct NumberedModel {
     LocalContactModel model;
     std::uint64_t steps = 0;
-};
-
-/// One servo tick, for plots.
-struct TracePoint {
-    double t = 0; ///< s since the start
-    Vec3 finger = Vec3::Zero();
-    Vec3 proxy = Vec3::Zero();
-    Vec3 force = Vec3::Zero();
 };
 
 /// Small orders to the proxy loop.

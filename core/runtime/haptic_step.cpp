@@ -74,6 +74,8 @@ HapticOutput reportOf(const World& world, const SimState& state) {
         report.surface = world.obstacles[contact.body].mesh->soup->surfaceOf[contact.triangle];
         report.slipping = contact.slipping;
         report.frictionless = !hasFriction(contact.material);
+        report.staticFriction = contact.material.staticFriction;
+        report.dynamicFriction = contact.material.dynamicFriction;
     }
     return output;
 }

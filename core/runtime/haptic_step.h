@@ -33,6 +33,8 @@ struct ContactReport {
     std::uint32_t surface = 0;  ///< index into the object's surfaces
     bool slipping = false;
     bool frictionless = false; ///< it neither sticks nor slips: the surface there has no friction at all
+    // Coefficients there, as texture layers have made them; ratios.
+    double staticFriction = 0, dynamicFriction = 0;
 };
 
 struct HapticOutput {

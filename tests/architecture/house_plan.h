@@ -121,6 +121,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/runtime/contact_ease",
     "core/runtime/servo_step",
     "core/runtime/servo_telemetry",
+    "core/runtime/trace_point",
     "core/runtime/period_histogram",
     "core/runtime/fidelity",
     "core/runtime/haptic_step",

@@ -1,13 +1,18 @@
 #include "ui/panels/force_plot.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include <QBuffer>
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QFileInfo>
+#include <QLabel>
 #include <QPainter>
+#include <QSettings>
+#include <QSvgGenerator>
 #include <QToolButton>
+#include <QVBoxLayout>
 
+#include "core/base/atomic_file.h"
 #include "ui/numbers.h"
 #include "ui/style.h"
 
@@ -15,218 +20,248 @@ namespace tactum {
 
 namespace {
 
-constexpr double kSpan = 6;          // s, width of the chart
-constexpr double kSampleTime = 0.01; // s, ticks of this long are one sample
-constexpr double kSlipSpeed = 2e-3;  // m/s; a proxy that sticks to a model at rest does not move at all
+constexpr double kLeastSpan = 0.2; // s
+constexpr int kStripHeight = 160, kPictureWidth = 960;
+constexpr double kPictureScale = 2; // device pixels to a logical one, of a PNG
 
-/// The force along the surfaces: what is left of it without the share of the normals that push.
-double tangentialForce(const HapticOutput& out) {
-    Vec3 rest = out.force;
-    for (int i = 0; i < std::min(out.contacts, kMaxModelPlanes); ++i) {
-        const Vec3& normal = out.contact[std::size_t(i)].normal;
-        rest -= std::max(0.0, rest.dot(normal)) * normal;
-    }
-    return out.contacts > 0 ? rest.norm() : 0;
+std::vector<StripKind> kinds() {
+    using Style = StripLine::Style;
+    using S = TouchSample;
+    const auto tr = [](const char* text) { return QObject::tr(text); };
+    return {
+        {"force",
+         tr("Force"),
+         "N",
+         1,
+         2,
+         {{tr("all"), &S::magnitude, &Theme::proxy, Style::Filled},
+          {tr("normal"), &S::normal, &Theme::contact, Style::Plain, true},
+          {tr("along the surface"), &S::tangential, &Theme::stick, Style::Friction, true}},
+         0.5,
+         true},
+        {"ratio",
+         tr("Friction ratio"),
+         "",
+         1,
+         3,
+         {{tr("static"), &S::staticFriction, &Theme::stick, Style::Limit, true},
+          {tr("dynamic"), &S::dynamicFriction, &Theme::slip, Style::Limit, true},
+          {tr("tangential by normal"), &S::ratio, &Theme::stick, Style::Friction, true}},
+         0.1},
+        {"lag",
+         tr("Proxy lag"),
+         "mm",
+         1e3,
+         3,
+         {{tr("finger to proxy"), &S::lag, &Theme::finger, Style::Filled}},
+         0.5},
+        {"energy",
+         tr("Energy"),
+         "mJ",
+         1e3,
+         3,
+         {{tr("made by the surface, 0 or less is passive"), &S::energy, &Theme::accent, Style::Filled}},
+         0.1},
+        {"rate",
+         tr("Rates"),
+         "Hz",
+         1,
+         0,
+         {{tr("servo"), &S::servoRate, &Theme::finger}, {tr("proxy"), &S::proxyRate, &Theme::proxy}},
+         1000},
+    };
 }
 
-/// Ends of the axis, in N; a grid line at each `step`.
-struct Axis {
-    double top, step;
-};
-constexpr Axis kAxes[] = {{1, 0.25}, {2, 0.5}, {3, 1}, {5, 1}, {8, 2}, {12, 4}, {20, 5}, {40, 10}};
-
-Axis axisFor(double newton) {
-    for (const Axis& axis : kAxes)
-        if (newton <= axis.top) return axis;
-    return {newton, newton / 4};
+QString keyOf(const StripChart& chart) {
+    return QStringLiteral("plot/") + QString::fromLatin1(chart.kind().id);
 }
 
 } // namespace
 
-ForcePlot::ForcePlot(QWidget* parent) : QWidget(parent), pause_(new QToolButton) {
+ForcePlot::ForcePlot(QWidget* parent)
+    : QWidget(parent), caption_(new QLabel), export_(new QToolButton), pause_(new QToolButton) {
     setObjectName(QStringLiteral("force-plot"));
     setAccessibleName(tr("Force over time"));
-    addPauseButton();
+    for (StripKind& kind : kinds())
+        charts_.push_back(new StripChart(std::move(kind), history_));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(makeBar());
+    for (StripChart* chart : charts_) {
+        column->addWidget(chart, 1);
+        connect(chart, &StripChart::zoomed, this, [this](double factor) { setSpan(factor * time_.span); });
+        connect(chart, &StripChart::pointed, this, [this](std::optional<double> t) {
+            time_.cursor = t;
+            refresh();
+        });
+    }
+    time_.span = std::clamp(QSettings().value(QStringLiteral("plot/span"), time_.span).toDouble(), kLeastSpan,
+                            TouchHistory::kSpan);
+    refreshIcons();
+    refresh();
 }
 
-void ForcePlot::addPauseButton() {
+QLayout* ForcePlot::makeBar() {
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, 0);
+    bar->setSpacing(kRhythm / 2);
+    for (StripChart* chart : charts_)
+        bar->addWidget(addSwitch(*chart));
+    bar->addStretch(1);
+    caption_->setObjectName(QStringLiteral("plot-caption"));
+    caption_->setProperty("dimmed", true);
+    caption_->setFont(figureFont(-1));
+    bar->addWidget(caption_);
+    export_->setObjectName(QStringLiteral("plot-export"));
+    export_->setToolTip(tr("Write what is seen as CSV, PNG or SVG"));
+    export_->setAccessibleName(tr("Export the plot"));
+    connect(export_, &QToolButton::clicked, this, &ForcePlot::exportRequested);
     pause_->setObjectName(QStringLiteral("plot-pause"));
     pause_->setCheckable(true);
     pause_->setToolTip(tr("Hold the chart still"));
     pause_->setAccessibleName(tr("Pause the force plot"));
-    pause_->setIconSize({16, 16});
     connect(pause_, &QToolButton::toggled, this, &ForcePlot::setPaused);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, kRhythm, 0);
-    row->addWidget(pause_, 0, Qt::AlignTop | Qt::AlignRight);
-    refreshIcon();
+    for (QToolButton* button : {export_, pause_}) {
+        button->setIconSize({16, 16});
+        bar->addWidget(button);
+    }
+    return bar;
 }
 
-void ForcePlot::refreshIcon() {
+QToolButton* ForcePlot::addSwitch(StripChart& chart) {
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("plot-") + QString::fromLatin1(chart.kind().id));
+    button->setText(chart.kind().title);
+    button->setAccessibleName(tr("Show the plot: %1").arg(chart.kind().title));
+    button->setToolTip(tr("Shows or hides this strip; the wheel over it changes the span of time"));
+    button->setCheckable(true);
+    const bool first = charts_.front() == &chart;
+    button->setChecked(QSettings().value(keyOf(chart), first).toBool());
+    chart.setVisible(button->isChecked());
+    connect(button, &QToolButton::toggled, this, [this, &chart](bool on) {
+        QSettings().setValue(keyOf(chart), on);
+        chart.setVisible(on);
+        refresh();
+    });
+    switches_.push_back(button);
+    return button;
+}
+
+void ForcePlot::refreshIcons() {
     pause_->setIcon(icon(paused_ ? QStringLiteral("play") : QStringLiteral("pause"), theme().text));
+    export_->setIcon(icon(QStringLiteral("export"), theme().text));
 }
 
 void ForcePlot::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) refreshIcon();
+    if (event->type() == QEvent::PaletteChange) refreshIcons();
     QWidget::changeEvent(event);
 }
 
-void ForcePlot::take(Engine& engine) {
-    fresh_.clear();
-    TracePoint point;
-    while (engine.popTrace(point))
-        if (!paused_) fresh_.push_back(point);
-    take(fresh_, engine.proxy().output, engine.device().maxForce);
+void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit,
+                     double proxyRate) {
+    limit_ = std::max(limit, 0.1);
+    if (paused_) return;
+    // The mouse rests on the glass, not on the curve.
+    const double before = history_.end();
+    history_.add(points, {&touch, proxyRate});
+    if (time_.cursor) *time_.cursor += history_.end() - before;
+    refresh();
 }
 
 void ForcePlot::clear() {
-    samples_.clear();
-    ticks_ = 0;
-    tangential_ = 0;
-    update();
-}
-
-void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit) {
-    limit_ = std::max(limit, 0.1);
-    if (paused_) return;
-    // Ticks carry no normals, and an old normal makes a wrong tangential force where the surface is bent:
-    // between the reports of two frames it is interpolated.
-    const double before = tangential_;
-    tangential_ = tangentialForce(touch);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        add(points[i], std::lerp(before, tangential_, double(i + 1) / double(points.size())),
-            touch.contacts > 0);
-    fitAxis();
-    update();
+    history_.clear();
+    refresh();
 }
 
 void ForcePlot::setPaused(bool paused) {
     paused_ = paused;
     pause_->setChecked(paused);
-    refreshIcon();
-    update();
+    refreshIcons();
+    refresh();
 }
 
-void ForcePlot::add(const TracePoint& point, double tangential, bool touching) {
-    if (ticks_++ == 0) building_ = {.t = point.t, .proxy = point.proxy};
-    building_.force = std::max(building_.force, point.force.norm());
-    building_.tangential = std::max(building_.tangential, tangential);
-    building_.touching = touching;
-    const double duration = point.t - building_.t;
-    if (duration < kSampleTime) return;
-    // From where the proxy was at each tick: a slip is often over before the next frame could see it.
-    building_.slipping = building_.touching && (point.proxy - building_.proxy).norm() > kSlipSpeed * duration;
-    samples_.push_back(building_);
-    ticks_ = 0;
-    while (samples_.back().t - samples_.front().t > kSpan)
-        samples_.pop_front();
+void ForcePlot::setSpan(double seconds) {
+    time_.span = std::clamp(seconds, kLeastSpan, TouchHistory::kSpan);
+    QSettings().setValue(QStringLiteral("plot/span"), time_.span);
+    refresh();
 }
 
-void ForcePlot::fitAxis() {
-    double peak = 0;
-    for (const Sample& s : samples_)
-        peak = std::max(peak, s.force);
-    // Near the limit the axis reaches beyond it, so that the distance to it can be seen.
-    top_ = peak > 0.6 * limit_ ? 1.1 * limit_ : std::min(axisFor(1.1 * peak).top, 1.1 * limit_);
+bool ForcePlot::isShown(const QString& id) const {
+    return std::ranges::any_of(shown(), [&](StripChart* c) { return id == QLatin1String(c->kind().id); });
 }
 
-QRectF ForcePlot::area() const {
-    return QRectF(rect()).adjusted(44, 28, -5 * kRhythm, -12);
+void ForcePlot::setShown(const QString& id, bool on) {
+    for (std::size_t i = 0; i < charts_.size(); ++i)
+        if (id == QLatin1String(charts_[i]->kind().id)) switches_[i]->setChecked(on);
 }
 
-QPointF ForcePlot::at(double t, double newton) const {
-    const QRectF a = area();
-    const double end = samples_.empty() ? 0 : samples_.back().t;
-    return {a.right() - (end - t) / kSpan * a.width(), a.bottom() - newton / top_ * a.height()};
+std::vector<StripChart*> ForcePlot::shown() const {
+    std::vector<StripChart*> list;
+    for (std::size_t i = 0; i < charts_.size(); ++i)
+        if (switches_[i]->isChecked()) list.push_back(charts_[i]);
+    return list;
 }
 
-void ForcePlot::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme().panel);
-    paintGrid(painter);
-    paintLimit(painter);
-    paintForce(painter);
-    paintTangential(painter);
-    paintLegend(painter);
+void ForcePlot::refresh() {
+    const std::vector<StripChart*> seen = shown();
+    for (StripChart* chart : seen) {
+        StripTime time = time_;
+        time.axis = chart == seen.back();
+        chart->show(time, limit_);
+    }
+    const int decimals = time_.span < 3 ? 1 : 0;
+    QString text =
+        seen.empty() ? tr("choose what to plot") : tr("last %1 s").arg(numberText(time_.span, decimals));
+    if (time_.cursor)
+        text = tr("at \u2212%1 s").arg(numberText(std::max(0.0, history_.end() - *time_.cursor), 3));
+    if (paused_) text = tr("paused") + QStringLiteral("  ") + text;
+    caption_->setText(text);
 }
 
-void ForcePlot::paintGrid(QPainter& painter) const {
-    const QRectF a = area();
+void ForcePlot::paintShown(QPainter& painter, const QSize& size) const {
+    const std::vector<StripChart*> seen = shown();
     painter.setFont(figureFont(-1));
-    const double step = axisFor(top_).step;
-    const bool limitShown = limit_ <= top_;
-    for (double newton = 0; newton <= top_ && (!limitShown || newton < limit_ - 0.5 * step); newton += step) {
-        const double y = at(0, newton).y();
-        painter.setPen(QPen(theme().plotGrid, 1));
-        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-        painter.setPen(theme().textDimmed);
-        const QString label = numberText(newton, step < 0.5 ? 2
-                                                 : step < 1 ? 1
-                                                            : 0) +
-                              (newton == 0 ? tr(" N") : QString());
-        painter.drawText(QRectF(0, y - 8, a.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, label);
+    const double each = double(size.height()) / double(std::max<std::size_t>(seen.size(), 1));
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        StripTime time = time_;
+        time.cursor.reset();
+        time.axis = i + 1 == seen.size();
+        paintStrip(painter, QRectF(0, double(i) * each, size.width(), each), seen[i]->kind(), history_, time,
+                   limit_);
     }
 }
 
-void ForcePlot::paintLimit(QPainter& painter) const {
-    if (limit_ > top_) return; // the legend says where it is
-    const QRectF a = area();
-    const double y = at(0, limit_).y();
-    painter.setPen(QPen(theme().fault, 1.25, Qt::DashLine));
-    painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-    painter.setPen(theme().fault);
-    painter.drawText(QRectF(0, y - 8, a.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
-                     numberText(limit_, 1));
-}
-
-void ForcePlot::paintForce(QPainter& painter) const {
-    QPolygonF line;
-    for (const Sample& s : samples_)
-        line << at(s.t, s.force);
-    if (line.size() < 2) return;
-    QPolygonF filled = line;
-    filled << QPointF(line.back().x(), area().bottom()) << QPointF(line.front().x(), area().bottom());
-    QColor shade = theme().proxy;
-    shade.setAlphaF(0.12f);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(shade);
-    painter.drawPolygon(filled);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme().proxy, 1.75));
-    painter.drawPolyline(line);
-}
-
-void ForcePlot::paintTangential(QPainter& painter) const {
-    for (std::size_t i = 1; i < samples_.size(); ++i) {
-        const Sample &from = samples_[i - 1], &to = samples_[i];
-        if (!from.touching && !to.touching) continue;
-        // Slipping is thicker as well: colour is never the only sign.
-        painter.setPen(to.slipping ? QPen(theme().slip, 2.5, Qt::SolidLine) : QPen(theme().stick, 1.5));
-        painter.drawLine(at(from.t, from.tangential), at(to.t, to.tangential));
+Result<void> ForcePlot::exportTo(const QString& file) const {
+    const std::filesystem::path path = file.toStdU16String();
+    const QString ending = QFileInfo(file).suffix().toLower();
+    if (ending == QLatin1String("csv"))
+        return writeFileAtomically(path, csvOf(history_, history_.end() - time_.span), 0);
+    const QSize size(kPictureWidth, kStripHeight * std::max(1, int(shown().size())));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (ending == QLatin1String("svg")) {
+        QSvgGenerator svg;
+        svg.setOutputDevice(&buffer);
+        svg.setSize(size);
+        svg.setViewBox(QRect({0, 0}, size));
+        svg.setTitle(tr("Touch over time"));
+        QPainter painter(&svg);
+        paintShown(painter, size);
+    } else if (ending == QLatin1String("png")) {
+        QImage image(size * kPictureScale, QImage::Format_RGB32);
+        image.setDevicePixelRatio(kPictureScale);
+        image.fill(theme().panel);
+        QPainter painter(&image);
+        paintShown(painter, size);
+        painter.end();
+        image.save(&buffer, "PNG");
+    } else {
+        return inputError(file.toStdString() +
+                          ": a plot is written as .csv, .png or .svg; choose one of them");
     }
-}
-
-void ForcePlot::paintLegend(QPainter& painter) const {
-    const std::pair<QString, QColor> entries[] = {
-        {tr("force"), theme().proxy},
-        {tr("along the surface: sticking"), theme().stick},
-        {tr("slipping"), theme().slip},
-        {limit_ > top_ ? tr("device limit %1 N, above \u2191").arg(numberText(limit_, 1))
-                       : tr("device limit"),
-         theme().fault},
-    };
-    double x = area().left();
-    for (const auto& [word, colour] : entries) {
-        painter.setPen(QPen(colour, 2.5));
-        painter.drawLine(QPointF(x, 12), QPointF(x + 14, 12));
-        painter.setPen(theme().textDimmed);
-        painter.drawText(QPointF(x + 20, 16), word);
-        x += 20 + painter.fontMetrics().horizontalAdvance(word) + 2 * kRhythm;
-    }
-    painter.setPen(paused_ ? theme().accent : theme().textDimmed);
-    painter.drawText(QRectF(0, 4, area().right(), 16), Qt::AlignRight | Qt::AlignVCenter,
-                     paused_ ? tr("paused") : tr("last %1 s").arg(kSpan, 0, 'f', 0));
+    return writeFileAtomically(path, {bytes.constData(), std::size_t(bytes.size())}, 0);
 }
 
 } // namespace tactum

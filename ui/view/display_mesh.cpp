@@ -1,7 +1,6 @@
 #include "ui/view/display_mesh.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/geometry/topology.h"
 
@@ -12,7 +11,6 @@ namespace {
 using Normal = Eigen::Vector3f;
 using Corners = std::array<int, 3>;
 
-constexpr double kCreaseAngle = 50 * std::numbers::pi / 180;
 /// Normals closer than about a degree share a vertex.
 constexpr float kSameNormal = 0.9998f;
 
@@ -92,7 +90,7 @@ DisplayMesh flatMesh(const TriangleSoup& soup) {
 
 DisplayMesh smoothMesh(const TriangleSoup& soup, const Progress& progress) {
     if (!soup.cornerNormals.empty()) return splitMesh(soup, soup.cornerNormals);
-    const auto normals = cornerNormalsOf(soup, kCreaseAngle, progress);
+    const auto normals = cornerNormalsOf(soup, kDrawnCrease, progress);
     return normals ? splitMesh(soup, *normals) : flatMesh(soup);
 }
 

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
+
+/// Edges that bend by less are drawn smooth. Unit: rad.
+inline constexpr double kDrawnCrease = 50 * std::numbers::pi / 180;
 
 /// Corners of one surface's parts, as vertex numbers.
 struct DisplaySurface {

@@ -2,14 +2,13 @@
 
 #include <chrono>
 
-#include <vtkCellArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkTypeInt32Array.h>
 
+#include "ui/view/poly_arrays.h"
 #include "ui/view/studio_light.h"
 
 namespace tactum {
@@ -18,39 +17,21 @@ namespace {
 
 /// Up to here normals are made at once: less than a tenth of a second.
 constexpr std::size_t kQuickTriangles = 40000;
-
-vtkSmartPointer<vtkFloatArray> vectors(const std::vector<float>& values) {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(vtkIdType(values.size() / 3));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-}
-
-vtkSmartPointer<vtkCellArray> cells(const std::vector<int>& corners, int each) {
-    vtkNew<vtkTypeInt32Array> offsets, connectivity;
-    offsets->SetNumberOfValues(vtkIdType(corners.size()) / each + 1);
-    for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
-        offsets->SetValue(i, int(i) * each);
-    connectivity->SetNumberOfValues(vtkIdType(corners.size()));
-    std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
-    auto array = vtkSmartPointer<vtkCellArray>::New();
-    array->SetData(offsets, connectivity);
-    return array;
-}
+/// Of the colours of a map: what they shine by themselves, and what of the light they take.
+constexpr double kMapGlow = 0.4, kMapLight = 0.62;
 
 vtkSmartPointer<vtkPolyData> polyData(vtkPoints* points, vtkDataArray* normals,
                                       const DisplaySurface& surface) {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);
     if (normals) data->GetPointData()->SetNormals(normals);
-    data->SetPolys(cells(surface.triangles, 3));
-    if (!surface.segments.empty()) data->SetLines(cells(surface.segments, 2));
-    if (!surface.points.empty()) data->SetVerts(cells(surface.points, 1));
+    data->SetPolys(cellArray(surface.triangles, 3));
+    if (!surface.segments.empty()) data->SetLines(cellArray(surface.segments, 2));
+    if (!surface.points.empty()) data->SetVerts(cellArray(surface.points, 1));
     return data;
 }
 
-vtkSmartPointer<vtkMatrix4x4> matrixOf(const Pose& pose) {
+vtkSmartPointer<vtkMatrix4x4> matrixFrom(const Pose& pose) {
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     const Mat3 rotation = pose.rotation.toRotationMatrix();
     for (int row = 0; row < 3; ++row) {
@@ -111,9 +92,10 @@ void ModelLayer::resize(Model& model, std::size_t surfaces) {
 
 /// Triangles are of other surfaces now: the vertices stay.
 void ModelLayer::regroup(Model& model, const SceneObject& object) {
-    vtkPolyData& shown = *model.parts.front()->mapper->GetInput();
+    vtkPolyData& shown = *model.parts.front()->own;
     const vtkSmartPointer<vtkPoints> points = shown.GetPoints();
     const vtkSmartPointer<vtkDataArray> normals = shown.GetPointData()->GetNormals();
+    dresses_.erase(object.id); // they are of its surfaces
     model.soup = object.geometry;
     resize(model, object.surfaces.size());
     show(model, points, normals);
@@ -121,16 +103,18 @@ void ModelLayer::regroup(Model& model, const SceneObject& object) {
 
 void ModelLayer::show(Model& model, DisplayMesh mesh) {
     vtkNew<vtkPoints> points;
-    points->SetData(vectors(mesh.positions));
+    points->SetData(vectorArray(mesh.positions));
     model.corners = std::move(mesh.corners);
-    show(model, points, mesh.normals.empty() ? nullptr : vectors(mesh.normals).Get());
+    show(model, points, mesh.normals.empty() ? nullptr : vectorArray(mesh.normals).Get());
 }
 
 void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
     const auto surfaces = bySurface(model.corners, model.soup->surfaceOf, model.parts.size());
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         Part& part = *model.parts[i];
-        part.mapper->SetInputData(polyData(points, normals, surfaces[i]));
+        part.own = polyData(points, normals, surfaces[i]);
+        part.smooth = normals != nullptr;
+        part.mapper->SetInputData(part.own);
         part.actor->GetProperty()->SetInterpolation(normals ? VTK_GOURAUD : VTK_FLAT);
     }
 }
@@ -141,15 +125,15 @@ void ModelLayer::update(Model& model, const SceneObject& object) {
     model.motion = object.motion;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         vtkActor& actor = *model.parts[i]->actor;
-        const auto& c = object.surfaces[i].colour;
-        actor.GetProperty()->SetDiffuseColor(c.x(), c.y(), c.z());
+        model.parts[i]->colour = object.surfaces[i].colour;
         actor.SetVisibility(object.visible && object.surfaces[i].visible);
     }
+    dress(object.id, model);
     place(model);
 }
 
 void ModelLayer::place(Model& model) {
-    const auto matrix = matrixOf(model.motion ? model.rest * model.motion->at(time_) : model.rest);
+    const auto matrix = matrixFrom(model.motion ? model.rest * model.motion->at(time_) : model.rest);
     for (auto& part : model.parts)
         part->actor->SetUserMatrix(matrix);
 }
@@ -186,15 +170,65 @@ void ModelLayer::drop(Model& model) {
 }
 
 void ModelLayer::drop(Part& part) {
-    if (part.actor == highlighted_) highlighted_ = nullptr;
     renderer_.RemoveActor(part.actor);
 }
 
-void ModelLayer::setHighlight(std::optional<SurfaceRef> surface, const QColor& glow) {
-    if (highlighted_) highlighted_->GetProperty()->SetAmbientColor(0, 0, 0);
-    highlighted_ = surface ? actorOf(*surface) : nullptr;
-    if (!highlighted_) return;
-    highlighted_->GetProperty()->SetAmbientColor(glow.redF(), glow.greenF(), glow.blueF());
+void ModelLayer::setDresses(std::map<ObjectId, std::vector<SurfaceDress>> dresses) {
+    dresses_ = std::move(dresses);
+    for (auto& [id, model] : models_)
+        dress(id, *model);
+}
+
+// A colour that stands for a number has to be the scale's: a part of its light comes from itself, so that the
+// shadows are flat.
+void ModelLayer::dress(ObjectId id, Model& model) {
+    const auto found = dresses_.find(id);
+    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+        Part& part = *model.parts[i];
+        const SurfaceDress dress =
+            found != dresses_.end() && i < found->second.size() ? found->second[i] : SurfaceDress{};
+        const bool byVertex = dress.mesh && dress.mesh->GetPointData()->GetScalars();
+        const bool smooth = dress.mesh || part.smooth;
+        part.mapper->SetInputData(dress.mesh ? dress.mesh : part.own);
+        part.mapper->SetScalarVisibility(byVertex);
+        vtkProperty& look = *part.actor->GetProperty();
+        look.SetInterpolation(smooth ? VTK_GOURAUD : VTK_FLAT);
+        look.SetAmbient(byVertex ? kMapGlow : 1); // with scalars VTK takes their colour for the ambient, too
+        part.glow = {};
+        if (dress.colour) {
+            setScreenColour(*part.actor, *dress.colour);
+            const double* c = look.GetDiffuseColor();
+            part.glow = {kMapGlow * c[0], kMapGlow * c[1], kMapGlow * c[2]};
+        } else {
+            look.SetDiffuseColor(part.colour.x(), part.colour.y(), part.colour.z());
+        }
+        look.SetAmbientColor(part.glow.data());
+        look.SetDiffuse(byVertex || dress.colour ? kMapLight : 1);
+    }
+    if (highlight_ && highlight_->object == id) glow(true);
+}
+
+void ModelLayer::setHighlight(std::optional<SurfaceRef> surface, const QColor& colour) {
+    glow(false);
+    highlight_ = surface;
+    glow_ = colour;
+    glow(true);
+}
+
+void ModelLayer::glow(bool on) {
+    if (!highlight_) return;
+    const auto model = models_.find(highlight_->object);
+    if (model == models_.end() || highlight_->surface >= model->second->parts.size()) return;
+    Part& part = *model->second->parts[highlight_->surface];
+    std::array<double, 3> c = part.glow;
+    if (on) c = {c[0] + glow_.redF(), c[1] + glow_.greenF(), c[2] + glow_.blueF()};
+    part.actor->GetProperty()->SetAmbientColor(c.data());
+}
+
+vtkMatrix4x4* ModelLayer::matrixOf(ObjectId object) const {
+    const auto model = models_.find(object);
+    if (model == models_.end() || !model->second->visible || model->second->parts.empty()) return nullptr;
+    return model->second->parts.front()->actor->GetUserMatrix();
 }
 
 bool ModelLayer::takeFinished() {
@@ -204,6 +238,7 @@ bool ModelLayer::takeFinished() {
             model->smooth.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             continue;
         show(*model, model->smooth.get());
+        dress(id, *model);
         any = true;
     }
     return any;
@@ -217,13 +252,10 @@ bool ModelLayer::pending() const {
 
 void ModelLayer::finish() {
     for (auto& [id, model] : models_)
-        if (model->smooth.valid()) show(*model, model->smooth.get());
-}
-
-vtkMatrix4x4* ModelLayer::placeOf(ObjectId object) const {
-    const auto model = models_.find(object);
-    if (model == models_.end() || !model->second->visible || model->second->parts.empty()) return nullptr;
-    return model->second->parts.front()->actor->GetUserMatrix();
+        if (model->smooth.valid()) {
+            show(*model, model->smooth.get());
+            dress(id, *model);
+        }
 }
 
 vtkActor* ModelLayer::actorOf(const SurfaceRef& surface) const {

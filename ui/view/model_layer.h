@@ -1,6 +1,7 @@
 // The objects of a scene as VTK actors. Private to this folder.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <future>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
@@ -24,6 +26,12 @@ class vtkMatrix4x4;
 class vtkRenderer;
 
 namespace tactum {
+
+/// What a surface shows instead of its own look.
+struct SurfaceDress {
+    vtkSmartPointer<vtkPolyData> mesh; ///< null: its own; with scalars it is drawn in their colours
+    std::optional<QColor> colour;      ///< as on the screen; empty: its own
+};
 
 /// One actor for each surface; those of an object share their vertices. Thread: ui.
 class ModelLayer {
@@ -43,15 +51,23 @@ public:
     /// Waits for them.
     void finish();
 
-    /// Where an object is now; null when it is not there or not visible.
-    vtkMatrix4x4* placeOf(ObjectId object) const;
+    /// Dresses these surfaces, and all others in their own look. Stays through new scenes while the geometry
+    /// of an object does.
+    void setDresses(std::map<ObjectId, std::vector<SurfaceDress>> dresses);
+
     /// The actor of a surface, if it exists and is visible.
     vtkActor* actorOf(const SurfaceRef& surface) const;
+    /// X_WB of an object where it is now; null when it is hidden or unknown.
+    vtkMatrix4x4* matrixOf(ObjectId object) const;
 
 private:
     struct Part {
         vtkNew<vtkPolyDataMapper> mapper;
         vtkNew<vtkActor> actor;
+        vtkSmartPointer<vtkPolyData> own; ///< what it looks like undressed
+        bool smooth = false;              ///< own has normals
+        Eigen::Vector3f colour = Eigen::Vector3f::Ones();
+        std::array<double, 3> glow{}; ///< of its dress: what it shines by itself
     };
     struct Model {
         ~Model() { cancelled = true; } // the future's destructor waits
@@ -75,10 +91,14 @@ private:
     void place(Model& model);
     void drop(Model& model);
     void drop(Part& part);
+    void dress(ObjectId id, Model& model);
+    void glow(bool on);
 
     vtkRenderer& renderer_;
     std::map<ObjectId, std::unique_ptr<Model>> models_;
-    vtkActor* highlighted_ = nullptr;
+    std::map<ObjectId, std::vector<SurfaceDress>> dresses_;
+    std::optional<SurfaceRef> highlight_;
+    QColor glow_;
     double time_ = 0; ///< s, of the bodies that move
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 
 #include "ui/view/axes_gizmo.h"
@@ -23,7 +24,8 @@ constexpr double kUnseenPixels = 0.1;
 
 SceneView::Impl::Impl(SceneView& owner)
     : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid),
-      marks(*stage.solid, *stage.ghost), overlay(*stage.solid, *stage.ghost), camera(defaultCamera()) {
+      marks(*stage.solid, *stage.ghost), overlay(*stage.solid, *stage.ghost), felt(stage, model),
+      camera(defaultCamera()) {
     applyTheme();
 }
 
@@ -32,6 +34,7 @@ void SceneView::Impl::applyTheme() {
     overlay.setTheme(theme());
     faces.setTheme(theme());
     marks.setColour(theme().fault);
+    felt.setTheme(theme());
 }
 
 void SceneView::Impl::refreshSelection() {
@@ -73,8 +76,9 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
             [this](const QVariant& part) { impl_->fly(part.toDouble()); });
     impl_->meshTimer.setInterval(50);
     connect(&impl_->meshTimer, &QTimer::timeout, this, [this] {
-        if (impl_->model.takeFinished()) changed();
-        if (!impl_->model.pending()) impl_->meshTimer.stop();
+        const bool model = impl_->model.takeFinished(), felt = impl_->felt.takeFinished();
+        if (model || felt) changed();
+        if (!impl_->model.pending() && !impl_->felt.pending()) impl_->meshTimer.stop();
     });
 }
 
@@ -127,7 +131,7 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
     const bool moved = impl_->model.moveTo(proxy.time);
     // Against what is shown, so that slow motion adds up until it is seen.
     const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
-    if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return;
+    if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return fadeOn();
     impl_->touch = next;
     impl_->overlay.setVisible(impl_->showsTouch());
     changed();
@@ -231,12 +235,17 @@ void SceneView::prepareFrame() {
     }
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
-    impl_->faces.place(impl_->model.placeOf(impl_->facesOf));
+    impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
+    impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }
 
+// Into the framebuffer that is bound: a painter on the widget would miss the picture when a window is
+// grabbed.
 void SceneView::paintOver() {
-    QPainter painter(this);
+    QOpenGLPaintDevice device((QSizeF(size()) * devicePixelRatioF()).toSize());
+    device.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&device);
     painter.setFont(font());
     drawAxes(painter, impl_->camera, impl_->theme());
     if (impl_->drag == ViewDrag::Box) {
@@ -246,6 +255,7 @@ void SceneView::paintOver() {
         painter.setBrush(fill);
         painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
     }
+    impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }
 

@@ -4,15 +4,18 @@
 #include <memory>
 #include <optional>
 #include <vector>
+#include <span>
 
 #include <QImage>
 #include <QRectF>
 
 #include "core/geometry/triangle_set.h"
 #include "core/runtime/channels.h"
+#include "core/runtime/world.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/scene_picker.h"
+#include "ui/view/felt_options.h"
 #include "ui/view/vtk_widget.h"
 
 namespace tactum {
@@ -65,6 +68,16 @@ public:
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);
 
+    /// What is shown of how things feel; it is that of the World given here, which belongs to the scene.
+    void setFelt(const FeltOptions& options);
+    const FeltOptions& felt() const;
+    void setWorld(std::shared_ptr<const World> world);
+    /// Where the proxy was at each tick since the last call; `touch` is of the last one.
+    void addTrail(std::span<const TracePoint> points, const HapticOutput& touch);
+    void clearTrail();
+    /// Whether something of it is still being made on a worker.
+    bool makesFelt() const;
+
     /// Where the mouse leads the finger. World frame, metre.
     Vec3 handGoal() const;
     /// Puts the goal there without telling anybody; ends a glide that is under way.
@@ -97,6 +110,8 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    void fadeOn();
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -6,6 +6,7 @@
 #include <QVariantAnimation>
 
 #include "ui/view/face_layer.h"
+#include "ui/view/felt_view.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
@@ -58,6 +59,7 @@ struct SceneView::Impl {
     FaceLayer faces;
     MarkLayer marks;
     TouchOverlay overlay;
+    FeltView felt;
     ScenePicker picker;
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
@@ -80,7 +82,7 @@ struct SceneView::Impl {
     QPointF pressedAt, cursorAt;
     bool moved = false;
     QTimer glideTimer, meshTimer;
-    QElapsedTimer glideClock;
+    QElapsedTimer glideClock, fadeClock;
 };
 
 } // namespace tactum

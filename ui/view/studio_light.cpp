@@ -31,7 +31,21 @@ constexpr const char* kLight = R"(
     gl_FragData[0] = vec4(pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)), opacity);
 )";
 
+constexpr const char* kBubble = R"(
+    vec3 toEye = normalize(-vertexVC.xyz);
+    float facing = clamp(abs(dot(normalize(normalVCVSOutput), toEye)), 0.0, 1.0);
+    float rim = 0.05 + 0.75 * pow(1.0 - facing, 2.5);
+    float key = 0.75 + 0.25 * clamp(dot(normalVCVSOutput, vec3(-0.44, 0.66, 0.61)), -1.0, 1.0);
+    gl_FragData[0] = vec4(pow(clamp(key * diffuseColor, 0.0, 1.0), vec3(1.0 / 2.2)), rim);
+)";
+
 } // namespace
+
+void useBubbleLight(vtkActor& actor) {
+    actor.ForceTranslucentOn(); // writes no depth
+    actor.GetProperty()->BackfaceCullingOn();
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kBubble, false);
+}
 
 void useStudioLight(vtkActor& actor) {
     actor.GetProperty()->SetAmbient(1);

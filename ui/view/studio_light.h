@@ -12,6 +12,10 @@ namespace tactum {
 /// diffuse colour is linear RGB; its ambient colour is added as a glow.
 void useStudioLight(vtkActor& actor);
 
+/// A bubble: clear where one looks through it, seen at its rim. Nothing behind it is hidden, and of bubbles
+/// of one colour it does not matter which is drawn first.
+void useBubbleLight(vtkActor& actor);
+
 /// Draws the actor in its diffuse colour as it is on the screen, without light.
 void useNoLight(vtkActor& actor);
 

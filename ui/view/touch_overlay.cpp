@@ -55,10 +55,10 @@ struct ContactMark {
     ContactMark(vtkRenderer& solid, vtkRenderer& ghost)
         : plane(solid, ghost, *disc(0)), rim(solid, ghost, *disc(0.93)), normal(solid, ghost) {}
 
-    void setVisible(bool visible) {
-        plane.setVisible(visible);
-        rim.setVisible(visible);
-        normal.setVisible(visible);
+    void setVisible(bool normals, bool planes) {
+        plane.setVisible(planes);
+        rim.setVisible(planes);
+        normal.setVisible(normals);
     }
 
     TouchShape plane, rim;
@@ -140,7 +140,7 @@ struct TouchOverlay::Impl {
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
     const Theme* theme = &kDarkTheme;
-    bool visible = true;
+    bool visible = true, normals = true, planes = true;
     vtkNew<vtkPolyData> line;
     vtkNew<vtkTubeFilter> tube;
     std::vector<std::unique_ptr<ContactMark>> contacts;
@@ -171,7 +171,12 @@ void TouchOverlay::setVisible(bool visible) {
     if (visible) return;
     impl_->arrow.setVisible(false);
     for (auto& mark : impl_->contacts)
-        mark->setVisible(false);
+        mark->setVisible(false, false);
+}
+
+void TouchOverlay::setMarks(bool normals, bool planes) {
+    impl_->normals = normals;
+    impl_->planes = planes;
 }
 
 void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, double proxyRadius) {
@@ -185,7 +190,8 @@ void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, dou
     impl_->placeSpring(state, pixel);
     impl_->placeArrow(state, camera, pixel);
     for (int i = 0; i < kMaxModelPlanes; ++i) {
-        impl_->contacts[i]->setVisible(i < state.contacts);
+        const bool there = i < state.contacts;
+        impl_->contacts[i]->setVisible(there && impl_->normals, there && impl_->planes);
         if (i < state.contacts)
             impl_->placeContact(*impl_->contacts[i], state.contact[i], pixel, proxyRadius);
     }

@@ -50,6 +50,8 @@ public:
 
     void setTheme(const Theme& theme);
     void setVisible(bool visible);
+    /// Which of the marks of contacts are shown: their normals, their planes.
+    void setMarks(bool normals, bool planes);
     /// Places everything for the camera; pixels are logical ones. proxyRadius in m.
     void update(const TouchState& state, const ViewCamera& camera, double proxyRadius);
 

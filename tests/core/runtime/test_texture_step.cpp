@@ -223,6 +223,10 @@ void TextureStepTest::frictionFollowsItsMap() {
                 [&](const Hand& h) { most = std::max(most, ratio(h).norm()); });
         QVERIFY2(std::abs(most / (high ? 0.6 : 0.3) - 1) < 0.005, qPrintable(QString::number(most)));
         QVERIFY(std::abs(ratio(hand).norm() / (high ? 0.3 : 0.2) - 1) < 0.005);
+        // What is shown of it is what counts there.
+        const ContactReport& contact = hand.output().contact[0];
+        QVERIFY(std::abs(contact.staticFriction - (high ? 0.6 : 0.3)) < 0.005);
+        QVERIFY(std::abs(contact.dynamicFriction - (high ? 0.3 : 0.2)) < 0.005);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <QTest>
 
+#include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/sample_gallery.h"
@@ -122,6 +123,10 @@ int main(int argc, char** argv) {
     TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()),
                           samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")), around);
     program.frames(20);
+    if (argc > 4 && QByteArray(argv[4]) == "felt") {
+        takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
+        return 0;
+    }
     save(program, folder, QStringLiteral("start-page.png"));
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     save(program, folder, QStringLiteral("opened.png"));
@@ -131,5 +136,6 @@ int main(int argc, char** argv) {
     takeHealth(program, folder, QStringLiteral("health.png"));
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
     takeLightTheme(program, folder);
+    takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
     return 0;
 }

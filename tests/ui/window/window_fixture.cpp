@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QMenu>
 #include <QSettings>
 #include <QTest>
 #include <QWheelEvent>
@@ -130,6 +131,14 @@ QDoubleSpinBox& TouchedWindow::box(const QString& key) {
     auto* found = window->findChild<QDoubleSpinBox*>(key);
     if (!found) qFatal("no field %s", qPrintable(key));
     return *found;
+}
+
+QAction& TouchedWindow::command(const char* id) {
+    for (QMenu* menu : window->findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->objectName() == QLatin1String(id)) return *action;
+    qFatal("no command %s", id);
+    Q_UNREACHABLE();
 }
 
 void TouchedWindow::type(const QString& key, const QString& value) {

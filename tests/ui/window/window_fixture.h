@@ -13,6 +13,7 @@
 #include "ui/document.h"
 #include "ui/main_window.h"
 
+class QAction;
 class QDoubleSpinBox;
 
 namespace tactum {
@@ -58,6 +59,8 @@ public:
     /// Types a value into the inspector, as a person does: click, digits, Enter.
     void type(const QString& key, const QString& value);
     QDoubleSpinBox& box(const QString& key);
+    /// A command of the menus by its id.
+    QAction& command(const char* id);
 
     const HapticOutput& touch() { return engine.proxy().output; }
     const Vec3& finger() { return engine.servo().finger; }

@@ -1,0 +1,56 @@
+#include <QTest>
+
+#include "core/runtime/trace_point.h"
+
+using namespace tactum;
+
+namespace {
+
+LocalContactModel modelOf(std::initializer_list<Vec3> normals) {
+    LocalContactModel model;
+    model.valid = true;
+    model.proxy = {1, 2, 3};
+    for (const Vec3& normal : normals)
+        model.plane[std::size_t(model.planes++)] = {normal.normalized(), -1e-4};
+    return model;
+}
+
+TracePoint pointOf(const Vec3& force) {
+    TracePoint point;
+    point.force = force;
+    return point;
+}
+
+bool near(double a, double b) {
+    return std::abs(a - b) < 1e-12;
+}
+
+} // namespace
+
+class TestTracePoint : public QObject {
+    Q_OBJECT
+private slots:
+    void onePlaneDividesTheForceByItsNormal() {
+        const TracePoint point = tracePoint(pointOf({0.3, 2, 0.4}), modelOf({Vec3::UnitY()}));
+        QVERIFY(point.touching && point.proxy == Vec3(1, 2, 3));
+        QVERIFY(near(point.normalForce, 2) && near(point.tangentialForce, 0.5));
+    }
+
+    void aGrooveTakesAllAcrossItAndLeavesWhatIsAlongIt() {
+        const auto groove = modelOf({{1, 1, 0}, {-1, 1, 0}});
+        const TracePoint point = tracePoint(pointOf({0.4, 1, 0.3}), groove);
+        QVERIFY(near(point.normalForce, std::hypot(0.4, 1)) && near(point.tangentialForce, 0.3));
+    }
+
+    void withoutAPushNothingIsTouched() {
+        const TracePoint free = tracePoint(pointOf(Vec3::Zero()), modelOf({Vec3::UnitY()}));
+        QVERIFY(!free.touching && free.normalForce == 0 && free.tangentialForce == 0);
+        TracePoint unknown = pointOf({0, 1, 0});
+        unknown.finger = {5, 5, 5};
+        unknown = tracePoint(unknown, {});
+        QVERIFY(!unknown.touching && unknown.proxy == Vec3(5, 5, 5));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTracePoint)
+#include "test_trace_point.moc"

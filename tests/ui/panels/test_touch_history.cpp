@@ -1,0 +1,96 @@
+#include <clocale>
+
+#include <QTest>
+
+#include "tests/ui/panels/touch_traces.h"
+#include "ui/panels/strip_chart.h"
+#include "ui/panels/touch_history.h"
+
+using namespace tactum;
+using namespace tactum::testing;
+
+namespace {
+
+bool near(double a, double b, double tolerance = 1e-9) {
+    return std::abs(a - b) <= tolerance;
+}
+
+TouchHistory historyOf(const std::vector<TracePoint>& points) {
+    TouchHistory history;
+    const HapticOutput touch = pulledTouch();
+    history.add(points, {&touch, 2000});
+    return history;
+}
+
+} // namespace
+
+class TestTouchHistory : public QObject {
+    Q_OBJECT
+private slots:
+    void everyTickSaysWhatWasFelt() {
+        const TouchHistory history = historyOf(pulled(0, 1.5));
+        QCOMPARE(history.samples().size(), std::size_t(1500));
+        const TouchSample& s = *history.at(0.8004);
+        QVERIFY(near(s.t, 0.8) && near(s.normal, 2) && near(s.tangential, 0.8) && near(s.ratio, 0.4));
+        QVERIFY(near(s.magnitude, std::hypot(2, 0.8)) && near(s.lag, 1e-3) && near(s.energy, -0.8e-3));
+        QVERIFY(near(s.servoRate, 1000, 1e-6) && s.proxyRate == 2000);
+        QVERIFY(s.staticFriction == 0.8 && s.dynamicFriction == 0.5 && s.touching && !s.slipping);
+        QCOMPARE(history.at(-3), &history.samples().front());
+        QCOMPARE(history.at(9), &history.samples().back());
+    }
+
+    void aProxyThatMovesSlips() {
+        std::vector<TracePoint> points = pulled(0, 0.2);
+        for (std::size_t i = 100; i < points.size(); ++i)
+            points[i].proxy.x() = 1e-5 * double(i - 100); // 10 mm/s
+        const TouchHistory history = historyOf(points);
+        QVERIFY(!history.at(0.095)->slipping && history.at(0.12)->slipping);
+    }
+
+    void freeMotionHasNoFriction() {
+        std::vector<TracePoint> points = pulled(0, 0.1);
+        for (TracePoint& point : points) {
+            point.touching = false;
+            point.normalForce = point.tangentialForce = 0;
+        }
+        const TouchSample s = *historyOf(points).at(0.05);
+        QVERIFY(s.ratio == 0 && s.staticFriction == 0 && !s.slipping);
+    }
+
+    void onlyTheLastHalfMinuteIsKept() {
+        TouchHistory history = historyOf(pulled(0, TouchHistory::kSpan + 5, 0.01));
+        QVERIFY(near(history.samples().front().t, 5, 0.02));
+        const HapticOutput touch = pulledTouch();
+        history.add(pulled(2, 2.5), {&touch, 0}); // a recording jumped back
+        QVERIFY(near(history.samples().front().t, 2));
+    }
+
+    void csvHoldsEveryTickWithUnitsAndPoints() {
+        const char* before = std::setlocale(LC_NUMERIC, nullptr);
+        std::setlocale(LC_NUMERIC, "de_DE.UTF-8"); // where there is one
+        std::vector<TracePoint> points{pulledAt(0.5), pulledAt(0.75)};
+        const std::string csv = csvOf(historyOf(points), 0);
+        std::setlocale(LC_NUMERIC, before);
+        const std::string expected =
+            "time (s),finger x (m),finger y (m),finger z (m),proxy x (m),proxy y (m),proxy z (m),"
+            "force x (N),force y (N),force z (N),force (N),normal force (N),tangential force (N),"
+            "friction ratio,static friction,dynamic friction,proxy lag (m),energy (J),"
+            "servo rate (Hz),proxy rate (Hz),touching,slipping\n"
+            "0,0,-0.001,0,0,0,0,0.5,2,0,2.0615528128088303,2,0.5,0.25,0.8,0.5,0.001,-0.0005,0,2000,1,0\n"
+            "0.25,0,-0.001,0,0,0,0,0.75,2,0,2.1360009363293826,2,0.75,0.375,0.8,0.5,0.001,-0.00075,4,2000,"
+            "1,0\n";
+        QCOMPARE(QString::fromStdString(csv), QString::fromStdString(expected));
+        QCOMPARE(QString::fromStdString(csvOf(historyOf(points), 0.6)).count('\n'), 2);
+    }
+
+    void axesHoldTheirCurvesAndHaveRoundSteps() {
+        const StripAxis force = axisFor(0, 3.9, 5);
+        QVERIFY(near(force.step, 1) && force.low == 0 && force.high > 3.9 && force.high < 4.5);
+        const StripAxis energy = axisFor(-0.7, 0.1, 4);
+        QVERIFY(energy.low <= -0.7 && energy.high >= 0.1 && near(energy.step, 0.5));
+        QVERIFY(axisFor(0, 0, 3).high > 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTouchHistory)
+#include "test_touch_history.moc"

@@ -1,0 +1,206 @@
+#include <QTest>
+
+#include "core/runtime/compile.h"
+#include "tests/support/soups.h"
+#include "tests/ui/view/ball_scene.h"
+#include "ui/view/felt_mesh.h"
+#include "ui/view/felt_normals.h"
+#include "ui/view/felt_options.h"
+#include "ui/view/scale_bar.h"
+#include "ui/view/sphere_mesh.h"
+
+using namespace tactum;
+using namespace tactum::testing;
+
+namespace {
+
+constexpr double kRepeat = 0.01, kHeight = 5e-4; // m
+
+TextureLayer grooves(TextureTarget target, double strength) {
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Grooves;
+    layer.pattern.mapping = TextureMapping::Planar;
+    layer.pattern.size = kRepeat;
+    layer.pattern.softness = 0.5;
+    layer.target = target;
+    layer.strength = strength;
+    return layer;
+}
+
+/// A square of 4 cm in the plane z = 0, of 8 triangles.
+std::shared_ptr<const World> sheetWorld(std::vector<TextureLayer> layers) {
+    SceneObject sheet;
+    sheet.geometry = test::sheet(0.02, 2);
+    sheet.surfaces.resize(1);
+    sheet.surfaces[0].material.staticFriction = 0.4;
+    sheet.surfaces[0].layers = std::move(layers);
+    Scene scene;
+    scene.add(sheet);
+    return compile(scene).value();
+}
+
+FeltMesh meshOf(const World& world, const FeltMeshWish& wish) {
+    return feltMesh(world.bodies[0], 0, drawnNormalsOf(*world.bodies[0].mesh->soup), wish);
+}
+
+struct Span {
+    float low = 1e9f, high = -1e9f;
+    void add(float v) {
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+};
+Span spanOf(const std::vector<float>& list, std::size_t first, std::size_t step) {
+    Span span;
+    for (std::size_t i = first; i < list.size(); i += step)
+        span.add(list[i]);
+    return span;
+}
+
+bool near(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
+
+double largestLean(const std::vector<Needle>& needles) {
+    double most = 0;
+    for (const Needle& n : needles)
+        most = std::max(most, n.lean);
+    return most;
+}
+
+} // namespace
+
+class TestFeltMesh : public QObject {
+    Q_OBJECT
+private slots:
+    void bumpsRiseByTheirHeightTimesTheFactor() {
+        const auto world = sheetWorld({grooves(TextureTarget::Height, kHeight)});
+        for (const double factor : {1.0, 10.0, 100.0}) {
+            const FeltMesh mesh = meshOf(*world, {.value = {}, .bumps = factor});
+            const Span z = spanOf(mesh.positions, 2, 3);
+            QVERIFY2(near(z.low, 0, 0.05 * factor * kHeight), qPrintable(QString::number(double(z.low))));
+            QVERIFY2(near(z.high, factor * kHeight, 0.05 * factor * kHeight),
+                     qPrintable(QString::number(double(z.high))));
+            QVERIFY(mesh.lost < 0.05);
+        }
+    }
+
+    // Ridges across x: a vertex is as high as the one a repeat away, and half a repeat away as high as the
+    // other half.
+    void bumpsAreWhereTheyAreFelt() {
+        const auto world = sheetWorld({grooves(TextureTarget::Height, kHeight)});
+        const FeltMesh mesh = meshOf(*world, {.value = {}, .bumps = 1});
+        const double middle = 0.5 * kHeight;
+        int ridges = 0;
+        for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+            const double x = double(mesh.positions[i]) / kRepeat, z = double(mesh.positions[i + 2]);
+            const double part = x - std::floor(x);
+            // By docs/physics the middle of the raised half is at the beginning of a repeat.
+            if (part < 0.1 || part > 0.9) {
+                QVERIFY(z > middle);
+                ++ridges;
+            }
+            if (part > 0.4 && part < 0.6) QVERIFY(z < middle);
+        }
+        QVERIFY(ridges > 100);
+    }
+
+    void whatIsTooFineIsFlatAndSaid() {
+        TextureLayer fine = grooves(TextureTarget::Height, kHeight);
+        fine.pattern.size = 0.73 * kRepeat; // no multiple of the triangles
+        const auto world = sheetWorld({fine});
+        const FeltMesh mesh = meshOf(*world, {.value = {}, .bumps = 100, .mostTriangles = 8});
+        QCOMPARE(mesh.triangles.size(), std::size_t(3 * 8));
+        const Span z = spanOf(mesh.positions, 2, 3);
+        QVERIFY(z.high - z.low < 1e-6f);
+        QVERIFY2(mesh.lost > 0.95, qPrintable(QString::number(mesh.lost)));
+    }
+
+    void frictionIsSampledWithItsLayers() {
+        const auto world = sheetWorld({grooves(TextureTarget::StaticFriction, 0.5)});
+        const FeltMesh mesh = meshOf(*world, {.value = FeltValue::StaticFriction});
+        QCOMPARE(mesh.values.size(), mesh.positions.size() / 3);
+        QVERIFY(near(mesh.low, 0.4, 0.01) && near(mesh.high, 0.6, 0.01));
+        const Span z = spanOf(mesh.positions, 2, 3);
+        QVERIFY(z.low == 0 && z.high == 0);
+    }
+
+    void onlyWhatALayerChangesVaries() {
+        const auto world = sheetWorld({grooves(TextureTarget::StaticFriction, 0.5)});
+        const WorldBody& body = world->bodies[0];
+        QVERIFY(varies(body, 0, {.value = FeltValue::StaticFriction}));
+        QVERIFY(varies(body, 0, {.value = FeltValue::DynamicFriction})); // it never exceeds static
+        QVERIFY(!varies(body, 0, {.value = FeltValue::Stiffness}));
+        QVERIFY(!varies(body, 0, {.value = FeltValue::Height, .bumps = 10}));
+        QVERIFY(!varies(sheetWorld({})->bodies[0], 0, {.value = FeltValue::Height}));
+    }
+
+    void aCancelledMeshIsEmpty() {
+        const auto world = sheetWorld({grooves(TextureTarget::Height, kHeight)});
+        const std::atomic<bool> cancelled{true};
+        const FeltMesh mesh = feltMesh(world->bodies[0], 0, drawnNormalsOf(*world->bodies[0].mesh->soup),
+                                       {.value = {}, .bumps = 1}, Progress{{}, &cancelled});
+        QVERIFY(mesh.positions.empty() && mesh.triangles.empty());
+    }
+
+    void aLevelHasTheSpheresOfTheTree() {
+        const auto world = compile(ballScene(96, 64)).value();
+        const SphereTree& tree = world->bodies[0].mesh->tree;
+        for (int level = 0; level < 6; ++level) {
+            const SphereLevel spheres = sphereLevel(*world, level, Vec3::Zero());
+            QCOMPARE(spheres.all, tree.spheresAt(level).size());
+            QCOMPARE(spheres.drawn, std::min(spheres.all, kMostSpheres));
+        }
+        QCOMPARE(sphereLevel(*world, 0, Vec3::Zero()).all, std::size_t(8));
+    }
+
+    void ofTooManySpheresTheNearestAreDrawn() {
+        const auto world = compile(ballScene(400, 400)).value();
+        const SphereLevel spheres = sphereLevel(*world, kDeepestLevel, {0, 0, 2 * kBallRadius});
+        QVERIFY(spheres.all > 2 * kMostSpheres && spheres.drawn == kMostSpheres);
+        for (std::size_t i = 2; i < spheres.meshes[0].positions.size(); i += 3)
+            QVERIFY(spheres.meshes[0].positions[i] > -0.5f * float(kBallRadius));
+        QVERIFY(spheres.meshes[0].triangles.size() / 3 < 300'000);
+    }
+
+    void normalsOfFacetsLeanFromThoseThatAreDrawnSmooth() {
+        Scene scene = ballScene(32, 16);
+        const auto facets = compile(scene).value();
+        const CornerNormals drawn = drawnNormalsOf(*facets->bodies[0].mesh->soup);
+        const auto plain = needlesOf(facets->bodies[0], drawn, 100'000);
+        QCOMPARE(plain.size(), facets->bodies[0].mesh->soup->triangles.size());
+        // From the middle of a facet to its corner: about half of its 11 degrees, along both ways.
+        QVERIFY(largestLean(plain) > 0.08 && largestLean(plain) < 0.2);
+        for (Surface& surface : scene.objects[0].surfaces)
+            surface.shading = {true, NormalSource::Computed, kDrawnCreaseForTest};
+        const auto shaded = compile(scene).value();
+        const auto smooth = needlesOf(shaded->bodies[0], drawn, 100'000);
+        QVERIFY(smooth.size() > 400);
+        QVERIFY(largestLean(smooth) < 1e-3);
+        for (const Needle& n : smooth)
+            QVERIFY(n.normal.dot(n.at.normalized()) > 0.99);
+    }
+
+    void ofTooManyNormalsSomeAreShownEvenly() {
+        const auto world = compile(ballScene(200, 100)).value();
+        const auto needles = needlesOf(world->bodies[0], drawnNormalsOf(*world->bodies[0].mesh->soup), 500);
+        QVERIFY(needles.size() > 450 && needles.size() <= 500);
+        const auto below = std::ranges::count_if(needles, [](const Needle& n) { return n.at.y() < 0; });
+        QVERIFY(below > 200 && below < 300);
+    }
+
+    void scalesBeginAtZeroWhereAllIsTheSame() {
+        QVERIFY((rangeOf(0.3, 0.7) == MapRange{0.3, 0.7}));
+        QVERIFY((rangeOf(800, 800) == MapRange{0, 800}));
+        QVERIFY((rangeOf(0, 0) == MapRange{0, 1}));
+        QVERIFY(near(rangeOf(2, 4).part(3), 0.5, 1e-12));
+        QCOMPARE(wordsOf(FeltValue::Height).unit, QStringLiteral("mm"));
+        QCOMPARE(wordsOf(FeltValue::Stiffness).unit, QStringLiteral("N/m"));
+    }
+
+private:
+    static constexpr double kDrawnCreaseForTest = 50 * std::numbers::pi / 180;
+};
+
+QTEST_APPLESS_MAIN(TestFeltMesh)
+#include "test_felt_mesh.moc"

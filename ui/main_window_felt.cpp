@@ -1,0 +1,118 @@
+// What the view shows of how things feel: its commands, remembered, and what feeds it each frame.
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QSettings>
+
+#include "ui/panels/force_plot.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/playback.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+/// Commands that are remembered, and the switch that each of them is.
+struct Switch {
+    const char* id;
+    bool FeltOptions::*on;
+};
+constexpr Switch kSwitches[] = {
+    {"contact-normals", &FeltOptions::normals},  {"contact-planes", &FeltOptions::planes},
+    {"friction-cone", &FeltOptions::cone},       {"trail", &FeltOptions::trail},
+    {"felt-normals", &FeltOptions::feltNormals}, {"spheres", &FeltOptions::spheres}};
+constexpr std::pair<const char*, FeltValue> kMaps[] = {{"map-stiffness", FeltValue::Stiffness},
+                                                       {"map-damping", FeltValue::Damping},
+                                                       {"map-static-friction", FeltValue::StaticFriction},
+                                                       {"map-dynamic-friction", FeltValue::DynamicFriction},
+                                                       {"map-viscosity", FeltValue::Viscosity},
+                                                       {"map-height", FeltValue::Height}};
+constexpr std::pair<const char*, double> kBumps[] = {{"bumps-1", 1}, {"bumps-10", 10}, {"bumps-100", 100}};
+
+QString keyOf(const char* id) {
+    return QStringLiteral("view/") + QString::fromLatin1(id);
+}
+
+} // namespace
+
+void MainWindow::connectFelt() {
+    const QSettings settings;
+    const auto remembered = [&](const char* id, bool initial) {
+        actions_[id].setChecked(settings.value(keyOf(id), initial).toBool());
+        connect(&actions_[id], &QAction::toggled, this, &MainWindow::showFelt);
+    };
+    // One of each list at most: a click on the one that is on switches it off.
+    const auto group = [&](const auto& rows) {
+        auto* one = new QActionGroup(this);
+        one->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+        for (const auto& [id, value] : rows) {
+            one->addAction(&actions_[id]);
+            remembered(id, false);
+        }
+    };
+    for (const auto& [id, on] : kSwitches)
+        remembered(id, FeltOptions{}.*on);
+    group(kMaps);
+    group(kBumps);
+    FeltOptions options;
+    options.sphereLevel = settings.value(QStringLiteral("view/sphere-level"), options.sphereLevel).toInt();
+    view_->setFelt(options);
+    const auto step = [this](int levels) {
+        FeltOptions next = view_->felt();
+        next.sphereLevel = std::clamp(next.sphereLevel + levels, 0, kDeepestLevel);
+        QSettings().setValue(QStringLiteral("view/sphere-level"), next.sphereLevel);
+        view_->setFelt(next);
+    };
+    connect(&actions_["spheres-finer"], &QAction::triggered, this, [step] { step(1); });
+    connect(&actions_["spheres-coarser"], &QAction::triggered, this, [step] { step(-1); });
+    connect(&publisher_, &WorldPublisher::published, this, [this] {
+        if (!playback_->active()) view_->setWorld(publisher_.world());
+    });
+    connect(&actions_["export-plot"], &QAction::triggered, this, &MainWindow::exportPlot);
+    connect(docks_.plot, &ForcePlot::exportRequested, this, &MainWindow::exportPlot);
+    showFelt();
+}
+
+void MainWindow::exportPlot() {
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Export the plot"), QStringLiteral("touch.csv"),
+                                     tr("Numbers (*.csv);;Pictures (*.png);;Drawings (*.svg)"));
+    if (file.isEmpty()) return;
+    const auto written = docks_.plot->exportTo(file);
+    if (written)
+        notice_->showNote(tr("The plot was written to %1.").arg(file));
+    else
+        notice_->showError(QString::fromStdString(written.error().text));
+}
+
+void MainWindow::showFelt() {
+    QSettings settings;
+    const auto on = [&](const char* id) {
+        const bool checked = actions_[id].isChecked();
+        settings.setValue(keyOf(id), checked);
+        return checked;
+    };
+    FeltOptions options;
+    options.sphereLevel = view_->felt().sphereLevel;
+    for (const auto& [id, value] : kSwitches)
+        options.*value = on(id);
+    for (const auto& [id, value] : kMaps)
+        if (on(id)) options.map = value;
+    for (const auto& [id, value] : kBumps)
+        if (on(id)) options.bumps = value;
+    for (const char* id : {"spheres-finer", "spheres-coarser"})
+        actions_[id].setEnabled(options.spheres);
+    view_->setFelt(options);
+}
+
+void MainWindow::drawTrace() {
+    trace_.clear();
+    for (TracePoint point; engine_.popTrace(point);)
+        trace_.push_back(point);
+    docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate);
+    view_->addTrail(trace_, engine_.proxy().output);
+}
+
+} // namespace tactum

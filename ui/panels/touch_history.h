@@ -1,0 +1,56 @@
+// What the plots know of the last seconds of touch: one row for each servo tick.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/runtime/haptic_step.h"
+#include "core/runtime/trace_point.h"
+
+namespace tactum {
+
+/// SI, world frame.
+struct TouchSample {
+    double t = 0;
+    Vec3 finger = Vec3::Zero(), proxy = Vec3::Zero(), force = Vec3::Zero();
+    double magnitude = 0, normal = 0, tangential = 0; ///< N, of the force
+    double ratio = 0;                                 ///< tangential by normal; 0 without a push
+    double staticFriction = 0, dynamicFriction = 0;   ///< of the contact that pushes most
+    double lag = 0;                                   ///< m, from the finger to the proxy
+    double energy = 0;                                ///< J, made by the surface: see Passivity
+    double servoRate = 0, proxyRate = 0;              ///< Hz
+    bool touching = false, slipping = false;
+};
+
+/// What comes with the ticks of one frame.
+struct TouchFrame {
+    const HapticOutput* touch = nullptr; ///< of the last of them
+    double proxyRate = 0;                ///< Hz
+};
+
+/// Thread: ui.
+class TouchHistory {
+public:
+    static constexpr double kSpan = 30; ///< s that are kept
+
+    /// Time that goes back, or jumps, begins a new history.
+    void add(const std::vector<TracePoint>& points, const TouchFrame& frame);
+    void clear() { samples_.clear(); }
+    const std::deque<TouchSample>& samples() const { return samples_; }
+    double end() const { return samples_.empty() ? 0 : samples_.back().t; }
+    /// The sample nearest to a time; null when there is none.
+    const TouchSample* at(double t) const;
+
+private:
+    bool slips(const TouchSample& now) const;
+    double rate(double t) const;
+
+    std::deque<TouchSample> samples_;
+};
+
+/// The samples from a time on as CSV: a line of names with their units, then a row for each servo tick;
+/// decimal points, and as many digits as read back to the same number. Times count from the first row.
+std::string csvOf(const TouchHistory& history, double from);
+
+} // namespace tactum

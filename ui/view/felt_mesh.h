@@ -1,0 +1,50 @@
+// A textured surface as the touch knows it: fine enough for its layers, with a value at each vertex.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/runtime/world.h"
+#include "ui/view/felt_options.h"
+
+namespace tactum {
+
+/// Normals to draw with, three to a triangle; body frame.
+using CornerNormals = std::vector<Eigen::Vector3f>;
+
+/// Those of the file, or smooth over edges below the crease angle of the drawing. Seconds for a million
+/// triangles; empty when cancelled. Thread: any but real time.
+CornerNormals drawnNormalsOf(const TriangleSoup& soup, const Progress& progress = {});
+
+/// What is asked for of a surface.
+struct FeltMeshWish {
+    std::optional<FeltValue> value;
+    double bumps = 0;                    ///< heights are drawn so many times; 0: flat
+    std::size_t mostTriangles = 400'000; ///< a mesh that has more is not made finer
+};
+
+/// Vertices are not shared between the triangles of the mesh. Body frame, SI.
+struct FeltMesh {
+    std::vector<float> positions, normals; ///< x, y, z of each vertex; already displaced
+    std::vector<float> values;             ///< one of each vertex; empty where none was asked for
+    std::vector<int> triangles;            ///< three vertices each
+    double low = 0, high = 0;              ///< of the values
+    /// Part of the range that is too fine for the triangles and was left out: 0 none, 1 all.
+    double lost = 0;
+};
+
+/// The value of a surface where no layer changes it. SI.
+double plainValue(const Material& material, FeltValue value);
+
+/// Whether the surface looks different from place to place, for this wish.
+bool varies(const WorldBody& body, Index surface, const FeltMeshWish& wish);
+
+/// Cuts each triangle of a surface into so many that the layers can be seen, as far as `mostTriangles` lets
+/// it; what is still too fine is left out, as it is of the force. Empty when cancelled. Thread: any
+/// but real time.
+FeltMesh feltMesh(const WorldBody& body, Index surface, const CornerNormals& drawn, const FeltMeshWish& wish,
+                  const Progress& progress = {});
+
+} // namespace tactum

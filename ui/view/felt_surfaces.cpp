@@ -1,0 +1,167 @@
+#include "ui/view/felt_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "ui/view/colour_map.h"
+#include "ui/view/poly_arrays.h"
+
+namespace tactum {
+
+namespace {
+
+/// Of all textured surfaces together: what is uploaded within a frame.
+constexpr std::size_t kMostTriangles = 500'000;
+/// More of the height than this left out is worth a word.
+constexpr double kNoticed = 0.1;
+
+bool asksNothing(const FeltMeshWish& wish) {
+    return !wish.value && wish.bumps == 0;
+}
+
+} // namespace
+
+void FeltSurfaces::set(std::shared_ptr<const World> world, std::optional<FeltValue> value, double bumps) {
+    world_ = std::move(world);
+    wish_ = {.value = value, .bumps = bumps};
+    work_.forget();
+    if (!world_ || asksNothing(wish_)) {
+        made_ = {};
+        return dress();
+    }
+    std::size_t textured = 0;
+    for (const WorldBody& body : world_->bodies)
+        for (Index s = 0; s < Index(body.materials.size()); ++s)
+            textured += varies(body, s, wish_);
+    if (textured == 0) {
+        made_.surfaces.clear();
+        made_.wish = wish_;
+        return dress();
+    }
+    wish_.mostTriangles = kMostTriangles / textured;
+    dress(); // what takes no time
+    Result known;
+    known.normals = made_.normals;
+    work_.start([world = world_, wish = wish_, known = std::move(known)](const Progress& progress) {
+        return make(*world, wish, known, progress);
+    });
+}
+
+FeltSurfaces::Result FeltSurfaces::make(const World& world, const FeltMeshWish& wish, Result known,
+                                        const Progress& progress) {
+    Result result;
+    result.wish = wish;
+    for (const WorldBody& body : world.bodies)
+        for (Index s = 0; s < Index(body.materials.size()); ++s) {
+            if (!varies(body, s, wish) || progress.isCancelled()) continue;
+            auto& normals = result.normals[body.mesh->soup.get()];
+            if (!normals) normals = known.normals[body.mesh->soup.get()];
+            if (!normals)
+                normals = std::make_shared<const CornerNormals>(drawnNormalsOf(*body.mesh->soup, progress));
+            result.surfaces.push_back(
+                {body.object, body.mesh->soup, s, feltMesh(body, s, *normals, wish, progress)});
+        }
+    return result;
+}
+
+bool FeltSurfaces::takeFinished() {
+    auto made = work_.take();
+    if (!made) return false;
+    made_ = std::move(*made);
+    dress();
+    return true;
+}
+
+void FeltSurfaces::dress() {
+    std::map<ObjectId, std::vector<SurfaceDress>> dresses;
+    if (!world_ || asksNothing(wish_)) return model_.setDresses({});
+    const bool current = made_.wish.value == wish_.value;
+    const auto meshOf = [&](const WorldBody& body, Index s) -> const FeltMesh* {
+        const auto found = std::ranges::find_if(made_.surfaces, [&](const Made& made) {
+            return made.object == body.object && made.surface == s && made.soup == body.mesh->soup;
+        });
+        return found != made_.surfaces.end() && !found->mesh.positions.empty() ? &found->mesh : nullptr;
+    };
+    double low = 1e300, high = -1e300;
+    const auto span = [&](double a, double b) {
+        low = std::min(low, a);
+        high = std::max(high, b);
+    };
+    if (wish_.value)
+        for (const WorldBody& body : world_->bodies)
+            for (Index s = 0; s < Index(body.materials.size()); ++s) {
+                const FeltMesh* mesh =
+                    varies(body, s, {wish_.value, 0}) && current ? meshOf(body, s) : nullptr;
+                if (mesh && !mesh->values.empty())
+                    span(mesh->low, mesh->high);
+                else
+                    span(plainValue(body.materials[s], *wish_.value),
+                         plainValue(body.materials[s], *wish_.value));
+            }
+    if (wish_.value) range_ = rangeOf(low, high);
+    for (const WorldBody& body : world_->bodies)
+        for (Index s = 0; s < Index(body.materials.size()); ++s) {
+            SurfaceDress dress;
+            const FeltMesh* mesh = varies(body, s, wish_) && current ? meshOf(body, s) : nullptr;
+            if (mesh) dress.mesh = polyData(*mesh);
+            const bool byVertex = mesh && !mesh->values.empty();
+            if (wish_.value && !byVertex)
+                dress.colour = mapColour(range_.part(plainValue(body.materials[s], *wish_.value)));
+            dresses[body.object].push_back(std::move(dress));
+        }
+    model_.setDresses(std::move(dresses));
+}
+
+vtkSmartPointer<vtkPolyData> FeltSurfaces::polyData(const FeltMesh& mesh) const {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetData(vectorArray(mesh.positions));
+    data->SetPoints(points);
+    data->GetPointData()->SetNormals(vectorArray(mesh.normals));
+    data->SetPolys(cellArray(mesh.triangles, 3));
+    if (mesh.values.empty()) return data;
+    // In linear light, as all colours that are lit.
+    std::array<std::array<unsigned char, 3>, 256> table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const QColor c = mapColour(double(i) / 255);
+        const auto linear = [](double x) { return (unsigned char)(std::lround(255 * std::pow(x, 2.2))); };
+        table[i] = {linear(c.redF()), linear(c.greenF()), linear(c.blueF())};
+    }
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    colours->SetNumberOfTuples(vtkIdType(mesh.values.size()));
+    unsigned char* to = colours->GetPointer(0);
+    for (float value : mesh.values) {
+        const auto& c =
+            table[std::size_t(std::lround(255 * std::clamp(range_.part(double(value)), 0.0, 1.0)))];
+        to = std::copy(c.begin(), c.end(), to);
+    }
+    data->GetPointData()->SetScalars(colours);
+    return data;
+}
+
+QString FeltSurfaces::legend() const {
+    if (!world_ || asksNothing(wish_)) return {};
+    QStringList parts;
+    double lost = 0;
+    for (const Made& made : made_.surfaces)
+        lost = std::max(lost, made.mesh.lost);
+    if (wish_.bumps > 0) {
+        if (!pending() && made_.surfaces.empty())
+            parts << QStringLiteral("Bumps: no surface here has a height layer");
+        else
+            parts << (wish_.bumps == 1
+                          ? QStringLiteral("Bumps as high as they are felt")
+                          : QStringLiteral("Bumps drawn %1 times as high as they are felt").arg(wish_.bumps));
+    }
+    if (pending())
+        parts << QStringLiteral("being sampled");
+    else if (lost > kNoticed)
+        parts << QStringLiteral("too fine for this mesh and left out: %1 %").arg(std::lround(100 * lost));
+    return parts.join(QStringLiteral("; "));
+}
+
+} // namespace tactum

@@ -1,0 +1,58 @@
+// The model's surfaces in the colours of what they feel like, and with their bumps. Private to this folder.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <QString>
+
+#include "core/runtime/world.h"
+#include "ui/view/aside.h"
+#include "ui/view/felt_mesh.h"
+#include "ui/view/model_layer.h"
+#include "ui/view/scale_bar.h"
+
+namespace tactum {
+
+/// Dresses a model layer. Surfaces without texture change at once, the meshes of the others come from a
+/// worker; until then they show what they showed. Thread: ui.
+class FeltSurfaces {
+public:
+    explicit FeltSurfaces(ModelLayer& model) : model_(model) {}
+
+    void set(std::shared_ptr<const World> world, std::optional<FeltValue> value, double bumps);
+    bool pending() const { return work_.pending(); }
+    bool takeFinished();
+
+    const std::optional<FeltValue>& value() const { return wish_.value; }
+    /// Of the colours; as long as surfaces are being made, of those that are known.
+    const MapRange& range() const { return range_; }
+    /// What is exaggerated and what could not be drawn; empty when the surfaces look as they are.
+    QString legend() const;
+
+private:
+    struct Made {
+        ObjectId object = 0;
+        std::shared_ptr<const TriangleSoup> soup;
+        Index surface = 0;
+        FeltMesh mesh;
+    };
+    struct Result {
+        FeltMeshWish wish;
+        std::vector<Made> surfaces;
+        std::map<const TriangleSoup*, std::shared_ptr<const CornerNormals>> normals;
+    };
+    static Result make(const World& world, const FeltMeshWish& wish, Result known, const Progress& progress);
+    void dress();
+    vtkSmartPointer<vtkPolyData> polyData(const FeltMesh& mesh) const;
+
+    ModelLayer& model_;
+    std::shared_ptr<const World> world_;
+    FeltMeshWish wish_;
+    Result made_;
+    Aside<Result> work_;
+    MapRange range_;
+};
+
+} // namespace tactum

@@ -1,0 +1,65 @@
+// All that the view shows of how things feel, in one place. Private to this folder.
+#pragma once
+
+#include <span>
+
+#include <QStringList>
+
+#include "core/runtime/channels.h"
+#include "ui/view/felt_options.h"
+#include "ui/view/felt_surfaces.h"
+#include "ui/view/friction_cone.h"
+#include "ui/view/normal_glyphs.h"
+#include "ui/view/sphere_layer.h"
+#include "ui/view/trail_layer.h"
+#include "ui/view/view_stage.h"
+
+class QPainter;
+
+namespace tactum {
+
+/// Thread: ui. What takes long is made aside: takeFinished() shows it.
+class FeltView {
+public:
+    FeltView(ViewStage& stage, ModelLayer& model);
+
+    void setTheme(const Theme& theme);
+    void setOptions(const FeltOptions& options);
+    const FeltOptions& options() const { return options_; }
+    /// What is felt now; null: nothing.
+    void setWorld(std::shared_ptr<const World> world);
+    /// Where the touch is: of a level with too many spheres, those around it are shown.
+    void setPlace(const Vec3& p_W) { place_ = p_W; }
+    void addTrail(std::span<const TracePoint> points, const HapticOutput& touch) {
+        trail_.add(points, touch);
+    }
+    void clearTrail() { trail_.clear(); }
+    /// Whether the picture changes although nothing moves.
+    bool fades() const { return trail_.fades(); }
+
+    bool pending() const { return spheres_.pending() || normals_.pending() || surfaces_.pending(); }
+    bool takeFinished();
+
+    /// Places everything for a frame. `touch` is null where none is shown.
+    void update(const TouchState* touch, const ViewCamera& camera, double ratio);
+    /// Legends and the scale bar, in logical pixels.
+    void drawLegends(QPainter& painter, const QSizeF& view, const Theme& theme) const;
+
+private:
+    QStringList legends() const;
+    void askSpheres();
+    void askNormals();
+
+    ViewStage& stage_;
+    ModelLayer& model_;
+    FeltOptions options_;
+    std::shared_ptr<const World> world_;
+    Vec3 place_ = Vec3::Zero();
+    FrictionCone cone_;
+    TrailLayer trail_;
+    SphereLayer spheres_;
+    NormalGlyphs normals_;
+    FeltSurfaces surfaces_;
+};
+
+} // namespace tactum

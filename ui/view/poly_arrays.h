@@ -1,0 +1,17 @@
+// Lists of numbers as VTK has them. Private to this folder.
+#pragma once
+
+#include <vector>
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkSmartPointer.h>
+
+namespace tactum {
+
+/// x, y, z of each.
+vtkSmartPointer<vtkFloatArray> vectorArray(const std::vector<float>& values);
+/// Cells of `each` corners.
+vtkSmartPointer<vtkCellArray> cellArray(const std::vector<int>& corners, int each);
+
+} // namespace tactum

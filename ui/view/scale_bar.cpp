@@ -1,0 +1,97 @@
+#include "ui/view/scale_bar.h"
+
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include "core/surface/material.h"
+#include "ui/view/colour_map.h"
+#include "ui/view/smooth_image.h"
+#include "ui/view/trace_plot.h"
+
+namespace tactum {
+
+namespace {
+
+// Logical pixels.
+constexpr double kWidth = 16, kHeight = 176, kEdge = 16, kPad = 10, kTick = 4, kGap = 8;
+
+const Parameter& parameterOf(FeltValue value) {
+    switch (value) {
+    case FeltValue::Stiffness:
+        return kStiffness;
+    case FeltValue::Damping:
+        return kDamping;
+    case FeltValue::StaticFriction:
+        return kStaticFriction;
+    case FeltValue::DynamicFriction:
+        return kDynamicFriction;
+    case FeltValue::Viscosity:
+    case FeltValue::Height:
+        break;
+    }
+    return kViscosity;
+}
+
+QString figure(double value, double step) {
+    return QString::number(value, 'f', std::max(0, int(std::ceil(-std::log10(step) - 1e-9))));
+}
+
+void drawBar(QPainter& painter, const QRectF& bar) {
+    for (int y = 0; y < int(bar.height()); ++y)
+        painter.fillRect(QRectF(bar.left(), bar.bottom() - y - 1, bar.width(), 1.25),
+                         mapColour(y / (bar.height() - 1)));
+}
+
+} // namespace
+
+ValueWords wordsOf(FeltValue value) {
+    if (value == FeltValue::Height) return {QStringLiteral("Height of texture"), QStringLiteral("mm"), 1e3};
+    const Parameter& parameter = parameterOf(value);
+    return {QString::fromUtf8(parameter.label.data(), int(parameter.label.size())),
+            QString::fromUtf8(parameter.unit.data(), int(parameter.unit.size())), 1};
+}
+
+MapRange rangeOf(double low, double high) {
+    if (high - low > 1e-9 * std::max(std::abs(low), std::abs(high))) return {low, high};
+    if (low == 0) return {0, 1};
+    return {std::min(0.0, low), std::max(0.0, low)};
+}
+
+QRectF drawScaleBar(QPainter& painter, const QSizeF& view, FeltValue value, const MapRange& range,
+                    const Theme& theme) {
+    const ValueWords words = wordsOf(value);
+    const QString title =
+        words.unit.isEmpty() ? words.name : QStringLiteral("%1, %2").arg(words.name, words.unit);
+    const double low = words.factor * range.low, high = words.factor * range.high;
+    const double step = tickStep(high - low, 5);
+    const QFontMetricsF metrics(painter.font());
+    const double line = metrics.height();
+    double numbers = 0;
+    for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n)
+        numbers = std::max(numbers, metrics.horizontalAdvance(figure(n * step, step)));
+    const double width = std::max(metrics.horizontalAdvance(title), kWidth + kTick + 4 + numbers) + 2 * kPad;
+    const double height = kHeight + line + kGap + 2 * kPad + 0.5 * line;
+    const QRectF box(std::round(view.width() - kEdge - width), std::round(0.5 * (view.height() - height)),
+                     std::ceil(width), std::ceil(height));
+    drawSmoothly(painter, box, [&](QPainter& inner) {
+        inner.setPen(Qt::NoPen);
+        inner.setBrush(theme.label);
+        inner.drawRoundedRect(QRectF({0, 0}, box.size()), 6, 6);
+        inner.setPen(theme.labelText);
+        inner.drawText(QRectF(kPad, kPad, width - 2 * kPad, line), Qt::AlignLeft | Qt::AlignVCenter, title);
+        const QRectF bar(kPad, kPad + line + kGap, kWidth, kHeight);
+        drawBar(inner, bar);
+        for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n) {
+            const double y = bar.bottom() - (n * step - low) / (high - low) * bar.height();
+            inner.setPen(QPen(theme.labelText, 1));
+            inner.drawLine(QPointF(bar.right() + 1, y), QPointF(bar.right() + 1 + kTick, y));
+            inner.drawText(QRectF(bar.right() + kTick + 5, y - line, numbers + 2, 2 * line),
+                           Qt::AlignRight | Qt::AlignVCenter, figure(n * step, step));
+        }
+    });
+    return box;
+}
+
+} // namespace tactum

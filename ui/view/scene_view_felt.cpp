@@ -1,0 +1,47 @@
+#include "ui/view/scene_view_impl.h"
+
+namespace tactum {
+
+namespace {
+constexpr int kFadeMilliseconds = 100; // between two pictures of a trail that fades while nothing moves
+} // namespace
+
+void SceneView::setFelt(const FeltOptions& options) {
+    impl_->overlay.setMarks(options.normals, options.planes);
+    if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
+    impl_->felt.setOptions(options);
+    if (impl_->felt.pending()) impl_->meshTimer.start();
+    changed();
+}
+
+const FeltOptions& SceneView::felt() const {
+    return impl_->felt.options();
+}
+
+void SceneView::setWorld(std::shared_ptr<const World> world) {
+    if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
+    impl_->felt.setWorld(std::move(world));
+    if (impl_->felt.pending()) impl_->meshTimer.start();
+    changed();
+}
+
+void SceneView::addTrail(std::span<const TracePoint> points, const HapticOutput& touch) {
+    impl_->felt.addTrail(points, touch);
+}
+
+void SceneView::clearTrail() {
+    impl_->felt.clearTrail();
+}
+
+bool SceneView::makesFelt() const {
+    return impl_->felt.pending();
+}
+
+void SceneView::fadeOn() {
+    if (!impl_->felt.fades()) return;
+    if (impl_->fadeClock.isValid() && impl_->fadeClock.elapsed() < kFadeMilliseconds) return;
+    impl_->fadeClock.start();
+    changed();
+}
+
+} // namespace tactum
