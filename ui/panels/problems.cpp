@@ -149,7 +149,7 @@ void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     setItemWidget(item, 1, button);
 }
 
-void Problems::show(const QTreeWidgetItem* item) {
+void Problems::show(QTreeWidgetItem* item) {
     const PlacedFinding& found = rows_[std::size_t(indexOfTopLevelItem(item))];
     const std::string& name = found.finding.object;
     showing_ = true;
