@@ -170,8 +170,8 @@ void Problems::mend(const PlacedFinding& found) {
     const SceneObject* object = document_.scene().find(found.object);
     if (!object || repairing_.running()) return;
     if (std::ranges::any_of(object->surfaces, &Surface::locked))
-        return emit repaired(tr("%1 has a locked surface. Unlock it first.")
-                                 .arg(QString::fromStdString(object->name)));
+        return emit repaired(
+            tr("%1 has a locked surface. Unlock it first.").arg(QString::fromStdString(object->name)));
     repairing_.start([this, id = object->id, soup = object->geometry,
                       how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
         return [this, id, soup, mended = repair(soup, how, progress)] { finishRepair(id, soup, mended); };
