@@ -149,7 +149,7 @@ void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     setItemWidget(item, 1, button);
 }
 
-void Problems::show(const QTreeWidgetItem* item) {
+void Problems::show(QTreeWidgetItem* item) {
     const PlacedFinding& found = rows_[std::size_t(indexOfTopLevelItem(item))];
     const std::string& name = found.finding.object;
     showing_ = true;
@@ -170,8 +170,8 @@ void Problems::mend(const PlacedFinding& found) {
     const SceneObject* object = document_.scene().find(found.object);
     if (!object || repairing_.running()) return;
     if (std::ranges::any_of(object->surfaces, &Surface::locked))
-        return emit repaired(tr("%1 has a locked surface. Unlock it first.")
-                                 .arg(QString::fromStdString(object->name)));
+        return emit repaired(
+            tr("%1 has a locked surface. Unlock it first.").arg(QString::fromStdString(object->name)));
     repairing_.start([this, id = object->id, soup = object->geometry,
                       how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
         return [this, id, soup, mended = repair(soup, how, progress)] { finishRepair(id, soup, mended); };

@@ -35,7 +35,7 @@ private:
     void fill(Examined examined);
     void add(const PlacedFinding& found);
     void addButton(QTreeWidgetItem* item, const PlacedFinding& found);
-    void show(const QTreeWidgetItem* item);
+    void show(QTreeWidgetItem* item);
     void mend(const PlacedFinding& found);
     void finishRepair(ObjectId object, const std::shared_ptr<const TriangleSoup>& before,
                       const Result<Mended>& mended);

@@ -75,6 +75,10 @@ private slots:
     void gapsAreNoWalls() {
         QCOMPARE(thin(joined(box({0, 0, 0}, {0.1, 0.1, 0.1}), box({0, 0, 0.101}, {0.1, 0.1, 0.1}))).count,
                  std::size_t(0));
+        // A body in a body, close beneath its top: both look up.
+        QCOMPARE(
+            thin(joined(box({0, 0, 0}, {0.1, 0.1, 0.1}), box({0.02, 0.02, 0.049}, {0.05, 0.05, 0.05}))).count,
+            std::size_t(0));
         TriangleSoup insideOut = box({0, 0, 0}, {0.1, 0.1, 1e-3});
         turnAll(insideOut);
         QCOMPARE(thin(insideOut).count, std::size_t(0));
