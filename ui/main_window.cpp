@@ -23,6 +23,7 @@
 #include "ui/playback.h"
 #include "ui/recent_files.h"
 #include "ui/recording_saver.h"
+#include "ui/sound/sound_link.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -47,7 +48,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
       hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), samples_(samples) {
+      saver_(new RecordingSaver(engine, document, this)), sound_(new SoundLink(this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);

@@ -28,6 +28,7 @@ class Playback;
 class PlaybackBar;
 class RecordingSaver;
 class SceneView;
+class SoundLink;
 class StartPage;
 class StatusStrip;
 class TouchHint;
@@ -96,6 +97,8 @@ private:
     void showFelt();
     void drawTrace();
     void exportPlot();
+    void connectSound();
+    void setSound(bool on);
     // Of guard and health: main_window_health.cpp.
     void connectHealth();
     void watchHealth();
@@ -122,6 +125,7 @@ private:
     GuardWatch* guard_;
     Playback* playback_;
     RecordingSaver* saver_;
+    SoundLink* sound_;
     Docks docks_;
     QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
