@@ -66,12 +66,12 @@ private:
 void takeContact(Pictures& pictures) {
     pictures.open("teapot.obj");
     TouchedWindow& program = pictures.program();
-    program.window->document().select(SurfaceRef{program.window->document().scene().objects[0].id, 0});
+    program.window->document().select({SurfaceRef{program.window->document().scene().objects[0].id, 0}});
     program.type(QStringLiteral("stiffness"), QStringLiteral("350"));
     program.type(QStringLiteral("static-friction"), QStringLiteral("0.5"));
     program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.3"));
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2"));
-    program.window->document().select(std::nullopt);
+    program.window->document().select({});
     pictures.zoom({60, 0}, 6);
     pictures.toggle({"friction-cone", "trail"});
     for (const char* strip : {"ratio", "lag"})

@@ -121,9 +121,9 @@ private slots:
         opened.program.command("map-stiffness").trigger();
         const QImage before = opened.picture();
         Document& document = opened.program.document;
-        document.select(SurfaceRef{document.scene().objects[0].id, 4}); // the front
+        document.select({SurfaceRef{document.scene().objects[0].id, 4}}); // the front
         opened.program.type(QStringLiteral("stiffness"), QStringLiteral("100"));
-        document.select(std::nullopt);
+        document.select({});
         QTRY_VERIFY(opened.program.caughtUp());
         QVERIFY(changedShare(before, opened.picture()) > 0.02);
     }
