@@ -76,9 +76,8 @@ void takeContact(Pictures& pictures) {
     pictures.toggle({"friction-cone", "trail"});
     for (const char* strip : {"ratio", "lag"})
         pictures.plot().setShown(QLatin1String(strip), true);
-    pictures.press({20, -50}, 3);
-    pictures.stroke({90, 70}, 30, 1);
-    pictures.stroke({30, 8}, 24, 1);
+    pictures.press({0, -40}, 6);
+    pictures.stroke({90, 50}, 25, 1);
     pictures.save("friction-cone.png");
     for (const char* strip : {"energy", "rate"})
         pictures.plot().setShown(QLatin1String(strip), true);
