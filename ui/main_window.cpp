@@ -28,8 +28,9 @@
 #include "ui/recent_files.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/recording_saver.h"
-#include "ui/select_tool.h"
 #include "ui/recovery.h"
+#include "ui/select_tool.h"
+#include "ui/sound/sound_link.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
 
@@ -57,7 +58,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
       saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
       recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      comparison_(new Comparison(document, engine, publisher_, this)), samples_(samples) {
+      comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
+      samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);

@@ -35,6 +35,7 @@ class ToolStrip;
 class Recovery;
 class RecoveryBar;
 class SceneView;
+class SoundLink;
 class StartPage;
 class StatusStrip;
 class TouchHint;
@@ -126,6 +127,8 @@ private:
     void showFelt();
     void drawTrace();
     void exportPlot();
+    void connectSound();
+    void setSound(bool on);
     // Of guard and health: main_window_health.cpp.
     void connectHealth();
     void watchHealth();
@@ -158,6 +161,7 @@ private:
     Recovery* recovery_;
     RecoveryBar* recoveryBar_;
     Comparison* comparison_;
+    SoundLink* sound_;
     Docks docks_;
     QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden

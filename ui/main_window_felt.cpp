@@ -3,11 +3,14 @@
 
 #include <QActionGroup>
 #include <QFileDialog>
+#include <QMenu>
+#include <QMenuBar>
 #include <QSettings>
 
 #include "ui/panels/force_plot.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/playback.h"
+#include "ui/sound/sound_link.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -70,6 +73,7 @@ void MainWindow::connectFelt() {
     connect(&publisher_, &WorldPublisher::published, this, [this] {
         if (!playback_->active()) view_->setWorld(publisher_.world());
     });
+    connectSound();
     connect(&actions_["export-plot"], &QAction::triggered, this, &MainWindow::exportPlot);
     connect(docks_.plot, &ForcePlot::exportRequested, this, &MainWindow::exportPlot);
     showFelt();
@@ -113,6 +117,30 @@ void MainWindow::drawTrace() {
         trace_.push_back(point);
     docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate);
     view_->addTrail(trace_, engine_.proxy().output);
+    sound_->play(trace_);
+}
+
+// Whether there is an output is asked when the menu opens: the answer may take a moment, and may change.
+void MainWindow::connectSound() {
+    QAction& sound = actions_["sound"];
+    connect(&sound, &QAction::toggled, this, &MainWindow::setSound);
+    auto* menu = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [&sound, usual = sound.toolTip()] {
+        const QString why = SoundLink::whyNot();
+        sound.setEnabled(why.isEmpty() || sound.isChecked());
+        sound.setToolTip(why.isEmpty() ? usual : why);
+    });
+}
+
+void MainWindow::setSound(bool on) {
+    if (!on) return sound_->stop();
+    if (sound_->start(engine_.device().rate)) return;
+    const QString why = SoundLink::whyNot();
+    notice_->showNote(why.isEmpty()
+                          ? tr("The audio output could not be opened; is another program holding it?")
+                          : tr("%1: nothing can be heard.").arg(why));
+    actions_["sound"].setChecked(false);
 }
 
 } // namespace tactum

@@ -21,6 +21,7 @@
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
 #include "ui/recording_saver.h"
+#include "ui/sound/sound_link.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -46,8 +47,9 @@ QString suggestedFile() {
 }
 
 /// In slices as long as a frame: plot and trail take the contacts of one haptic step for each of them.
-void plot(ForcePlot& plot, SceneView& view, Player& player) {
+void plot(ForcePlot& plot, SceneView& view, SoundLink& sound, Player& player) {
     const std::vector<TracePoint> ticks = player.takeTrace();
+    sound.play(ticks);
     const std::vector<ReplayedStep> steps = player.takeSteps();
     std::vector<TracePoint> slice;
     std::size_t passed = 0;
@@ -163,7 +165,7 @@ void MainWindow::playFrame() {
         docks_.plot->clear();
         view_->clearTrail();
     }
-    plot(*docks_.plot, *view_, player);
+    plot(*docks_.plot, *view_, *sound_, player);
     for (TracePoint live; engine_.popTrace(live);)
         continue;
     status_->display(player.proxy(), player.servo(), device);

@@ -96,6 +96,8 @@ constexpr Command kCommands[] = {
      true},
     {"bumps-100", "View/&Bumps", "A &hundred times as high", "", "",
      "Draws the height layers a hundred times as high", true},
+    {"sound", "View", "&Hear the contact", "", "sound",
+     "What the force shakes with, as sound: texture judged without a device", true},
     {"felt-normals", "View", "Felt &normals", "N", "normals",
      "Needles along the normals that are felt; the view says where they are not those that are drawn", true},
     {"spheres", "View/&Sphere tree", "&Show", "Ctrl+B", "spheres",

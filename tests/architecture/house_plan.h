@@ -58,6 +58,8 @@ inline const std::vector<Library> kLibraries{
       "core/recording/recording_file.cpp", "app/"}},
     {"CLI/", {"app/"}},
     {"Q", {"ui/", "app/"}},
+    {"QAudio", {"ui/sound/"}},
+    {"QMediaDevices", {"ui/sound/"}},
     {"qopengl.h", {"ui/view/"}},
     {"vtk", {"ui/view/"}},
     // Vector instructions of the processor.

@@ -20,6 +20,7 @@ namespace tactum {
 
 namespace {
 
+constexpr int kTimeAxis = 16;      // pixels more for the strip that writes the times
 constexpr double kLeastSpan = 0.2; // s
 constexpr int kStripHeight = 160, kPictureWidth = 960;
 constexpr double kPictureScale = 2; // device pixels to a logical one, of a PNG
@@ -34,7 +35,7 @@ std::vector<StripKind> kinds() {
          "N",
          1,
          2,
-         {{tr("all"), &S::magnitude, &Theme::proxy, Style::Filled},
+         {{tr("force"), &S::magnitude, &Theme::proxy, Style::Filled},
           {tr("normal"), &S::normal, &Theme::contact, Style::Plain, true},
           {tr("along the surface"), &S::tangential, &Theme::stick, Style::Friction, true}},
          0.5,
@@ -208,6 +209,7 @@ void ForcePlot::refresh() {
     for (StripChart* chart : seen) {
         StripTime time = time_;
         time.axis = chart == seen.back();
+        chart->setMinimumHeight(chart->minimumSizeHint().height() + (time.axis ? kTimeAxis : 0));
         chart->show(time, limit_);
     }
     const int decimals = time_.span < 3 ? 1 : 0;

@@ -73,7 +73,7 @@ private:
             }
         // Near the limit the axis reaches beyond it, so that the distance to it can be seen.
         if (limit_ > 0 && high > 0.6 * limit_) high = std::max(high, 1.02 * limit_);
-        axis_ = axisFor(low, high, std::clamp(int(area_.height() / 26), 1, 5));
+        axis_ = axisFor(low, high, stripLines(area_));
     }
 
     void grid() {
@@ -165,7 +165,7 @@ private:
                 slips = slipping;
             }
             if (!there) continue;
-            if (high > low) points << QPointF(column, y(last == high ? low : high));
+            if (std::abs(y(high) - y(low)) > 1.5) points << QPointF(column, y(last == high ? low : high));
             points << QPointF(column + 0.5, y(last));
         }
         stroke(line, points, slips);
@@ -181,7 +181,8 @@ private:
         const TouchSample* s = pointedAt();
         if (!s) return;
         painter_.setPen(QPen(theme().text, 1));
-        painter_.drawLine(QPointF(x(s->t), area_.top()), QPointF(x(s->t), area_.bottom()));
+        const double middle = std::floor(x(s->t)) + 0.5; // of a column: one line, not half of two
+        painter_.drawLine(QPointF(middle, area_.top()), QPointF(middle, area_.bottom()));
         for (const StripLine& line : kind_.lines) {
             if (line.inContact && !s->touching) continue;
             painter_.setPen(QPen(theme().panel, 1));
@@ -255,6 +256,10 @@ StripAxis axisFor(double low, double high, int most) {
     axis.low = low < 0 ? axis.step * std::floor(low / axis.step) : 0;
     axis.high = std::max(axis.step, high + 0.06 * (high - low));
     return axis;
+}
+
+int stripLines(const QRectF& area) {
+    return std::clamp(int(area.height() / 20), 1, 5);
 }
 
 QRectF stripArea(const QRectF& box, const StripTime& time) {

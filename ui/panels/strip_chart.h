@@ -53,6 +53,8 @@ StripAxis axisFor(double low, double high, int most);
 /// Draws one strip into a box: also for files. `limit` in N.
 void paintStrip(QPainter& painter, const QRectF& box, const StripKind& kind, const TouchHistory& history,
                 const StripTime& time, double limit);
+/// How many lines an area has room for.
+int stripLines(const QRectF& area);
 /// Where in a box the curves are.
 QRectF stripArea(const QRectF& box, const StripTime& time);
 
@@ -65,7 +67,7 @@ public:
     const StripKind& kind() const { return kind_; }
     void show(const StripTime& time, double limit);
     QSize sizeHint() const override { return {480, 132}; }
-    QSize minimumSizeHint() const override { return {240, 72}; }
+    QSize minimumSizeHint() const override { return {240, 60}; }
 
 signals:
     /// The mouse points at a time; or left.

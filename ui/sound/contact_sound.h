@@ -34,7 +34,8 @@ private:
 
     double perSample_; ///< ticks of one sample
     std::array<double, 3> b_{}, a_{};
-    std::array<Vec3, 2> in_{}, out_{}; ///< of the high-pass, newest first
+    /// Of the high-pass, newest first.
+    std::array<Vec3, 2> in_{Vec3::Zero(), Vec3::Zero()}, out_{Vec3::Zero(), Vec3::Zero()};
     Vec3 direction_ = Vec3::Zero();
     bool begun_ = false;
     Vec3 last_ = Vec3::Zero();

@@ -1,4 +1,4 @@
-// Where samples are heard. Private to this folder but for who switches it on.
+// Where samples are heard.
 #pragma once
 
 #include <memory>

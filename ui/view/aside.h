@@ -11,6 +11,9 @@
 
 namespace tactum {
 
+/// Threads of their own: opening a file and compiling a scene must not queue behind a picture.
+QThreadPool& asidePool();
+
 /// Work that is started anew, or whose Aside goes, is told to stop and forgotten; nobody waits for it. So it
 /// may hold nothing but what it owns itself. Thread: ui.
 template <class T> class Aside {
@@ -23,7 +26,7 @@ public:
     void start(std::function<T(const Progress&)> work) {
         forget();
         run_ = std::make_shared<Run>();
-        QThreadPool::globalInstance()->start([run = run_, work = std::move(work)] {
+        asidePool().start([run = run_, work = std::move(work)] {
             Progress progress;
             progress.cancelled = &run->cancelled;
             if (!progress.isCancelled()) run->result = std::make_unique<T>(work(progress));

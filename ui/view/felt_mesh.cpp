@@ -128,11 +128,12 @@ public:
         mesh_.positions.reserve(3 * each * faces_.size());
         mesh_.normals.reserve(3 * each * faces_.size());
         mesh_.triangles.reserve(3 * faces_.size() * std::size_t(cuts_ * cuts_));
-        ProgressMeter meter(progress, faces_.size(), 256);
+        ProgressMeter meter(progress, faces_.size(), std::max<std::size_t>(1, 4096 / each));
         for (std::size_t i = 0; i < faces_.size(); ++i) {
             if (!meter.goesOn(i)) return {};
             add(faces_[i]);
         }
+        if (progress.isCancelled()) return {};
         if (!mesh_.values.empty()) {
             mesh_.low = values_.seen.low;
             mesh_.high = values_.seen.high;

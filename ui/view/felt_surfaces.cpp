@@ -61,8 +61,12 @@ FeltSurfaces::Result FeltSurfaces::make(const World& world, const FeltMeshWish& 
             if (!normals) normals = known.normals[body.mesh->soup.get()];
             if (!normals)
                 normals = std::make_shared<const CornerNormals>(drawnNormalsOf(*body.mesh->soup, progress));
-            result.surfaces.push_back(
-                {body.object, body.mesh->soup, s, feltMesh(body, s, *normals, wish, progress)});
+            Made made;
+            made.object = body.object;
+            made.soup = body.mesh->soup;
+            made.surface = s;
+            made.mesh = feltMesh(body, s, *normals, wish, progress);
+            result.surfaces.push_back(std::move(made));
         }
     return result;
 }
@@ -75,44 +79,50 @@ bool FeltSurfaces::takeFinished() {
     return true;
 }
 
-void FeltSurfaces::dress() {
-    std::map<ObjectId, std::vector<SurfaceDress>> dresses;
-    if (!world_ || asksNothing(wish_)) return model_.setDresses({});
-    const bool current = made_.wish.value == wish_.value;
-    const auto meshOf = [&](const WorldBody& body, Index s) -> const FeltMesh* {
-        const auto found = std::ranges::find_if(made_.surfaces, [&](const Made& made) {
-            return made.object == body.object && made.surface == s && made.soup == body.mesh->soup;
-        });
-        return found != made_.surfaces.end() && !found->mesh.positions.empty() ? &found->mesh : nullptr;
-    };
+FeltSurfaces::Made* FeltSurfaces::madeOf(const WorldBody& body, Index surface) {
+    if (made_.wish.value != wish_.value || !varies(body, surface, wish_)) return nullptr;
+    const auto found = std::ranges::find_if(made_.surfaces, [&](const Made& made) {
+        return made.object == body.object && made.surface == surface && made.soup == body.mesh->soup;
+    });
+    return found != made_.surfaces.end() && !found->mesh.positions.empty() ? &*found : nullptr;
+}
+
+/// Over all surfaces, those that are still being sampled at what they are without their layers.
+MapRange FeltSurfaces::rangeNow(FeltValue value) {
     double low = 1e300, high = -1e300;
-    const auto span = [&](double a, double b) {
-        low = std::min(low, a);
-        high = std::max(high, b);
-    };
-    if (wish_.value)
-        for (const WorldBody& body : world_->bodies)
-            for (Index s = 0; s < Index(body.materials.size()); ++s) {
-                const FeltMesh* mesh =
-                    varies(body, s, {wish_.value, 0}) && current ? meshOf(body, s) : nullptr;
-                if (mesh && !mesh->values.empty())
-                    span(mesh->low, mesh->high);
-                else
-                    span(plainValue(body.materials[s], *wish_.value),
-                         plainValue(body.materials[s], *wish_.value));
-            }
-    if (wish_.value) range_ = rangeOf(low, high);
+    for (const WorldBody& body : world_->bodies)
+        for (Index s = 0; s < Index(body.materials.size()); ++s) {
+            const Made* made = varies(body, s, {.value = value}) ? madeOf(body, s) : nullptr;
+            const double plain = plainValue(body.materials[s], value);
+            low = std::min(low, made ? made->mesh.low : plain);
+            high = std::max(high, made ? made->mesh.high : plain);
+        }
+    return rangeOf(low, high, 1 / wordsOf(value).factor);
+}
+
+void FeltSurfaces::dress() {
+    if (!world_ || asksNothing(wish_)) return model_.setDresses({});
+    if (wish_.value) range_ = rangeNow(*wish_.value);
+    std::map<ObjectId, std::vector<SurfaceDress>> dresses;
     for (const WorldBody& body : world_->bodies)
         for (Index s = 0; s < Index(body.materials.size()); ++s) {
             SurfaceDress dress;
-            const FeltMesh* mesh = varies(body, s, wish_) && current ? meshOf(body, s) : nullptr;
-            if (mesh) dress.mesh = polyData(*mesh);
-            const bool byVertex = mesh && !mesh->values.empty();
-            if (wish_.value && !byVertex)
+            Made* made = madeOf(body, s);
+            if (made) dress.mesh = drawn(*made);
+            if (wish_.value && !made)
                 dress.colour = mapColour(range_.part(plainValue(body.materials[s], *wish_.value)));
             dresses[body.object].push_back(std::move(dress));
         }
     model_.setDresses(std::move(dresses));
+}
+
+/// Made anew only where its colours change.
+vtkPolyData* FeltSurfaces::drawn(Made& made) const {
+    if (!made.drawn || (made_.wish.value && made.range != range_)) {
+        made.drawn = polyData(made.mesh);
+        made.range = range_;
+    }
+    return made.drawn;
 }
 
 vtkSmartPointer<vtkPolyData> FeltSurfaces::polyData(const FeltMesh& mesh) const {

@@ -37,6 +37,8 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         Index surface = 0;
         FeltMesh mesh;
+        vtkSmartPointer<vtkPolyData> drawn; ///< made of the mesh in the colours of
+        MapRange range;
     };
     struct Result {
         FeltMeshWish wish;
@@ -44,7 +46,10 @@ private:
         std::map<const TriangleSoup*, std::shared_ptr<const CornerNormals>> normals;
     };
     static Result make(const World& world, const FeltMeshWish& wish, Result known, const Progress& progress);
+    Made* madeOf(const WorldBody& body, Index surface);
+    MapRange rangeNow(FeltValue value);
     void dress();
+    vtkPolyData* drawn(Made& made) const;
     vtkSmartPointer<vtkPolyData> polyData(const FeltMesh& mesh) const;
 
     ModelLayer& model_;

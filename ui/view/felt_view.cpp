@@ -11,14 +11,10 @@ namespace tactum {
 
 namespace {
 
-constexpr double kNeedle = 0.02;       // of the scene's diagonal
+constexpr double kNeedle = 0.015;      // of the scene's diagonal
 constexpr double kTrailSpacing = 5e-4; // of it
 constexpr double kNeedleWidth = 1.3;   // logical pixels
 constexpr double kEdge = 12, kLineGap = 4, kPad = 8;
-
-Bounds boundsOf(const World& world) {
-    return world.scene ? tactum::boundsOf(*world.scene) : Bounds{};
-}
 
 } // namespace
 
@@ -51,10 +47,13 @@ void FeltView::setWorld(std::shared_ptr<const World> world) {
     const bool sameNormals =
         sameShape && std::ranges::equal(world->bodies, world_->bodies, {}, normalsOf, normalsOf);
     world_ = std::move(world);
-    if (!sameShape) askSpheres();
+    if (!sameShape) {
+        diagonal_ = world_ && world_->scene ? boundsOf(*world_->scene).diagonal() : 0;
+        trail_.setSpacing(kTrailSpacing * diagonal_);
+        trail_.clear();
+        askSpheres();
+    }
     if (!sameNormals) askNormals();
-    if (world_) trail_.setSpacing(kTrailSpacing * boundsOf(*world_).diagonal());
-    if (!sameShape) trail_.clear();
     if (options_.map || options_.bumps > 0) surfaces_.set(world_, options_.map, options_.bumps);
 }
 
@@ -67,7 +66,7 @@ void FeltView::askSpheres() {
 
 void FeltView::askNormals() {
     if (world_ && options_.feltNormals)
-        normals_.ask(world_, kNeedle * boundsOf(*world_).diagonal());
+        normals_.ask(world_, kNeedle * diagonal_);
     else
         normals_.clear();
 }
@@ -103,9 +102,13 @@ QStringList FeltView::legends() const {
 }
 
 void FeltView::drawLegends(QPainter& painter, const QSizeF& view, const Theme& theme) const {
-    if (options_.map && world_) drawScaleBar(painter, view, *options_.map, surfaces_.range(), theme);
+    const double taken = drawWords(painter, view, theme);
+    if (options_.map && world_) drawScaleBar(painter, view, taken, *options_.map, surfaces_.range(), theme);
+}
+
+double FeltView::drawWords(QPainter& painter, const QSizeF& view, const Theme& theme) const {
     const QStringList lines = legends();
-    if (lines.isEmpty()) return;
+    if (lines.isEmpty()) return 0;
     const QFontMetricsF metrics(painter.font());
     double width = 0;
     for (const QString& line : lines)
@@ -123,6 +126,7 @@ void FeltView::drawLegends(QPainter& painter, const QSizeF& view, const Theme& t
                            Qt::AlignLeft | Qt::AlignVCenter,
                            metrics.elidedText(lines[i], Qt::ElideRight, width));
     });
+    return box.bottom();
 }
 
 } // namespace tactum

@@ -47,6 +47,8 @@ public:
 
 private:
     QStringList legends() const;
+    /// Gives how far down they reach.
+    double drawWords(QPainter& painter, const QSizeF& view, const Theme& theme) const;
     void askSpheres();
     void askNormals();
 
@@ -54,6 +56,7 @@ private:
     ModelLayer& model_;
     FeltOptions options_;
     std::shared_ptr<const World> world_;
+    double diagonal_ = 0; ///< m, of the scene
     Vec3 place_ = Vec3::Zero();
     FrictionCone cone_;
     TrailLayer trail_;

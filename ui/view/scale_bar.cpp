@@ -15,7 +15,8 @@ namespace tactum {
 namespace {
 
 // Logical pixels.
-constexpr double kWidth = 16, kHeight = 176, kEdge = 16, kPad = 10, kTick = 4, kGap = 8;
+constexpr double kWidth = 16, kMostHeight = 176, kLeastHeight = 60, kEdge = 12, kPad = 10, kTick = 4,
+                 kGap = 8;
 
 const Parameter& parameterOf(FeltValue value) {
     switch (value) {
@@ -53,41 +54,43 @@ ValueWords wordsOf(FeltValue value) {
             QString::fromUtf8(parameter.unit.data(), int(parameter.unit.size())), 1};
 }
 
-MapRange rangeOf(double low, double high) {
+MapRange rangeOf(double low, double high, double unit) {
     if (high - low > 1e-9 * std::max(std::abs(low), std::abs(high))) return {low, high};
-    if (low == 0) return {0, 1};
+    if (low == 0) return {0, unit};
     return {std::min(0.0, low), std::max(0.0, low)};
 }
 
-QRectF drawScaleBar(QPainter& painter, const QSizeF& view, FeltValue value, const MapRange& range,
-                    const Theme& theme) {
+QRectF drawScaleBar(QPainter& painter, const QSizeF& view, double taken, FeltValue value,
+                    const MapRange& range, const Theme& theme) {
     const ValueWords words = wordsOf(value);
     const QString title =
         words.unit.isEmpty() ? words.name : QStringLiteral("%1, %2").arg(words.name, words.unit);
     const double low = words.factor * range.low, high = words.factor * range.high;
-    const double step = tickStep(high - low, 5);
     const QFontMetricsF metrics(painter.font());
     const double line = metrics.height();
+    const double around = line + kGap + 2 * kPad + 0.5 * line;
+    const double bar = std::clamp(view.height() - taken - 2 * kEdge - around, kLeastHeight, kMostHeight);
+    const double height = bar + around;
+    const double step = tickStep(high - low, std::clamp(int(bar / (1.6 * line)), 1, 5));
     double numbers = 0;
     for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n)
         numbers = std::max(numbers, metrics.horizontalAdvance(figure(n * step, step)));
     const double width = std::max(metrics.horizontalAdvance(title), kWidth + kTick + 4 + numbers) + 2 * kPad;
-    const double height = kHeight + line + kGap + 2 * kPad + 0.5 * line;
-    const QRectF box(std::round(view.width() - kEdge - width), std::round(0.5 * (view.height() - height)),
-                     std::ceil(width), std::ceil(height));
+    const double top = view.height() - kEdge - height;
+    const QRectF box(kEdge, std::round(top), std::ceil(width), std::ceil(height));
     drawSmoothly(painter, box, [&](QPainter& inner) {
         inner.setPen(Qt::NoPen);
         inner.setBrush(theme.label);
         inner.drawRoundedRect(QRectF({0, 0}, box.size()), 6, 6);
         inner.setPen(theme.labelText);
         inner.drawText(QRectF(kPad, kPad, width - 2 * kPad, line), Qt::AlignLeft | Qt::AlignVCenter, title);
-        const QRectF bar(kPad, kPad + line + kGap, kWidth, kHeight);
-        drawBar(inner, bar);
+        const QRectF strip(kPad, kPad + line + kGap, kWidth, bar);
+        drawBar(inner, strip);
         for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n) {
-            const double y = bar.bottom() - (n * step - low) / (high - low) * bar.height();
+            const double y = strip.bottom() - (n * step - low) / (high - low) * strip.height();
             inner.setPen(QPen(theme.labelText, 1));
-            inner.drawLine(QPointF(bar.right() + 1, y), QPointF(bar.right() + 1 + kTick, y));
-            inner.drawText(QRectF(bar.right() + kTick + 5, y - line, numbers + 2, 2 * line),
+            inner.drawLine(QPointF(strip.right() + 1, y), QPointF(strip.right() + 1 + kTick, y));
+            inner.drawText(QRectF(strip.right() + kTick + 5, y - line, numbers + 2, 2 * line),
                            Qt::AlignRight | Qt::AlignVCenter, figure(n * step, step));
         }
     });

@@ -27,11 +27,13 @@ struct ValueWords {
 };
 ValueWords wordsOf(FeltValue value);
 
-/// A range that holds these values and is worth a scale: from 0 where they are all the same.
-MapRange rangeOf(double low, double high);
+/// A range that holds these values and is worth a scale: from 0 where they are all the same, and to `unit`
+/// where that is 0.
+MapRange rangeOf(double low, double high, double unit = 1);
 
-/// Draws it at the right edge of a view, in logical pixels; gives the box that it fills.
-QRectF drawScaleBar(QPainter& painter, const QSizeF& view, FeltValue value, const MapRange& range,
-                    const Theme& theme);
+/// Draws it into the lower left corner of a view, in logical pixels, below what fills the corner down to
+/// `taken`; gives the box that it fills.
+QRectF drawScaleBar(QPainter& painter, const QSizeF& view, double taken, FeltValue value,
+                    const MapRange& range, const Theme& theme);
 
 } // namespace tactum

@@ -77,6 +77,8 @@ public:
     void clearTrail();
     /// Whether something of it is still being made on a worker.
     bool makesFelt() const;
+    /// How many actors there are, seen or not: a count that grows with switching on and off is a leak.
+    int actorCount() const;
 
     /// Where the mouse leads the finger. World frame, metre.
     Vec3 handGoal() const;

@@ -1,3 +1,5 @@
+#include <vtkActorCollection.h>
+
 #include "ui/view/scene_view_impl.h"
 
 namespace tactum {
@@ -35,6 +37,11 @@ void SceneView::clearTrail() {
 
 bool SceneView::makesFelt() const {
     return impl_->felt.pending();
+}
+
+int SceneView::actorCount() const {
+    return impl_->stage.solid->GetActors()->GetNumberOfItems() +
+           impl_->stage.ghost->GetActors()->GetNumberOfItems();
 }
 
 void SceneView::fadeOn() {

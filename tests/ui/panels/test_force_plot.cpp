@@ -86,8 +86,7 @@ private slots:
         StripChart& chart = shown.chart("ratio");
         StripTime time;
         // The largest is the tangential by normal force at the end: 2 / 2.
-        const int lines = std::clamp(int(stripArea(chart.rect(), time).height() / 26), 1, 5);
-        const StripAxis axis = axisFor(0, 0.9995, lines);
+        const StripAxis axis = axisFor(0, 0.9995, stripLines(stripArea(chart.rect(), time)));
         for (const double t : {0.3, 1.0, 1.5})
             QVERIFY(nearest(chart, shown.at(chart, t, t / 2, axis), theme().stick) < 60);
         QVERIFY(nearest(chart, shown.at(chart, 1.0, 0.9, axis), theme().stick) > 100);

@@ -193,6 +193,7 @@ private slots:
         QVERIFY((rangeOf(0.3, 0.7) == MapRange{0.3, 0.7}));
         QVERIFY((rangeOf(800, 800) == MapRange{0, 800}));
         QVERIFY((rangeOf(0, 0) == MapRange{0, 1}));
+        QVERIFY((rangeOf(0, 0, 1e-3) == MapRange{0, 1e-3}));
         QVERIFY(near(rangeOf(2, 4).part(3), 0.5, 1e-12));
         QCOMPARE(wordsOf(FeltValue::Height).unit, QStringLiteral("mm"));
         QCOMPARE(wordsOf(FeltValue::Stiffness).unit, QStringLiteral("N/m"));

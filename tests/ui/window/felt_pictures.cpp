@@ -66,23 +66,22 @@ private:
 void takeContact(Pictures& pictures) {
     pictures.open("teapot.obj");
     TouchedWindow& program = pictures.program();
-    program.window->document().select(SurfaceRef{program.window->document().scene().objects[0].id, 0});
+    program.window->document().select({SurfaceRef{program.window->document().scene().objects[0].id, 0}});
     program.type(QStringLiteral("stiffness"), QStringLiteral("350"));
-    program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
-    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.35"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.5"));
+    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.3"));
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2"));
-    program.window->document().select(std::nullopt);
+    program.window->document().select({});
     pictures.zoom({60, 0}, 6);
     pictures.toggle({"friction-cone", "trail"});
     for (const char* strip : {"ratio", "lag"})
         pictures.plot().setShown(QLatin1String(strip), true);
-    pictures.press({120, -20}, 6);
-    pictures.stroke({-150, 40}, 60);
-    pictures.stroke({-24, 6}, 10);
+    pictures.press({0, -40}, 6);
+    pictures.stroke({90, 50}, 25, 1);
     pictures.save("friction-cone.png");
     for (const char* strip : {"energy", "rate"})
         pictures.plot().setShown(QLatin1String(strip), true);
-    pictures.stroke({80, 60}, 50);
+    pictures.stroke({-60, -40}, 30, 1);
     pictures.save("plots.png");
     for (const char* strip : {"ratio", "lag", "energy", "rate"})
         pictures.plot().setShown(QLatin1String(strip), false);
@@ -115,9 +114,9 @@ void takeMaps(Pictures& pictures) {
 
 void takeFeltPictures(TouchedWindow& program, const QDir& folder, const QString& scenes) {
     Pictures pictures(program, folder, scenes);
-    takeContact(pictures);
-    takeModel(pictures);
     takeMaps(pictures);
+    takeModel(pictures);
+    takeContact(pictures);
 }
 
 } // namespace tactum

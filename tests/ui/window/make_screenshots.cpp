@@ -11,6 +11,7 @@
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/sample_gallery.h"
+#include "ui/style.h"
 #include "ui/view/scene_view.h"
 
 using namespace tactum;
@@ -105,8 +106,25 @@ void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     save(program, folder, QStringLiteral("light-theme.png"));
 }
 
+void takeGuide(const QDir& folder, const QString& sample, QSize size) {
+    const auto trouble = std::make_shared<Trouble>();
+    const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
+    TouchedWindow program(size, samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")), around);
+    program.frames(20);
+    save(program, folder, QStringLiteral("start-page.png"));
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    save(program, folder, QStringLiteral("opened.png"));
+    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
+    takeFirstTouch(program, folder);
+    takeSlip(program, folder);
+    takeHealth(program, folder, QStringLiteral("health.png"));
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
+    takeLightTheme(program, folder);
+}
+
 } // namespace
 
+// FOLDER [SCENE [WIDTHxHEIGHT [felt]]]: with the last word only the pictures of what is felt.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -118,24 +136,11 @@ int main(int argc, char** argv) {
         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
-    const auto trouble = std::make_shared<Trouble>();
-    const auto around = [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); };
-    TouchedWindow program(sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString()),
-                          samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")), around);
-    program.frames(20);
-    if (argc > 4 && QByteArray(argv[4]) == "felt") {
-        takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
-        return 0;
-    }
-    save(program, folder, QStringLiteral("start-page.png"));
-    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
-    save(program, folder, QStringLiteral("opened.png"));
-    takeFault(program, *trouble, folder, QStringLiteral("fault.png"));
-    takeFirstTouch(program, folder);
-    takeSlip(program, folder);
-    takeHealth(program, folder, QStringLiteral("health.png"));
-    program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
-    takeLightTheme(program, folder);
+    const QSize size = sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString());
+    const bool onlyFelt = argc > 4 && QByteArray(argv[4]) == "felt";
+    if (!onlyFelt) takeGuide(folder, sample, size);
+    applyTheme(ThemeChoice::Dark);
+    TouchedWindow program(size);
     takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
     return 0;
 }

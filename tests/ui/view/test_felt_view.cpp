@@ -1,0 +1,331 @@
+// What the view shows of how things feel: pixels of the meaning's colour at the place that means it.
+#include <QApplication>
+#include <QTest>
+
+#include "core/runtime/compile.h"
+#include "tests/ui/view/ball_scene.h"
+#include "ui/theme.h"
+#include "ui/view/scene_picker.h"
+#include "ui/view/scene_view.h"
+#include "ui/view/surface_format.h"
+
+using namespace tactum;
+using namespace tactum::testing;
+
+namespace {
+
+constexpr QSize kSize(640, 480);
+/// Before the ball, a little to the left.
+const Vec3 kProxy(-0.02, 0, 0.056);
+
+struct Shown {
+    explicit Shown(const Scene& shownScene = ballScene()) : scene(shownScene), world(compile(scene).value()) {
+        view.resize(kSize);
+        view.setScene(scene);
+        view.setWorld(world);
+        view.show();
+        if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
+        view.showStandardView(StandardView::Front);
+        options.normals = options.planes = false;
+        show();
+    }
+
+    void show() {
+        view.setFelt(options);
+        if (!QTest::qWaitFor([&] { return !view.makesFelt(); }, 60000)) qFatal("it is never made");
+    }
+
+    ViewCamera camera() const {
+        ViewCamera camera;
+        camera.fieldOfView = EIGEN_PI / 6;
+        camera.size = kSize;
+        camera.fit(spanningPoints(scene));
+        return camera;
+    }
+    QPointF pixelOf(const Vec3& p) const { return *camera().project(p); }
+
+    /// A contact with a wall on the left, that is pushed with 4 of 8 N.
+    static HapticOutput touchOf(bool slips) {
+        HapticOutput touch;
+        touch.proxy = kProxy;
+        touch.force = {4, 0, 0};
+        touch.contacts = 1;
+        touch.contact[0] = {.point = kProxy, .normal = Vec3::UnitX(), .normalForce = 4, .slipping = slips};
+        touch.contact[0].staticFriction = 0.5;
+        touch.contact[0].dynamicFriction = 0.25;
+        return touch;
+    }
+    void touch(bool slips) {
+        ProxyTelemetry proxy;
+        proxy.updates = 1;
+        proxy.output = touchOf(slips);
+        ServoTelemetry servo;
+        servo.ticks = 1;
+        servo.finger = kProxy - Vec3(0.005, 0, 0);
+        servo.force = proxy.output.force;
+        view.setHaptics(proxy, servo, 8, true);
+    }
+
+    QImage picture() { return view.grabPicture(); }
+
+    Scene scene;
+    std::shared_ptr<const World> world;
+    SceneView view;
+    FeltOptions options;
+};
+
+/// How many pixels around a place have about the hue of a colour.
+int hued(const QImage& picture, QPointF at, const QColor& colour, double reach = 3) {
+    const double ratio = picture.devicePixelRatio();
+    int count = 0;
+    for (double dx = -reach; dx <= reach; dx += 1 / ratio)
+        for (double dy = -reach; dy <= reach; dy += 1 / ratio) {
+            const QPoint p = ((at + QPointF(dx, dy)) * ratio).toPoint();
+            if (!picture.rect().contains(p)) continue;
+            const QColor seen = picture.pixelColor(p);
+            const int apart = std::abs(seen.hsvHue() - colour.hsvHue());
+            count += seen.hsvSaturation() > 70 && std::min(apart, 360 - apart) < 18;
+        }
+    return count;
+}
+
+/// Pixels that differ, as a share of all.
+double changedShare(const QImage& a, const QImage& b) {
+    if (a.size() != b.size()) return 1;
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                         std::abs(p.blue() - q.blue()) >
+                     12;
+        }
+    return double(count) / (double(a.width()) * a.height());
+}
+
+TracePoint placeAt(double t, const Vec3& proxy) {
+    TracePoint point;
+    point.t = t;
+    point.proxy = proxy;
+    point.touching = true;
+    return point;
+}
+
+} // namespace
+
+class TestFeltView : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { useViewSurfaceFormat(); }
+
+private slots:
+    // 4 of 8 N are an arrow of 120 pixels: so high is the cone, and half as wide where 0.5 holds.
+    void theConeEndsWhereFrictionDoes() {
+        Shown shown;
+        shown.touch(false);
+        const QPointF apex = shown.pixelOf(kProxy);
+        const QPointF atStatic = apex + QPointF(120, -60), atDynamic = apex + QPointF(120, -30);
+        QCOMPARE(hued(shown.picture(), atStatic, kDarkTheme.stick), 0);
+        shown.options.cone = true;
+        shown.show();
+        const QImage sticks = shown.picture();
+        QVERIFY(hued(sticks, atStatic, kDarkTheme.stick) > 3);
+        QVERIFY(hued(sticks, apex + QPointF(120, 60), kDarkTheme.stick) > 3);
+        QCOMPARE(hued(sticks, apex + QPointF(120, -70), kDarkTheme.stick), 0);
+        shown.touch(true);
+        const QImage slips = shown.picture();
+        QVERIFY(hued(slips, atDynamic, kDarkTheme.slip) > 3);
+        QCOMPARE(hued(slips, atStatic, kDarkTheme.slip), 0);
+        shown.options.cone = false;
+        shown.show();
+        QCOMPARE(hued(shown.picture(), atDynamic, kDarkTheme.slip), 0);
+    }
+
+    void marksOfContactsAreSwitchedOneByOne() {
+        Shown shown;
+        shown.touch(false);
+        const QPointF tip = shown.pixelOf(kProxy) + QPointF(38, 0);
+        const QImage bare = shown.picture();
+        shown.options.planes = true;
+        shown.show();
+        const QImage planes = shown.picture();
+        QVERIFY(changedShare(bare, planes) > 1e-4);
+        shown.options.planes = false;
+        shown.options.normals = true;
+        shown.show();
+        // Beside the arrow of the force, which lies along it.
+        QVERIFY(hued(shown.picture(), tip, kDarkTheme.contact, 6) > hued(bare, tip, kDarkTheme.contact, 6));
+        shown.options.normals = false;
+        shown.show();
+        QCOMPARE(changedShare(bare, shown.picture()), 0.0);
+    }
+
+    void theTrailIsVioletWhereItSlippedWithABeadWhereItStuck() {
+        Shown shown;
+        shown.options.trail = true;
+        shown.show();
+        std::vector<TracePoint> slide, rest;
+        for (int i = 0; i <= 200; ++i)
+            slide.push_back(placeAt(1e-3 * i, kProxy + Vec3(2e-4 * i, 0, 0)));
+        for (int i = 1; i <= 300; ++i)
+            rest.push_back(placeAt(0.2 + 1e-3 * i, kProxy + Vec3(0.04, 0, 0)));
+        shown.view.addTrail(slide, Shown::touchOf(true));
+        shown.view.addTrail(rest, Shown::touchOf(false));
+        const QImage picture = shown.picture();
+        QVERIFY(hued(picture, shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.slip) > 5);
+        QVERIFY(hued(picture, shown.pixelOf(kProxy + Vec3(0.04, 0, 0)), kDarkTheme.stick, 4) > 20);
+        QCOMPARE(hued(picture, shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.stick), 0);
+        shown.options.trail = false;
+        shown.show();
+        QCOMPARE(hued(shown.picture(), shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.slip), 0);
+    }
+
+    void theTrailFades() {
+        Shown shown;
+        shown.options.trail = true;
+        shown.show();
+        std::vector<TracePoint> slide;
+        for (int i = 0; i <= 200; ++i)
+            slide.push_back(placeAt(1e-3 * i, kProxy + Vec3(2e-4 * i, 0, 0)));
+        shown.view.addTrail(slide, Shown::touchOf(true));
+        const QPointF middle = shown.pixelOf(kProxy + Vec3(0.02, 0, 0));
+        QVERIFY(hued(shown.picture(), middle, kDarkTheme.slip) > 5);
+        std::vector<TracePoint> later;
+        for (int i = 1; i <= 5000; ++i)
+            later.push_back(placeAt(0.2 + 1e-3 * i, kProxy + Vec3(0.04, 0, 0)));
+        shown.view.addTrail(later, Shown::touchOf(false));
+        QCOMPARE(hued(shown.picture(), middle, kDarkTheme.slip), 0);
+    }
+
+    void spheresHideNothingAndGoAgain() {
+        Shown shown;
+        const QImage bare = shown.picture();
+        shown.options.spheres = true;
+        shown.options.sphereLevel = 0;
+        shown.show();
+        const QImage coarse = shown.picture();
+        QVERIFY(changedShare(bare, coarse) > 0.05);
+        // Around the ball as well: the coarse spheres reach beyond it.
+        QVERIFY(hued(coarse, shown.pixelOf({0, kBallRadius, 0}) - QPointF(0, 10), kDarkTheme.accent, 8) > 0);
+        shown.options.sphereLevel = 2;
+        shown.show();
+        QVERIFY(changedShare(coarse, shown.picture()) > 0.05);
+        shown.options.spheres = false;
+        shown.show();
+        QCOMPARE(changedShare(bare, shown.picture()), 0.0);
+    }
+
+    void noLevelIsDeeperThanTheTree() {
+        Shown shown;
+        shown.options.spheres = true;
+        shown.show();
+        shown.options.sphereLevel = kDeepestLevel;
+        shown.show();
+        QVERIFY(shown.view.felt().sphereLevel < 6);
+    }
+
+    void feltNormalsStandOnTheModel() {
+        Shown shown;
+        const QPointF above = shown.pixelOf({0, kBallRadius, 0}) - QPointF(0, 5);
+        QCOMPARE(hued(shown.picture(), above, kDarkTheme.contact, 4), 0);
+        shown.options.feltNormals = true;
+        shown.show();
+        QVERIFY(hued(shown.picture(), above, kDarkTheme.contact, 4) > 0);
+        shown.options.feltNormals = false;
+        shown.show();
+        QCOMPARE(hued(shown.picture(), above, kDarkTheme.contact, 4), 0);
+    }
+
+    void aMapColoursEachSurfaceByItsValue() {
+        Scene scene = ballScene();
+        scene.objects[0].surfaces[kLower].material.stiffness = 200;
+        scene.objects[0].surfaces[kUpper].material.stiffness = 1000;
+        Shown shown(scene);
+        const QImage bare = shown.picture();
+        shown.options.map = FeltValue::Stiffness;
+        shown.show();
+        const QImage map = shown.picture();
+        const QPointF upper(320, 170), lower(320, 310);
+        QVERIFY(hued(map, upper, QColor(253, 231, 37)) > 40); // the upper end of the scale
+        QVERIFY(hued(map, lower, QColor(68, 1, 84)) > 40);    // and its lower one
+        // The scale itself, in the lower left corner.
+        const QRectF edge(12, 240, 40, 230);
+        int yellow = 0;
+        for (double y = edge.top(); y < edge.bottom(); y += 4)
+            for (double x = edge.left(); x < edge.right(); x += 4)
+                yellow += hued(map, {x, y}, QColor(253, 231, 37), 0) > 0;
+        QVERIFY(yellow > 0);
+        // An edit of a value is seen at once.
+        shown.scene.objects[0].surfaces[kLower].material.stiffness = 1800;
+        shown.view.setScene(shown.scene);
+        shown.view.setWorld(compile(shown.scene, shown.world.get()).value());
+        const QImage edited = shown.picture();
+        QVERIFY(hued(edited, lower, QColor(253, 231, 37)) > 40);
+        QVERIFY(hued(edited, upper, QColor(68, 1, 84)) > 40);
+        shown.options.map.reset();
+        shown.show();
+        QCOMPARE(changedShare(bare, shown.picture()), 0.0);
+    }
+
+    void bumpsAreDrawnAsManyTimesAsHigh() {
+        Scene scene = ballScene();
+        TextureLayer layer;
+        layer.pattern.source = TextureSource::Grooves;
+        layer.pattern.mapping = TextureMapping::Planar;
+        layer.pattern.size = 0.03;
+        layer.strength = 1e-3;
+        for (Surface& surface : scene.objects[0].surfaces)
+            surface.layers = {layer};
+        Shown shown(scene);
+        const QImage bare = shown.picture();
+        shown.options.bumps = 1;
+        shown.show();
+        const double once = changedShare(bare, shown.picture());
+        shown.options.bumps = 10;
+        shown.show();
+        const QImage tenfold = shown.picture();
+        QVERIFY(once > 1e-3 && changedShare(bare, tenfold) > 1.2 * once);
+        // A ridge runs over the middle: the ball is 10 mm higher there.
+        const QPointF ridge = shown.pixelOf({0, kBallRadius + 8e-3, 0});
+        const auto at = [&](const QImage& p) {
+            return p.pixelColor((ridge * p.devicePixelRatio()).toPoint());
+        };
+        QVERIFY(std::abs(at(tenfold).lightness() - at(bare).lightness()) > 25);
+        shown.options.bumps = 0;
+        shown.show();
+        QCOMPARE(changedShare(bare, shown.picture()), 0.0);
+    }
+
+    void switchingOnAndOffLeavesNothingBehind() {
+        Shown shown;
+        shown.touch(false);
+        const auto round = [&] {
+            FeltOptions all;
+            all.cone = all.trail = all.spheres = all.feltNormals = true;
+            all.map = FeltValue::Height;
+            all.bumps = 10;
+            shown.options = all;
+            shown.show();
+            (void)shown.picture();
+            shown.options = {};
+            shown.show();
+            (void)shown.picture();
+            return shown.view.actorCount();
+        };
+        const int once = round();
+        for (int i = 0; i < 5; ++i)
+            QCOMPARE(round(), once);
+        shown.options.spheres = shown.options.feltNormals = true;
+        shown.show();
+        const int with = shown.view.actorCount();
+        for (int i = 0; i < 3; ++i) {
+            shown.world = compile(ballScene(48, Index(24 + i))).value();
+            shown.view.setWorld(shown.world);
+            shown.show();
+            QCOMPARE(shown.view.actorCount(), with);
+        }
+    }
+};
+
+QTEST_MAIN(TestFeltView)
+#include "test_felt_view.moc"
