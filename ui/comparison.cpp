@@ -16,7 +16,8 @@ struct Comparison::Outcome {
 
 namespace {
 
-/// The finger of the last `seconds` of a recording, its time from 0.
+/// The finger of the last `seconds` of a recording, its time from 0. It begins where the proxy was then: a
+/// finger that was inside of a body already would not feel it otherwise.
 std::vector<FingerPoint> strokeOf(const RecordedRun& run, double seconds) {
     std::vector<FingerPoint> stroke;
     const auto& rows = run.proxy.rows;
@@ -25,6 +26,7 @@ std::vector<FingerPoint> strokeOf(const RecordedRun& run, double seconds) {
     for (const ProxyRow& row : rows) {
         const double t = row.time - begin;
         if (t < 0 || (!stroke.empty() && t <= stroke.back().t)) continue;
+        if (stroke.empty()) stroke.push_back({t - row.dt, vectorOf(row.proxy)});
         stroke.push_back({t, vectorOf(row.finger)});
     }
     for (const double first = stroke.front().t; FingerPoint & point : stroke)

@@ -1,9 +1,13 @@
 #include "core/files/journal.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include "core/archive/sha256.h"
 #include "core/base/atomic_file.h"
@@ -18,18 +22,48 @@ namespace {
 namespace fs = std::filesystem;
 
 // A glb is a header, a chunk of JSON with all numbers, and a chunk of meshes and images. The journal keeps
-// the header and the JSON in one file, which names the other one by its fingerprint: an edit of a number
-// writes kilobytes. Who replaces the first file has changed the journal, so that is done last.
+// the header and the JSON in one file, and the rest in blocks, each a file named by its fingerprint: an edit
+// of a number writes kilobytes, and the last block, where small pictures of a material for other programs
+// are. Who replaces the first file has changed the journal, so that is done last.
 constexpr std::string_view kMagic = "tactum journal 1\n";
 constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
 constexpr std::string_view kShapes = "shapes-";
+constexpr std::size_t kBlock = std::size_t(4) << 20;
 constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;
 constexpr std::uint64_t kMost = std::uint64_t(4) << 30; // what a glb can hold
 
+/// Of a block: tells it from every other one that chance or a bad disk could put in its place.
+struct Print {
+    std::uint64_t bytes = 0, low = 0xcbf29ce484222325u, high = 0x9e3779b97f4a7c15u;
+
+    explicit Print(std::string_view text) : bytes(text.size()) {
+        for (; text.size() >= 8; text.remove_prefix(8))
+            mix(text.substr(0, 8));
+        mix(text);
+    }
+    Print() = default;
+    bool operator==(const Print&) const = default;
+    std::string name() const {
+        std::string digits;
+        for (const std::uint64_t part : {low, high})
+            for (int shift = 60; shift >= 0; shift -= 4)
+                digits += "0123456789abcdef"[part >> shift & 15];
+        return std::string(kShapes) + digits;
+    }
+
+private:
+    /// Each step can be undone, so two blocks that differ in one word never have one print.
+    void mix(std::string_view part) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, part.data(), part.size());
+        low = std::rotl((low ^ word) * 0x100000001b3u, 29);
+        high = std::rotl((high ^ word) * 0xff51afd7ed558ccdu, 31);
+    }
+};
+
 struct Journal {
     JournalEntry entry;
-    std::string shapes; ///< fingerprint of the second file
-    std::uint64_t shapeBytes = 0;
+    std::vector<Print> blocks;
     std::string numbers; ///< the beginning of the glb
 };
 
@@ -38,7 +72,10 @@ template <class Io> void fields(Io& io, Journal& journal) {
     std::string file = entry.file.native();
     io(file), io(entry.fileWritten), io(entry.fileBytes), io(entry.own), io(entry.title), io(entry.edited);
     entry.file = file;
-    io(journal.shapes), io(journal.shapeBytes), io(journal.numbers);
+    io.count(journal.blocks, sizeof(Print));
+    for (Print& each : journal.blocks)
+        io(each.bytes), io(each.low), io(each.high);
+    io(journal.numbers);
 }
 
 std::string bytesOf(Journal journal) {
@@ -47,11 +84,11 @@ std::string bytesOf(Journal journal) {
     return std::string(kMagic) + sha256(out.bytes) + out.bytes;
 }
 
-/// Where the meshes and images of a glb begin.
+/// Where the meshes and images of a glb begin. How long all of them are stands before them.
 std::size_t endOfNumbers(std::string_view glb) {
     std::uint32_t json = 0;
     std::memcpy(&json, glb.data() + kGlbHeader, sizeof json);
-    return kGlbHeader + kChunkHeader + json;
+    return std::min(glb.size(), kGlbHeader + kChunkHeader + json + kChunkHeader);
 }
 
 tl::unexpected<Error> damaged(const fs::path& folder, const std::string& what) {
@@ -88,32 +125,33 @@ Result<Journal> readNumbers(const fs::path& folder) {
     }
 }
 
-fs::path shapesOf(const fs::path& folder, const std::string& print) {
-    return folder / (std::string(kShapes) + print);
-}
-
 /// What no journal names any more, and what an interrupted save left.
-void tidy(const fs::path& folder, const fs::path& shapes) {
+void tidy(const fs::path& folder, const std::set<std::string>& named) {
     std::error_code fault;
     for (const auto& each : fs::directory_iterator(folder, fault)) {
         const std::string name = each.path().filename();
-        const bool isOld = name.starts_with(kShapes) && each.path() != shapes;
+        const bool isOld = name.starts_with(kShapes) && !named.contains(name);
         if (isOld || name.starts_with(".tactum-") || name == kUnpacked) fs::remove(each.path(), fault);
     }
 }
 
 Result<void> replaceJournal(const fs::path& folder, const JournalEntry& entry, std::string_view glb) {
     const std::size_t end = endOfNumbers(glb);
-    const std::string_view shapes = glb.substr(end);
-    Journal journal{entry, sha256(shapes), shapes.size(), std::string(glb.substr(0, end))};
+    Journal journal{entry, {}, std::string(glb.substr(0, end))};
+    std::set<std::string> named;
     std::error_code fault;
     fs::create_directories(folder, fault); // what is wrong with it the first write says
-    const fs::path kept = shapesOf(folder, journal.shapes);
-    if (fs::file_size(kept, fault) != shapes.size() || fault) // a file of that name is whole
-        if (const auto written = writeFileAtomically(kept, shapes, 0); !written) return written;
+    for (std::string_view rest = glb.substr(end); !rest.empty();) {
+        const std::string_view block = rest.substr(0, kBlock);
+        rest.remove_prefix(block.size());
+        const Print& print = journal.blocks.emplace_back(block);
+        const fs::path file = folder / *named.insert(print.name()).first;
+        if (fs::file_size(file, fault) == block.size()) continue; // a file of that name is whole
+        if (const auto written = writeFileAtomically(file, block, 0); !written) return written;
+    }
     if (const auto written = writeFileAtomically(folder / kNumbers, bytesOf(journal), 0); !written)
         return written;
-    tidy(folder, kept);
+    tidy(folder, named);
     return {};
 }
 
@@ -140,12 +178,15 @@ Result<JournalEntry> readJournalEntry(const fs::path& folder) {
 Result<fs::path> unpackJournal(const fs::path& folder) {
     const auto journal = readNumbers(folder);
     if (!journal) return tl::unexpected<Error>(journal.error());
-    const auto shapes = contentOf(shapesOf(folder, journal->shapes));
-    if (!shapes) return tl::unexpected<Error>(shapes.error());
-    if (shapes->size() != journal->shapeBytes || sha256(*shapes) != journal->shapes)
-        return damaged(folder, "meshes or images have changed");
+    std::string glb = journal->numbers;
+    for (const Print& print : journal->blocks) {
+        const auto block = contentOf(folder / print.name());
+        if (!block) return tl::unexpected<Error>(block.error());
+        if (Print(*block) != print) return damaged(folder, "meshes or images have changed");
+        glb += *block;
+    }
     const fs::path file = folder / kUnpacked;
-    if (const auto written = writeFileAtomically(file, journal->numbers + *shapes, 0); !written)
+    if (const auto written = writeFileAtomically(file, glb, 0); !written)
         return tl::unexpected<Error>(written.error());
     return file;
 }

@@ -12,6 +12,8 @@ namespace tactum {
 
 namespace {
 
+constexpr double kLeast = 0.1; // N, end of the axis
+
 /// A round number of newtons for the end of the axis.
 double axisFor(double newton) {
     const double decade = std::pow(10.0, std::floor(std::log10(std::max(newton, 1e-6))));
@@ -74,7 +76,8 @@ void CompareChart::paintEvent(QPaintEvent*) {
     const QRectF place = area();
     const int count = std::clamp(int(place.width()), 2, 4000);
     const std::vector<double> a = columnsOf(*a_, count), b = columnsOf(*b_, count);
-    const double top = axisFor(std::max({1e-3, *std::ranges::max_element(a), *std::ranges::max_element(b)}));
+    const double top =
+        axisFor(std::max({kLeast, *std::ranges::max_element(a), *std::ranges::max_element(b)}));
     paintAxes(painter, top, b_->back().t - b_->front().t);
     const auto lineOf = [&](const std::vector<double>& columns) {
         QPolygonF line;
@@ -108,7 +111,7 @@ void CompareChart::paintAxes(QPainter& painter, double top, double seconds) cons
         painter.setPen(QPen(theme().plotGrid, 1));
         painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
         painter.setPen(theme().textDimmed);
-        const QString label = numberText(top * i / 4, decimalsOf(top / 4)) + (i == 0 ? tr(" N") : QString());
+        const QString label = i == 0 ? tr("0 N") : numberText(top * i / 4, decimalsOf(top / 4));
         painter.drawText(QRectF(0, y - 8, place.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, label);
     }
     painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), 16), Qt::AlignLeft,

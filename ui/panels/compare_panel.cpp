@@ -25,6 +25,7 @@ QString pairText(double a, double b, int decimals) {
 ComparePanel::ComparePanel(Comparison& comparison, QWidget* parent)
     : QWidget(parent), comparison_(comparison), automatic_(new QCheckBox(tr("After each edit"))),
       chart_(new CompareChart), figures_(new QLabel) {
+    setAttribute(Qt::WA_StyledBackground);
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(kRhythm / 2);
     auto* whole = new QHBoxLayout(this);
@@ -102,6 +103,10 @@ QString figuresOf(const Comparison& comparison) {
     const auto& result = comparison.result();
     if (!result) return {};
     const TouchDifference& d = result->difference;
+    const QString work = QStringLiteral("  ") + pairText(1e3 * d.workA, 1e3 * d.workB, 3);
+    const QString ratio = QStringLiteral("  ") + pairText(d.ratioA, d.ratioB, 3);
+    const QStringList both{QObject::tr("Work, mJ"), work, QObject::tr("Mean friction ratio"), ratio};
+    if (d.largest == 0) return (QStringList(QObject::tr("No difference")) + both).join(u'\n');
     const QStringList lines{
         QObject::tr("Difference B - A"),
         QObject::tr("rms  %1 N").arg(numberText(d.rms, 4)),
@@ -110,12 +115,8 @@ QString figuresOf(const Comparison& comparison) {
         QObject::tr("  at %1, %2, %3 mm")
             .arg(numberText(1e3 * d.largestWhere.x(), 1), numberText(1e3 * d.largestWhere.y(), 1),
                  numberText(1e3 * d.largestWhere.z(), 1)),
-        QObject::tr("Work, mJ"),
-        QStringLiteral("  ") + pairText(1e3 * d.workA, 1e3 * d.workB, 3),
-        QObject::tr("Mean friction ratio"),
-        QStringLiteral("  ") + pairText(d.ratioA, d.ratioB, 3),
     };
-    return lines.join(u'\n');
+    return (lines + both).join(u'\n');
 }
 
 } // namespace tactum

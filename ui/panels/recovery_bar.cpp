@@ -1,5 +1,6 @@
 #include "ui/panels/recovery_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -28,6 +29,11 @@ RecoveryBar::RecoveryBar(Recovery& recovery, QWidget* parent)
     lines_->setSpacing(0);
     connect(&recovery_, &Recovery::changed, this, &RecoveryBar::refresh);
     hide();
+}
+
+void RecoveryBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) refresh();
+    QWidget::changeEvent(event);
 }
 
 void RecoveryBar::refresh() {
@@ -100,7 +106,11 @@ void RecoveryBar::addChoices(QWidget& line, std::size_t index) {
         later_ = true;
         hide();
     });
-    if (index == 0) row->addWidget(later);
+    row->addWidget(later);
+    auto policy = later->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // one is enough; the others keep its room
+    later->setSizePolicy(policy);
+    later->setVisible(index == 0);
 }
 
 } // namespace tactum

@@ -22,6 +22,9 @@ signals:
     /// Index into Recovery::scenes(). Whoever hears it sees to what is unsaved now.
     void recoverAsked(std::size_t index);
 
+protected:
+    void changeEvent(QEvent* event) override; ///< another theme
+
 private:
     void refresh();
     QWidget* makeLine(std::size_t index);

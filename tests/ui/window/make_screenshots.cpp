@@ -1,15 +1,20 @@
 // Writes the pictures of the guide: drives the real window through a first touch.
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QDockWidget>
+#include <QPainter>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QTest>
 
+#include "core/base/process_mark.h"
+#include "core/files/journal.h"
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/journal.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
@@ -99,6 +104,46 @@ void takeFault(TouchedWindow& program, Trouble& trouble, const QDir& folder, con
     program.window->findChild<QWidget*>(QStringLiteral("notice"))->hide();
 }
 
+/// A stroke over the body as it was, and half as stiff.
+void takeCompare(TouchedWindow& program, const QDir& folder, const QString& name) {
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-compare"))->raise();
+    program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
+    program.window->findChild<QPushButton*>(QStringLiteral("compare-record"))->click();
+    program.release(pressAndStroke(program));
+    program.window->findChild<QPushButton*>(QStringLiteral("compare-record"))->click();
+    program.window->findChild<QPushButton*>(QStringLiteral("compare-mark"))->click();
+    program.type(QStringLiteral("stiffness"), QStringLiteral("200"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.2"));
+    program.frames(60);
+    save(program, folder, name);
+}
+
+void takePalette(TouchedWindow& program, const QDir& folder, const QString& name) {
+    program.window->findChild<QAbstractButton*>(QStringLiteral("palette-button"))->click();
+    program.frames(10);
+    auto* palette = program.window->findChild<QWidget*>(QStringLiteral("palette"));
+    QTest::keyClicks(palette->findChild<QWidget*>(QStringLiteral("palette-line")), QStringLiteral("se"));
+    program.frames(10);
+    // The list is a window of its own.
+    QPixmap picture = program.window->grab();
+    QPainter(&picture).drawPixmap(program.window->mapFromGlobal(palette->pos()), palette->grab());
+    if (!picture.save(folder.filePath(name))) qFatal("%s cannot be written", qPrintable(name));
+    palette->close();
+    program.frames(10);
+}
+
+/// What a run that died has left is offered above the view.
+void leaveJournal(const Scene& scene) {
+    ProcessMark dead = ownMark();
+    dead.began = 1;
+    const auto folder = Journal::home() / (nameOf(dead) + "_0");
+    const JournalEntry entry{.file = "/home/someone/models/vase.glb",
+                             .title = "vase.glb",
+                             .edited = QDateTime(QDate::currentDate(), QTime(14, 32)).toSecsSinceEpoch()};
+    if (!writeJournal(folder, entry, scene)) qFatal("the journal cannot be written");
+}
+
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
@@ -118,8 +163,15 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
     takeFirstTouch(program, folder);
     takeSlip(program, folder);
     takeHealth(program, folder, QStringLiteral("health.png"));
+    takeCompare(program, folder, QStringLiteral("compare.png"));
+    takePalette(program, folder, QStringLiteral("palette.png"));
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"))->raise();
     takeLightTheme(program, folder);
+    takeCompare(program, folder, QStringLiteral("compare-light.png"));
+    leaveJournal(program.document.scene());
+    TouchedWindow again(size, samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")));
+    again.frames(60);
+    save(again, folder, QStringLiteral("recovery.png"));
 }
 
 } // namespace
@@ -129,8 +181,7 @@ int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
     QTemporaryDir settings;
-    useSettingsIn(settings.path());
-    QStandardPaths::setTestModeEnabled(true); // a fault is saved as a recording
+    useSettingsIn(settings.path()); // what is kept of a fault or a scene as well
     const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("."));
     const QString sample =
         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral(TACTUM_RESOURCES "/scenes/teapot.obj");

@@ -140,7 +140,6 @@ void TestCompare::whatTheFingerDidIsAStroke() {
     program.wheel(program.centre(), 4);
     program.frames(20);
     QVERIFY(isCalled(program, "compare-record"));
-    program.release(program.centre());
     QVERIFY(!comparison.recording());
     const auto& stroke = comparison.stroke();
     QVERIFY(stroke.size() > 100 && isFingerPath(stroke));
@@ -148,6 +147,16 @@ void TestCompare::whatTheFingerDidIsAStroke() {
     comparison.markA();
     QVERIFY(isCompared(comparison));
     QVERIFY(comparison.result()->difference.workA != 0); // it did touch
+    // Once more from where it is now, inside: it feels what the finger feels.
+    QVERIFY(isCalled(program, "compare-record"));
+    program.frames(20);
+    QVERIFY(isCalled(program, "compare-record"));
+    QVERIFY(isCompared(comparison));
+    const Vec3 felt = comparison.result()->b->back().force;
+    QVERIFY(felt.norm() > 0.1);
+    QVERIFY((felt - program.touch().force).norm() < 0.05 * felt.norm());
+    program.release(program.centre());
+    // From the middle of it on: a finger that is inside at the beginning feels what it felt.
     QVERIFY(isCalled(program, "compare-last"));
     QVERIFY(comparison.stroke().back().t <= 10.0 + 1e-9);
 }
