@@ -11,10 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-double crossed(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 int texelOf(double place) {
     constexpr double kFarthest = 1e8;
     return int(std::floor(std::clamp(place, -kFarthest, kFarthest)));
@@ -39,13 +35,6 @@ TexelTriangle::TexelTriangle(const TriangleSoup& soup, Index triangle, const Tex
     for (std::size_t k = 0; k < 3; ++k)
         corners_[k] = map.perUv * soup.cornerUvs[3 * std::size_t(triangle) + k].cast<double>() + map.shift;
     perArea_ = 1 / crossed(corners_[1] - corners_[0], corners_[2] - corners_[0]);
-}
-
-Vec3 TexelTriangle::weightsAt(const Vector2d& place) const {
-    const Vector2d p = place - corners_[0];
-    const double second = crossed(p, corners_[2] - corners_[0]) * perArea_,
-                 third = crossed(corners_[1] - corners_[0], p) * perArea_;
-    return {1 - second - third, second, third};
 }
 
 std::pair<Vec3, double> TexelTriangle::nearestTo(const Vector2d& place) const {

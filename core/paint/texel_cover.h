@@ -51,7 +51,12 @@ public:
     const std::array<Eigen::Vector2d, 3>& corners() const { return corners_; }
     bool hasArea() const { return std::isfinite(perArea_); }
     /// Of its corners at a place, also beside it; sum 1.
-    Vec3 weightsAt(const Eigen::Vector2d& place) const;
+    Vec3 weightsAt(const Eigen::Vector2d& place) const {
+        const Eigen::Vector2d p = place - corners_[0];
+        const double second = crossed(p, corners_[2] - corners_[0]) * perArea_,
+                     third = crossed(corners_[1] - corners_[0], p) * perArea_;
+        return {1 - second - third, second, third};
+    }
     /// Those of its point nearest to a place, and how far apart they are, in texels.
     std::pair<Vec3, double> nearestTo(const Eigen::Vector2d& place) const;
 
@@ -61,6 +66,10 @@ public:
     }
 
 private:
+    static double crossed(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    }
+
     std::array<Eigen::Vector2d, 3> corners_;
     double perArea_ = 0;
 };

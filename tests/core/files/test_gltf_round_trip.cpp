@@ -272,6 +272,23 @@ private slots:
                 if (object.geometry->positions[i] == lopsided().positions[k])
                     QCOMPARE(values.all()[i], expected[k]);
     }
+    /// What the file said before of where values are is not kept.
+    void whatIsNoLongerPaintedIsGone() {
+        Scene scene = load(saved(painted()));
+        scene.objects[0].surfaces[0].layers[0].pattern.painted = {};
+        auto& other = scene.objects[0].surfaces[1].layers[0].pattern.painted; // of another mesh now
+        other.values = std::make_shared<const PaintedValues>(std::vector{0.5F, 0.25F});
+        const std::string glb = saved(scene);
+        const Json json = jsonOf(glb);
+        const auto patternOf = [&](std::size_t material) {
+            return json["materials"][material]["extensions"]["TACTUM_haptics"]["layers"][0]["pattern"];
+        };
+        QVERIFY(!patternOf(0).contains("painted"));
+        QVERIFY(patternOf(1)["painted"].contains("bufferView") &&
+                !patternOf(1)["painted"].contains("attribute"));
+        const std::string found = difference(scene, load(glb));
+        QVERIFY2(found.empty(), found.c_str());
+    }
     void damagedPaintIsSaid_data() {
         QTest::addColumn<QString>("damage");
         QTest::addColumn<QString>("sentence");

@@ -227,6 +227,19 @@ private slots:
         }
     }
 
+    /// Not toward one mean for the whole dab: a slope stays a slope.
+    void smoothLeavesASlope() {
+        const Soup soup = sheet(0.02, 80);
+        std::vector<float> slope;
+        for (const Vec3& p : soup->positions)
+            slope.push_back(float(0.5 + 20 * p.x() - 5 * p.y()));
+        const double radius = 8e-3, rise = 25 * radius;
+        const auto after =
+            onVertices(soup, brushOf(BrushMode::Smooth, radius, 1, 0.5), {{Vec3::Zero()}}, slope);
+        for (std::size_t i = 0; i < after.size(); ++i)
+            QVERIFY2(std::abs(double(after[i] - slope[i])) < 0.05 * rise, qPrintable(QString::number(i)));
+    }
+
     /// Any soup, brush and path: values stay from 0 to 1, nothing changes beyond reach, the same bits twice.
     void anyStrokeKeepsThePromises() {
         for (unsigned seed = 0; seed < 300; ++seed) {
