@@ -1,6 +1,7 @@
 // Texture layers of a scene: from bump maps of an OBJ, and what validation says of them.
 #include <QTest>
 
+#include "core/scene/describe.h"
 #include "core/surface/texture_stack.h"
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
@@ -184,6 +185,11 @@ private slots:
         TextureLayer masked;
         masked.mask = layer.pattern;
         QVERIFY(saidOf(sceneWith(masked)).empty());
+        const auto describedAs = [](const TextureLayer& each) {
+            return describe(sceneWith(each)).objects[0].surfaces[0].layers[0];
+        };
+        QVERIFY(describedAs(layer).source == "painted" && describedAs(layer).mapping.empty());
+        QVERIFY(describedAs(layer).mask.empty() && describedAs(masked).mask == "painted");
         masked.mask->painted = {};
         QVERIFY(oneFinding(sceneWith(masked), Severity::Warning, "nothing is painted of the mask of layer"));
     }

@@ -168,7 +168,7 @@ private slots:
             [=](LoadedScene& s) { s.scene.objects[0].pose.translation.x() = nan; },
             [](LoadedScene& s) { s.scene.objects[0].pose.rotation.coeffs() *= 2; },
             [=](LoadedScene& s) { s.scene.objects[0].surfaces[0].material.stiffness = nan; },
-            [](LoadedScene& s) { s.scene.objects[0].surfaces[0].sides = Sides(3); },
+            [](LoadedScene& s) { s.scene.objects[0].surfaces[0].sides = Sides(kSidesNames.size()); },
             [](LoadedScene& s) { s.scene.objects[0].surfaces[0].layers[0].blend = TextureBlend(9); },
             [](LoadedScene& s) { s.scene.objects[0].geometry = nullptr; },
             [](LoadedScene& s) { s.scene.objects[0].id = 0; },
