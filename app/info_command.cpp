@@ -94,6 +94,8 @@ Json layerJson(const LayerDescription& layer) {
 Json surfaceJson(const SurfaceDescription& surface) {
     Json json{{"name", surface.name},
               {"sides", nameOf(surface.sides)},
+              {"visible", surface.visible},
+              {"locked", surface.locked},
               {"triangles", surface.triangles},
               {"parameters", parametersJson(surface.parameters)},
               {"shading", shadingJson(surface.shading)},
@@ -178,7 +180,8 @@ void print(const ObjectDescription& object) {
         if (field.count != &MeshHealth::triangles && object.health.*field.count > 0)
             std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';
     for (const SurfaceDescription& surface : object.surfaces) {
-        std::cout << "  surface " << surface.name << ": " << surface.triangles << " triangles\n"
+        std::cout << "  surface " << surface.name << (surface.visible ? "" : " (hidden)")
+                  << (surface.locked ? " (locked)" : "") << ": " << surface.triangles << " triangles\n"
                   << "    sides " << nameOf(surface.sides) << '\n';
         print(surface.parameters, "    ");
         print(surface.shading);

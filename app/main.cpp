@@ -141,7 +141,7 @@ void addTouch(CLI::App& program, TouchOptions& options) {
                 if (word == "on" || word == "off") options.shading = word == "on";
                 return word == "on" || word == "off";
             });
-    addWord(*touch, "--sides", "both|front|back",
+    addWord(*touch, "--sides", "both|front|back|none",
             "From which side every surface is felt; the front sees the corners counter-clockwise",
             [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
     touch->footer("Without --dynamic-friction, dynamic friction is what --static-friction says.\n"

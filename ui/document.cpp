@@ -17,12 +17,9 @@ Surface* find(Scene& scene, SurfaceRef ref) {
     return object && ref.surface < object->surfaces.size() ? &object->surfaces[ref.surface] : nullptr;
 }
 
-/// Where an edit finds a part of a surface; nullptr when the surface is gone.
-template <class T> std::function<T*(Scene&)> inSurface(SurfaceRef ref, T Surface::*part) {
-    return [ref, part](Scene& scene) {
-        Surface* found = find(scene, ref);
-        return found ? &(found->*part) : nullptr;
-    };
+/// Where an edit finds an object; nullptr when it is gone.
+std::function<SceneObject*(Scene&)> atObject(ObjectId id) {
+    return [id](Scene& scene) { return scene.find(id); };
 }
 
 QString text(std::string_view view) {
@@ -32,7 +29,8 @@ QString text(std::string_view view) {
 } // namespace
 
 bool SceneChange::touchesShape() const {
-    return what == What::Everything || what == What::Objects || what == What::ProxyRadius;
+    return what == What::Everything || what == What::Objects || what == What::Surfaces ||
+           what == What::ProxyRadius;
 }
 
 Gesture newGesture() {
@@ -43,9 +41,9 @@ Gesture newGesture() {
 /// The one command: undo and redo are the same exchange of values.
 template <class T> class Document::Exchange final : public QUndoCommand {
 public:
-    Exchange(Document& document, const QString& text, Place<T> place, T value, SceneChange change,
-             Gesture gesture)
-        : QUndoCommand(text), document_(document), place_(std::move(place)), value_(std::move(value)),
+    Exchange(Document& document, const QString& text, std::vector<Place<T>> places, std::vector<T> values,
+             SceneChange change, Gesture gesture)
+        : QUndoCommand(text), document_(document), places_(std::move(places)), values_(std::move(values)),
           change_(change), gesture_(gesture) {}
 
     void redo() override { exchange(); }
@@ -53,23 +51,31 @@ public:
 
     int id() const override { return gesture_ == 0 ? -1 : gesture_; }
 
-    /// This one already holds the value from before the gesture, and the scene holds the newest.
+    /// This one already holds the values from before the gesture, and the scene holds the newest.
     bool mergeWith(const QUndoCommand* next) override {
         const auto* other = dynamic_cast<const Exchange*>(next);
-        if (!other || other->change_ != change_) return false;
-        if (const T* now = place_(document_.scene_)) setObsolete(*now == value_);
+        if (!other || other->change_ != change_ || other->places_.size() != places_.size()) return false;
+        setObsolete(changesNothing(document_.scene_, places_, values_));
+        return true;
+    }
+
+    static bool changesNothing(Scene& scene, const std::vector<Place<T>>& places,
+                               const std::vector<T>& values) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (const T* now = places[i](scene); now && !(*now == values[i])) return false;
         return true;
     }
 
 private:
     void exchange() {
-        if (T* now = place_(document_.scene_)) std::swap(*now, value_);
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            if (T* now = places_[i](document_.scene_)) std::swap(*now, values_[i]);
         document_.announce(change_);
     }
 
     Document& document_;
-    Place<T> place_;
-    T value_;
+    std::vector<Place<T>> places_;
+    std::vector<T> values_; ///< one for each place
     SceneChange change_;
     Gesture gesture_;
 };
@@ -77,6 +83,7 @@ private:
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&job_, &BackgroundJob::progressed, this, &Document::openProgressed);
     connect(&saving_, &BackgroundJob::progressed, this, &Document::saveProgressed);
+    connect(&editing_, &BackgroundJob::progressed, this, &Document::editProgressed);
     connect(&saving_, &BackgroundJob::finished, this, [this] {
         if (nextSaves_.empty()) return;
         const auto next = std::move(nextSaves_.front());
@@ -86,10 +93,15 @@ Document::Document(QObject* parent) : QObject(parent) {
 }
 
 template <class T>
+void Document::edit(const QString& text, std::vector<Place<T>> places, std::vector<T> values,
+                    SceneChange change, Gesture gesture) {
+    if (Exchange<T>::changesNothing(scene_, places, values)) return;
+    history_.push(new Exchange<T>(*this, text, std::move(places), std::move(values), change, gesture));
+}
+
+template <class T>
 void Document::edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture) {
-    const T* now = place(scene_);
-    if (!now || *now == value) return;
-    history_.push(new Exchange<T>(*this, text, std::move(place), std::move(value), change, gesture));
+    edit<T>(text, std::vector{std::move(place)}, std::vector<T>{std::move(value)}, change, gesture);
 }
 
 const Surface* Document::surface(SurfaceRef ref) const {
@@ -107,46 +119,89 @@ std::vector<Finding> Document::findings() const {
     return now;
 }
 
-void Document::select(std::optional<SurfaceRef> ref) {
-    lost_.reset();
-    setSelection(ref);
+void Document::editSurfaces(const SurfaceRefs& refs, SceneChange::What what, const QString& text,
+                            const std::function<void(Surface&)>& change, Gesture gesture) {
+    std::vector<Place<Surface>> places;
+    std::vector<Surface> values;
+    for (const SurfaceRef ref : refs) {
+        const Surface* now = surface(ref);
+        if (!now || (now->locked && what != SceneChange::What::Names)) continue;
+        places.push_back([ref](Scene& scene) { return find(scene, ref); });
+        change(values.emplace_back(*now));
+    }
+    if (places.empty()) return;
+    edit<Surface>(text.contains(QStringLiteral("%1")) ? text.arg(namesOf(refs)) : text, std::move(places),
+                  std::move(values), {what, refs.front()}, gesture);
 }
 
-void Document::setSelection(std::optional<SurfaceRef> ref) {
-    if (ref && !surface(*ref)) ref.reset();
-    if (ref == selection_) return;
-    selection_ = ref;
-    emit changed({SceneChange::What::Selection});
+QString Document::namesOf(const SurfaceRefs& refs) const {
+    const Surface* only = refs.size() == 1 ? surface(refs.front()) : nullptr;
+    return only ? text(only->name) : tr("%1 surfaces").arg(refs.size());
 }
 
-void Document::setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture) {
-    const Surface* now = surface(ref);
-    if (!now) return;
-    edit<Material>(tr("%1 of %2").arg(text(field.parameter->label), text(now->name)),
-                   inSurface(ref, &Surface::material), withValue(now->material, field, value),
-                   {SceneChange::What::Material, ref}, gesture);
+void Document::setMaterialValue(const SurfaceRefs& refs, const MaterialField& field, double value,
+                                Gesture gesture) {
+    editSurfaces(
+        refs, SceneChange::What::Material, tr("%1 of %2").arg(text(field.parameter->label), "%1"),
+        [&](Surface& each) { each.material = withValue(each.material, field, value); }, gesture);
 }
 
-void Document::setShading(SurfaceRef ref, const Shading& shading, Gesture gesture) {
-    const Surface* now = surface(ref);
-    if (!now) return;
+void Document::setShading(const SurfaceRefs& refs, const Shading& shading, Gesture gesture) {
     Shading safe = shading;
     safe.creaseAngle = kCreaseAngle.clamped(shading.creaseAngle);
-    edit<Shading>(tr("Force shading of %1").arg(text(now->name)), inSurface(ref, &Surface::shading), safe,
-                  {SceneChange::What::Shading, ref}, gesture);
+    editSurfaces(
+        refs, SceneChange::What::Shading, tr("Force shading of %1"),
+        [&](Surface& each) { each.shading = safe; }, gesture);
 }
 
-void Document::setSides(SurfaceRef ref, Sides sides) {
-    const Surface* now = surface(ref);
-    if (!now) return;
-    edit<Sides>(tr("Felt sides of %1").arg(text(now->name)), inSurface(ref, &Surface::sides), sides,
-                {SceneChange::What::Sides, ref});
+void Document::setSides(const SurfaceRefs& refs, Sides sides) {
+    editSurfaces(refs, SceneChange::What::Sides, tr("Felt sides of %1"),
+                 [&](Surface& each) { each.sides = sides; });
+}
+
+void Document::setSurfacesVisible(const SurfaceRefs& refs, bool visible) {
+    editSurfaces(refs, SceneChange::What::Surfaces, visible ? tr("Show %1") : tr("Hide %1"),
+                 [&](Surface& each) { each.visible = visible; });
+}
+
+void Document::setLocked(const SurfaceRefs& refs, bool locked) {
+    editSurfaces(refs, SceneChange::What::Names, locked ? tr("Lock %1") : tr("Unlock %1"),
+                 [&](Surface& each) { each.locked = locked; });
+}
+
+void Document::isolate(const SurfaceRefs& refs) {
+    editObjects(tr("Show %1 alone").arg(namesOf(refs)), {SceneChange::What::Objects},
+                [&](SceneObject& object) {
+                    object.visible = false;
+                    for (Index i = 0; i < object.surfaces.size(); ++i) {
+                        const bool shown = std::ranges::find(refs, SurfaceRef{object.id, i}) != refs.end();
+                        object.surfaces[i].visible = shown;
+                        object.visible = object.visible || shown;
+                    }
+                });
 }
 
 void Document::setProxyRadius(double metres, Gesture gesture) {
     edit<double>(
         tr("Proxy radius"), [](Scene& scene) { return &scene.proxyRadius; }, kProxyRadius.clamped(metres),
         {SceneChange::What::ProxyRadius}, gesture);
+}
+
+template <class Change> void Document::editObjects(const QString& text, SceneChange change, Change&& each) {
+    auto objects = scene_.objects;
+    for (SceneObject& object : objects)
+        each(object);
+    edit<std::vector<SceneObject>>(
+        text, [](Scene& scene) { return &scene.objects; }, std::move(objects), change);
+}
+
+void Document::changeObjectNow(ObjectId id, const QString& text,
+                               const std::function<void(SceneObject&)>& change) {
+    const SceneObject* now = scene_.find(id);
+    if (!now) return;
+    SceneObject value = *now;
+    change(value);
+    edit<SceneObject>(text, atObject(id), std::move(value), {SceneChange::What::Objects});
 }
 
 void Document::renameObject(ObjectId id, const QString& name) {
@@ -158,27 +213,23 @@ void Document::renameObject(ObjectId id, const QString& name) {
 }
 
 void Document::renameSurface(SurfaceRef ref, const QString& name) {
-    edit<std::string>(tr("Rename to %1").arg(name), inSurface(ref, &Surface::name), name.toStdString(),
-                      {SceneChange::What::Names});
+    editSurfaces(ref, SceneChange::What::Names, tr("Rename to %1").arg(name),
+                 [&](Surface& each) { each.name = name.toStdString(); });
 }
 
 void Document::setVisible(ObjectId id, bool visible) {
     const SceneObject* object = scene_.find(id);
     if (!object) return;
-    auto place = [id](Scene& scene) {
-        SceneObject* found = scene.find(id);
-        return found ? &found->visible : nullptr;
-    };
-    edit<bool>((visible ? tr("Show %1") : tr("Hide %1")).arg(text(object->name)), place, visible,
-               {SceneChange::What::Objects});
+    changeObjectNow(id, (visible ? tr("Show %1") : tr("Hide %1")).arg(text(object->name)),
+                    [&](SceneObject& each) { each.visible = visible; });
 }
 
 void Document::showAll() {
-    auto objects = scene_.objects;
-    for (auto& object : objects)
+    editObjects(tr("Show all"), {SceneChange::What::Objects}, [](SceneObject& object) {
         object.visible = true;
-    edit<std::vector<SceneObject>>(tr("Show all"), [](Scene& scene) { return &scene.objects; },
-                                   std::move(objects), {SceneChange::What::Objects});
+        for (Surface& each : object.surfaces)
+            each.visible = true;
+    });
 }
 
 void Document::removeObject(ObjectId id) {
@@ -213,12 +264,7 @@ void Document::fit(const Scene& fitted) {
 
 void Document::announce(const SceneChange& change) {
     emit changed(change);
-    if (selection_ && !surface(*selection_)) {
-        lost_ = selection_;
-        setSelection(std::nullopt);
-    } else if (lost_ && surface(*lost_)) {
-        setSelection(std::exchange(lost_, std::nullopt));
-    }
+    keepSelection(change);
 }
 
 } // namespace tactum

@@ -15,6 +15,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/background_job.h"
+#include "ui/selection.h"
 
 namespace tactum {
 
@@ -22,23 +23,27 @@ namespace tactum {
 struct SceneChange {
     enum class What {
         Everything, ///< another scene
-        Objects,    ///< objects came, went, appeared or disappeared
-        Names,
+        Objects,    ///< objects came, went, appeared, disappeared or got another mesh
+        Surfaces,   ///< surfaces appeared or disappeared, or triangles went to others
+        Names,      ///< or locks: nothing that is felt or drawn
         Material, ///< of `surface`
         Shading,  ///< of `surface`: its normals may have to be computed
         Sides,    ///< of `surface`
+        Layers,   ///< of `surface`: its haptic texture
         ProxyRadius,
         Selection, ///< not a part of the scene, and not undoable
     };
     What what = What::Everything;
-    SurfaceRef surface{}; ///< only for Material, Shading and Sides
+    SurfaceRef surface{}; ///< only for Material, Shading, Sides and Layers; the first of several
 
     /// Whether a World compiled before has other shapes than one compiled now.
     bool touchesShape() const;
     /// Whether to compile it takes long enough for a worker.
     bool takesTime() const { return what == What::Shading || touchesShape(); }
     /// Whether the loops notice it at all.
-    bool touchesFeel() const { return what == What::Material || what == What::Sides || takesTime(); }
+    bool touchesFeel() const {
+        return what == What::Material || what == What::Sides || what == What::Layers || takesTime();
+    }
     bool operator==(const SceneChange&) const = default;
 };
 
@@ -75,12 +80,26 @@ public:
 
     /// nullptr for a reference to nothing.
     const Surface* surface(SurfaceRef ref) const;
-    std::optional<SurfaceRef> selection() const { return selection_; }
-    void select(std::optional<SurfaceRef> ref);
+    /// The active one of the selected surfaces: the last that was chosen.
+    std::optional<SurfaceRef> selection() const;
+    const SurfaceRefs& selected() const { return selected_; }
+    void select(const SurfaceRefs& refs, SelectMode mode = SelectMode::Replace);
+    const FaceSelection& selectedFaces() const { return faces_; }
+    void selectFaces(FaceSelection faces, SelectMode mode = SelectMode::Replace);
 
-    void setMaterialValue(SurfaceRef ref, const MaterialField& field, double value, Gesture gesture = 0);
-    void setShading(SurfaceRef ref, const Shading& shading, Gesture gesture = 0);
-    void setSides(SurfaceRef ref, Sides sides);
+    /// The one way to change surfaces: `change` is applied to each, in one step of the history. Locked
+    /// surfaces stay as they are. `text` names the step: "%1" in it becomes the surface's name, or their
+    /// number.
+    void editSurfaces(const SurfaceRefs& refs, SceneChange::What what, const QString& text,
+                      const std::function<void(Surface&)>& change, Gesture gesture = 0);
+    void setMaterialValue(const SurfaceRefs& refs, const MaterialField& field, double value,
+                          Gesture gesture = 0);
+    void setShading(const SurfaceRefs& refs, const Shading& shading, Gesture gesture = 0);
+    void setSides(const SurfaceRefs& refs, Sides sides);
+    void setSurfacesVisible(const SurfaceRefs& refs, bool visible);
+    void setLocked(const SurfaceRefs& refs, bool locked);
+    /// Shows these surfaces and hides all others.
+    void isolate(const SurfaceRefs& refs);
     void setProxyRadius(double metres, Gesture gesture = 0);
     void renameObject(ObjectId id, const QString& name);
     void renameSurface(SurfaceRef ref, const QString& name);
@@ -89,6 +108,21 @@ public:
     void removeObject(ObjectId id);
     /// Another state of the scene in place of this one, as one step of the history.
     void replaceScene(const QString& text, const Scene& scene);
+
+    /// The selected triangles become a surface of their own, which is then selected. Ends with editEnded().
+    void splitSelection();
+    /// The selected surfaces of the active one's object become one, which feels like the active one. Ends
+    /// with editEnded().
+    void mergeSelected();
+    /// Another mesh for an object, as one step of the history.
+    void setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text);
+    /// Works out another form of an object on a worker and makes it one step of the history, then calls
+    /// `then`. Nothing is changed when the object was edited meanwhile. Ends with editEnded().
+    using ObjectWork = std::function<Result<SceneObject>(const SceneObject&, const Progress&)>;
+    void changeObject(ObjectId id, const QString& text, const ObjectWork& work,
+                      const std::function<void()>& then = {});
+    void cancelEdit() { editing_.cancel(); }
+    bool editing() const { return editing_.running(); }
 
     /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
     /// A mesh of another program that does not fit a hand is scaled as the first, undoable step of the new
@@ -126,6 +160,9 @@ signals:
     /// One line for the person; `file` is as it was.
     void saveFailed(const QString& sentence);
     void saveProgressed(double fraction, double secondsLeft);
+    void editProgressed(double fraction, double secondsLeft);
+    /// One line for the person where the edit failed, else empty.
+    void editEnded(const QString& sentence);
     /// Something done on the person's behalf, and how to take it back.
     void noted(const QString& sentence);
 
@@ -134,7 +171,13 @@ private:
     template <class T> using Place = std::function<T*(Scene&)>;
     template <class T> class Exchange;
     template <class T>
+    void edit(const QString& text, std::vector<Place<T>> places, std::vector<T> values, SceneChange change,
+              Gesture gesture = 0);
+    template <class T>
     void edit(const QString& text, Place<T> place, T value, SceneChange change, Gesture gesture = 0);
+    void changeObjectNow(ObjectId id, const QString& text, const std::function<void(SceneObject&)>& change);
+    template <class Change> void editObjects(const QString& text, SceneChange change, Change&& each);
+    QString namesOf(const SurfaceRefs& refs) const;
     /// A finding of the reader, and the object that it is about; 0 for the scene.
     struct FileFinding {
         Finding finding;
@@ -148,17 +191,19 @@ private:
     static Scene fitted(Scene scene);
     void fit(const Scene& fitted);
     void announce(const SceneChange& change);
-    void setSelection(std::optional<SurfaceRef> ref);
+    void setSelection(SurfaceRefs refs);
+    void keepSelection(const SceneChange& change);
 
     Scene scene_;
     FileStamp file_;
     bool own_ = false; ///< the file was written by this program, and is no sample
     int scenes_ = 0;   ///< how many have been opened
     std::vector<FileFinding> findings_;
-    std::optional<SurfaceRef> selection_;
-    std::optional<SurfaceRef> lost_; ///< what was selected when it went: selected again if it comes back
+    SurfaceRefs selected_;
+    SurfaceRefs lost_; ///< what was selected when it went: selected again if it comes back
+    FaceSelection faces_;
     QUndoStack history_;
-    BackgroundJob job_, saving_;
+    BackgroundJob job_, saving_, editing_;
     std::deque<std::function<void()>> nextSaves_; ///< asked for while another one was under way
 };
 

@@ -82,8 +82,9 @@ void Document::exportBundle(const std::filesystem::path& file) {
 void Document::adopt(LoadedScene loaded, const FileStamp& file) {
     ++scenes_;
     history_.clear();
-    selection_.reset();
-    lost_.reset();
+    selected_.clear();
+    lost_.clear();
+    faces_ = {};
     scene_ = std::move(loaded.scene);
     findings_.clear();
     for (Finding& finding : loaded.findings) {

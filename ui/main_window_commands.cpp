@@ -141,9 +141,17 @@ void MainWindow::connectEdit() {
     connect(&history, &QUndoStack::redoTextChanged, &redo,
             [&redo](const QString& text) { redo.setText(tr("&Redo %1").arg(text)); });
     connect(&actions_["show-all"], &QAction::triggered, &document_, &Document::showAll);
-    connect(&actions_["hide"], &QAction::triggered, this, [this] {
-        if (const auto chosen = document_.selection()) document_.setVisible(chosen->object, false);
+    connect(&actions_["hide"], &QAction::triggered, this,
+            [this] { document_.setSurfacesVisible(document_.selected(), false); });
+    connect(&actions_["isolate"], &QAction::triggered, this, [this] {
+        if (document_.selection()) document_.isolate(document_.selected());
     });
+    connect(&actions_["lock"], &QAction::triggered, this, [this] {
+        const auto active = document_.selection();
+        if (active) document_.setLocked(document_.selected(), !document_.surface(*active)->locked);
+    });
+    connect(&actions_["split"], &QAction::triggered, &document_, &Document::splitSelection);
+    connect(&actions_["merge"], &QAction::triggered, &document_, &Document::mergeSelected);
     connect(&actions_["remove"], &QAction::triggered, this, [this] {
         if (const auto chosen = document_.selection()) document_.removeObject(chosen->object);
     });
@@ -193,6 +201,14 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::opened, this, &MainWindow::showOpened);
     connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
     connect(&document_, &Document::noted, notice_, &NoticeBar::showNote);
+    connect(&document_, &Document::editProgressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Changing the mesh"), fraction, secondsLeft, true);
+    });
+    connect(&document_, &Document::editEnded, this, [this](const QString& sentence) {
+        notice_->endProgress();
+        if (!sentence.isEmpty()) notice_->showError(sentence);
+    });
+    connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelEdit);
     connect(&document_, &Document::openProgressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Opening"), fraction, secondsLeft, true);
     });

@@ -112,12 +112,14 @@ std::string previewOf(const Scene& scene, int width, int height) {
         if (!object.visible) continue;
         const TriangleSoup& soup = *object.geometry;
         for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+            const Surface& surface = object.surfaces[soup.surfaceOf[f]];
+            if (!surface.visible) continue;
             std::array<Vec3, 3> corner;
             for (std::size_t i = 0; i < 3; ++i)
                 corner[i] = object.pose.apply(soup.positions[soup.triangles[f][i]]);
             const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
             if (normal.norm() == 0) continue;
-            const Eigen::Vector3d colour = object.surfaces[soup.surfaceOf[f]].colour.cast<double>();
+            const Eigen::Vector3d colour = surface.colour.cast<double>();
             for (Vec3& p : corner)
                 p = camera.pixel(p);
             picture.draw(corner, camera.light(normal.normalized()) * colour);

@@ -17,10 +17,12 @@ struct Waiting {
 };
 
 struct Search {
-    Search(const CollisionMesh& theMesh, const Vec3& thePlace) noexcept : mesh(theMesh), p(thePlace) {}
+    Search(const CollisionMesh& theMesh, const Vec3& thePlace, std::span<const Sides> theSides) noexcept
+        : mesh(theMesh), p(thePlace), sides(theSides) {}
 
     const CollisionMesh& mesh;
     Vec3 p;
+    std::span<const Sides> sides;
     Nearest best{};
     Vec3 normal = Vec3::Zero();      ///< at the best point, of any length
     std::array<Index, 64> sharing{}; ///< the triangles that share it
@@ -70,6 +72,7 @@ bool Search::isNew(Index triangle) noexcept {
 }
 
 void Search::lookAt(Index triangle) noexcept {
+    if (!sides.empty() && sides[mesh.soup->surfaceOf[triangle]] == Sides::None) return;
     const auto& corners = mesh.soup->triangles[triangle];
     const auto& at = mesh.soup->positions;
     const Triangle shape{at[corners[0]], at[corners[1]], at[corners[2]]};
@@ -103,8 +106,9 @@ Nearest Search::result() const noexcept {
 
 } // namespace
 
-Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B, double within) noexcept {
-    Search search(mesh, p_B);
+Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B, double within,
+                  std::span<const Sides> sides) noexcept {
+    Search search(mesh, p_B, sides);
     search.best.distance = within;
     const auto& nodes = mesh.tree.nodes();
     if (!nodes.empty()) search.open(nodes.front());

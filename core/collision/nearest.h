@@ -2,8 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "core/collision/collision_mesh.h"
+#include "core/geometry/sides.h"
 
 namespace tactum {
 
@@ -17,9 +19,11 @@ struct Nearest {
     double front = 0;
 };
 
-/// `p_B` in the body frame, `within` in metres: what is farther away is not found.
+/// `p_B` in the body frame, `within` in metres: what is farther away is not found; nor are surfaces that are
+/// felt from no side. `sides`: one for each surface, or none when all are felt.
 /// Thread: real time; fixed stack. Meant for changes of the scene, not for every step.
 Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B,
-                  double within = std::numeric_limits<double>::infinity()) noexcept;
+                  double within = std::numeric_limits<double>::infinity(),
+                  std::span<const Sides> sides = {}) noexcept;
 
 } // namespace tactum

@@ -10,4 +10,9 @@ Bounds boundsOf(const TriangleSoup& soup) {
     return box;
 }
 
+bool haveSameShape(const TriangleSoup& a, const TriangleSoup& b) {
+    return &a == &b || (a.triangles == b.triangles && a.positions == b.positions &&
+                        a.cornerNormals == b.cornerNormals);
+}
+
 } // namespace tactum

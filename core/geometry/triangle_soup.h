@@ -45,4 +45,8 @@ struct Bounds {
 /// The box of every corner that a triangle uses (unused positions do not count).
 Bounds boundsOf(const TriangleSoup& soup);
 
+/// Whether two soups differ at most in their surfaces and texture coordinates: hierarchies and normals of one
+/// are those of the other. Some milliseconds for a million triangles.
+bool haveSameShape(const TriangleSoup& a, const TriangleSoup& b);
+
 } // namespace tactum

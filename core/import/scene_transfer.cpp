@@ -77,13 +77,14 @@ void transferEach(Io& io, std::vector<T>& list, std::size_t least, Tables& table
 }
 
 template <class Io> void transfer(Io& io, Surface& surface, Tables& tables) {
-    auto& [name, material, shading, layers, colour, sides, kept] = surface;
+    auto& [name, material, shading, layers, colour, sides, visible, locked, kept] = surface;
     shownText(io, name, kLongestName);
     numbersByKey(io, kMaterialFields, material);
     transfer(io, shading, tables);
     transferEach(io, layers, 64, tables);
     io(colour);
     choose(io, sides, kSidesNames.size());
+    io(visible), io(locked);
     transfer(io, kept);
 }
 

@@ -1,6 +1,8 @@
 #include "core/proxy/place.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/collision/nearest.h"
 #include "core/proxy/proxy.h"
@@ -28,6 +30,11 @@ struct Placing {
     Vec3 nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept;
 };
 
+/// What has a surface that is not felt can be entered there.
+bool isClosed(const Obstacle& obstacle) noexcept {
+    return obstacle.mesh->closed && std::ranges::find(obstacle.sides, Sides::None) == obstacle.sides.end();
+}
+
 /// Whether a proxy inside of a closed obstacle cannot have come there by itself.
 bool Placing::mayNotEnter(const Obstacle& obstacle) const noexcept {
     if (obstacle.placedIn > former.since) return true;
@@ -39,9 +46,9 @@ bool Placing::mayNotEnter(const Obstacle& obstacle) const noexcept {
 Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept {
     const Pose& pose = poseNow(obstacle, movers);
     const Vec3 p_B = pose.applyInverse(p_W);
-    const bool mayBeInside = obstacle.mesh->closed && (obstacle.placedIn > former.since || former.at_W);
-    const Nearest near =
-        mayBeInside ? nearestOn(*obstacle.mesh, p_B) : nearestOn(*obstacle.mesh, p_B, radius);
+    const bool mayBeInside = isClosed(obstacle) && (obstacle.placedIn > former.since || former.at_W);
+    const double reach = mayBeInside ? std::numeric_limits<double>::infinity() : radius;
+    const Nearest near = nearestOn(*obstacle.mesh, p_B, reach, obstacle.sides);
     if (!std::isfinite(near.distance)) return Vec3::Zero();
     const bool inside = mayBeInside && near.front < 0 && mayNotEnter(obstacle);
     if (!inside && near.distance >= (1 - 2 * kSkin) * radius) return Vec3::Zero();

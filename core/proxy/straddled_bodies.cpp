@@ -7,9 +7,10 @@ namespace tactum {
 namespace {
 
 // A proxy that rests on a surface may be too near by two skins.
-bool overlaps(const CollisionMesh& mesh, const Vec3& at_B, double radius) noexcept {
+bool overlaps(const Obstacle& obstacle, const Vec3& at_B, double radius) noexcept {
     const double reach = (1 - 2 * kSkin) * radius;
-    return !mesh.tree.isBeyond(at_B, reach) && nearestOn(mesh, at_B, reach).distance < reach;
+    return !obstacle.mesh->tree.isBeyond(at_B, reach) &&
+           nearestOn(*obstacle.mesh, at_B, reach, obstacle.sides).distance < reach;
 }
 
 Vec3 placeBefore(const Obstacle& obstacle, std::span<const BodyMotion> movers, const Vec3& p_W) noexcept {
@@ -28,7 +29,7 @@ void followStraddled(ProxyState& state, std::span<const Obstacle> obstacles,
         if (obstacle.sides.empty()) continue;
         if (obstacle.mover >= 0 && movers[std::size_t(obstacle.mover)].jumped) continue;
         const Vec3 at_B = poseNow(obstacle, movers).applyInverse(state.position);
-        if (!overlaps(*obstacle.mesh, at_B, radius)) continue;
+        if (!overlaps(obstacle, at_B, radius)) continue;
         now[std::size_t(count++)] = {body, cameFrom(state, body, placeBefore(obstacle, movers, before_W))};
     }
     std::copy_n(now.begin(), count, state.straddled.begin());

@@ -26,7 +26,8 @@ struct Tables {
 template <class Io> void surface(Io& io, Surface& s, Tables& tables) {
     io(s.name), io(s.colour), io(s.shading.on), io(s.shading.creaseAngle);
     choose(io, s.shading.normals, 2);
-    choose(io, s.sides, 3);
+    choose(io, s.sides, kSidesNames.size());
+    io(s.visible);
     numbersByKey(io, kMaterialFields, s.material);
     io.count(s.layers, 64);
     for (TextureLayer& each : s.layers)

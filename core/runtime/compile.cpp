@@ -15,11 +15,16 @@ namespace {
 
 std::shared_ptr<const CollisionMesh> reuseOrBuild(const std::shared_ptr<const TriangleSoup>& soup,
                                                   const World& world, const World* previous) {
+    const CollisionMesh* regrouped = nullptr; // its triangles were of other surfaces
     for (const World* known : {&world, previous}) {
         if (!known) continue;
-        for (const WorldBody& body : known->bodies)
+        for (const WorldBody& body : known->bodies) {
             if (body.mesh->soup == soup) return body.mesh;
+            if (!regrouped && haveSameShape(*body.mesh->soup, *soup)) regrouped = body.mesh.get();
+        }
     }
+    if (regrouped)
+        return std::make_shared<const CollisionMesh>(CollisionMesh{soup, regrouped->tree, regrouped->closed});
     return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup), isClosed(*soup)});
 }
 
@@ -70,10 +75,10 @@ Material madeSafe(Material material) {
 }
 
 void addSides(WorldBody& body, const SceneObject& object) {
-    const auto isBoth = [](const Surface& surface) { return surface.sides == Sides::Both; };
+    const auto felt = [](const Surface& surface) { return surface.visible ? surface.sides : Sides::None; };
+    const auto isBoth = [&](const Surface& surface) { return felt(surface) == Sides::Both; };
     if (std::ranges::all_of(object.surfaces, isBoth)) return;
-    for (const Surface& surface : object.surfaces)
-        body.sides.push_back(surface.sides);
+    std::ranges::transform(object.surfaces, std::back_inserter(body.sides), felt);
 }
 
 bool sameMotions(const World& a, const World& b) {

@@ -27,7 +27,13 @@ LayerDescription described(const TextureLayer& layer) {
 }
 
 SurfaceDescription described(const Surface& surface) {
-    SurfaceDescription result{surface.name, 0, surface.colour, surface.sides, {}, surface.shading, {}};
+    SurfaceDescription result;
+    result.name = surface.name;
+    result.colour = surface.colour;
+    result.sides = surface.sides;
+    result.visible = surface.visible;
+    result.locked = surface.locked;
+    result.shading = surface.shading;
     for (const TextureLayer& layer : surface.layers)
         result.layers.push_back(described(layer));
     for (const MaterialField& field : kMaterialFields)

@@ -34,6 +34,7 @@ struct SurfaceDescription {
     std::size_t triangles = 0;
     Eigen::Vector3f colour; ///< linear RGB
     Sides sides = Sides::Both;
+    bool visible = true, locked = false;
     std::vector<ParameterDescription>
         parameters; ///< every number of the material, in the order of kMaterialFields
     Shading shading;

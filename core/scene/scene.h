@@ -37,6 +37,8 @@ struct Surface {
     std::vector<TextureLayer> layers;               ///< of haptic texture, lowest first
     Eigen::Vector3f colour = {0.72f, 0.72f, 0.74f}; ///< linear RGB, 0 to 1; only for the eye
     Sides sides = Sides::Both;                      ///< from which it is felt
+    bool visible = true;                            ///< else neither seen nor felt
+    bool locked = false;                            ///< the window changes neither its feel nor its triangles
     Kept kept;                                      ///< of its glTF material
 
     bool operator==(const Surface&) const = default;

@@ -1,6 +1,8 @@
 // Names one surface of a scene.
 #pragma once
 
+#include <vector>
+
 #include "core/scene/scene.h"
 
 namespace tactum {
@@ -11,5 +13,9 @@ struct SurfaceRef {
 
     bool operator==(const SurfaceRef&) const = default;
 };
+
+/// All surfaces of the scene that feel as this one does: same material, shading, layers and sides, whatever
+/// their names and colours. Itself is among them; none for a reference to nothing. Thread: any but real time.
+std::vector<SurfaceRef> surfacesLike(const Scene& scene, SurfaceRef ref);
 
 } // namespace tactum

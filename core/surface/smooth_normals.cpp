@@ -96,7 +96,7 @@ compileNormals(const Shading& shading, const std::shared_ptr<const TriangleSoup>
     const bool fromFile = shading.normals == NormalSource::File && !soup->cornerNormals.empty();
     const double angle = fromFile ? -1 : kCreaseAngle.clamped(shading.creaseAngle);
     for (const auto& normals : known)
-        if (normals && normals->soup == soup && normals->creaseAngle == angle) return normals;
+        if (normals && normals->creaseAngle == angle && haveSameShape(*normals->soup, *soup)) return normals;
     auto result = std::make_shared<SmoothNormals>();
     result->soup = soup;
     result->creaseAngle = angle;

@@ -67,8 +67,7 @@ QWidget* Inspector::makeSurfaceSection() {
     for (const MaterialField& field : kMaterialFields) {
         auto* row = new ParameterField(*field.parameter);
         connect(row, &ParameterField::edited, this, [this, &field](double value, Gesture gesture) {
-            if (auto surface = document_.selection())
-                document_.setMaterialValue(*surface, field, value, gesture);
+            document_.setMaterialValue(document_.selected(), field, value, gesture);
             refresh({SceneChange::What::Selection}); // what was typed may have been brought into range
         });
         fields_.push_back(row);
@@ -88,7 +87,8 @@ QWidget* Inspector::makeSidesRow() {
     const Choice choices[] = {
         {Sides::Both, tr("Both"), tr("Felt from whichever side it is met.")},
         {Sides::Front, tr("Front"), tr("Felt from the side that sees the corners counter-clockwise alone.")},
-        {Sides::Back, tr("Back"), tr("Felt from the side that sees the corners clockwise alone.")}};
+        {Sides::Back, tr("Back"), tr("Felt from the side that sees the corners clockwise alone.")},
+        {Sides::None, tr("None"), tr("Seen, but not felt.")}};
     auto* section = new QWidget;
     auto* row = new QHBoxLayout(section);
     row->setContentsMargins(0, 0, 0, 0);
@@ -107,7 +107,7 @@ QWidget* Inspector::makeSidesRow() {
         row->addWidget(button);
     }
     connect(sides_, &QButtonGroup::idClicked, this, [this](int id) {
-        if (auto surface = document_.selection()) document_.setSides(*surface, Sides(id));
+        document_.setSides(document_.selected(), Sides(id));
     });
     return section;
 }
@@ -118,7 +118,7 @@ template <class Change> void Inspector::editShading(Gesture gesture, Change&& ch
     if (!surface) return;
     Shading shading = surface->shading;
     change(shading);
-    document_.setShading(*selection, shading, gesture);
+    document_.setShading(document_.selected(), shading, gesture);
     refresh({SceneChange::What::Selection}); // what was typed may have been brought into range
 }
 

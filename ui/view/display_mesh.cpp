@@ -60,35 +60,40 @@ Corners split(VertexSplitter& splitter, const std::array<Index, 3>& t, const Nor
     return corners;
 }
 
-DisplayMesh splitMesh(const TriangleSoup& soup, const std::vector<Normal>& normals,
-                      std::size_t surfaceCount) {
+DisplayMesh splitMesh(const TriangleSoup& soup, const std::vector<Normal>& normals) {
     DisplayMesh mesh;
-    mesh.surfaces.resize(surfaceCount);
+    mesh.corners.reserve(soup.triangles.size());
     VertexSplitter splitter(soup, mesh);
     for (std::size_t f = 0; f < soup.triangles.size(); ++f)
-        addPart(mesh.surfaces[soup.surfaceOf[f]], split(splitter, soup.triangles[f], &normals[3 * f]));
+        mesh.corners.push_back(split(splitter, soup.triangles[f], &normals[3 * f]));
     return mesh;
 }
 
 } // namespace
 
-DisplayMesh flatMesh(const TriangleSoup& soup, std::size_t surfaceCount) {
+std::vector<DisplaySurface> bySurface(const std::vector<std::array<int, 3>>& corners,
+                                      const std::vector<Index>& surfaceOf, std::size_t surfaceCount) {
+    std::vector<DisplaySurface> surfaces(surfaceCount);
+    for (std::size_t f = 0; f < corners.size(); ++f)
+        addPart(surfaces[surfaceOf[f]], corners[f]);
+    return surfaces;
+}
+
+DisplayMesh flatMesh(const TriangleSoup& soup) {
     DisplayMesh mesh;
-    mesh.surfaces.resize(surfaceCount);
     mesh.positions.reserve(3 * soup.positions.size());
     for (const Vec3& p : soup.positions)
         append(mesh.positions, p.cast<float>());
-    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-        const auto& t = soup.triangles[f];
-        addPart(mesh.surfaces[soup.surfaceOf[f]], {int(t[0]), int(t[1]), int(t[2])});
-    }
+    mesh.corners.reserve(soup.triangles.size());
+    for (const auto& t : soup.triangles)
+        mesh.corners.push_back({int(t[0]), int(t[1]), int(t[2])});
     return mesh;
 }
 
-DisplayMesh smoothMesh(const TriangleSoup& soup, std::size_t surfaceCount, const Progress& progress) {
-    if (!soup.cornerNormals.empty()) return splitMesh(soup, soup.cornerNormals, surfaceCount);
+DisplayMesh smoothMesh(const TriangleSoup& soup, const Progress& progress) {
+    if (!soup.cornerNormals.empty()) return splitMesh(soup, soup.cornerNormals);
     const auto normals = cornerNormalsOf(soup, kCreaseAngle, progress);
-    return normals ? splitMesh(soup, *normals, surfaceCount) : flatMesh(soup, surfaceCount);
+    return normals ? splitMesh(soup, *normals) : flatMesh(soup);
 }
 
 } // namespace tactum

@@ -1,6 +1,7 @@
 // A soup as a graphics card likes it: indexed vertices with normals, triangles sorted by surface.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -16,17 +17,21 @@ struct DisplaySurface {
 };
 
 struct DisplayMesh {
-    std::vector<float> positions; ///< x, y, z of each vertex; metre, body frame
-    std::vector<float> normals;   ///< as positions; empty: shade each triangle flat
-    std::vector<DisplaySurface> surfaces;
+    std::vector<float> positions;            ///< x, y, z of each vertex; metre, body frame
+    std::vector<float> normals;              ///< as positions; empty: shade each triangle flat
+    std::vector<std::array<int, 3>> corners; ///< vertices of each triangle of the soup, in its order
 };
 
+/// Who changes surfaces alone keeps the vertices. Thread: any but real time.
+std::vector<DisplaySurface> bySurface(const std::vector<std::array<int, 3>>& corners,
+                                      const std::vector<Index>& surfaceOf, std::size_t surfaceCount);
+
 /// Vertices are the soup's positions; no normals. Quick. Thread: any but real time.
-DisplayMesh flatMesh(const TriangleSoup& soup, std::size_t surfaceCount);
+DisplayMesh flatMesh(const TriangleSoup& soup);
 
 /// A vertex for each normal at a position: the file's normals, or, where it has none, normals that are
 /// smooth over edges that bend less than 50 degrees. Seconds for a million triangles. Cancelled work gives
 /// a flat mesh. Thread: any but real time.
-DisplayMesh smoothMesh(const TriangleSoup& soup, std::size_t surfaceCount, const Progress& progress = {});
+DisplayMesh smoothMesh(const TriangleSoup& soup, const Progress& progress = {});
 
 } // namespace tactum

@@ -67,10 +67,12 @@ void ModelLayer::setScene(const Scene& scene) {
     std::map<ObjectId, std::unique_ptr<Model>> models;
     for (const SceneObject& object : scene.objects) {
         auto& old = models_[object.id];
-        const bool keep = old && old->soup == object.geometry && old->parts.size() == object.surfaces.size();
+        const bool keep = old && haveSameShape(*old->soup, *object.geometry);
         if (old && !keep) drop(*old);
         auto& model = models[object.id] = keep ? std::move(old) : build(object);
         models_.erase(object.id);
+        if (model->soup != object.geometry || model->parts.size() != object.surfaces.size())
+            regroup(*model, object);
         update(*model, object);
     }
     for (auto& [id, model] : models_)
@@ -81,32 +83,54 @@ void ModelLayer::setScene(const Scene& scene) {
 std::unique_ptr<ModelLayer::Model> ModelLayer::build(const SceneObject& object) {
     auto model = std::make_unique<Model>();
     model->soup = object.geometry;
-    for (std::size_t i = 0; i < object.surfaces.size(); ++i) {
-        auto& part = *model->parts.emplace_back(std::make_unique<Part>());
-        part.actor->SetMapper(part.mapper);
-        part.actor->GetProperty()->SetPointSize(3);
-        useStudioLight(*part.actor);
-        renderer_.AddActor(part.actor);
-    }
-    const std::size_t count = object.surfaces.size();
+    resize(*model, object.surfaces.size());
     if (object.geometry->triangles.size() <= kQuickTriangles) {
-        show(*model, smoothMesh(*object.geometry, count));
+        show(*model, smoothMesh(*object.geometry));
     } else {
-        show(*model, flatMesh(*object.geometry, count));
-        model->smooth = std::async(std::launch::async, [soup = model->soup, count, stop = &model->cancelled] {
-            return smoothMesh(*soup, count, Progress{{}, stop});
+        show(*model, flatMesh(*object.geometry));
+        model->smooth = std::async(std::launch::async, [soup = model->soup, stop = &model->cancelled] {
+            return smoothMesh(*soup, Progress{{}, stop});
         });
     }
     return model;
 }
 
-void ModelLayer::show(Model& model, const DisplayMesh& mesh) {
+void ModelLayer::resize(Model& model, std::size_t surfaces) {
+    while (model.parts.size() > surfaces) {
+        drop(*model.parts.back());
+        model.parts.pop_back();
+    }
+    while (model.parts.size() < surfaces) {
+        auto& part = *model.parts.emplace_back(std::make_unique<Part>());
+        part.actor->SetMapper(part.mapper);
+        part.actor->GetProperty()->SetPointSize(3);
+        useStudioLight(*part.actor);
+        renderer_.AddActor(part.actor);
+    }
+}
+
+/// Triangles are of other surfaces now: the vertices stay.
+void ModelLayer::regroup(Model& model, const SceneObject& object) {
+    vtkPolyData& shown = *model.parts.front()->mapper->GetInput();
+    const vtkSmartPointer<vtkPoints> points = shown.GetPoints();
+    const vtkSmartPointer<vtkDataArray> normals = shown.GetPointData()->GetNormals();
+    model.soup = object.geometry;
+    resize(model, object.surfaces.size());
+    show(model, points, normals);
+}
+
+void ModelLayer::show(Model& model, DisplayMesh mesh) {
     vtkNew<vtkPoints> points;
     points->SetData(vectors(mesh.positions));
-    const auto normals = mesh.normals.empty() ? nullptr : vectors(mesh.normals);
+    model.corners = std::move(mesh.corners);
+    show(model, points, mesh.normals.empty() ? nullptr : vectors(mesh.normals).Get());
+}
+
+void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
+    const auto surfaces = bySurface(model.corners, model.soup->surfaceOf, model.parts.size());
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         Part& part = *model.parts[i];
-        part.mapper->SetInputData(polyData(points, normals, mesh.surfaces[i]));
+        part.mapper->SetInputData(polyData(points, normals, surfaces[i]));
         part.actor->GetProperty()->SetInterpolation(normals ? VTK_GOURAUD : VTK_FLAT);
     }
 }
@@ -119,7 +143,7 @@ void ModelLayer::update(Model& model, const SceneObject& object) {
         vtkActor& actor = *model.parts[i]->actor;
         const auto& c = object.surfaces[i].colour;
         actor.GetProperty()->SetDiffuseColor(c.x(), c.y(), c.z());
-        actor.SetVisibility(object.visible);
+        actor.SetVisibility(object.visible && object.surfaces[i].visible);
     }
     place(model);
 }
@@ -157,10 +181,13 @@ Bounds ModelLayer::movingBounds() const {
 }
 
 void ModelLayer::drop(Model& model) {
-    for (auto& part : model.parts) {
-        if (part->actor == highlighted_) highlighted_ = nullptr;
-        renderer_.RemoveActor(part->actor);
-    }
+    for (auto& part : model.parts)
+        drop(*part);
+}
+
+void ModelLayer::drop(Part& part) {
+    if (part.actor == highlighted_) highlighted_ = nullptr;
+    renderer_.RemoveActor(part.actor);
 }
 
 void ModelLayer::setHighlight(std::optional<SurfaceRef> surface, const QColor& glow) {
@@ -197,7 +224,9 @@ vtkActor* ModelLayer::actorOf(const SurfaceRef& surface) const {
     const auto model = models_.find(surface.object);
     if (model == models_.end() || !model->second->visible) return nullptr;
     const auto& parts = model->second->parts;
-    return surface.surface < parts.size() ? parts[surface.surface]->actor.Get() : nullptr;
+    if (surface.surface >= parts.size()) return nullptr;
+    vtkActor* actor = parts[surface.surface]->actor;
+    return actor->GetVisibility() ? actor : nullptr;
 }
 
 } // namespace tactum

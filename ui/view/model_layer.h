@@ -56,17 +56,22 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         std::vector<std::unique_ptr<Part>> parts;
         std::atomic<bool> cancelled = false;
-        std::future<DisplayMesh> smooth; ///< valid while it is being made
+        std::future<DisplayMesh> smooth;         ///< valid while it is being made
+        std::vector<std::array<int, 3>> corners; ///< of what is shown
         bool visible = true;
         Pose rest; ///< X_WB at the time 0
         std::shared_ptr<const Motion> motion;
     };
 
     std::unique_ptr<Model> build(const SceneObject& object);
-    void show(Model& model, const DisplayMesh& mesh);
+    void resize(Model& model, std::size_t surfaces);
+    void regroup(Model& model, const SceneObject& object);
+    void show(Model& model, DisplayMesh mesh);
+    static void show(Model& model, vtkPoints* points, vtkDataArray* normals);
     void update(Model& model, const SceneObject& object);
     void place(Model& model);
     void drop(Model& model);
+    void drop(Part& part);
 
     vtkRenderer& renderer_;
     std::map<ObjectId, std::unique_ptr<Model>> models_;

@@ -79,11 +79,18 @@ void ScenePicker::setScene(const Scene& scene) {
 /// What is known of the same geometry, as far as it still holds.
 ScenePicker::Target ScenePicker::targetOf(const SceneObject& object) const {
     const auto known = std::find_if(targets_.begin(), targets_.end(),
-                                    [&](const auto& t) { return t.soup == object.geometry; });
+                                    [&](const auto& t) { return haveSameShape(*t.soup, *object.geometry); });
     const bool same = known != targets_.end();
-    return {object.id,       object.pose,
-            object.geometry, same ? known->tree : buildTree(object.geometry),
-            object.visible,  same && known->pose == object.pose ? known->box : boxOf(object)};
+    Target target{object.id,
+                  object.pose,
+                  object.geometry,
+                  same ? known->tree : buildTree(object.geometry),
+                  object.visible,
+                  {},
+                  same && known->pose == object.pose ? known->box : boxOf(object)};
+    for (const Surface& surface : object.surfaces)
+        target.sides.push_back(surface.visible ? Sides::Both : Sides::None);
+    return target;
 }
 
 std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) const {
@@ -104,12 +111,15 @@ std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray,
     const double piece = bounds_.diagonal() / kPieces, last = std::min(leave, reach);
     const Vec3 motion = piece * target.pose.rotateInverse(ray.direction);
     for (double d = enter; d < last; d += piece) {
-        const SpherePath path{target.pose.applyInverse(ray.at(d)), motion,
-                              kRayThickness * bounds_.diagonal()};
+        const SpherePath path{target.pose.applyInverse(ray.at(d)), motion, kRayThickness * bounds_.diagonal(),
+                              target.sides};
         const SweepHit hit = target.tree.get()->sweep(*target.soup, path, {});
         const double distance = d + hit.t * piece;
         if (hit.t <= 1 && distance <= reach)
-            return PickHit{{target.object, target.soup->surfaceOf[hit.triangle]}, ray.at(distance), distance};
+            return PickHit{{target.object, target.soup->surfaceOf[hit.triangle]},
+                           hit.triangle,
+                           ray.at(distance),
+                           distance};
     }
     return std::nullopt;
 }

@@ -15,6 +15,7 @@ namespace tactum {
 
 struct PickHit {
     SurfaceRef surface;
+    Index triangle = 0;        ///< of the object's geometry
     Vec3 point = Vec3::Zero(); ///< world frame
     double distance = 0;       ///< from the ray's origin, m
 };
@@ -45,7 +46,8 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         Tree tree;
         bool visible;
-        Bounds box; ///< world frame
+        std::vector<Sides> sides; ///< None for surfaces that are not visible
+        Bounds box;               ///< world frame
     };
 
     Target targetOf(const SceneObject& object) const;

@@ -241,6 +241,8 @@ Json surfaceJson(const Surface& surface, const WriteImage& textureOf) {
                 {"normals", kNormalSources[std::size_t(surface.shading.normals)].key},
                 {jsonKey(kCreaseAngle.key), surface.shading.creaseAngle}}},
               {"layers", Json::array()}};
+    if (!surface.visible) json["visible"] = false;
+    if (surface.locked) json["locked"] = true;
     putTable(json, kMaterialFields, surface.material);
     for (const TextureLayer& layer : surface.layers)
         json["layers"].push_back(layerJson(layer, textureOf));
@@ -257,6 +259,8 @@ void readSurfaceJson(const Json& extension, const ReadImageAt& imageAt, Surface&
         surface.sides = *named;
     else
         members.complain("sides has the unknown word " + inQuotes(sides));
+    members("visible", surface.visible);
+    members("locked", surface.locked);
     if (const Json* shading = members.object("shading")) {
         Members parts(*shading, members.inside("shading"), complaints);
         parts("on", surface.shading.on);

@@ -119,13 +119,7 @@ private:
 
     void writeObject(XmlElement& scene, const SceneObject& object) {
         const std::string name = names_.take(plainName(object.name));
-        if (object.visible) {
-            writePlaced(scene, object, name);
-        } else {
-            XmlElement hidden(scene, "Switch"); // neither seen nor felt
-            hidden.set("whichChoice", -1.0);
-            writePlaced(hidden, object, name);
-        }
+        writeSwitched(scene, object.visible, [&](XmlElement& place) { writePlaced(place, object, name); });
         if (object.motion) writeMotion(scene, object, name);
     }
 
@@ -172,12 +166,23 @@ private:
         for (const int corners : {3, 2, 1}) {
             const std::vector<Index>& list = faces[std::size_t(corners - 1)];
             if (list.empty()) continue;
-            XmlElement shape(parent, "Shape");
-            if (isFirst) shape.set("DEF", name);
-            writeAppearance(shape, surface, flat, name, corners);
-            writeGeometry(shape, object, surface, corners, list, flat.canvas());
+            const auto writeShape = [&](XmlElement& place) {
+                XmlElement shape(place, "Shape");
+                if (isFirst) shape.set("DEF", name);
+                writeAppearance(shape, surface, flat, name, corners);
+                writeGeometry(shape, object, surface, corners, list, flat.canvas());
+            };
+            writeSwitched(parent, surface.visible, writeShape);
             isFirst = false;
         }
+    }
+
+    /// What is not visible is neither seen nor felt in H3D either.
+    template <class Write> static void writeSwitched(XmlElement& parent, bool visible, Write&& write) {
+        if (visible) return write(parent);
+        XmlElement hidden(parent, "Switch");
+        hidden.set("whichChoice", -1.0);
+        write(hidden);
     }
 
     void writeAppearance(XmlElement& shape, const Surface& surface, const X3dSurface& flat,
@@ -185,6 +190,7 @@ private:
         XmlElement appearance(shape, "Appearance");
         XmlElement(appearance, "Material")
             .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
+        if (surface.sides == Sides::None) return; // H3D feels what has a surface node
         writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface,
                      {files_.maps + "/" + name, result_.images, progress_});
     }

@@ -100,6 +100,8 @@ Schema materialSchema() {
     properties["sides"] = {
         {"enum", kSidesNames},
         {"description", "From which side it is felt; the front sees the corners counter-clockwise."}};
+    properties["visible"] = flag("Not there: true. Else neither seen nor felt.");
+    properties["locked"] = flag("Not there: false. Else an editor leaves it as it is.");
     properties["shading"] =
         object("Whether facets feel like the round surface that they stand for.",
                {{"on", flag("Whether it is so.")},

@@ -184,12 +184,13 @@ void PrimitivesTest::sidesOfASheet_data() {
 
 void PrimitivesTest::sidesOfASheet() {
     QFETCH(int, cells);
-    for (Sides sides : {Sides::Both, Sides::Front, Sides::Back})
+    for (Sides sides : {Sides::Both, Sides::Front, Sides::Back, Sides::None})
         for (double from : {1.0, -1.0}) {
             Hand hand(compile(oneSided(sheet(0.02, cells), sides)).value());
             hand.to({0.0003, 0.0001, from * 0.004});
             hand.go({0.0003, 0.0001, -from * 0.004}, kHandSpeed);
-            const bool felt = sides == Sides::Both || (sides == Sides::Front) == (from > 0);
+            const bool felt =
+                sides != Sides::None && (sides == Sides::Both || (sides == Sides::Front) == (from > 0));
             QCOMPARE(hand.output().contacts > 0, felt);
             QVERIFY(std::abs(hand.output().proxy.z() - from * (felt ? kRadius : -0.004)) <= kMicrometre);
         }

@@ -19,6 +19,8 @@ private slots:
     void invisibleObjectsAreNotTouched();
     void materialsAreMadeSafe();
     void sidesAreAShape();
+    void hiddenSurfacesAreNotFelt();
+    void otherSurfacesKeepTheHierarchy();
     void cancelledCompileSaysSo();
     void emptySceneIsAWorld();
     void plainSurfacesHaveNoFeels();
@@ -117,6 +119,37 @@ void CompileTest::sidesAreAShape() {
         hand.go({0, 0, -side * 0.003}, 0.05);
         QCOMPARE(hand.output().contacts, side > 0 ? 1 : 0);
     }
+}
+
+void CompileTest::hiddenSurfacesAreNotFelt() {
+    Scene scene = sceneOf(sheet(0.05), frictionless());
+    scene.objects[0].surfaces[0].visible = false;
+    const auto world = compile(scene).value();
+    Hand hand(world);
+    hand.to({0, 0, 0.003});
+    hand.go({0, 0, -0.003}, 0.05);
+    QCOMPARE(hand.output().contacts, 0);
+    QCOMPARE(hand.output().proxy.z(), -0.003);
+
+    // Nor does a hidden surface push the proxy away when another change makes it look for its place.
+    scene.objects[0].pose.translation.x() += 1e-4;
+    hand.take(compile(scene, world.get()).value());
+    hand.to({0, 0, 0});
+    QCOMPARE(hand.output().proxy.z(), 0.0);
+}
+
+void CompileTest::otherSurfacesKeepTheHierarchy() {
+    Scene scene = sceneOf(sheet(0.05, 8), frictionless());
+    scene.objects[0].surfaces[0].shading = {.on = true};
+    const auto one = compile(scene).value();
+    auto regrouped = std::make_shared<TriangleSoup>(*scene.objects[0].geometry);
+    regrouped->surfaceOf.back() = 1;
+    scene.objects[0].geometry = regrouped;
+    scene.objects[0].surfaces.push_back(scene.objects[0].surfaces[0]);
+    const auto two = compile(scene, one.get()).value();
+    QCOMPARE(two->bodies[0].normals[0].get(), one->bodies[0].normals[0].get());
+    QCOMPARE(two->bodies[0].mesh->soup.get(), regrouped.get());
+    QCOMPARE(two->bodies[0].mesh->tree.nodes().size(), one->bodies[0].mesh->tree.nodes().size());
 }
 
 void CompileTest::cancelledCompileSaysSo() {

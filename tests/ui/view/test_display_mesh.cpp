@@ -25,18 +25,20 @@ class TestDisplayMesh : public QObject {
 private slots:
     void everyTriangleIsInItsSurface() {
         const auto soup = ballSoup(16, 8);
-        for (const DisplayMesh& mesh : {flatMesh(*soup, 2), smoothMesh(*soup, 2)}) {
+        for (const DisplayMesh& mesh : {flatMesh(*soup), smoothMesh(*soup)}) {
             std::size_t shown = 0;
-            for (const DisplaySurface& s : mesh.surfaces)
+            for (const DisplaySurface& s : bySurface(mesh.corners, soup->surfaceOf, 2))
                 shown += s.triangles.size() / 3 + s.segments.size() / 2;
             QCOMPARE(shown, soup->triangles.size());
         }
     }
 
     void aBallsNormalsPointOutward() {
-        const auto mesh = smoothMesh(*ballSoup(64, 32), 2);
+        const auto soup = ballSoup(64, 32);
+        const auto mesh = smoothMesh(*soup);
         QCOMPARE(mesh.normals.size(), mesh.positions.size());
-        for (int corner : mesh.surfaces[kUpper].triangles) {
+        const auto surfaces = bySurface(mesh.corners, soup->surfaceOf, 2);
+        for (int corner : surfaces[kUpper].triangles) {
             const Eigen::Map<const Eigen::Vector3f> p(&mesh.positions[3 * corner]),
                 n(&mesh.normals[3 * corner]);
             QVERIFY(n.dot(p.normalized()) > 0.98f);
@@ -44,14 +46,14 @@ private slots:
     }
 
     void onlyAGentleBendSharesItsVertices() {
-        QCOMPARE(smoothMesh(bentSheet(20), 1).positions.size() / 3, std::size_t(4));
-        QCOMPARE(smoothMesh(bentSheet(60), 1).positions.size() / 3, std::size_t(6));
+        QCOMPARE(smoothMesh(bentSheet(20)).positions.size() / 3, std::size_t(4));
+        QCOMPARE(smoothMesh(bentSheet(60)).positions.size() / 3, std::size_t(6));
     }
 
     void theFilesNormalsWin() {
         TriangleSoup soup = bentSheet(0);
         soup.cornerNormals.assign(6, Eigen::Vector3f::UnitX());
-        const auto mesh = smoothMesh(soup, 1);
+        const auto mesh = smoothMesh(soup);
         for (std::size_t i = 0; i < mesh.normals.size(); i += 3)
             QCOMPARE(mesh.normals[i], 1.0f);
     }
@@ -61,18 +63,19 @@ private slots:
         soup.positions = {{0, 0, 0}, {1, 0, 0}};
         soup.triangles = {{0, 1, 1}, {1, 1, 1}};
         soup.surfaceOf = {0, 0};
-        for (const DisplayMesh& mesh : {flatMesh(soup, 1), smoothMesh(soup, 1)}) {
-            QCOMPARE(mesh.surfaces[0].segments.size(), std::size_t(2));
-            QCOMPARE(mesh.surfaces[0].points.size(), std::size_t(1));
-            QVERIFY(mesh.surfaces[0].triangles.empty());
+        for (const DisplayMesh& mesh : {flatMesh(soup), smoothMesh(soup)}) {
+            const DisplaySurface shown = bySurface(mesh.corners, soup.surfaceOf, 1)[0];
+            QCOMPARE(shown.segments.size(), std::size_t(2));
+            QCOMPARE(shown.points.size(), std::size_t(1));
+            QVERIFY(shown.triangles.empty());
         }
     }
 
     void cancelledWorkStillShowsEverything() {
         const std::atomic<bool> cancelled = true;
-        const auto mesh = smoothMesh(*ballSoup(16, 8), 2, Progress{{}, &cancelled});
+        const auto mesh = smoothMesh(*ballSoup(16, 8), Progress{{}, &cancelled});
         QVERIFY(mesh.normals.empty());
-        QVERIFY(!mesh.surfaces[kUpper].triangles.empty());
+        QCOMPARE(mesh.corners.size(), ballSoup(16, 8)->triangles.size());
     }
 };
 

@@ -23,6 +23,9 @@ private slots:
     void aDragIsOneStepAndTwoDragsAreTwo();
     void aDragBackToItsBeginningIsNoStep();
     void everyEditCanBeUndone();
+    void severalSurfacesAreOneStep();
+    void lockedSurfacesStayAsTheyAre();
+    void trianglesSplitOffAndMergeBack();
     void whatIsRemovedComesBackSelected();
     void findingsGoAndComeWithTheirObject();
     void editsOfNothingAreIgnored();
@@ -96,6 +99,76 @@ void TestDocument::everyEditCanBeUndone() {
     QVERIFY(!document_->selection());
 }
 
+void TestDocument::severalSurfacesAreOneStep() {
+    const Scene before = document_->scene();
+    const ObjectId cube = front().object;
+    document_->select({{cube, 0}, {cube, 2}, {cube, 4}});
+    QCOMPARE(document_->selection(), std::optional(front()));
+    document_->setMaterialValue(document_->selected(), kMaterialFields[0], 500);
+    document_->setSurfacesVisible(document_->selected(), false);
+    QCOMPARE(document_->history().count(), 2);
+    for (Index i = 0; i < 6; ++i) {
+        QCOMPARE(document_->surface({cube, i})->material.stiffness, i % 2 ? kStiffness.initial : 500);
+        QCOMPARE(document_->surface({cube, i})->visible, i % 2 == 1);
+    }
+    document_->isolate(document_->selected());
+    for (Index i = 0; i < 6; ++i)
+        QCOMPARE(document_->surface({cube, i})->visible, i % 2 == 0);
+    document_->select(SurfaceRef{cube, 0}, SelectMode::Subtract);
+    QCOMPARE(document_->selected().size(), std::size_t(2));
+    while (document_->history().canUndo())
+        document_->history().undo();
+    QVERIFY(document_->scene() == before);
+}
+
+void TestDocument::lockedSurfacesStayAsTheyAre() {
+    const ObjectId cube = front().object;
+    document_->setLocked(front(), true);
+    const Scene locked = document_->scene();
+    document_->setMaterialValue(front(), kMaterialFields[0], 500);
+    document_->selectFaces({cube, {8, 9}}); // those of the front
+    document_->splitSelection();
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    QVERIFY(ended.wait(kPatience));
+    QVERIFY(ended[0][0].toString().contains(QStringLiteral("locked")));
+    QVERIFY(document_->scene() == locked);
+    document_->setLocked(front(), false);
+    document_->setMaterialValue({front(), {cube, 0}}, kMaterialFields[0], 500);
+    QCOMPARE(frontMaterial().stiffness, 500.0);
+}
+
+void TestDocument::trianglesSplitOffAndMergeBack() {
+    const Scene before = document_->scene();
+    const ObjectId cube = front().object;
+    document_->setMaterialValue(front(), kMaterialFields[0], 500);
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    document_->selectFaces({cube, {8}});
+    document_->selectFaces({cube, {0, 1}}, SelectMode::Add); // all of the first surface, which vanishes
+    document_->selectFaces({cube, {1}}, SelectMode::Subtract);
+    document_->selectFaces({cube, {1}}, SelectMode::Add);
+    QCOMPARE(document_->selectedFaces().faces, (std::vector<Index>{0, 1, 8}));
+    document_->splitSelection();
+    QVERIFY(ended.wait(kPatience));
+    const SceneObject& split = document_->scene().objects[0];
+    QCOMPARE(split.surfaces.size(), std::size_t(6));
+    QCOMPARE(document_->selection(), std::optional(SurfaceRef{cube, 5}));
+    QCOMPARE(split.geometry->surfaceOf[8], Index(5));
+    QCOMPARE(split.geometry->surfaceOf[9], Index(3)); // the rest of the front
+    QVERIFY(document_->selectedFaces().empty());
+
+    document_->select({{cube, 5}, {cube, 3}});
+    document_->mergeSelected();
+    QVERIFY(ended.wait(kPatience));
+    const SceneObject& merged = document_->scene().objects[0];
+    QCOMPARE(merged.surfaces.size(), std::size_t(5));
+    QCOMPARE(merged.geometry->surfaceOf[0], Index(3));
+    QCOMPARE(document_->surface(*document_->selection())->name, std::string("front"));
+    QCOMPARE(document_->surface(*document_->selection())->material.stiffness, 500.0);
+    while (document_->history().canUndo())
+        document_->history().undo();
+    QVERIFY(document_->scene() == before);
+}
+
 void TestDocument::whatIsRemovedComesBackSelected() {
     document_->select(front());
     const SurfaceRef chosen = front();
@@ -128,11 +201,11 @@ void TestDocument::findingsGoAndComeWithTheirObject() {
 }
 
 void TestDocument::editsOfNothingAreIgnored() {
-    document_->setMaterialValue({99, 0}, kMaterialFields[0], 5);
-    document_->setMaterialValue({front().object, 77}, kMaterialFields[0], 5);
-    document_->setShading({99, 0}, {true});
+    document_->setMaterialValue(SurfaceRef{99, 0}, kMaterialFields[0], 5);
+    document_->setMaterialValue(SurfaceRef{front().object, 77}, kMaterialFields[0], 5);
+    document_->setShading(SurfaceRef{99, 0}, {true});
     document_->setShading(front(), {});
-    document_->setSides({99, 0}, Sides::Back);
+    document_->setSides(SurfaceRef{99, 0}, Sides::Back);
     document_->setSides(front(), Sides::Both);
     document_->renameObject(99, QStringLiteral("ghost"));
     document_->removeObject(99);

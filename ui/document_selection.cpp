@@ -1,0 +1,179 @@
+// The document's selection, and the edits that change which triangles are of which surface.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "ui/document.h"
+
+namespace tactum {
+
+namespace {
+
+/// What most of the triangles are of.
+Index mainSurfaceOf(const SceneObject& object, const std::vector<Index>& faces) {
+    std::vector<std::size_t> counts(object.surfaces.size());
+    for (const Index face : faces)
+        ++counts[object.geometry->surfaceOf[face]];
+    return Index(std::ranges::max_element(counts) - counts.begin());
+}
+
+/// "lid 2": `name` with the first number that no surface of the object has.
+std::string freshName(const SceneObject& object, const std::string& name) {
+    for (int number = 2;; ++number) {
+        std::string fresh = name + " " + std::to_string(number);
+        if (std::ranges::find(object.surfaces, fresh, &Surface::name) == object.surfaces.end()) return fresh;
+    }
+}
+
+std::vector<std::size_t> countTriangles(const TriangleSoup& soup, std::size_t surfaces) {
+    std::vector<std::size_t> counts(surfaces);
+    for (const Index surface : soup.surfaceOf)
+        ++counts[surface];
+    return counts;
+}
+
+/// Triangles go to other surfaces; those that lose their last one to it are gone.
+template <class Move> SceneObject regrouped(SceneObject object, Move&& move) {
+    auto soup = std::make_shared<TriangleSoup>(*object.geometry);
+    const auto before = countTriangles(*soup, object.surfaces.size());
+    move(*soup);
+    const auto after = countTriangles(*soup, object.surfaces.size());
+    std::vector<Index> number;
+    std::vector<Surface> kept;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        number.push_back(Index(kept.size()));
+        if (after[i] > 0 || before[i] == 0) kept.push_back(std::move(object.surfaces[i]));
+    }
+    for (Index& surface : soup->surfaceOf)
+        surface = number[surface];
+    object.surfaces = std::move(kept);
+    object.geometry = std::move(soup);
+    return object;
+}
+
+/// The triangles as a surface of their own, the last one. Those of locked surfaces stay where they are.
+Result<SceneObject> split(SceneObject object, const std::vector<Index>& faces) {
+    std::vector<Index> free;
+    std::ranges::copy_if(faces, std::back_inserter(free), [&](Index face) {
+        return !object.surfaces[object.geometry->surfaceOf[face]].locked;
+    });
+    if (free.empty()) return inputError("The selected triangles are of locked surfaces; unlock them first.");
+    const auto own = Index(object.surfaces.size());
+    Surface part = object.surfaces[mainSurfaceOf(object, free)];
+    part.name = freshName(object, part.name);
+    object.surfaces.push_back(std::move(part));
+    return regrouped(std::move(object), [&](TriangleSoup& soup) {
+        for (const Index face : free)
+            soup.surfaceOf[face] = own;
+    });
+}
+
+SceneObject merge(SceneObject object, const std::vector<Index>& surfaces, Index into) {
+    std::vector<char> merged(object.surfaces.size());
+    for (const Index each : surfaces)
+        merged[each] = true;
+    return regrouped(std::move(object), [&](TriangleSoup& soup) {
+        for (Index& surface : soup.surfaceOf)
+            if (merged[surface]) surface = into;
+    });
+}
+
+} // namespace
+
+std::optional<SurfaceRef> Document::selection() const {
+    return selected_.empty() ? std::nullopt : std::optional(selected_.back());
+}
+
+void Document::select(const SurfaceRefs& refs, SelectMode mode) {
+    lost_.clear();
+    setSelection(joined(selected_, refs, mode));
+}
+
+void Document::setSelection(SurfaceRefs refs) {
+    std::erase_if(refs, [this](SurfaceRef ref) { return !surface(ref); });
+    if (refs == selected_) return;
+    selected_ = std::move(refs);
+    emit changed({SceneChange::What::Selection});
+}
+
+void Document::selectFaces(FaceSelection faces, SelectMode mode) {
+    FaceSelection next = joined(faces_, faces, mode);
+    const SceneObject* object = scene_.find(next.object);
+    if (!object || next.empty() || next.faces.back() >= object->geometry->triangles.size()) next = {};
+    if (next == faces_) return;
+    faces_ = std::move(next);
+    emit changed({SceneChange::What::Selection});
+}
+
+// Meshes with other triangles than before have lost what was selected of them.
+void Document::keepSelection(const SceneChange& change) {
+    SurfaceRefs there = selected_, gone;
+    for (const SurfaceRef ref : selected_)
+        if (!surface(ref)) gone.push_back(ref);
+    if (!gone.empty()) {
+        lost_ = gone;
+        setSelection(selected_);
+    } else if (!lost_.empty() && std::ranges::all_of(lost_, [this](auto ref) { return surface(ref); })) {
+        setSelection(joined(selected_, std::exchange(lost_, {}), SelectMode::Add));
+    }
+    if (change.touchesShape() && !faces_.empty()) selectFaces({}, SelectMode::Replace);
+}
+
+void Document::setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text) {
+    changeObjectNow(id, text, [&](SceneObject& object) { object.geometry = std::move(geometry); });
+}
+
+void Document::changeObject(ObjectId id, const QString& text, const ObjectWork& work,
+                            const std::function<void()>& then) {
+    const SceneObject* object = scene_.find(id);
+    if (!object) return;
+    editing_.start(
+        [this, text, work, then, before = *object](const Progress& progress) -> BackgroundJob::Delivery {
+            auto after = std::make_shared<Result<SceneObject>>(work(before, progress));
+            return [this, text, then, before, after] {
+                if (!*after) return emit editEnded(QString::fromStdString(after->error().text));
+                const SceneObject* now = scene_.find(before.id);
+                if (!now || !(*now == before))
+                    return emit editEnded(
+                        tr("%1 was left out: the object was changed meanwhile. Do it again.").arg(text));
+                changeObjectNow(before.id, text, [&](SceneObject& each) { each = std::move(**after); });
+                if (then) then();
+                emit editEnded({});
+            };
+        });
+}
+
+void Document::splitSelection() {
+    if (faces_.empty()) return;
+    const ObjectId id = faces_.object;
+    changeObject(
+        id, tr("Split off %n triangle(s)", nullptr, int(faces_.faces.size())),
+        [faces = faces_.faces](const SceneObject& object, const Progress&) { return split(object, faces); },
+        [this, id] {
+            select(SurfaceRef{id, Index(scene_.find(id)->surfaces.size() - 1)});
+        });
+}
+
+void Document::mergeSelected() {
+    const auto active = selection();
+    if (!active) return;
+    std::vector<Index> surfaces;
+    for (const SurfaceRef ref : selected_)
+        if (ref.object == active->object && !surface(ref)->locked) surfaces.push_back(ref.surface);
+    if (surfaces.size() < 2 || surface(*active)->locked)
+        return emit editEnded(tr("Select two or more surfaces of one object that are not locked, and merge "
+                                 "them then."));
+    const SceneObject& object = *scene_.find(active->object);
+    const auto counts = countTriangles(*object.geometry, object.surfaces.size());
+    const auto gone =
+        std::ranges::count_if(surfaces, [&](Index i) { return i < active->surface && counts[i] > 0; });
+    const SurfaceRef merged{active->object, active->surface - Index(gone)};
+    changeObject(
+        active->object, tr("Merge %1").arg(namesOf(selected_)),
+        [surfaces, into = active->surface](const SceneObject& whole, const Progress&) {
+            return Result<SceneObject>(merge(whole, surfaces, into));
+        },
+        [this, merged] { select(merged); });
+}
+
+} // namespace tactum
