@@ -26,10 +26,10 @@ struct SceneChange {
         Objects,    ///< objects came, went, appeared, disappeared or got another mesh
         Surfaces,   ///< surfaces appeared or disappeared, or triangles went to others
         Names,      ///< or locks: nothing that is felt or drawn
-        Material, ///< of `surface`
-        Shading,  ///< of `surface`: its normals may have to be computed
-        Sides,    ///< of `surface`
-        Layers,   ///< of `surface`: its haptic texture
+        Material,   ///< of `surface`
+        Shading,    ///< of `surface`: its normals may have to be computed
+        Sides,      ///< of `surface`
+        Layers,     ///< of `surface`: its haptic texture
         ProxyRadius,
         Selection, ///< not a part of the scene, and not undoable
     };

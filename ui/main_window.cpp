@@ -24,9 +24,9 @@
 #include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
-#include "ui/panels/tool_strip.h"
 #include "ui/recording_saver.h"
 #include "ui/recovery.h"
 #include "ui/select_tool.h"
@@ -51,13 +51,13 @@ QString firstFile(const QMimeData& data) {
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
-      view_(new SceneView), selecting_(new SelectTool(document, *view_, this)),
-      selectStrip_(new ToolStrip), notice_(new NoticeBar), centre_(new QStackedWidget),
-      start_(new StartPage(samples)), playbackBar_(new PlaybackBar), status_(new StatusStrip),
-      hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
-      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
-      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
+      view_(new SceneView), selecting_(new SelectTool(document, *view_, this)), selectStrip_(new ToolStrip),
+      notice_(new NoticeBar), centre_(new QStackedWidget), start_(new StartPage(samples)),
+      playbackBar_(new PlaybackBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
+      hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
+      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
+      journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
+      recoveryBar_(new RecoveryBar(*recovery_)),
       comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
       samples_(samples) {
     view_->setTheme(theme().dark);

@@ -40,9 +40,12 @@ void MainWindow::connectSelecting() {
     }
     actions_["take-surface"].setChecked(true);
     const std::pair<const char*, void (SelectTool::*)()> simple[] = {
-        {"select-all", &SelectTool::takeAll},         {"select-none", &SelectTool::takeNothing},
-        {"select-like", &SelectTool::takeLikeActive}, {"grow", &SelectTool::grow},
-        {"shrink", &SelectTool::shrink},              {"invert", &SelectTool::invert}};
+        {"select-all", &SelectTool::takeAll},
+        {"select-none", &SelectTool::takeNothing},
+        {"select-like", &SelectTool::takeLikeActive},
+        {"grow", &SelectTool::grow},
+        {"shrink", &SelectTool::shrink},
+        {"invert", &SelectTool::invert}};
     for (const auto& [id, command] : simple)
         connect(&actions_[id], &QAction::triggered, selecting_, command);
     connect(&actions_["box"], &QAction::triggered, this, [this] {

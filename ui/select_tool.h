@@ -20,8 +20,15 @@ class Document;
 class SceneView;
 
 inline constexpr Parameter kSelectAngle{
-    "select-angle", "Angle", "rad", 0, 3.141592653589793, 0.08726646259971647, 0.6981317007977318,
-    3, "Edges that bend by more end a smooth region; normals farther apart are not similar."};
+    "select-angle",
+    "Angle",
+    "rad",
+    0,
+    3.141592653589793,
+    0.08726646259971647,
+    0.6981317007977318,
+    3,
+    "Edges that bend by more end a smooth region; normals farther apart are not similar."};
 
 /// What a click takes.
 enum class SelectReach { Surface, Material, Connected, Smooth, Similar, Triangle };

@@ -10,7 +10,8 @@
 
 namespace tactum {
 
-/// The front sees the corners counter-clockwise. Segments and points have no sides: they are felt but for None.
+/// The front sees the corners counter-clockwise. Segments and points have no sides: they are felt but for
+/// None.
 enum class Sides : std::uint8_t { Both, Front, Back, None };
 
 /// What each is called on the command line and in files, in the order of the enumeration.

@@ -11,8 +11,8 @@ Bounds boundsOf(const TriangleSoup& soup) {
 }
 
 bool haveSameShape(const TriangleSoup& a, const TriangleSoup& b) {
-    return &a == &b || (a.triangles == b.triangles && a.positions == b.positions &&
-                        a.cornerNormals == b.cornerNormals);
+    return &a == &b ||
+           (a.triangles == b.triangles && a.positions == b.positions && a.cornerNormals == b.cornerNormals);
 }
 
 } // namespace tactum

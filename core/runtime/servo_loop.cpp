@@ -76,11 +76,9 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     telemetry.periods = servo.periods.counted();
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
-    servo.channels.trace.push(tracePoint({.t = tick.time,
-                                          .finger = telemetry.finger,
-                                          .force = output.force,
-                                          .energy = telemetry.energy},
-                                         servo.channels.contactModel.value().model));
+    servo.channels.trace.push(tracePoint(
+        {.t = tick.time, .finger = telemetry.finger, .force = output.force, .energy = telemetry.energy},
+        servo.channels.contactModel.value().model));
 }
 
 /// A miss is judged one tick later, when the canary has noted its own: it may live on another processor.

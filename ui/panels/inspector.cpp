@@ -106,9 +106,8 @@ QWidget* Inspector::makeSidesRow() {
         sides_->addButton(button, int(choice.sides));
         row->addWidget(button);
     }
-    connect(sides_, &QButtonGroup::idClicked, this, [this](int id) {
-        document_.setSides(document_.selected(), Sides(id));
-    });
+    connect(sides_, &QButtonGroup::idClicked, this,
+            [this](int id) { document_.setSides(document_.selected(), Sides(id)); });
     return section;
 }
 

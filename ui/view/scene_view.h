@@ -3,8 +3,8 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 #include <span>
+#include <vector>
 
 #include <QImage>
 #include <QRectF>
@@ -14,8 +14,8 @@
 #include "core/runtime/world.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
-#include "ui/view/scene_picker.h"
 #include "ui/view/felt_options.h"
+#include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
 
 namespace tactum {

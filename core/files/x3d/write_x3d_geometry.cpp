@@ -83,7 +83,8 @@ private:
 };
 
 constexpr std::array<std::string_view, 3> kNodes{"PointSet", "IndexedLineSet", "IndexedFaceSet"};
-constexpr std::array<std::string_view, 4> kTouchable{"FRONT_AND_BACK", "FRONT", "BACK", "FRONT_AND_BACK"}; // by Sides
+constexpr std::array<std::string_view, 4> kTouchable{"FRONT_AND_BACK", "FRONT", "BACK",
+                                                     "FRONT_AND_BACK"}; // by Sides
 
 void writeOptions(XmlElement& geometry, const SceneObject& object, const Surface& surface) {
     XmlElement(geometry, "HapticsOptions")

@@ -143,9 +143,9 @@ void TestPalette::enterRunsWhatWasTyped() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     QVERIFY(openPalette(program));
-    QTest::keyClicks(&lineOf(program), QStringLiteral("hide object"));
+    QTest::keyClicks(&lineOf(program), QStringLiteral("surface hide"));
     QTest::keyClick(&lineOf(program), Qt::Key_Return);
-    QTRY_VERIFY(!program.document.scene().objects.front().visible);
+    QTRY_VERIFY(!program.document.scene().objects.front().surfaces[0].visible);
     QTRY_VERIFY(!paletteOf(program));
     // Down and up move in the list while the line keeps the keys.
     QVERIFY(openPalette(program));
@@ -154,7 +154,7 @@ void TestPalette::enterRunsWhatWasTyped() {
     QVERIFY(listOf(program).currentIndex().row() == 1);
     QTest::keyClick(&lineOf(program), Qt::Key_Up);
     QTest::keyClick(&lineOf(program), Qt::Key_Return);
-    QTRY_VERIFY(program.document.scene().objects.front().visible);
+    QTRY_VERIFY(program.document.scene().objects.front().surfaces[0].visible);
 }
 
 void TestPalette::whatIsOffSaysWhy() {
