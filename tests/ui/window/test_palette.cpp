@@ -123,7 +123,7 @@ void TestPalette::everyCommandIsInIt() {
     QVERIFY(openPalette(program));
     const QStringList texts = listed(program);
     QList<QAction*> actions;
-    for (auto* menu : program.window->menuBar()->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+    for (auto* menu : program.window->menuBar()->findChildren<QMenu*>())
         actions << menu->actions();
     int found = 0;
     for (const Command& command : commands()) {

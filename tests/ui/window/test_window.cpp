@@ -1,4 +1,6 @@
 // The window around the touch: panels, files that are dropped, what is remembered, numbers in any locale.
+#include <algorithm>
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QDockWidget>
@@ -119,7 +121,7 @@ void TestWindow::theEyeHidesWhatIsFelt() {
     QVERIFY(sides().empty()); // all are felt from both
     QTest::keyClick(program.window.get(), Qt::Key_H);
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && !sides().empty(), kPatience);
-    QCOMPARE(std::count(sides().begin(), sides().end(), Sides::None), 1); // the selected surface
+    QCOMPARE(std::ranges::count(sides(), Sides::None), 1); // the selected surface
     QTest::keyClick(program.window.get(), Qt::Key_H, Qt::AltModifier);
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && sides().empty(), kPatience);
 }
