@@ -78,7 +78,7 @@ void MainWindow::fillSelectStrip() {
         names << tr(each.name);
     }
     selectStrip_->addLabel(tr("A click takes"));
-    selectStrip_->addChoices(actions, names);
+    selectStrip_->addChoices(tr("A click takes"), actions, names);
     auto* angle = new ParameterField(kSelectAngle);
     angle->setMaximumWidth(200);
     connect(angle, &ParameterField::edited, this, [this, angle](double value) {

@@ -90,10 +90,11 @@ QWidget* Inspector::makeSidesRow() {
         {Sides::Back, tr("Back"), tr("Felt from the side that sees the corners clockwise alone.")},
         {Sides::None, tr("None"), tr("Seen, but not felt.")}};
     auto* section = new QWidget;
-    auto* row = new QHBoxLayout(section);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* lines = column(section, kRhythm / 2);
+    lines->addWidget(new QLabel(tr("Felt from")));
+    auto* row = new QHBoxLayout;
     row->setSpacing(kRhythm / 2);
-    row->addWidget(new QLabel(tr("Felt from")), 1);
+    lines->addLayout(row);
     sides_ = new QButtonGroup(section);
     for (const Choice& choice : choices) {
         auto* button = new QToolButton;
@@ -104,7 +105,8 @@ QWidget* Inspector::makeSidesRow() {
         button->setObjectName(QStringLiteral("sides-") + QString::fromUtf8(nameOf(choice.sides).data()));
         button->setAccessibleName(tr("Felt from: %1").arg(choice.text));
         sides_->addButton(button, int(choice.sides));
-        row->addWidget(button);
+        row->addWidget(button, 1);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
     connect(sides_, &QButtonGroup::idClicked, this,
             [this](int id) { document_.setSides(document_.selected(), Sides(id)); });

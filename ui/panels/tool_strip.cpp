@@ -1,6 +1,7 @@
 #include "ui/panels/tool_strip.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -34,6 +35,8 @@ ToolStrip::ToolStrip(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(th
     setObjectName(QStringLiteral("tool-strip"));
     row_->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
     row_->setSpacing(kRhythm / 2);
+    row_->setSizeConstraint(QLayout::SetNoConstraint);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     hide();
 }
 
@@ -43,12 +46,20 @@ void ToolStrip::addLabel(const QString& text) {
     row_->addWidget(label);
 }
 
-void ToolStrip::addChoices(const QList<QAction*>& actions, const QStringList& names) {
-    for (qsizetype i = 0; i < actions.size(); ++i) {
-        QToolButton* button = buttonOf(actions[i], names[i]);
-        button->setProperty("choice", true);
-        row_->addWidget(button);
+void ToolStrip::addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names) {
+    auto* list = new QComboBox;
+    list->setAccessibleName(what);
+    list->addItems(names);
+    for (int i = 0; i < int(actions.size()); ++i) {
+        list->setItemData(i, actions[i]->toolTip(), Qt::ToolTipRole);
+        const auto follow = [list, i, action = actions[i]] {
+            if (action->isChecked()) list->setCurrentIndex(i);
+        };
+        connect(actions[i], &QAction::toggled, list, follow);
+        follow();
     }
+    connect(list, &QComboBox::activated, this, [actions](int i) { actions[i]->trigger(); });
+    row_->addWidget(list);
 }
 
 void ToolStrip::addAction(QAction* action) {

@@ -9,7 +9,8 @@ class QHBoxLayout;
 
 namespace tactum {
 
-/// Buttons and fields from left to right. Thread: ui.
+/// Lists, fields and buttons from left to right; what has no room is cut off rather than taken from the
+/// panels. Thread: ui.
 class ToolStrip : public QWidget {
     Q_OBJECT
 public:
@@ -17,8 +18,8 @@ public:
 
     /// Dimmed words in front of what follows.
     void addLabel(const QString& text);
-    /// Buttons of which one is on: `names` are shorter than the actions' own words.
-    void addChoices(const QList<QAction*>& actions, const QStringList& names);
+    /// A list of actions of which one is on: `names` are shorter than the actions' own words.
+    void addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names);
     /// A button with the action's words.
     void addAction(QAction* action);
     void addField(QWidget* field);
