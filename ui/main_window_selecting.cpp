@@ -68,6 +68,7 @@ void MainWindow::connectSelecting() {
     });
     connect(selecting_, &SelectTool::finished, notice_, &NoticeBar::endProgress);
     fillSelectStrip();
+    showSelection();
 }
 
 void MainWindow::fillSelectStrip() {
