@@ -81,7 +81,7 @@ private:
                 if (other != v) found.push_back(other);
             });
         std::ranges::sort(found);
-        found.erase(std::ranges::unique(found).begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
         return found;
     }
     bool isLocked(const std::vector<Index>& places) const {

@@ -144,8 +144,8 @@ void ProblemGatherer::add(Index triangle) {
 void ProblemGatherer::finish(std::vector<Problem>& problems) {
     if (problem_.count == 0) return;
     std::ranges::sort(problem_.triangles);
-    const auto twice = std::ranges::unique(problem_.triangles);
-    problem_.triangles.erase(twice.begin(), twice.end());
+    const auto twice = std::unique(problem_.triangles.begin(), problem_.triangles.end());
+    problem_.triangles.erase(twice, problem_.triangles.end());
     problem_.centre = box_.centre();
     problem_.radius = 0.5 * box_.diagonal();
     problems.push_back(std::move(problem_));
