@@ -212,7 +212,7 @@ QAction& Actions::operator[](const char* id) const {
 }
 
 void Actions::fill(QMenuBar& bar) const {
-    QString used;
+    QString used = QStringLiteral("ah"); // Alt+A and Alt+H are commands
     for (const Command& command : kCommands) {
         QMenu* menu = menuOf(bar, QString::fromLatin1(command.menu), used);
         if (command.separatorBefore) menu->addSeparator();
