@@ -91,7 +91,8 @@ Problems::Problems(Document& document, QWidget* parent)
     setRootIsDecorated(false);
     setWrapping();
     setColumnCount(2);
-    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(1, QHeaderView::Fixed); // a column does not ask its widgets
+    header()->resizeSection(1, 7 * kRhythm);
     connect(this, &QTreeWidget::itemActivated, this, &Problems::show);
     connect(this, &QTreeWidget::itemClicked, this, &Problems::show);
     connect(&repairing_, &BackgroundJob::progressed, this, &Problems::repairProgressed);
@@ -142,6 +143,7 @@ void Problems::add(const PlacedFinding& found) {
 
 void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     auto* button = new QPushButton(tr("Fix"), this);
+    button->setProperty("inRow", true);
     button->setObjectName(QStringLiteral("fix"));
     button->setAccessibleName(tr("Fix %1").arg(lineOf(found.finding)));
     button->setToolTip(wordsOf(found));
