@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/geometry/surfaces.h"
 #include "ui/document.h"
 
 namespace tactum {
@@ -10,7 +11,7 @@ namespace tactum {
 namespace {
 
 /// What most of the triangles are of.
-Index mainSurfaceOf(const SceneObject& object, const std::vector<Index>& faces) {
+Index mainSurfaceOf(const SceneObject& object, const TriangleSet& faces) {
     std::vector<std::size_t> counts(object.surfaces.size());
     for (const Index face : faces)
         ++counts[object.geometry->surfaceOf[face]];
@@ -32,50 +33,45 @@ std::vector<std::size_t> countTriangles(const TriangleSoup& soup, std::size_t su
     return counts;
 }
 
-/// Triangles go to other surfaces; those that lose their last one to it are gone.
-template <class Move> SceneObject regrouped(SceneObject object, Move&& move) {
-    auto soup = std::make_shared<TriangleSoup>(*object.geometry);
-    const auto before = countTriangles(*soup, object.surfaces.size());
-    move(*soup);
-    const auto after = countTriangles(*soup, object.surfaces.size());
+/// Without the surfaces that have a triangle in the object's mesh and none in `soup`, the same mesh with
+/// triangles on other surfaces.
+SceneObject regrouped(SceneObject object, const TriangleSoup& soup) {
+    const auto before = countTriangles(*object.geometry, object.surfaces.size());
+    const auto after = countTriangles(soup, object.surfaces.size());
     std::vector<Index> number;
     std::vector<Surface> kept;
     for (std::size_t i = 0; i < after.size(); ++i) {
         number.push_back(Index(kept.size()));
         if (after[i] > 0 || before[i] == 0) kept.push_back(std::move(object.surfaces[i]));
     }
-    for (Index& surface : soup->surfaceOf)
-        surface = number[surface];
     object.surfaces = std::move(kept);
-    object.geometry = std::move(soup);
+    object.geometry = std::make_shared<const TriangleSoup>(renumbered(soup, number));
     return object;
 }
 
 /// The triangles as a surface of their own, the last one. Those of locked surfaces stay where they are.
-Result<SceneObject> split(SceneObject object, const std::vector<Index>& faces) {
-    std::vector<Index> free;
+Result<SceneObject> split(SceneObject object, const TriangleSet& faces) {
+    TriangleSet free;
     std::ranges::copy_if(faces, std::back_inserter(free), [&](Index face) {
         return !object.surfaces[object.geometry->surfaceOf[face]].locked;
     });
     if (free.empty()) return inputError("The selected triangles are of locked surfaces; unlock them first.");
-    const auto own = Index(object.surfaces.size());
+    const TriangleSoup soup = withSurface(*object.geometry, free, Index(object.surfaces.size()));
     Surface part = object.surfaces[mainSurfaceOf(object, free)];
     part.name = freshName(object, part.name);
     object.surfaces.push_back(std::move(part));
-    return regrouped(std::move(object), [&](TriangleSoup& soup) {
-        for (const Index face : free)
-            soup.surfaceOf[face] = own;
-    });
+    return regrouped(std::move(object), soup);
 }
 
-SceneObject merge(SceneObject object, const std::vector<Index>& surfaces, Index into) {
-    std::vector<char> merged(object.surfaces.size());
-    for (const Index each : surfaces)
-        merged[each] = true;
-    return regrouped(std::move(object), [&](TriangleSoup& soup) {
-        for (Index& surface : soup.surfaceOf)
-            if (merged[surface]) surface = into;
-    });
+/// One surface in the place of the lowest, like the active one.
+SceneObject merge(SceneObject object, const MergedSurfaces& merged, Index active) {
+    std::vector<Surface> kept(merged.count);
+    for (std::size_t i = 0; i < object.surfaces.size(); ++i)
+        if (merged.newNumber[i] != merged.merged || i == active)
+            kept[merged.newNumber[i]] = std::move(object.surfaces[i]);
+    object.surfaces = std::move(kept);
+    object.geometry = std::make_shared<const TriangleSoup>(renumbered(*object.geometry, merged.newNumber));
+    return object;
 }
 
 } // namespace
@@ -163,17 +159,14 @@ void Document::mergeSelected() {
     if (surfaces.size() < 2 || surface(*active)->locked)
         return emit editEnded(tr("Select two or more surfaces of one object that are not locked, and merge "
                                  "them then."));
-    const SceneObject& object = *scene_.find(active->object);
-    const auto counts = countTriangles(*object.geometry, object.surfaces.size());
-    const auto gone =
-        std::ranges::count_if(surfaces, [&](Index i) { return i < active->surface && counts[i] > 0; });
-    const SurfaceRef merged{active->object, active->surface - Index(gone)};
+    const auto count = Index(scene_.find(active->object)->surfaces.size());
+    const MergedSurfaces merged = mergeSurfaces(count, surfaces);
     changeObject(
         active->object, tr("Merge %1").arg(namesOf(selected_)),
-        [surfaces, into = active->surface](const SceneObject& whole, const Progress&) {
-            return Result<SceneObject>(merge(whole, surfaces, into));
+        [merged, like = active->surface](const SceneObject& whole, const Progress&) {
+            return Result<SceneObject>(merge(whole, merged, like));
         },
-        [this, merged] { select(merged); });
+        [this, place = SurfaceRef{active->object, merged.merged}] { select(place); });
 }
 
 } // namespace tactum

@@ -1,12 +1,11 @@
 #include "ui/view/face_layer.h"
 
-#include <vtkCellArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkTypeInt32Array.h>
 
+#include "ui/view/poly_arrays.h"
 #include "ui/view/studio_light.h"
 
 namespace tactum {
@@ -16,20 +15,13 @@ namespace {
 constexpr double kOpacity = 0.55;
 
 /// Segments and points of the soup come out as triangles without an area, which are not drawn.
-vtkNew<vtkCellArray> cellsOf(const TriangleSoup& soup, std::span<const Index> faces) {
-    vtkNew<vtkTypeInt32Array> offsets, connectivity;
-    offsets->SetNumberOfValues(vtkIdType(faces.size()) + 1);
-    connectivity->SetNumberOfValues(3 * vtkIdType(faces.size()));
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        offsets->SetValue(vtkIdType(i), 3 * int(i));
-        for (int corner = 0; corner < 3; ++corner)
-            connectivity->SetValue(3 * vtkIdType(i) + corner,
-                                   int(soup.triangles[faces[i]][std::size_t(corner)]));
-    }
-    offsets->SetValue(vtkIdType(faces.size()), 3 * int(faces.size()));
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(offsets, connectivity);
-    return cells;
+vtkSmartPointer<vtkCellArray> cellsOf(const TriangleSoup& soup, std::span<const Index> faces) {
+    std::vector<int> corners;
+    corners.reserve(3 * faces.size());
+    for (const Index face : faces)
+        for (const Index corner : soup.triangles[face])
+            corners.push_back(int(corner));
+    return cellArray(corners, 3);
 }
 
 } // namespace
