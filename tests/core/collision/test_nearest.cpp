@@ -84,6 +84,21 @@ private slots:
         QVERIFY(std::isinf(nearestOn(meshOf(SoupBuilder().build()), Vec3::Zero()).distance));
     }
 
+    void whatIsNotFeltIsNotThere() {
+        TriangleSoup two = *sheet(1);
+        const Index half = Index(two.triangles.size() / 2);
+        for (Index i = half; i < two.triangles.size(); ++i)
+            two.surfaceOf[i] = 1;
+        const CollisionMesh mesh = meshOf(std::make_shared<const TriangleSoup>(two));
+        const std::array<Sides, 2> first{Sides::Both, Sides::None}, none{Sides::None, Sides::None};
+        Rng rng(73);
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 p = inBox(rng, 1);
+            QVERIFY(nearestOn(mesh, p, 10, first).triangle < half);
+            QVERIFY(std::isinf(nearestOn(mesh, p, 10, none).distance));
+        }
+    }
+
     void theSideTellsInsideFromOutside() {
         Rng rng(72);
         int corners = 0;
