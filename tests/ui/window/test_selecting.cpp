@@ -1,0 +1,170 @@
+// Selecting in the view with real events: what a click and a box take, what grows from it, and what is done.
+#include <QAction>
+#include <QComboBox>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTest>
+#include <QUndoStack>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+class TestSelecting : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static QAction& command(const TouchedWindow& program, const char* id) {
+        for (const QMenu* menu : program.window->menuBar()->findChildren<QMenu*>())
+            for (QAction* action : menu->actions())
+                if (action->objectName() == QLatin1String(id)) return *action;
+        qFatal("there is no command %s", id);
+    }
+    static void click(TouchedWindow& program, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(&program.window->view(), Qt::LeftButton, modifiers, program.centre());
+    }
+    static const std::vector<Index>& faces(const TouchedWindow& program) {
+        return program.document.selectedFaces().faces;
+    }
+    /// Half of one side of the cube, whichever is in the middle of the view.
+    static bool takeTriangle(TouchedWindow& program) {
+        command(program, "take-triangle").trigger();
+        click(program);
+        return faces(program).size() == 1;
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void aClickTakesWhatTheRowSays_data();
+    void aClickTakesWhatTheRowSays();
+    void modifiersAddAndTakeBack();
+    void ringsGrowAndShrink();
+    void aBoxTakesWhatItTouches();
+    void splitHideAndUndo();
+    void theRowShowsWhatAClickTakes();
+};
+
+void TestSelecting::aClickTakesWhatTheRowSays_data() {
+    QTest::addColumn<QByteArray>("reach");
+    QTest::addColumn<int>("triangles");
+    QTest::addColumn<int>("surfaces");
+    QTest::newRow("surface") << QByteArray("take-surface") << 0 << 1;
+    QTest::newRow("same feel") << QByteArray("take-material") << 0 << 6;
+    QTest::newRow("connected") << QByteArray("take-connected") << 12 << 1;
+    QTest::newRow("smooth") << QByteArray("take-smooth") << 2 << 1;
+    QTest::newRow("similar") << QByteArray("take-similar") << 2 << 1;
+    QTest::newRow("triangle") << QByteArray("take-triangle") << 1 << 1;
+}
+
+void TestSelecting::aClickTakesWhatTheRowSays() {
+    QFETCH(QByteArray, reach);
+    QFETCH(int, triangles);
+    QFETCH(int, surfaces);
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const Scene before = program.document.scene();
+    program.document.select(std::nullopt);
+    command(program, reach).trigger();
+    QVERIFY(command(program, "select").isChecked());
+    click(program);
+    QTRY_COMPARE_WITH_TIMEOUT(int(faces(program).size()), triangles, kPatience);
+    QCOMPARE(int(program.document.selected().size()), surfaces);
+    const auto& surfaceOf = before.objects[0].geometry->surfaceOf;
+    if (triangles == 2)
+        for (const Index face : faces(program))
+            QCOMPARE(surfaceOf[face], program.document.selection()->surface);
+    QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, {8, 8}); // beside the model
+    QVERIFY(faces(program).empty() && program.document.selected().empty());
+    QVERIFY(program.document.scene() == before && program.document.history().count() == 0);
+}
+
+void TestSelecting::modifiersAddAndTakeBack() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(takeTriangle(program));
+    const std::vector<Index> one = faces(program);
+    command(program, "take-smooth").trigger();
+    click(program, Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(2), kPatience);
+    command(program, "take-triangle").trigger();
+    click(program, Qt::ControlModifier);
+    QCOMPARE(faces(program).size(), std::size_t(1));
+    QVERIFY(faces(program) != one);
+}
+
+// A triangle of a cube has three neighbours, which have five more.
+void TestSelecting::ringsGrowAndShrink() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(!command(program, "grow").isEnabled());
+    QVERIFY(takeTriangle(program));
+    const std::vector<Index> one = faces(program);
+    command(program, "grow").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(4), kPatience);
+    command(program, "shrink").trigger();
+    QCOMPARE(faces(program), one);
+    command(program, "invert").trigger();
+    QCOMPARE(faces(program).size(), std::size_t(11));
+}
+
+void TestSelecting::aBoxTakesWhatItTouches() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "take-triangle").trigger();
+    const QSize size = program.window->view().size();
+    const auto draw = [&](QPoint from, QPoint to) {
+        command(program, "box").trigger();
+        program.press(from);
+        program.moveTo(to);
+        program.release(to);
+    };
+    draw({4, 4}, {size.width() - 4, size.height() - 4});
+    QCOMPARE(faces(program).size(), std::size_t(12));
+    draw({4, 4}, {12, 12});
+    QVERIFY(faces(program).empty());
+    command(program, "take-surface").trigger();
+    draw({4, 4}, {size.width() - 4, size.height() - 4});
+    QCOMPARE(program.document.selected().size(), std::size_t(6));
+}
+
+void TestSelecting::splitHideAndUndo() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const Scene before = program.document.scene();
+    QVERIFY(takeTriangle(program));
+    const auto shownHere = program.document.selectedFaces();
+    QTest::keyClick(program.window.get(), Qt::Key_P);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.scene().objects[0].surfaces.size(), std::size_t(7), kPatience);
+    QVERIFY(faces(program).empty());
+    QTest::keyClick(program.window.get(), Qt::Key_H);
+    QVERIFY(!program.document.surface({shownHere.object, 6})->visible);
+    // What is hidden lets a click through to what lies behind it.
+    command(program, "take-surface").trigger();
+    click(program);
+    QVERIFY(program.document.selection().has_value() && program.document.selection()->surface != 6);
+    while (program.document.history().canUndo())
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(program.document.scene() == before);
+}
+
+void TestSelecting::theRowShowsWhatAClickTakes() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* row = program.window->findChild<QWidget*>(QStringLiteral("tool-strip"));
+    QVERIFY(!row->isVisible());
+    QTest::keyClick(program.window.get(), Qt::Key_Q);
+    QVERIFY(row->isVisible());
+    auto* list = row->findChild<QComboBox*>();
+    QCOMPARE(list->currentText(), QStringLiteral("Surface"));
+    command(program, "take-smooth").trigger();
+    QCOMPARE(list->currentText(), QStringLiteral("Smooth"));
+    QTest::keyClicks(list, QStringLiteral("T"));
+    QVERIFY(command(program, "take-triangle").isChecked());
+}
+
+QTEST_MAIN(TestSelecting)
+#include "test_selecting.moc"
