@@ -159,6 +159,25 @@ void Document::setSides(const SurfaceRefs& refs, Sides sides) {
                  [&](Surface& each) { each.sides = sides; });
 }
 
+void Document::setFeel(const SurfaceRefs& refs, const Feel& like, const QString& text) {
+    const auto usesPaint = [](const TextureLayer& layer) {
+        return layer.pattern.painted.values || (layer.mask && layer.mask->painted.values);
+    };
+    std::vector<TextureLayer> bare = like.surface.layers;
+    std::erase_if(bare, usesPaint);
+    SurfaceRefs free;
+    for (const SurfaceRef ref : refs)
+        if (const Surface* each = surface(ref); each && !each->locked) free.push_back(ref);
+    std::size_t i = 0;
+    editSurfaces(free, SceneChange::What::Shading, text, [&](Surface& each) {
+        const SceneObject* object = scene_.find(free[i++].object);
+        each.material = like.surface.material;
+        each.shading = like.surface.shading;
+        each.sides = like.surface.sides;
+        each.layers = object->geometry == like.soup ? like.surface.layers : bare;
+    });
+}
+
 void Document::setSurfacesVisible(const SurfaceRefs& refs, bool visible) {
     editSurfaces(refs, SceneChange::What::Surfaces, visible ? tr("Show %1") : tr("Hide %1"),
                  [&](Surface& each) { each.visible = visible; });

@@ -47,6 +47,15 @@ struct SceneChange {
     bool operator==(const SceneChange&) const = default;
 };
 
+/// Everything that is felt of a surface, to be given to others; `soup` is what its painted values belong to.
+struct Feel {
+    Surface surface;
+    std::shared_ptr<const TriangleSoup> soup;
+};
+
+/// The object with another form of its mesh. What is painted goes along. Thread: any but real time.
+SceneObject withGeometry(SceneObject object, std::shared_ptr<const TriangleSoup> geometry);
+
 /// A file as it was when it was last read or written.
 struct FileStamp {
     std::filesystem::path path;
@@ -96,6 +105,9 @@ public:
                           Gesture gesture = 0);
     void setShading(const SurfaceRefs& refs, const Shading& shading, Gesture gesture = 0);
     void setSides(const SurfaceRefs& refs, Sides sides);
+    /// Everything that is felt of `like`: material, shading, sides and layers. What is painted comes along
+    /// where the mesh is the same, else its layers are left out.
+    void setFeel(const SurfaceRefs& refs, const Feel& like, const QString& text);
     void setSurfacesVisible(const SurfaceRefs& refs, bool visible);
     void setLocked(const SurfaceRefs& refs, bool locked);
     /// Shows these surfaces and hides all others.
@@ -116,8 +128,8 @@ public:
     /// The selected surfaces of the active one's object become one, which feels like the active one. Ends
     /// with editEnded().
     void mergeSelected();
-    /// Another mesh for an object, as one step of the history.
-    void setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text);
+    /// Another form of an object, found by its id, as one step of the history.
+    void setObject(const SceneObject& object, const QString& text);
     /// Works out another form of an object on a worker and makes it one step of the history, then calls
     /// `then`. Nothing is changed when the object was edited meanwhile. Ends with editEnded().
     using ObjectWork = std::function<Result<SceneObject>(const SceneObject&, const Progress&)>;

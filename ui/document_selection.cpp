@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/geometry/surfaces.h"
+#include "core/paint/carry.h"
 #include "ui/document.h"
 
 namespace tactum {
@@ -115,8 +116,21 @@ void Document::keepSelection(const SceneChange& change) {
     if (change.touchesShape() && !faces_.empty()) selectFaces({}, SelectMode::Replace);
 }
 
-void Document::setGeometry(ObjectId id, std::shared_ptr<const TriangleSoup> geometry, const QString& text) {
-    changeObjectNow(id, text, [&](SceneObject& object) { object.geometry = std::move(geometry); });
+SceneObject withGeometry(SceneObject object, std::shared_ptr<const TriangleSoup> geometry) {
+    const auto before = std::exchange(object.geometry, std::move(geometry));
+    const auto carry = [&](TexturePattern& pattern) {
+        pattern.painted.values = carriedPaint(pattern.painted.values, *before, *object.geometry);
+    };
+    for (Surface& surface : object.surfaces)
+        for (TextureLayer& layer : surface.layers) {
+            carry(layer.pattern);
+            if (layer.mask) carry(*layer.mask);
+        }
+    return object;
+}
+
+void Document::setObject(const SceneObject& object, const QString& text) {
+    changeObjectNow(object.id, text, [&](SceneObject& each) { each = object; });
 }
 
 void Document::changeObject(ObjectId id, const QString& text, const ObjectWork& work,

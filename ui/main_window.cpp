@@ -17,6 +17,7 @@
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
+#include "ui/paint_tool.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
@@ -52,8 +53,9 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
       view_(new SceneView), selecting_(new SelectTool(document, *view_, this)), selectStrip_(new ToolStrip),
-      notice_(new NoticeBar), centre_(new QStackedWidget), start_(new StartPage(samples)),
-      playbackBar_(new PlaybackBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
+      painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
+      centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
+      status_(new StatusStrip), hint_(new TouchHint(view_)),
       hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
       playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
       journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
@@ -73,6 +75,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connectSelecting();
+    connectSurfaces();
+    connectPainting();
     connectFelt();
     connectDevice();
     connectHealth();
@@ -99,6 +103,7 @@ QWidget* MainWindow::makeCentre() {
     column->addWidget(recoveryBar_);
     column->addWidget(notice_);
     column->addWidget(selectStrip_);
+    column->addWidget(paintStrip_);
     column->addWidget(centre_, 1);
     column->addWidget(playbackBar_);
     centre_->addWidget(start_);

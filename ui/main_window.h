@@ -3,12 +3,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QMainWindow>
 #include <QTimer>
 
 #include "core/control/hand_target.h"
+#include "core/geometry/mend.h"
 #include "core/runtime/engine.h"
 #include "ui/docks.h"
 #include "ui/document.h"
@@ -26,6 +28,7 @@ class GuardWatch;
 class HandLink;
 class Journal;
 class NoticeBar;
+class PaintTool;
 class Playback;
 class PlaybackBar;
 struct PaletteEntry;
@@ -94,6 +97,14 @@ private:
     void connectSelecting();
     void fillSelectStrip();
     void showSelection();
+    // Of surfaces and their normals: main_window_surfaces.cpp.
+    void connectSurfaces();
+    void setShading(const QString& text, const std::function<void(Shading&)>& change);
+    void turnOverSelected();
+    void mendSelected(const QString& text, Result<Mended> (*how)(const SharedSoup&, const Progress&));
+    // Of the brush: main_window_painting.cpp.
+    void connectPainting();
+    void fillPaintStrip(const QList<QAction*>& goals, const QList<QAction*>& modes);
     // Of saving: main_window_saving.cpp.
     void connectSaving();
     void save();
@@ -147,6 +158,8 @@ private:
     SceneView* view_;
     SelectTool* selecting_;
     ToolStrip* selectStrip_;
+    PaintTool* painting_;
+    ToolStrip* paintStrip_;
     NoticeBar* notice_;
     QStackedWidget* centre_;
     StartPage* start_;
@@ -163,6 +176,7 @@ private:
     Comparison* comparison_;
     SoundLink* sound_;
     Docks docks_;
+    std::optional<Feel> copied_;      ///< to be pasted
     QStringList samples_;             ///< scenes to begin with, never written over
     QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
     std::uint64_t shownShape_ = 0;    ///< of the recorded scene in the view

@@ -56,14 +56,15 @@ void MainWindow::makeToolBar() {
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
     bar->setIconSize({24, 24});
-    for (const char* id : {"open", "", "undo", "redo", "", "touch", "select", "", "fit", "view-front",
-                           "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"}) {
+    for (const char* id :
+         {"open", "", "undo", "redo", "", "touch", "select", "paint", "", "fit", "view-front", "view-right",
+          "view-top", "view-isometric", "", "overlay", "", "armed"}) {
         if (*id)
             bar->addAction(&actions_[id]);
         else
             bar->addSeparator();
     }
-    for (const char* id : {"open", "touch", "select", "armed"})
+    for (const char* id : {"open", "touch", "select", "paint", "armed"})
         static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
             ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
@@ -158,10 +159,11 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     auto* tools = new QActionGroup(this);
-    for (const char* id : {"touch", "select"})
+    for (const char* id : {"touch", "select", "paint"})
         tools->addAction(&actions_[id]);
     connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
     connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
+    connect(&actions_["paint"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Paint); });
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
     actions_["touch"].trigger();
     connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);

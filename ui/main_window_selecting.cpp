@@ -58,6 +58,7 @@ void MainWindow::connectSelecting() {
     connect(view_, &SceneView::picked, this, [this](const std::optional<PickHit>& hit, auto modifiers) {
         if (playback_->active()) return;
         if (actions_["select"].isChecked()) return selecting_->take(hit, modifiers);
+        if (actions_["paint"].isChecked()) return; // beside the model: what is selected stays to be painted
         document_.select(hit ? std::optional(hit->surface) : std::nullopt);
     });
     connect(view_, &SceneView::boxDrawn, this, [this](const QRectF& box, auto modifiers) {

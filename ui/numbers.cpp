@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/numbers.h"
+#include "ui/units.h"
 
 namespace tactum {
 
@@ -35,10 +36,18 @@ DisplayUnit displayUnit(const Parameter& parameter) {
 }
 
 std::optional<double> readNumber(const QString& typed, const QString& unit) {
+    // The longest beginning that is a number: "1e-3 m" has its e in the number, "3 mm" ends before its m.
     QString text = typed.trimmed();
-    if (!unit.isEmpty() && text.endsWith(unit)) text = text.chopped(unit.size()).trimmed();
     text.replace(u',', u'.');
-    return parseNumber(text.toStdString());
+    for (qsizetype length = text.size(); length > 0; --length) {
+        const auto number = parseNumber(text.left(length).trimmed().toStdString());
+        if (!number) continue;
+        const auto own = readUnit(unit), typedUnit = readUnit(QStringView(text).mid(length).trimmed());
+        if (text.mid(length).trimmed().isEmpty()) return number;
+        if (!typedUnit || !own || typedUnit->dimension != own->dimension) return std::nullopt;
+        return *number * (typedUnit->factor / own->factor);
+    }
+    return std::nullopt;
 }
 
 } // namespace tactum

@@ -24,8 +24,9 @@ struct DisplayUnit {
 };
 DisplayUnit displayUnit(const Parameter& parameter);
 
-/// Reads what a person typed: a number in the C locale, a comma taken as the point, an optional unit after
-/// it. Empty when it is no finite number.
+/// Reads what a person typed: a number in the C locale, a comma taken as the point, and after it any unit of
+/// the same kind as `unit`, in which the number comes back: "1.2 N/mm" of N/m is 1200. A number alone is in
+/// `unit`. Empty when it is no finite number or the unit is of another kind.
 std::optional<double> readNumber(const QString& typed, const QString& unit = {});
 
 } // namespace tactum

@@ -144,6 +144,14 @@ Mended turnOver(const SharedSoup& soup) {
                   sentence(soup->triangles.size(), "triangle", "triangles", "turned over"));
 }
 
+Mended turnOver(const SharedSoup& soup, const TriangleSet& triangles) {
+    TriangleSoup result = *soup;
+    for (const Index t : triangles)
+        turnOver(result, t);
+    return mended(std::move(result), triangles.size(),
+                  sentence(triangles.size(), "triangle", "triangles", "turned over"));
+}
+
 Mended scaled(const SharedSoup& soup, double factor) {
     if (factor == 1) return {soup, 0, "nothing scaled"};
     TriangleSoup result = *soup;

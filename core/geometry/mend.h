@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/progress.h"
+#include "core/geometry/triangle_set.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
@@ -43,6 +44,8 @@ Result<Mended> agreeOnFronts(const SharedSoup& soup, const Progress& progress = 
 
 /// Turns every triangle over. Twice gives the first soup back where its normals looked to the front.
 Mended turnOver(const SharedSoup& soup);
+/// Turns these over. `triangles`: in rising order, of the soup.
+Mended turnOver(const SharedSoup& soup, const TriangleSet& triangles);
 
 /// Which openings are holes, and which are meant.
 struct HoleLimits {

@@ -25,6 +25,8 @@ public:
 
     /// The pointer is here now: paints the dabs that are due.
     void moveTo(const Dab& at);
+    /// It has left the surface: there is no way from the last place to the next one.
+    void lift() { path_ = StrokePath(brush_.radius); }
     /// One dab by itself.
     void paint(const Dab& dab);
 

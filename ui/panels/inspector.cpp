@@ -1,5 +1,6 @@
 #include "ui/panels/inspector.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QButtonGroup>
@@ -29,6 +30,26 @@ QLabel* dimmed(const QString& text) {
     label->setProperty("dimmed", true);
     label->setWordWrap(true);
     return label;
+}
+
+/// While an edit is announced some of those that are selected may be gone.
+std::vector<const Surface*> selectedSurfaces(const Document& document) {
+    std::vector<const Surface*> surfaces;
+    for (const SurfaceRef ref : document.selected())
+        if (const Surface* surface = document.surface(ref)) surfaces.push_back(surface);
+    return surfaces;
+}
+
+/// Whether the selected surfaces differ in something.
+template <class Of> bool isMixed(const Document& document, Of&& of) {
+    const auto surfaces = selectedSurfaces(document);
+    return std::ranges::any_of(surfaces,
+                               [&](const Surface* each) { return of(*each) != of(*surfaces.front()); });
+}
+
+void check(QCheckBox& box, bool on, bool mixed) {
+    box.setTristate(mixed);
+    box.setCheckState(mixed ? Qt::PartiallyChecked : on ? Qt::Checked : Qt::Unchecked);
 }
 
 } // namespace
@@ -62,6 +83,9 @@ QWidget* Inspector::makeSurfaceSection() {
     rows->addLayout(title);
     hint_ = dimmed(tr("Click a surface in the view (Q) or in the outliner to see and set how it feels."));
     rows->addWidget(hint_);
+    locked_ = dimmed({});
+    locked_->setObjectName("locked-hint");
+    rows->addWidget(locked_);
     surfaceFields_ = new QWidget;
     auto* list = column(surfaceFields_, kRhythm);
     for (const MaterialField& field : kMaterialFields) {
@@ -114,12 +138,13 @@ QWidget* Inspector::makeSidesRow() {
 }
 
 template <class Change> void Inspector::editShading(Gesture gesture, Change&& change) {
-    const auto selection = document_.selection();
-    const Surface* surface = selection ? document_.surface(*selection) : nullptr;
-    if (!surface) return;
-    Shading shading = surface->shading;
-    change(shading);
-    document_.setShading(document_.selected(), shading, gesture);
+    document_.editSurfaces(
+        document_.selected(), SceneChange::What::Shading, tr("Force shading of %1"),
+        [&](Surface& each) {
+            change(each.shading);
+            each.shading.creaseAngle = kCreaseAngle.clamped(each.shading.creaseAngle);
+        },
+        gesture);
     refresh({SceneChange::What::Selection}); // what was typed may have been brought into range
 }
 
@@ -172,23 +197,35 @@ void Inspector::setCeiling(const CeilingNow& ceiling, bool overridden) {
 void Inspector::refresh(const SceneChange&) {
     refreshHeading();
     proxyRadius_->setValue(document_.scene().proxyRadius);
-    const auto selection = document_.selection();
-    const Surface* surface = selection ? document_.surface(*selection) : nullptr;
-    if (!surface) return;
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-        fields_[i]->setValue(surface->material.*kMaterialFields[i].value);
-    sides_->button(int(surface->sides))->setChecked(true);
-    refreshShading(surface->shading);
+    if (const auto active = document_.selection(); !active || !document_.surface(*active)) return;
+    refreshValues();
+    refreshShading();
+}
+
+void Inspector::refreshValues() {
+    const Surface& active = *document_.surface(*document_.selection());
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const auto value = kMaterialFields[i].value;
+        fields_[i]->setValue(active.material.*value);
+        fields_[i]->setMixed(isMixed(document_, [&](const Surface& each) { return each.material.*value; }));
+    }
+    const bool mixedSides = isMixed(document_, [](const Surface& each) { return each.sides; });
+    sides_->setExclusive(!mixedSides);
+    for (QAbstractButton* button : sides_->buttons())
+        button->setChecked(!mixedSides && sides_->id(button) == int(active.sides));
 }
 
 // Only what makes a difference is shown.
-void Inspector::refreshShading(const Shading& shading) {
+void Inspector::refreshShading() {
     const SceneObject* object = document_.scene().find(document_.selection()->object);
+    const Shading& shading = document_.surface(*document_.selection())->shading;
     const bool inFile = object && object->geometry && !object->geometry->cornerNormals.empty();
-    shading_->setChecked(shading.on);
-    fileNormals_->setChecked(shading.normals == NormalSource::File);
+    check(*shading_, shading.on, isMixed(document_, [](const Surface& each) { return each.shading.on; }));
+    check(*fileNormals_, shading.normals == NormalSource::File,
+          isMixed(document_, [](const Surface& each) { return each.shading.normals; }));
     fileNormals_->setVisible(shading.on && inFile);
     creaseAngle_->setValue(shading.creaseAngle);
+    creaseAngle_->setMixed(isMixed(document_, [](const Surface& each) { return each.shading.creaseAngle; }));
     creaseAngle_->setVisible(shading.on && !(inFile && shading.normals == NormalSource::File));
 }
 
@@ -198,8 +235,22 @@ void Inspector::refreshHeading() {
     surfaceFields_->setVisible(surface);
     swatch_->setVisible(surface);
     hint_->setVisible(!surface);
-    heading_->setText(surface ? QString::fromStdString(surface->name) : tr("No surface selected"));
+    const auto count = document_.selected().size();
+    heading_->setText(!surface    ? tr("No surface selected")
+                      : count > 1 ? tr("%1 surfaces").arg(count)
+                                  : QString::fromStdString(surface->name));
+    refreshLocked();
     if (surface) swatch_->setPixmap(swatch(surface->colour));
+}
+
+void Inspector::refreshLocked() {
+    const auto surfaces = selectedSurfaces(document_);
+    const auto locked = std::size_t(std::ranges::count_if(surfaces, &Surface::locked));
+    const bool all = !surfaces.empty() && locked == surfaces.size();
+    surfaceFields_->setEnabled(!all);
+    locked_->setVisible(locked > 0);
+    locked_->setText(all ? tr("Locked: press L to unlock.")
+                         : tr("%1 of %2 are locked and stay as they are.").arg(locked).arg(surfaces.size()));
 }
 
 } // namespace tactum

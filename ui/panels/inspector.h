@@ -30,17 +30,20 @@ private:
     QWidget* makeSidesRow();
     QWidget* makeShadingRows();
     QWidget* makeSceneSection();
-    /// Changes a copy of the selected surface's shading and gives it to the document.
+    /// Changes the shading of every selected surface.
     template <class Change> void editShading(Gesture gesture, Change&& change);
     void refresh(const SceneChange& change);
     void refreshHeading();
-    void refreshShading(const Shading& shading);
+    void refreshLocked();
+    void refreshValues();
+    void refreshShading();
 
     Document& document_;
     QLabel* heading_;
     QLabel* swatch_;
     QWidget* surfaceFields_;
     QLabel* hint_;
+    QLabel* locked_;                      ///< why nothing can be set
     std::vector<ParameterField*> fields_; ///< in the order of kMaterialFields
     QButtonGroup* sides_;                 ///< the buttons have the numbers of Sides
     QCheckBox* shading_;

@@ -30,7 +30,9 @@ NumberBox::NumberBox(const QString& unit, QWidget* parent) : QDoubleSpinBox(pare
 }
 
 void NumberBox::noteEntry() {
+    if (!wrong_.isEmpty()) emit notUnderstood(std::exchange(wrong_, {}));
     const auto entry = std::exchange(entry_, std::nullopt);
+    if (entry && mixed_) emit typed(std::clamp(*entry, minimum(), maximum())); // the very value shown by one
     if (entry && (*entry < minimum() || *entry > maximum())) emit outOfRange(*entry);
 }
 
@@ -40,7 +42,14 @@ void NumberBox::stepBy(int steps) {
     stepping_ = false;
 }
 
+void NumberBox::setMixed(bool mixed) {
+    if (mixed == mixed_) return;
+    mixed_ = mixed;
+    lineEdit()->setText(textFromValue(value()));
+}
+
 QString NumberBox::textFromValue(double value) const {
+    if (mixed_) return tr("mixed");
     return numberText(value, decimals());
 }
 
@@ -51,11 +60,17 @@ double NumberBox::valueFromText(const QString& text) const {
 
 QValidator::State NumberBox::validate(QString& text, int&) const {
     if (readNumber(text, unit_)) return QValidator::Acceptable;
-    // On the way to a number: digits, a sign, a point, an exponent, the beginning of the unit.
+    // On the way to a number: digits, a sign, a point, an exponent, a unit.
     for (QChar c : text)
-        if (!c.isDigit() && !QStringLiteral("+-.,eE ").contains(c) && !unit_.contains(c))
+        if (!c.isLetterOrNumber() && !QStringLiteral("+-.,^/*%\u00b0\u00b7 ").contains(c))
             return QValidator::Invalid;
     return QValidator::Intermediate;
+}
+
+void NumberBox::fixup(QString& text) const {
+    if (!readNumber(text, unit_) && !text.trimmed().isEmpty() && text != textFromValue(value()))
+        wrong_ = text;
+    text = textFromValue(value());
 }
 
 bool NumberBox::event(QEvent* event) {

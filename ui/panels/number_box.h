@@ -7,12 +7,15 @@
 
 namespace tactum {
 
-/// Right-aligned figures without arrows. A typed comma counts as the decimal point; the unit may be typed
-/// after the number. Values out of range are brought into it when the entry ends.
+/// Right-aligned figures without arrows. A typed comma counts as the decimal point; any unit of the same kind
+/// may be typed after the number. Values out of range are brought into it when the entry ends.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
     explicit NumberBox(const QString& unit, QWidget* parent = nullptr);
+
+    /// Shows a word instead of a number: it stands for several values. What is typed counts for all of them.
+    void setMixed(bool mixed);
 
     void stepBy(int steps) override;
     QString textFromValue(double value) const override;
@@ -25,8 +28,11 @@ signals:
     void stepped(double value);
     /// What was typed lies beyond an end of the range; the box shows that end now.
     void outOfRange(double typed);
+    /// What was typed is no number of this unit; the box shows what it showed before.
+    void notUnderstood(const QString& typed);
 
 protected:
+    void fixup(QString& text) const override;
     bool event(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
 
@@ -36,7 +42,8 @@ private:
 
     QString unit_;
     std::optional<double> entry_; ///< what is being typed
-    bool stepping_ = false;
+    mutable QString wrong_;       ///< what was typed, when it was no number of this unit
+    bool stepping_ = false, mixed_ = false;
 };
 
 } // namespace tactum

@@ -68,6 +68,7 @@ void ParameterField::wire() {
     connect(box_, &NumberBox::stepped, this,
             [this](double shown) { edit(shown / unit_.factor, stepGesture()); });
     connect(box_, &NumberBox::outOfRange, this, &ParameterField::showLimit);
+    connect(box_, &NumberBox::notUnderstood, this, &ParameterField::showMistake);
     connect(slider_, &ValueSlider::notched, box_, &NumberBox::stepBy);
     connect(slider_, &QSlider::sliderPressed, this, [this] { gesture_ = newGesture(); });
     connect(slider_, &QSlider::valueChanged, this, &ParameterField::followSlider);
@@ -108,12 +109,25 @@ void ParameterField::showLimit(double typed) {
     hint_->show();
 }
 
+void ParameterField::showMistake(const QString& typed) {
+    const QString unit = unit_.name.isEmpty() ? tr("a number") : tr("a number in %1").arg(unit_.name);
+    hint_->setText(tr("\u201c%1\u201d is not %2").arg(typed.left(20), unit));
+    hint_->show();
+}
+
 void ParameterField::setValue(double value) {
     if (unit_.factor * value != box_->value()) hint_->hide();
     const QSignalBlocker quiet(box_);
     box_->setValue(unit_.factor * value);
     slider_->display(value);
     reset_->setVisible(value != parameter_.initial);
+}
+
+void ParameterField::setMixed(bool mixed) {
+    const QSignalBlocker quiet(box_);
+    box_->setMixed(mixed);
+    slider_->setEnabled(!mixed);
+    if (mixed) reset_->setVisible(true);
 }
 
 void ParameterField::setCeiling(std::optional<double> ceiling, const QString& meaning) {

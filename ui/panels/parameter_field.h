@@ -29,6 +29,8 @@ public:
 
     /// Shows a value in the parameter's own unit, without telling anybody.
     void setValue(double value);
+    /// Whether the value is only the first of several.
+    void setMixed(bool mixed);
     /// A tick on the slider, and a line in the tooltip.
     void setCeiling(std::optional<double> ceiling, const QString& meaning);
 
@@ -45,6 +47,7 @@ private:
     void wire();
     void describe();
     void showLimit(double typed);
+    void showMistake(const QString& typed);
     void edit(double value, Gesture gesture);
     void followSlider();
     Gesture stepGesture();

@@ -174,20 +174,22 @@ void Problems::mend(const PlacedFinding& found) {
     if (std::ranges::any_of(object->surfaces, &Surface::locked))
         return emit repaired(
             tr("%1 has a locked surface. Unlock it first.").arg(QString::fromStdString(object->name)));
-    repairing_.start([this, id = object->id, soup = object->geometry,
-                      how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
-        return [this, id, soup, mended = repair(soup, how, progress)] { finishRepair(id, soup, mended); };
-    });
+    repairing_.start(
+        [this, before = *object, how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
+            const Result<Mended> mended = repair(before.geometry, how, progress);
+            const SceneObject after = mended ? withGeometry(before, mended->soup) : before;
+            return [this, before, after, mended] { finishRepair(before, after, mended); };
+        });
 }
 
-void Problems::finishRepair(ObjectId id, const std::shared_ptr<const TriangleSoup>& before,
+void Problems::finishRepair(const SceneObject& before, const SceneObject& after,
                             const Result<Mended>& mended) {
-    const SceneObject* object = document_.scene().find(id);
-    if (!mended || !object || object->geometry != before) // cancelled, or edited meanwhile
+    const SceneObject* object = document_.scene().find(before.id);
+    if (!mended || !object || !(*object == before)) // cancelled, or edited meanwhile
         return emit repaired(tr("Nothing was changed."));
     const QString name = QString::fromStdString(object->name);
     const QString done = QString::fromStdString(mended->done);
-    document_.setGeometry(id, mended->soup, tr("Mend %1").arg(name));
+    document_.setObject(after, tr("Mend %1").arg(name));
     emit repaired(mended->changes > 0
                       ? tr("%1: %2. Undo takes it back.").arg(name, done)
                       : tr("%1: %2; mend this one in the modelling program.").arg(name, done));

@@ -37,8 +37,7 @@ private:
     void addButton(QTreeWidgetItem* item, const PlacedFinding& found);
     void show(QTreeWidgetItem* item);
     void mend(const PlacedFinding& found);
-    void finishRepair(ObjectId object, const std::shared_ptr<const TriangleSoup>& before,
-                      const Result<Mended>& mended);
+    void finishRepair(const SceneObject& before, const SceneObject& after, const Result<Mended>& mended);
 
     Document& document_;
     BackgroundJob job_, repairing_;

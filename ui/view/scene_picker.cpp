@@ -49,6 +49,14 @@ bool isReady(const auto& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+/// Body frame; of segments and points any.
+Vec3 normalOf(const TriangleSoup& soup, Index triangle) {
+    const auto& t = soup.triangles[triangle];
+    const Vec3& a = soup.positions[t[0]];
+    const Vec3 normal = (soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a);
+    return normal.squaredNorm() > 0 ? normal.stableNormalized() : Vec3(Vec3::UnitZ());
+}
+
 constexpr std::size_t kSpanningPoints = 20000;
 
 } // namespace
@@ -119,6 +127,7 @@ std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray,
             return PickHit{{target.object, target.soup->surfaceOf[hit.triangle]},
                            hit.triangle,
                            ray.at(distance),
+                           target.pose.rotate(normalOf(*target.soup, hit.triangle)),
                            distance};
     }
     return std::nullopt;

@@ -15,9 +15,10 @@ namespace tactum {
 
 struct PickHit {
     SurfaceRef surface;
-    Index triangle = 0;        ///< of the object's geometry
-    Vec3 point = Vec3::Zero(); ///< world frame
-    double distance = 0;       ///< from the ray's origin, m
+    Index triangle = 0;          ///< of the object's geometry
+    Vec3 point = Vec3::Zero();   ///< world frame
+    Vec3 normal = Vec3::UnitZ(); ///< of the triangle by the order of its corners, world frame, unit length
+    double distance = 0;         ///< from the ray's origin, m
 };
 
 /// Points that span a scene in the world frame: enough to fit a view to it, few enough to do so at once.

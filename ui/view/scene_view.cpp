@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include "ui/view/axes_gizmo.h"
+#include "ui/view/brush_ring.h"
 #include "ui/view/scene_view_impl.h"
 #include "ui/view/view_labels.h"
 
@@ -23,7 +24,7 @@ constexpr double kUnseenPixels = 0.1;
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid),
+    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), paint(*stage.solid),
       marks(*stage.solid, *stage.ghost), overlay(*stage.solid, *stage.ghost), felt(stage, model),
       camera(defaultCamera()) {
     applyTheme();
@@ -121,8 +122,21 @@ void SceneView::beginBox() {
 }
 
 void SceneView::setTool(ViewTool tool) {
+    impl_->endStroke(StrokeStep::Cancel);
     impl_->letGo();
     impl_->tool = tool;
+    impl_->brushAt.reset();
+    changed();
+}
+
+void SceneView::setBrush(const BrushRing& ring) {
+    impl_->brush = ring;
+    changed();
+}
+
+void SceneView::setPainted(const PaintedPicture& picture) {
+    impl_->paint.show(picture);
+    changed();
 }
 
 void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
@@ -236,6 +250,7 @@ void SceneView::prepareFrame() {
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
+    impl_->paint.place(impl_->model.matrixOf(impl_->paint.object()));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }
@@ -255,6 +270,7 @@ void SceneView::paintOver() {
         painter.setBrush(fill);
         painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
     }
+    if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }

@@ -15,13 +15,24 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/felt_options.h"
+#include "ui/view/painted_picture.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
 
 namespace tactum {
 
-/// What the left mouse button does on the model: touch it with the finger, or select its surfaces.
-enum class ViewTool { Touch, Select };
+/// What the left mouse button does on the model: touch it with the finger, select its surfaces, or paint.
+enum class ViewTool { Touch, Select, Paint };
+
+/// What a stroke of the brush does next: the pointer comes down, goes on over the model, leaves it, goes up,
+/// or the stroke is given up.
+enum class StrokeStep { Begin, Move, Lift, End, Cancel };
+
+/// The ring that the brush shows on the model.
+struct BrushRing {
+    double radius = 0; ///< m
+    double core = 0;   ///< part of the radius where it counts whole
+};
 
 /// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
 enum class StandardView { Front, Right, Top, Isometric };
@@ -48,6 +59,10 @@ public:
     /// The next drag with the left button draws a box instead; Esc gives it up.
     void beginBox();
     void setTool(ViewTool tool);
+    /// Shown at the pointer while the tool is Paint.
+    void setBrush(const BrushRing& ring);
+    /// Lays what is painted over the model.
+    void setPainted(const PaintedPicture& picture);
     /// What the loops reported, once a frame: bodies that move by themselves are shown at its time, while
     /// picking sees them at the time 0. forceLimit in N, > 0.
     void setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit, bool armed);
@@ -95,6 +110,10 @@ signals:
     void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
     /// A box was drawn, in logical pixels.
     void boxDrawn(QRectF box, Qt::KeyboardModifiers modifiers);
+    /// The tool Paint: places on the way of the pointer, a few pixels apart. Without a place for Lift, End
+    /// and Cancel.
+    void stroked(tactum::StrokeStep step, const std::optional<tactum::PickHit>& hit,
+                 Qt::KeyboardModifiers modifiers);
     /// A drag, the wheel or a key moved the finger's goal. World frame, metre.
     void handGoalMoved(tactum::Vec3 goal_W);
     /// The mouse took hold of the finger, or let it go.

@@ -14,6 +14,8 @@ namespace {
 constexpr double kGrabPixels = 24, kClickPixels = 4;
 constexpr double kZoomPerNotch = 0.87;
 constexpr double kFineStep = 0.2;
+// Between places of a stroke, so that it stays on the surface; and how many of a move are looked at.
+constexpr double kStrokePixels = 6, kMostPlaces = 32;
 /// Added in linear light to the surface under the cursor.
 const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
 
@@ -35,9 +37,25 @@ std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patien
 
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     drag = std::exchange(boxNext, false) ? ViewDrag::Box : ViewDrag::Orbit;
-    if (drag == ViewDrag::Box || alt || tool != ViewTool::Touch) return;
+    if (drag == ViewDrag::Box || alt || tool == ViewTool::Select) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
-    if (hit || isNearFinger(cursor)) takeHold(cursor, hit);
+    if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
+    if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
+}
+
+void SceneView::Impl::strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    const double places = std::clamp(std::ceil(length(cursor - cursorAt) / kStrokePixels), 1.0, kMostPlaces);
+    for (double i = 1; i <= places; ++i) {
+        brushAt = pick(cursorAt + i / places * (cursor - cursorAt), ScenePicker::Patience::Wait);
+        emit view.stroked(brushAt ? StrokeStep::Move : StrokeStep::Lift, brushAt, modifiers);
+    }
+    view.changed();
+}
+
+void SceneView::Impl::endStroke(StrokeStep how) {
+    if (drag != ViewDrag::Paint) return;
+    drag = ViewDrag::None;
+    emit view.stroked(how, std::nullopt, {});
 }
 
 void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
@@ -68,6 +86,7 @@ void SceneView::Impl::goalMoved() {
 
 void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     const QPointF step = cursor - cursorAt;
+    if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
     if (drag == ViewDrag::Orbit) camera.orbit(step);
     if (drag == ViewDrag::Pan) camera.pan(step);
     if (hand.grip() == Grip::None) return view.changed();
@@ -81,6 +100,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
 /// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
 void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Box) return endBox(cursor, modifiers);
+    if (drag == ViewDrag::Paint) return endStroke(StrokeStep::End);
     const bool clicked = !moved && (drag == ViewDrag::Hand || drag == ViewDrag::Orbit);
     letGo();
     showCursor(cursor);
@@ -99,6 +119,10 @@ void SceneView::Impl::endBox(QPointF cursor, Qt::KeyboardModifiers modifiers) {
 void SceneView::Impl::hoverAt(QPointF cursor) {
     const auto hit = pick(cursor, ScenePicker::Patience::Now);
     setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    if (tool == ViewTool::Paint) {
+        brushAt = hit;
+        view.changed();
+    }
     showCursor(cursor);
 }
 
@@ -122,7 +146,7 @@ void SceneView::Impl::showCursor(QPointF cursor) {
     if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
-    view.setCursor(tool == ViewTool::Touch ? Qt::CrossCursor : Qt::PointingHandCursor);
+    view.setCursor(tool == ViewTool::Select ? Qt::PointingHandCursor : Qt::CrossCursor);
 }
 
 void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
@@ -136,7 +160,9 @@ void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
 }
 
 bool SceneView::Impl::handKey(int key, QPointF cursor) {
-    if (key == Qt::Key_Escape && (boxNext || drag == ViewDrag::Box)) {
+    if (key == Qt::Key_Escape && drag == ViewDrag::Paint) {
+        endStroke(StrokeStep::Cancel);
+    } else if (key == Qt::Key_Escape && (boxNext || drag == ViewDrag::Box)) {
         boxNext = false;
         letGo();
         view.changed();
@@ -212,6 +238,9 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
         impl_->letGo();
     } else if (event->button() == Qt::LeftButton) {
         impl_->pressLeft(cursor, event->modifiers() & Qt::AltModifier);
+        if (impl_->drag == ViewDrag::Paint)
+            emit stroked(StrokeStep::Begin, impl_->pick(cursor, ScenePicker::Patience::Wait),
+                         event->modifiers());
     } else if (event->button() == Qt::MiddleButton) {
         impl_->drag = event->modifiers() & Qt::ShiftModifier ? ViewDrag::Pan : ViewDrag::Orbit;
         impl_->moved = true; // never a click that chooses
@@ -265,6 +294,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 }
 
 void SceneView::leaveEvent(QEvent* event) {
+    impl_->brushAt.reset();
     impl_->setHovered(std::nullopt);
     VtkWidget::leaveEvent(event);
 }

@@ -10,6 +10,7 @@
 #include "ui/view/hand_tool.h"
 #include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
+#include "ui/view/paint_layer.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/touch_overlay.h"
@@ -18,7 +19,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -40,6 +41,9 @@ struct SceneView::Impl {
     void release(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void endBox(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    /// Everything on the way of the pointer from where it was.
+    void strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    void endStroke(StrokeStep how);
     void letGo();
     void setGrip(Grip grip, QPointF cursor);
     void startGlide();
@@ -57,6 +61,7 @@ struct SceneView::Impl {
     ViewStage stage;
     ModelLayer model;
     FaceLayer faces;
+    PaintLayer paint;
     MarkLayer marks;
     TouchOverlay overlay;
     FeltView felt;
@@ -74,6 +79,8 @@ struct SceneView::Impl {
     bool fitted = false;
     std::vector<SurfaceRef> selection;
     std::optional<SurfaceRef> hovered;
+    std::optional<PickHit> brushAt; ///< where the tool Paint shows its ring
+    BrushRing brush;
     ObjectId facesOf = 0; ///< whose triangles are selected
     bool boxNext = false; ///< the next drag draws a box
 

@@ -137,7 +137,7 @@ void TestSelecting::splitHideAndUndo() {
     const Scene before = program.document.scene();
     QVERIFY(takeTriangle(program));
     const auto shownHere = program.document.selectedFaces();
-    QTest::keyClick(program.window.get(), Qt::Key_P);
+    QTest::keyClick(program.window.get(), Qt::Key_Y);
     QTRY_COMPARE_WITH_TIMEOUT(program.document.scene().objects[0].surfaces.size(), std::size_t(7), kPatience);
     QVERIFY(faces(program).empty());
     QTest::keyClick(program.window.get(), Qt::Key_H);

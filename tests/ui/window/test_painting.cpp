@@ -1,0 +1,220 @@
+// The brush with real events: what a stroke lays onto a surface, where, and how it is taken back.
+#include <cmath>
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTest>
+#include <QUndoStack>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/paint_tool.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+class TestPainting : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static QAction& command(const TouchedWindow& program, const char* id) {
+        for (const QMenu* menu : program.window->menuBar()->findChildren<QMenu*>())
+            for (QAction* action : menu->actions())
+                if (action->objectName() == QLatin1String(id)) return *action;
+        qFatal("there is no command %s", id);
+    }
+    static PaintTool& tool(const TouchedWindow& program) { return *program.window->findChild<PaintTool*>(); }
+    /// Waits until it is worked out.
+    static void stroke(TouchedWindow& program, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+        QWindow* window = program.window->windowHandle();
+        const auto at = [&](QPoint place) {
+            return program.window->view().mapTo(program.window.get(), place);
+        };
+        QTest::mousePress(window, Qt::LeftButton, modifiers, at(from));
+        for (int i = 1; i <= 4; ++i)
+            program.moveTo(from + (to - from) * i / 4);
+        QTest::mouseRelease(window, Qt::LeftButton, modifiers, at(to));
+        QTRY_VERIFY_WITH_TIMEOUT(!tool(program).working(), kPatience);
+    }
+    /// A plate of 20 x 20 squares, 0.1 m wide, that fills the middle of the view from above.
+    QString writePlate() const;
+    static const std::vector<TextureLayer>& layers(const TouchedWindow& program) {
+        return program.document.scene().objects[0].surfaces[0].layers;
+    }
+    static const PaintedValues& values(const TouchedWindow& program) {
+        return *layers(program).at(0).pattern.painted.values;
+    }
+    bool begin(TouchedWindow& program, const char* goal) {
+        if (!program.open(writePlate())) return false;
+        command(program, "view-top").trigger();
+        command(program, goal).trigger();
+        return command(program, "paint").isChecked();
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void aDabIsAsHighAsTheBrushSays();
+    void aStrokeIsOneStep();
+    void controlTakesAwayAndEscapeGivesUp();
+    void aMaskIsPaintedOnTheTopmostLayer();
+    void lockedAndOtherSurfacesStay();
+    void besideTheModelNothingHappens();
+};
+
+QString TestPainting::writePlate() const {
+    const QString path = folder_.filePath(QStringLiteral("plate.obj"));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return {};
+    constexpr int kSquares = 20;
+    QByteArray text = "o plate\n";
+    for (int y = 0; y <= kSquares; ++y)
+        for (int x = 0; x <= kSquares; ++x)
+            text += QByteArray("v ") + QByteArray::number(0.005 * x) + " 0 " +
+                    QByteArray::number(-0.005 * y) + '\n';
+    for (int y = 0; y < kSquares; ++y)
+        for (int x = 0; x < kSquares; ++x) {
+            const int a = 1 + x + y * (kSquares + 1);
+            for (const int corner : {a, a + 1, a + kSquares + 2})
+                text += (corner == a ? "f " : " ") + QByteArray::number(corner);
+            text += '\n';
+            for (const int corner : {a, a + kSquares + 2, a + kSquares + 1})
+                text += (corner == a ? "f " : " ") + QByteArray::number(corner);
+            text += '\n';
+        }
+    file.write(text);
+    return path;
+}
+
+// Closed form: strength times the falloff at the distance from where the pointer met the plate.
+void TestPainting::aDabIsAsHighAsTheBrushSays() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-static-friction"));
+    Brush brush;
+    brush.radius = 0.02;
+    brush.strength = 0.8;
+    tool(program).setBrush(brush);
+    stroke(program, program.centre(), program.centre());
+    QCOMPARE(layers(program).size(), std::size_t(1));
+    QCOMPARE(layers(program)[0].target, TextureTarget::StaticFriction);
+    const SceneObject& object = program.document.scene().objects[0];
+    const TriangleSoup& soup = *object.geometry;
+    const ViewCamera& camera = program.window->view().camera();
+    const Ray ray = camera.ray(program.centre());
+    const Vec3 at = object.pose.applyInverse(ray.at(-ray.origin.y() / ray.direction.y()));
+    int inside = 0;
+    for (std::size_t i = 0; i < soup.positions.size(); ++i) {
+        const double x = (soup.positions[i] - at).norm() / brush.radius;
+        const double wanted = brush.strength * falloffAt(x, brush.falloff);
+        QVERIFY2(std::abs(values(program)[i] - wanted) < 1e-3, qPrintable(QString::number(x)));
+        inside += wanted > 0;
+    }
+    QVERIFY(inside > 20 && inside < int(soup.positions.size()) / 2);
+}
+
+void TestPainting::aStrokeIsOneStep() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-height"));
+    const Scene before = program.document.scene();
+    const int steps = program.document.history().count();
+    stroke(program, program.centre() - QPoint(60, 0), program.centre() + QPoint(60, 0));
+    QCOMPARE(program.document.history().count(), steps + 1);
+    const Scene after = program.document.scene();
+    // Along the whole way, and nowhere else.
+    Bounds painted;
+    for (std::size_t i = 0; i < values(program).size(); ++i)
+        if (values(program)[i] > 0) painted.add(after.objects[0].geometry->positions[i]);
+    const Vec3 extent = painted.high - painted.low;
+    QVERIFY2(extent.x() > 2 * extent.z() && extent.z() > 0, qPrintable(QString::number(extent.x())));
+    program.document.history().undo();
+    QVERIFY(program.document.scene() == before);
+    program.document.history().redo();
+    QVERIFY(program.document.scene() == after);
+    // A second one goes on in the same layer.
+    stroke(program, program.centre() - QPoint(0, 60), program.centre() + QPoint(0, 60));
+    QCOMPARE(layers(program).size(), std::size_t(1));
+    QCOMPARE(program.document.history().count(), steps + 2);
+}
+
+void TestPainting::controlTakesAwayAndEscapeGivesUp() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-height"));
+    Brush brush;
+    brush.strength = 1;
+    tool(program).setBrush(brush);
+    const auto greatest = [&] { return *std::ranges::max_element(values(program).all()); };
+    stroke(program, program.centre(), program.centre());
+    QVERIFY(greatest() > 0.5F);
+    const Scene painted = program.document.scene();
+    stroke(program, program.centre(), program.centre(), Qt::ControlModifier);
+    QVERIFY(greatest() < 0.01F);
+    program.document.history().undo();
+    program.press(program.centre());
+    program.moveTo(program.centre() + QPoint(50, 0));
+    QTRY_VERIFY_WITH_TIMEOUT(!(program.document.scene() == painted), kPatience);
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    program.release(program.centre() + QPoint(50, 0));
+    QTRY_VERIFY_WITH_TIMEOUT(!tool(program).working(), kPatience);
+    QVERIFY(program.document.scene() == painted);
+}
+
+void TestPainting::aMaskIsPaintedOnTheTopmostLayer() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-mask"));
+    stroke(program, program.centre(), program.centre()); // there is no layer yet
+    QVERIFY(layers(program).empty());
+    TextureLayer noise;
+    noise.name = "noise";
+    program.document.editSurfaces(SurfaceRef{program.document.scene().objects[0].id, 0},
+                                  SceneChange::What::Layers, QStringLiteral("Add"), [&](Surface& each) {
+                                      each.layers = {noise, noise};
+                                  });
+    stroke(program, program.centre(), program.centre());
+    QVERIFY(!layers(program)[0].mask && layers(program)[1].mask);
+    QCOMPARE(layers(program)[1].mask->source, TextureSource::Painted);
+    QCOMPARE(layers(program)[1].pattern.source, TextureSource::Noise);
+    // Of a mask that is none yet, taking away begins at full.
+    program.document.history().undo();
+    stroke(program, program.centre(), program.centre());
+    program.document.history().undo();
+    command(program, "brush-subtract").trigger();
+    stroke(program, program.centre(), program.centre());
+    const auto& mask = layers(program)[1].mask->painted.values->all();
+    QCOMPARE(*std::ranges::max_element(mask), 1.0F);
+    QVERIFY(*std::ranges::min_element(mask) < 0.9F);
+}
+
+void TestPainting::lockedAndOtherSurfacesStay() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "paint-viscosity").trigger();
+    const Scene before = program.document.scene();
+    stroke(program, program.centre(), program.centre() + QPoint(6, 6));
+    int changed = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+        changed += !(program.document.scene().objects[0].surfaces[i] == before.objects[0].surfaces[i]);
+    QCOMPARE(changed, 1);
+    program.document.history().undo();
+    SurfaceRefs all;
+    for (Index i = 0; i < 6; ++i)
+        all.push_back({before.objects[0].id, i});
+    program.document.setLocked(all, true);
+    const Scene locked = program.document.scene();
+    stroke(program, program.centre(), program.centre() + QPoint(6, 6));
+    QVERIFY(program.document.scene() == locked);
+}
+
+void TestPainting::besideTheModelNothingHappens() {
+    TouchedWindow program;
+    QVERIFY(begin(program, "paint-height"));
+    const Scene before = program.document.scene();
+    const double yaw = program.window->view().camera().yaw;
+    stroke(program, {6, 6}, {40, 6});
+    QVERIFY(program.document.scene() == before);
+    QVERIFY(program.window->view().camera().yaw != yaw); // it orbits there
+}
+
+QTEST_MAIN(TestPainting)
+#include "test_painting.moc"

@@ -1,0 +1,95 @@
+// The brush: its commands, and the row above the view.
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+
+#include "ui/paint_tool.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/parameter_field.h"
+#include "ui/panels/tool_strip.h"
+#include "ui/playback.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kGrow = 1.15, kStronger = 0.05;
+
+/// "paint-height": the command that makes it the brush's.
+QByteArray idOf(const char* what, const NamedChoice& choice) {
+    return QByteArray(what) + QByteArray(choice.key.data(), qsizetype(choice.key.size()));
+}
+
+} // namespace
+
+void MainWindow::connectPainting() {
+    const auto choose = [this](QActionGroup& group, const QByteArray& id, auto&& chosen) {
+        QAction& action = actions_[id.constData()];
+        group.addAction(&action);
+        connect(&action, &QAction::triggered, this, [this, chosen] {
+            chosen();
+            actions_["paint"].trigger();
+        });
+    };
+    auto* goals = new QActionGroup(this);
+    for (std::size_t i = 0; i < kPaintGoals.size(); ++i)
+        choose(*goals, idOf("paint-", kPaintGoals[i]), [this, i] { painting_->setGoal(PaintGoal(i)); });
+    auto* modes = new QActionGroup(this);
+    for (std::size_t i = 0; i < kBrushModes.size(); ++i)
+        choose(*modes, idOf("brush-", kBrushModes[i]), [this, i] {
+            Brush brush = painting_->brush();
+            brush.mode = BrushMode(i);
+            painting_->setBrush(brush);
+        });
+    actions_["paint-height"].setChecked(true);
+    actions_["brush-add"].setChecked(true);
+    const auto change = [this](const char* id, void (*how)(Brush&)) {
+        connect(&actions_[id], &QAction::triggered, this, [this, how] {
+            Brush brush = painting_->brush();
+            how(brush);
+            painting_->setBrush(brush);
+        });
+    };
+    change("brush-bigger", [](Brush& brush) { brush.radius *= kGrow; });
+    change("brush-smaller", [](Brush& brush) { brush.radius /= kGrow; });
+    change("brush-stronger", [](Brush& brush) { brush.strength += kStronger; });
+    change("brush-weaker", [](Brush& brush) { brush.strength -= kStronger; });
+    connect(painting_, &PaintTool::refused, notice_, &NoticeBar::showNote);
+    connect(&actions_["paint"], &QAction::toggled, this, [this](bool on) {
+        painting_->setActive(on && !playback_->active());
+        paintStrip_->setVisible(on);
+    });
+    fillPaintStrip(goals->actions(), modes->actions());
+}
+
+void MainWindow::fillPaintStrip(const QList<QAction*>& goals, const QList<QAction*>& modes) {
+    paintStrip_->setObjectName(QStringLiteral("paint-strip"));
+    QStringList goalNames, modeNames;
+    for (const NamedChoice& goal : kPaintGoals)
+        goalNames << tr(goal.label.data());
+    for (const NamedChoice& mode : kBrushModes)
+        modeNames << tr(mode.label.data());
+    paintStrip_->addLabel(tr("The brush"));
+    paintStrip_->addChoices(tr("What the brush does"), modes, modeNames);
+    paintStrip_->addChoices(tr("What the brush paints"), goals, goalNames);
+    for (const BrushField& each : kBrushFields) {
+        auto* field = new ParameterField(*each.parameter);
+        field->setMaximumWidth(190);
+        connect(field, &ParameterField::edited, this, [this, value = each.value](double to) {
+            Brush brush = painting_->brush();
+            brush.*value = to;
+            painting_->setBrush(brush);
+        });
+        const auto show = [this, field, value = each.value] {
+            field->setValue(painting_->brush().*value);
+            field->setVisible(value != &Brush::value || painting_->brush().mode == BrushMode::Set);
+        };
+        connect(painting_, &PaintTool::brushChanged, field, show);
+        show();
+        paintStrip_->addField(field);
+    }
+    paintStrip_->addStretch();
+}
+
+} // namespace tactum

@@ -1,0 +1,49 @@
+#include "ui/view/brush_ring.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QPolygonF>
+
+#include "ui/view/smooth_image.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kCorners = 64;
+constexpr double kHalo = 3.5, kLine = 1.6, kThin = 0.8, kMargin = 4; // logical pixels
+constexpr double kLargest = 4000;                                    // pixels across: else it is not drawn
+
+QPolygonF circle(const PickHit& at, double radius, const ViewCamera& camera) {
+    const Vec3 u = at.normal.unitOrthogonal(), v = at.normal.cross(u);
+    QPolygonF polygon;
+    for (int i = 0; i <= kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kCorners;
+        const auto seen = camera.project(at.point + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        if (!seen) return {};
+        polygon << *seen;
+    }
+    return polygon;
+}
+
+} // namespace
+
+void drawBrushRing(QPainter& painter, const PickHit& at, const BrushRing& ring, const ViewCamera& camera,
+                   const Theme& theme) {
+    const QPolygonF outer = circle(at, ring.radius, camera);
+    const QRectF box = outer.boundingRect().adjusted(-kMargin, -kMargin, kMargin, kMargin);
+    if (outer.isEmpty() || box.width() > kLargest || box.height() > kLargest) return;
+    const QPointF origin = box.topLeft().toPoint();
+    drawSmoothly(painter, box, [&](QPainter& inner) {
+        inner.translate(-origin);
+        inner.setPen(QPen(theme.label, kHalo));
+        inner.drawPolyline(outer);
+        inner.setPen(QPen(theme.accent, kLine));
+        inner.drawPolyline(outer);
+        inner.setPen(QPen(theme.accent, kThin, Qt::DotLine));
+        inner.drawPolyline(circle(at, ring.core * ring.radius, camera));
+    });
+}
+
+} // namespace tactum

@@ -1,0 +1,42 @@
+// What was painted on surfaces, laid over the model in colours. Private to this folder.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include "ui/view/painted_picture.h"
+
+class vtkMatrix4x4;
+class vtkRenderer;
+
+namespace tactum {
+
+/// Values are coloured like those of a colour map, and the more opaque the higher they are. Thread: ui.
+class PaintLayer {
+public:
+    explicit PaintLayer(vtkRenderer& renderer);
+    ~PaintLayer();
+    PaintLayer(const PaintLayer&) = delete;
+    PaintLayer& operator=(const PaintLayer&) = delete;
+
+    /// What stays of the shape is kept: of new values on the same surface nothing but the colours is made.
+    void show(const PaintedPicture& picture);
+    /// Where the object is; null: nowhere.
+    void place(vtkMatrix4x4* matrix);
+    ObjectId object() const { return picture_.object; }
+
+private:
+    struct Part;
+    void showPart(std::size_t i, const PaintedPart& part, bool sameShape);
+
+    vtkRenderer& renderer_;
+    PaintedPicture picture_;
+    vtkNew<vtkPoints> points_; ///< of the soup
+    std::vector<std::unique_ptr<Part>> parts_;
+};
+
+} // namespace tactum
