@@ -165,6 +165,10 @@ void MainWindow::connectView() {
     connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
     connect(&actions_["paint"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Paint); });
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
+    connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
+        hint_->hide();
+        if (on && !document_.empty()) hint_->offer();
+    });
     actions_["touch"].trigger();
     connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);
     const std::pair<const char*, StandardView> views[] = {{"view-front", StandardView::Front},

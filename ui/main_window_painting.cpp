@@ -75,7 +75,7 @@ void MainWindow::fillPaintStrip(const QList<QAction*>& goals, const QList<QActio
     paintStrip_->addChoices(tr("What the brush paints"), goals, goalNames);
     for (const BrushField& each : kBrushFields) {
         auto* field = new ParameterField(*each.parameter);
-        field->setMaximumWidth(190);
+        field->setMaximumWidth(200);
         connect(field, &ParameterField::edited, this, [this, value = each.value](double to) {
             Brush brush = painting_->brush();
             brush.*value = to;

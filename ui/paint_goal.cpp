@@ -66,6 +66,19 @@ const TexturePattern* patternAt(const Surface& surface, PaintPlace place) {
     return pattern && isPaintable(*pattern) ? pattern : nullptr;
 }
 
+bool scalesNothing(const Surface& surface, PaintGoal goal) {
+    switch (goal) {
+    case PaintGoal::StaticFriction:
+        return surface.material.staticFriction == 0;
+    case PaintGoal::DynamicFriction:
+        return surface.material.dynamicFriction == 0;
+    case PaintGoal::Viscosity:
+        return surface.material.viscosity == 0;
+    default:
+        return false;
+    }
+}
+
 void putPattern(Surface& surface, PaintPlace place, PaintGoal goal, const TexturePattern& pattern) {
     if (place.layer == int(surface.layers.size()) && isValue(goal)) {
         TextureLayer fresh;

@@ -34,6 +34,9 @@ Result<PaintPlace> paintPlaceOf(const Surface& surface, PaintGoal goal, std::opt
 /// What lies there and can be painted; null: nothing yet.
 const TexturePattern* patternAt(const Surface& surface, PaintPlace place);
 
+/// Whether what is painted there scales a value of the material that is 0: nothing of it is felt then.
+bool scalesNothing(const Surface& surface, PaintGoal goal);
+
 /// Puts a pattern there. Makes the layer for `goal` where it is a new one.
 void putPattern(Surface& surface, PaintPlace place, PaintGoal goal, const TexturePattern& pattern);
 

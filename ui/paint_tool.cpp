@@ -180,6 +180,9 @@ bool PaintTool::start(Stroke& stroke) {
             emit refused(QString::fromStdString(place.error().text));
             return false;
         }
+        if (scalesNothing(*surface, stroke.goal))
+            emit refused(tr("%1 has none of what you paint: the brush scales it. Set it above 0 to feel it.")
+                             .arg(QString::fromStdString(surface->name)));
         const TexturePattern* now = patternAt(*surface, *place);
         const std::size_t positions = document_.scene().find(id)->geometry->positions.size();
         stroke.places.push_back(*place);

@@ -38,7 +38,7 @@ public:
 
 signals:
     void brushChanged();
-    /// One line: why nothing is painted and what to do.
+    /// One line: why nothing is painted, or nothing of it felt, and what to do.
     void refused(const QString& sentence);
 
 private:

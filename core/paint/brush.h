@@ -10,18 +10,12 @@
 namespace tactum {
 
 inline constexpr Parameter kBrushRadius{
-    "brush-radius",
-    "Brush radius",
-    "m",
-    1e-4,
-    0.2,
-    5e-4,
-    5e-3,
-    4,
-    "How far from its middle the brush paints, measured straight through space."};
+    "brush-radius", "Radius", "m",
+    1e-4,           0.2,      5e-4,
+    5e-3,           4,        "How far from its middle the brush paints, measured straight through space."};
 inline constexpr Parameter kBrushStrength{
     "brush-strength",
-    "Brush strength",
+    "Strength",
     "",
     0,
     1,
@@ -30,7 +24,7 @@ inline constexpr Parameter kBrushStrength{
     2,
     "How much one stroke changes in the middle of the brush, however often it crosses itself."};
 inline constexpr Parameter kBrushFalloff{"brush-falloff",
-                                         "Brush falloff",
+                                         "Falloff",
                                          "",
                                          0,
                                          1,
@@ -40,7 +34,7 @@ inline constexpr Parameter kBrushFalloff{"brush-falloff",
                                          "Part of the radius over which the effect fades to nothing: 0 is a "
                                          "hard edge, at 1 it fades from the middle."};
 inline constexpr Parameter kBrushValue{
-    "brush-value", "Brush value", "", 0, 1, 0.05, 1, 2, "What the mode \"set\" paints toward."};
+    "brush-value", "Value", "", 0, 1, 0.05, 1, 2, "What the mode \"set\" paints toward."};
 
 enum class BrushMode : std::uint8_t { Add, Subtract, Set, Smooth };
 inline constexpr std::array<NamedChoice, 4> kBrushModes{

@@ -23,8 +23,8 @@ namespace tactum {
 
 namespace {
 
-// So that the model stays to be seen where nothing is painted.
-constexpr double kLeastOpacity = 0.25, kMostOpacity = 0.85;
+// The model stays to be seen where nothing is painted, and a quarter of the range is as opaque as all of it.
+constexpr double kLeastOpacity = 0.06, kMostOpacity = 0.88, kOpaqueFrom = 0.25;
 constexpr int kLargestPicture = 1024; // texels of a side that are drawn
 
 using Rgba = std::array<unsigned char, 4>;
@@ -35,7 +35,8 @@ const std::array<Rgba, 256>& table() {
         for (std::size_t i = 0; i < made.size(); ++i) {
             const double part = double(i) / 255;
             const QColor c = mapColour(part);
-            const double opacity = kLeastOpacity + part * (kMostOpacity - kLeastOpacity);
+            const double opacity =
+                kLeastOpacity + std::min(1.0, part / kOpaqueFrom) * (kMostOpacity - kLeastOpacity);
             made[i] = {(unsigned char)(c.red()), (unsigned char)(c.green()), (unsigned char)(c.blue()),
                        (unsigned char)(std::lround(255 * opacity))};
         }

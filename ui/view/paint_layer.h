@@ -15,7 +15,7 @@ class vtkRenderer;
 
 namespace tactum {
 
-/// Values are coloured like those of a colour map, and the more opaque the higher they are. Thread: ui.
+/// Values are coloured like those of a colour map, and clear where nothing is painted. Thread: ui.
 class PaintLayer {
 public:
     explicit PaintLayer(vtkRenderer& renderer);

@@ -144,6 +144,28 @@ void leaveJournal(const Scene& scene) {
     if (!writeJournal(folder, entry, scene)) qFatal("the journal cannot be written");
 }
 
+/// Friction painted onto the teapot by hand, and the ring of the brush.
+void takePainting(TouchedWindow& program, const QDir& folder, const QString& sample) {
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    program.command("paint-static-friction").trigger();
+    const auto paint = [&](QPoint from, std::initializer_list<QPoint> way) {
+        QPoint at = program.centre() + from;
+        program.press(at);
+        for (const QPoint to : way)
+            strokeTo(program, at, program.centre() + to, 10, 1);
+        program.release(at);
+        program.frames(10);
+    };
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.4"));
+    program.wheel(program.centre() + QPoint(0, 20), 6);
+    paint({-140, 40}, {{-90, 90}, {-40, 30}, {10, 90}, {60, 30}, {110, 90}});
+    paint({-70, 120}, {{80, 120}});
+    program.moveTo(program.centre() + QPoint(60, 0));
+    program.frames(20);
+    save(program, folder, QStringLiteral("painting.png"));
+    program.command("touch").trigger();
+}
+
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
@@ -176,7 +198,8 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
 
 } // namespace
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt]]]: with the last word only the pictures of what is felt.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|paint]]]: with the last word only the pictures of what is felt or
+// painted.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -188,10 +211,11 @@ int main(int argc, char** argv) {
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
     const QSize size = sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString());
-    const bool onlyFelt = argc > 4 && QByteArray(argv[4]) == "felt";
-    if (!onlyFelt) takeGuide(folder, sample, size);
+    const QByteArray only = argc > 4 ? argv[4] : "";
+    if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
     TouchedWindow program(size);
-    takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
+    if (only != "felt") takePainting(program, folder, sample);
+    if (only != "paint") takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
     return 0;
 }
