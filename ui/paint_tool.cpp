@@ -150,12 +150,14 @@ void PaintTool::goOn() {
         Stroke& stroke = strokes_.front();
         if (stroke.steps.empty()) {
             if (!stroke.ended) return;
+            const QString note = stroke.note;
             strokes_.pop_front();
+            if (!note.isEmpty()) emit refused(note);
             continue;
         }
         if (!stroke.work && !start(stroke)) {
             stroke.steps.clear();
-            stroke.ended = true;
+            if (!stroke.ended) return;
             continue;
         }
         job_.start([this, work = stroke.work,
@@ -171,18 +173,20 @@ void PaintTool::goOn() {
 /// Looks where each surface is painted: the strokes before this one are written now.
 bool PaintTool::start(Stroke& stroke) {
     std::vector<BrushStroke::Part> parts;
+    stroke.places.clear();
+    stroke.seen.clear();
     const ObjectId id = stroke.surfaces.front().object;
     for (const SurfaceRef ref : stroke.surfaces) {
         const Surface* surface = document_.surface(ref);
         if (!surface) return false;
         const auto place = paintPlaceOf(*surface, stroke.goal, layerFor(ref));
         if (!place) {
-            emit refused(QString::fromStdString(place.error().text));
+            stroke.note = QString::fromStdString(place.error().text);
             return false;
         }
         if (scalesNothing(*surface, stroke.goal))
-            emit refused(tr("%1 has none of what you paint: the brush scales it. Set it above 0 to feel it.")
-                             .arg(QString::fromStdString(surface->name)));
+            stroke.note = tr("%1 has none of what you paint: the brush scales it. Set it above 0 to feel it.")
+                              .arg(QString::fromStdString(surface->name));
         const TexturePattern* now = patternAt(*surface, *place);
         const std::size_t positions = document_.scene().find(id)->geometry->positions.size();
         stroke.places.push_back(*place);

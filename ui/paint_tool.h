@@ -52,6 +52,7 @@ private:
         std::vector<Surface> seen;         ///< the surfaces as this stroke left them
         Gesture gesture = 0;
         int before = 0; ///< index of the history
+        QString note;   ///< for when it has ended: words above the view would move it under the pointer
         bool ended = false, written = false;
     };
 

@@ -59,7 +59,7 @@ double NumberBox::valueFromText(const QString& text) const {
 }
 
 QValidator::State NumberBox::validate(QString& text, int&) const {
-    if (readNumber(text, unit_)) return QValidator::Acceptable;
+    if (readNumber(text, unit_) || (mixed_ && text == textFromValue(value()))) return QValidator::Acceptable;
     // On the way to a number: digits, a sign, a point, an exponent, a unit.
     for (QChar c : text)
         if (!c.isLetterOrNumber() && !QStringLiteral("+-.,^/*%\u00b0\u00b7 ").contains(c))

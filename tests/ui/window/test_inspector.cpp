@@ -1,0 +1,237 @@
+// What the inspector takes and shows: units, several surfaces at once, locks; and feels given to others.
+#include <cmath>
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QTest>
+#include <QUndoStack>
+
+#include "tests/ui/window/window_fixture.h"
+#include "ui/numbers.h"
+
+using namespace tactum;
+
+class TestInspector : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static const Surface& surface(const TouchedWindow& program, Index i) {
+        return program.document.scene().objects[0].surfaces[i];
+    }
+    static SurfaceRef ref(const TouchedWindow& program, Index i) {
+        return {program.document.scene().objects[0].id, i};
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void unitsOfOneKindAreTaken_data();
+    void unitsOfOneKindAreTaken();
+    void aTypedUnitCounts();
+    void whatIsNoNumberChangesNothing();
+    void severalSurfacesShowMixed();
+    void lockedSurfacesCannotBeSet();
+    void aFeelIsCopiedAndPasted();
+    void othersBecomeTheSameAsTheActiveOne();
+    void normalsAreTurnedOver();
+};
+
+void TestInspector::unitsOfOneKindAreTaken_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<double>("value"); // NaN: not taken
+    const auto row = [](const char* typed, const char* unit, double value) {
+        QTest::newRow(typed) << QString::fromUtf8(typed) << QString::fromUtf8(unit) << value;
+    };
+    const double none = std::nan("");
+    row("1.2 N/mm", "N/m", 1200);
+    row("1,2N/mm", "N/m", 1200);
+    row("0.5 kN/m", "N/m", 500);
+    row("3 N/cm", "N/m", 300);
+    row("800 kg/s^2", "N/m", 800);
+    row("800 kg/s\u00b2", "N/m", 800);
+    row("5 N s/m", "N s/m", 5);
+    row("5 N*s/m", "N s/m", 5);
+    row("5 kg/s", "N s/m", 5);
+    row("2 N ms/mm", "N s/m", 2);
+    row("0.3 cm", "mm", 3);
+    row("250 um", "mm", 0.25);
+    row("250 \u00b5m", "mm", 0.25);
+    row("1 in", "mm", 25.4);
+    row("1e-3 m", "mm", 1);
+    row("1 rad", "\u00b0", 57.29577951308232);
+    row("40 deg", "\u00b0", 40);
+    row("50 %", "", 0.5);
+    row("7", "N/m", 7);
+    row("7 N", "N/m", none);
+    row("7 N/s", "N/m", none);
+    row("7 mm", "", none);
+    row("7 N/", "N/m", none);
+    row("N/m", "N/m", none);
+    row("7 qq", "N/m", none);
+    row("1 2", "N/m", none);
+}
+
+void TestInspector::unitsOfOneKindAreTaken() {
+    QFETCH(QString, typed);
+    QFETCH(QString, unit);
+    QFETCH(double, value);
+    const auto read = readNumber(typed, unit);
+    QCOMPARE(read.has_value(), !std::isnan(value));
+    if (read)
+        QVERIFY2(std::abs(*read - value) <= 1e-12 * std::abs(value), qPrintable(QString::number(*read)));
+}
+
+void TestInspector::aTypedUnitCounts() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("0.45 N/mm"));
+    QCOMPARE(surface(program, 0).material.stiffness, 450.0);
+    QCOMPARE(program.box(QStringLiteral("stiffness")).text(), QStringLiteral("450"));
+    program.type(QStringLiteral("proxy-radius"), QStringLiteral("0.2 cm"));
+    QCOMPARE(program.document.scene().proxyRadius, 0.002);
+}
+
+void TestInspector::whatIsNoNumberChangesNothing() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const Scene before = program.document.scene();
+    program.type(QStringLiteral("stiffness"), QStringLiteral("12 mm"));
+    QVERIFY(program.document.scene() == before);
+    auto* hint = program.window->findChild<QLabel*>(QStringLiteral("stiffness-hint"));
+    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("12 mm")));
+    QVERIFY(hint->text().contains(QStringLiteral("N/m")));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("120"));
+    QVERIFY(!hint->isVisible());
+}
+
+void TestInspector::severalSurfacesShowMixed() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("300"));
+    program.document.setShading(ref(program, 0), {true, NormalSource::Computed, 0.5});
+    program.document.select({ref(program, 0), ref(program, 1), ref(program, 2)});
+    QDoubleSpinBox& box = program.box(QStringLiteral("stiffness"));
+    QCOMPARE(box.text(), QStringLiteral("mixed"));
+    QVERIFY(program.box(QStringLiteral("viscosity")).text() != QStringLiteral("mixed"));
+    auto* shading = program.window->findChild<QCheckBox*>(QStringLiteral("force-shading"));
+    QCOMPARE(shading->checkState(), Qt::PartiallyChecked);
+    // The value of the active one, typed, is that of all: in one step.
+    const int steps = program.document.history().count();
+    const double active = surface(program, 2).material.stiffness;
+    program.type(QStringLiteral("stiffness"), QString::number(active));
+    for (Index i = 0; i < 3; ++i)
+        QCOMPARE(surface(program, i).material.stiffness, active);
+    QCOMPARE(program.document.history().count(), steps + 1);
+    QVERIFY(box.text() != QStringLiteral("mixed"));
+    // What else they have of their own stays.
+    shading->click();
+    QVERIFY(surface(program, 1).shading.on && surface(program, 2).shading.on);
+    QCOMPARE(surface(program, 0).shading.creaseAngle, 0.5);
+    QCOMPARE(surface(program, 1).shading.creaseAngle, kCreaseAngle.initial);
+}
+
+void TestInspector::lockedSurfacesCannotBeSet() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(program.box(QStringLiteral("stiffness")).isEnabled());
+    program.document.setLocked(ref(program, 0), true);
+    QVERIFY(!program.box(QStringLiteral("stiffness")).isEnabled());
+    QVERIFY(program.window->findChild<QLabel*>(QStringLiteral("locked-hint"))->isVisible());
+    program.document.select({ref(program, 0), ref(program, 1)});
+    QVERIFY(program.box(QStringLiteral("stiffness")).isEnabled());
+    program.type(QStringLiteral("stiffness"), QStringLiteral("333"));
+    QVERIFY(surface(program, 0).material.stiffness != 333 && surface(program, 1).material.stiffness == 333);
+}
+
+void TestInspector::aFeelIsCopiedAndPasted() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    TextureLayer noise, painted;
+    noise.name = "noise";
+    painted.name = "painted";
+    painted.pattern.source = TextureSource::Painted;
+    painted.pattern.painted.values = std::make_shared<const PaintedValues>(std::vector<float>(8, 0.5F));
+    program.document.editSurfaces(ref(program, 0), SceneChange::What::Layers, QStringLiteral("Set"),
+                                  [&](Surface& each) {
+                                      each.layers = {noise, painted};
+                                      each.material.viscosity = 3;
+                                      each.sides = Sides::Front;
+                                      each.shading.on = true;
+                                  });
+    program.document.select(ref(program, 0));
+    program.command("copy-feel").trigger();
+    program.document.select({ref(program, 3), ref(program, 4)});
+    program.document.setLocked(ref(program, 4), true);
+    const Scene before = program.document.scene();
+    program.command("paste-feel").trigger();
+    const Surface &from = surface(program, 0), &to = surface(program, 3);
+    QVERIFY(to.material == from.material && to.layers == from.layers && to.sides == from.sides);
+    QVERIFY(to.shading == from.shading && to.name == before.objects[0].surfaces[3].name);
+    QVERIFY(surface(program, 4) == before.objects[0].surfaces[4]);
+    program.document.history().undo();
+    QVERIFY(program.document.scene() == before);
+    // On another mesh what was painted has no meaning.
+    while (program.document.history().canUndo())
+        program.document.history().undo();
+    QVERIFY(program.open(writeCube(folder_, 1.5)));
+    program.document.select(ref(program, 1));
+    program.command("paste-feel").trigger();
+    QCOMPARE(surface(program, 1).layers.size(), std::size_t(1));
+    QCOMPARE(surface(program, 1).layers[0].name, std::string("noise"));
+}
+
+void TestInspector::othersBecomeTheSameAsTheActiveOne() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.document.select(ref(program, 5));
+    program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0"));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("222"));
+    program.document.select({ref(program, 0), ref(program, 1), ref(program, 5)});
+    const int steps = program.document.history().count();
+    program.command("same-feel").trigger();
+    QCOMPARE(program.document.history().count(), steps + 1);
+    QCOMPARE(surface(program, 0).material.stiffness, 222.0);
+    QCOMPARE(surface(program, 1).material.stiffness, 222.0);
+    QVERIFY(surface(program, 2).material.stiffness != 222);
+}
+
+void TestInspector::normalsAreTurnedOver() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const Scene before = program.document.scene();
+    const auto normal = [&](Index triangle) {
+        const TriangleSoup& soup = *program.document.scene().objects[0].geometry;
+        const auto& t = soup.triangles[triangle];
+        const Vec3& a = soup.positions[t[0]];
+        return Vec3((soup.positions[t[1]] - a).cross(soup.positions[t[2]] - a));
+    };
+    std::vector<Vec3> old;
+    for (Index t = 0; t < 12; ++t)
+        old.push_back(normal(t));
+    program.document.select(ref(program, 2));
+    program.command("normals-flip").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    for (Index t = 0; t < 12; ++t) {
+        const bool own = before.objects[0].geometry->surfaceOf[t] == 2;
+        QVERIFY(normal(t).isApprox(own ? Vec3(-old[t]) : old[t]));
+    }
+    program.command("normals-agree").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    for (Index t = 0; t < 12; ++t)
+        QVERIFY(normal(t).isApprox(old[t]));
+    program.command("normals-smooth").trigger();
+    QVERIFY(surface(program, 2).shading.on && !surface(program, 1).shading.on);
+    program.command("normals-flat").trigger();
+    QVERIFY(!surface(program, 2).shading.on);
+    while (program.document.history().canUndo())
+        program.document.history().undo();
+    QVERIFY(program.document.scene() == before);
+}
+
+QTEST_MAIN(TestInspector)
+#include "test_inspector.moc"
