@@ -29,6 +29,7 @@ struct ProxyTelemetry {
     Vec3 finger = Vec3::Zero(); ///< that the update used
     std::uint64_t updates = 0;
     std::uint64_t worldRevision = 0; ///< the World that the update used
+    std::uint64_t worldSince = 0;    ///< the first update that used it
     double rate = 0;                 ///< Hz, over the last half second
     double updateMicros = 0;         ///< mean time of hapticStep over the last half second
     double worstUpdateMicros = 0;    ///< largest of it

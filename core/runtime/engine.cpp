@@ -45,6 +45,7 @@ struct Engine::Impl {
     std::unique_ptr<Channels> channels; ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
+    std::uint64_t publishedAfter = 0; ///< updates
     Guardian guardian;
     Canary canary;
     std::deque<FeltScene> felt; ///< of the last minute, oldest first
@@ -118,6 +119,7 @@ void Engine::Impl::endLoops() {
 /// Makes the newest World the next that the proxy loop takes. One that it never took is released at once.
 void Engine::Impl::handOver() {
     if (kept.empty()) return;
+    publishedAfter = channels->proxyTelemetry.read().updates;
     if (const World* skipped = channels->worldIn.exchange(kept.back().get(), std::memory_order_acq_rel))
         release(skipped);
 }
@@ -192,6 +194,10 @@ void Engine::publish(std::shared_ptr<const World> world) {
     impl_->kept.push_back(std::move(world));
     impl_->remember(*impl_->kept.back());
     impl_->handOver();
+}
+
+std::uint64_t Engine::publishedAfter() const {
+    return impl_->publishedAfter;
 }
 
 void Engine::setArmed(bool armed) {

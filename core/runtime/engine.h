@@ -33,6 +33,9 @@ public:
     /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched; a
     /// null pointer is ignored.
     void publish(std::shared_ptr<const World> world);
+    /// How many updates were done when the last World was handed over. It is felt from the update
+    /// ProxyTelemetry::worldSince on: the next one, or the one after that which is under way.
+    std::uint64_t publishedAfter() const;
     /// Forces on or off. Off is also the state after start(). On, the force comes gently
     /// (kRise): a finger that is deep inside is not thrown out. After a fault they stay off until they were
     /// switched off and on again.

@@ -74,6 +74,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.output = output;
     telemetry.finger = finger;
     ++telemetry.updates;
+    if (telemetry.worldRevision != proxy.world->revision) telemetry.worldSince = telemetry.updates;
     telemetry.worldRevision = proxy.world->revision;
     telemetry.rate = proxy.updates.rate();
     telemetry.updateMicros = proxy.updates.mean();

@@ -36,15 +36,6 @@ Tree buildTree(const std::shared_ptr<const TriangleSoup>& soup) {
         .share();
 }
 
-/// The box of an object in the world frame.
-Bounds boxOf(const SceneObject& object) {
-    Bounds box;
-    for (const auto& triangle : object.geometry->triangles)
-        for (Index corner : triangle)
-            box.add(object.pose.apply(object.geometry->positions[corner]));
-    return box;
-}
-
 bool isReady(const auto& future) {
     return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -95,7 +86,7 @@ ScenePicker::Target ScenePicker::targetOf(const SceneObject& object) const {
                   same ? known->tree : buildTree(object.geometry),
                   object.visible,
                   {},
-                  same && known->pose == object.pose ? known->box : boxOf(object)};
+                  same && known->pose == object.pose ? known->box : boundsOf(object)};
     for (const Surface& surface : object.surfaces)
         target.sides.push_back(surface.visible ? Sides::Both : Sides::None);
     return target;

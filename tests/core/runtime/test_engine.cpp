@@ -125,6 +125,20 @@ private slots:
         QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == edited->revision; }));
     }
 
+    // An update may be under way, and its report on the way, when the World comes.
+    void anEditIsFeltWithinTwoUpdates() {
+        TouchedPlate plate(400);
+        QVERIFY(plate.touch(kDepth));
+        for (int i = 0; i < 200; ++i) {
+            const auto edited = plateWorld(400 + i, plate.world.get());
+            plate.engine.publish(edited);
+            QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == edited->revision; }));
+            const std::uint64_t since = plate.engine.proxy().worldSince,
+                                before = plate.engine.publishedAfter();
+            QVERIFY(since > before && since <= before + 2);
+        }
+    }
+
     void absurdStiffnessStaysWithinTheDevicesLimit() {
         TouchedPlate plate(1e9);
         QVERIFY(plate.touch(0.05));
