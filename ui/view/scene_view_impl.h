@@ -44,6 +44,8 @@ struct SceneView::Impl {
     void setGrip(Grip grip, QPointF cursor);
     void startGlide();
     void hoverAt(QPointF cursor);
+    /// Lights up what the drag would fall onto; whether there is anything.
+    bool dragOver(QDropEvent& event);
     void refreshHover();
     void setHovered(std::optional<SurfaceRef> surface);
     void showCursor(QPointF cursor);
@@ -76,6 +78,7 @@ struct SceneView::Impl {
     std::optional<SurfaceRef> hovered;
     ObjectId facesOf = 0; ///< whose triangles are selected
     bool boxNext = false; ///< the next drag draws a box
+    QStringList dropTypes;
 
     ViewTool tool = ViewTool::Touch;
     ViewDrag drag = ViewDrag::None;

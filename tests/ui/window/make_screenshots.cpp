@@ -8,6 +8,10 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include <cmath>
 
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
@@ -16,6 +20,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 #include "ui/panels/sample_gallery.h"
+#include "ui/preset_store.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
 
@@ -144,6 +149,67 @@ void leaveJournal(const Scene& scene) {
     if (!writeJournal(folder, entry, scene)) qFatal("the journal cannot be written");
 }
 
+/// The body of the teapot gets a preset, and the library says where its numbers are from.
+void takePresets(TouchedWindow& program, const QDir& folder) {
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-presets"));
+    auto* store = program.window->findChild<PresetStore*>();
+    dock->raise();
+    if (!QTest::qWaitFor([&] { return !store->loading() && !store->presets().empty(); }, kPatience))
+        qFatal("the presets do not come");
+    auto* list = dock->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+    QTreeWidgetItem* row = list->findItems(QStringLiteral("Brick"), Qt::MatchExactly).value(0);
+    if (!row) qFatal("there is no brick");
+    list->setCurrentItem(row);
+    list->scrollToItem(row, QAbstractItemView::PositionAtCenter);
+    program.document.select(program.window->view().surfaceAt(program.centre()));
+    program.command("preset-apply").trigger();
+    program.command("bumps-10").trigger();
+    program.frames(60);
+    (void)QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience);
+    program.frames(10);
+    save(program, folder, QStringLiteral("presets.png"));
+    program.command("bumps-10").trigger();
+    program.document.history().undo();
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
+}
+
+/// A ball of 24 x 48 patches about the origin, a few of which are missing.
+QString writeBall(const QTemporaryDir& folder) {
+    constexpr int kRows = 24, kColumns = 48;
+    QByteArray text;
+    for (int i = 0; i <= kRows; ++i)
+        for (int j = 0; j < kColumns; ++j) {
+            const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
+            text += QStringLiteral("v %1 %2 %3\n")
+                        .arg(0.05 * std::sin(polar) * std::cos(around))
+                        .arg(0.05 * std::cos(polar))
+                        .arg(0.05 * std::sin(polar) * std::sin(around))
+                        .toLatin1();
+        }
+    const auto corner = [](int i, int j) { return QString::number(i * kColumns + j % kColumns + 1); };
+    for (int i = 0; i < kRows; ++i)
+        for (int j = 0; j < kColumns; ++j) {
+            if ((i == 8 || i == 9) && j >= 8 && j < 11) continue;
+            const QStringList at{corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)};
+            text += QStringLiteral("f %1 %2 %3\nf %1 %3 %4\n").arg(at[0], at[1], at[2], at[3]).toLatin1();
+        }
+    return writeFile(folder, QStringLiteral("ball.obj"), text);
+}
+
+void takeProblems(TouchedWindow& program, const QDir& folder) {
+    QTemporaryDir scratch;
+    if (!program.open(writeBall(scratch))) qFatal("the ball cannot be opened");
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
+    auto* list = program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
+    const auto hole = [list]() -> QTreeWidgetItem* {
+        return list->findItems(QStringLiteral("hole"), Qt::MatchContains).value(0);
+    };
+    if (!QTest::qWaitFor([&] { return hole(); }, kPatience)) qFatal("the hole is not found");
+    emit list->itemClicked(hole(), 0);
+    program.frames(60);
+    save(program, folder, QStringLiteral("problems.png"));
+}
+
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Light")) action->trigger();
@@ -176,7 +242,16 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
 
 } // namespace
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt]]]: with the last word only the pictures of what is felt.
+/// The library of presets and the list of problems, in a window of their own.
+void takeTasks(const QDir& folder, const QString& sample, QSize size) {
+    TouchedWindow program(size);
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    takePresets(program, folder);
+    takeProblems(program, folder);
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|tasks]]]: with the last word only the pictures of what is felt, or of
+// presets and problems.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -188,9 +263,11 @@ int main(int argc, char** argv) {
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
     const QSize size = sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString());
-    const bool onlyFelt = argc > 4 && QByteArray(argv[4]) == "felt";
-    if (!onlyFelt) takeGuide(folder, sample, size);
+    const QByteArray only(argc > 4 ? argv[4] : "");
+    if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
+    if (only != "felt") takeTasks(folder, sample, size);
+    if (only == "tasks") return 0;
     TouchedWindow program(size);
     takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
     return 0;
