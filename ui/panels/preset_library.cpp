@@ -7,8 +7,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPainter>
 #include <QScopedValueRollback>
 #include <QScrollArea>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -21,9 +23,9 @@ namespace tactum {
 
 namespace {
 
-constexpr int kPicture = 40; // pixels
-constexpr int kDetails = 15 * kRhythm;
-constexpr int kFileRole = Qt::UserRole;
+constexpr int kPicture = 36; // pixels
+constexpr int kDetails = 16 * kRhythm;
+constexpr int kFileRole = Qt::UserRole, kFiguresRole = Qt::UserRole + 1;
 
 QString textOf(std::string_view text) {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
@@ -63,7 +65,7 @@ QString line(const QString& label, const QString& value, const PresetSource& sou
         .arg(label.toHtmlEscaped(), value.toHtmlEscaped(), theme().textDimmed.name(), sourceText(source));
 }
 
-/// "0.60 / 0.30", static and dynamic friction.
+/// "0.60 / 0.30 · Metal": static and dynamic friction, or else what it sets first.
 QString figuresOf(const Preset& preset) {
     QStringList figures;
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
@@ -71,10 +73,12 @@ QString figuresOf(const Preset& preset) {
         if (preset.values[i] && (parameter == &kStaticFriction || parameter == &kDynamicFriction))
             figures << QString::number(*preset.values[i], 'g', 3);
     }
-    if (!figures.isEmpty()) return figures.join(QStringLiteral(" / "));
-    for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
-        if (preset.values[i]) return valueText(*kMaterialFields[i].parameter, *preset.values[i]);
-    return preset.layers ? PresetLibrary::tr("texture") : QString();
+    for (std::size_t i = 0; i < kMaterialFields.size() && figures.isEmpty(); ++i)
+        if (preset.values[i]) figures << valueText(*kMaterialFields[i].parameter, *preset.values[i]);
+    if (figures.isEmpty() && preset.layers) figures << PresetLibrary::tr("texture");
+    QStringList parts{figures.join(QStringLiteral(" / "))};
+    if (!preset.category.empty()) parts << textOf(preset.category);
+    return parts.join(QStringLiteral(" \u00b7 "));
 }
 
 } // namespace
@@ -107,6 +111,38 @@ QString detailsOf(const StoredPreset& stored) {
                        sourceOf(preset, kLayersPart));
 }
 
+/// Under the name, dimmed, what is known of the preset at a glance.
+class PresetRow : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyleOptionViewItem whole = option;
+        initStyleOption(&whole, index);
+        const QString name = whole.text;
+        whole.text.clear();
+        whole.widget->style()->drawControl(QStyle::CE_ItemViewItem, &whole, painter, whole.widget);
+        QRect line = option.rect.adjusted(kPicture + kRhythm * 3 / 2, 0, -kRhythm / 2, 0);
+        line.setTop(option.rect.center().y() - option.fontMetrics.height());
+        line.setHeight(option.fontMetrics.height());
+        const auto draw = [&](const QColor& colour, const QString& text) {
+            painter->setPen(colour);
+            painter->drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
+                              option.fontMetrics.elidedText(text, Qt::ElideRight, line.width()));
+            line.translate(0, line.height());
+        };
+        draw(theme().text, name);
+        draw(theme().textDimmed, index.data(kFiguresRole).toString());
+    }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+        return {kPicture, std::max(kPicture, 2 * option.fontMetrics.height()) + kRhythm / 2};
+    }
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex&) const override {
+        editor->setGeometry(option.rect.adjusted(kPicture + kRhythm, kRhythm / 2, 0, -kRhythm / 2));
+    }
+};
+
 /// The rows; each can be dragged out.
 class PresetList : public HintedTree {
 public:
@@ -116,14 +152,14 @@ public:
           store_(store) {
         setObjectName(QStringLiteral("preset-list"));
         setAccessibleName(PresetLibrary::tr("Presets"));
-        setColumnCount(2);
+        setColumnCount(1);
+        setItemDelegate(new PresetRow(this));
         setRootIsDecorated(false);
         setIconSize({kPicture, kPicture});
         setDragEnabled(true);
         setDragDropMode(DragOnly);
         setEditTriggers(NoEditTriggers); // a double click applies
         header()->setSectionResizeMode(0, QHeaderView::Stretch);
-        header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     }
     QStringList mimeTypes() const override { return {QString::fromLatin1(kPresetMime)}; }
     QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
@@ -236,13 +272,15 @@ void PresetLibrary::fill() {
         list_->clear();
         for (const StoredPreset& stored : store_.presets()) {
             if (!matches(stored, search_->text()) && stored.file != wanted_) continue;
-            auto* item = new QTreeWidgetItem(list_, {textOf(stored.preset.name), figuresOf(stored.preset)});
-            item->setIcon(0, QIcon(QPixmap::fromImage(stored.picture)));
+            auto* item = new QTreeWidgetItem(list_, {textOf(stored.preset.name)});
+            const QPixmap picture = QPixmap::fromImage(stored.picture);
+            QIcon shown(picture);
+            shown.addPixmap(picture, QIcon::Selected); // else it is tinted there
+            item->setIcon(0, shown);
+            item->setData(0, kFiguresRole, figuresOf(stored.preset));
+            item->setData(0, Qt::AccessibleDescriptionRole, figuresOf(stored.preset));
             item->setData(0, kFileRole, stored.file);
-            item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-            item->setForeground(1, theme().textDimmed);
             item->setToolTip(0, detailsOf(stored));
-            item->setToolTip(1, detailsOf(stored));
             if (stored.own) item->setFlags(item->flags() | Qt::ItemIsEditable);
             if (stored.file == wanted) list_->setCurrentItem(item);
         }

@@ -173,25 +173,35 @@ void takePresets(TouchedWindow& program, const QDir& folder) {
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
 }
 
-/// A ball of 24 x 48 patches about the origin, a few of which are missing.
+/// A ball about the origin, a few patches of which are missing.
 QString writeBall(const QTemporaryDir& folder) {
     constexpr int kRows = 24, kColumns = 48;
     QByteArray text;
-    for (int i = 0; i <= kRows; ++i)
-        for (int j = 0; j < kColumns; ++j) {
-            const double polar = M_PI * i / kRows, around = 2 * M_PI * j / kColumns;
-            text += QStringLiteral("v %1 %2 %3\n")
-                        .arg(0.05 * std::sin(polar) * std::cos(around))
-                        .arg(0.05 * std::cos(polar))
-                        .arg(0.05 * std::sin(polar) * std::sin(around))
-                        .toLatin1();
-        }
-    const auto corner = [](int i, int j) { return QString::number(i * kColumns + j % kColumns + 1); };
+    const auto add = [&text](double polar, double around) {
+        const double r = 0.05 * std::sin(polar);
+        for (const double each : {r * std::cos(around), 0.05 * std::cos(polar), r * std::sin(around)})
+            text += (text.endsWith('\n') || text.isEmpty() ? "v " : " ") + QByteArray::number(each);
+        text += '\n';
+    };
+    for (int i = 1; i < kRows; ++i)
+        for (int j = 0; j < kColumns; ++j)
+            add(M_PI * i / kRows, 2 * M_PI * j / kColumns);
+    add(0, 0);
+    add(M_PI, 0);
+    const auto corner = [](int i, int j) {
+        constexpr int kTop = (kRows - 1) * kColumns + 1;
+        if (i == 0) return QByteArray::number(kTop);
+        if (i == kRows) return QByteArray::number(kTop + 1);
+        return QByteArray::number((i - 1) * kColumns + j % kColumns + 1);
+    };
+    const auto face = [&text](const QByteArray& a, const QByteArray& b, const QByteArray& c) {
+        text += "f " + a + ' ' + b + ' ' + c + '\n';
+    };
     for (int i = 0; i < kRows; ++i)
         for (int j = 0; j < kColumns; ++j) {
-            if ((i == 8 || i == 9) && j >= 8 && j < 11) continue;
-            const QStringList at{corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)};
-            text += QStringLiteral("f %1 %2 %3\nf %1 %3 %4\n").arg(at[0], at[1], at[2], at[3]).toLatin1();
+            if ((i == 10 || i == 11) && j >= 8 && j < 11) continue;
+            if (i > 0) face(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1));
+            if (i + 1 < kRows || i == 0) face(corner(i, j), corner(i + 1, j + 1), corner(i + 1, j));
         }
     return writeFile(folder, QStringLiteral("ball.obj"), text);
 }
@@ -202,7 +212,7 @@ void takeProblems(TouchedWindow& program, const QDir& folder) {
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
     auto* list = program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
     const auto hole = [list]() -> QTreeWidgetItem* {
-        return list->findItems(QStringLiteral("hole"), Qt::MatchContains).value(0);
+        return list->findItems(QStringLiteral("rim"), Qt::MatchContains).value(0);
     };
     if (!QTest::qWaitFor([&] { return hole(); }, kPatience)) qFatal("the hole is not found");
     emit list->itemClicked(hole(), 0);

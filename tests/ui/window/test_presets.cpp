@@ -134,7 +134,7 @@ void TestPresets::shippedOnesAreListedWithPictures() {
     QVERIFY(list(*program).topLevelItemCount() >= 20);
     QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
     QVERIFY(ice && !ice->icon(0).isNull());
-    QCOMPARE(ice->text(1), QStringLiteral("0.1 / 0.03"));
+    QVERIFY(ice->data(0, Qt::AccessibleDescriptionRole).toString().startsWith(QStringLiteral("0.1 / 0.03")));
     QVERIFY(ice->toolTip(0).contains(QStringLiteral("Hill")));
     QVERIFY(ice->toolTip(0).contains(QStringLiteral("0.030")));
     QVERIFY(choose(*program, QStringLiteral("Honey")));
@@ -225,7 +225,11 @@ void TestPresets::keysAndDoubleClickApply() {
     QTest::keyClick(&list(*program), Qt::Key_Return);
     QCOMPARE(surfaceOf(*program, 2).material.staticFriction, 0.5);
     document.history().undo();
+    QTest::qWait(50); // the dock gets its place
+    list(*program).scrollToItem(row(*program, QStringLiteral("Wood on wood")));
     const QRect at = list(*program).visualItemRect(row(*program, QStringLiteral("Wood on wood")));
+    QVERIFY(list(*program).viewport()->rect().contains(at.center()));
+    QTest::mouseClick(list(*program).viewport(), Qt::LeftButton, {}, at.center());
     QTest::mouseDClick(list(*program).viewport(), Qt::LeftButton, {}, at.center());
     QCOMPARE(surfaceOf(*program, 2).material.staticFriction, 0.5);
     document.history().undo();
