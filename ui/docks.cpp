@@ -1,6 +1,7 @@
 #include "ui/docks.h"
 
 #include <QDockWidget>
+#include <QTabBar>
 #include <QUndoView>
 
 #include "ui/document.h"
@@ -39,6 +40,8 @@ QUndoView* historyView(Document& document) {
 void followTabs(QMainWindow& window, QDockWidget& dock) {
     auto* bare = new QWidget(&dock);
     const auto follow = [&window, &dock, bare] {
+        for (auto* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+            bar->setDrawBase(false); // the window switches it on whenever it makes one
         dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
         bare->setVisible(dock.titleBarWidget());
     };
@@ -61,7 +64,9 @@ void shareTabs(QMainWindow& window, QDockWidget& first, QDockWidget& second) {
 void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
                   QWidget* body) {
     auto* dock = addDock(window, name, title, body, window.dockWidgetArea(&beside));
+    const bool firstTab = window.tabifiedDockWidgets(&beside).isEmpty();
     window.tabifyDockWidget(&beside, dock);
+    if (firstTab) followTabs(window, beside);
     followTabs(window, *dock);
     window.tabifiedDockWidgets(dock).first()->raise();
 }

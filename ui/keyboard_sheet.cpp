@@ -33,7 +33,38 @@ void addHeading(QGridLayout& grid, const QString& text) {
     grid.addWidget(heading, grid.rowCount(), 0, 1, 2);
 }
 
+/// A row of a Markdown table; keys stand as they are printed on the keyboard.
+QString pageRow(const QStringList& keys, const QString& meaning) {
+    return QStringLiteral("| %1 | %2 |\n").arg(keys.join(QStringLiteral(", ")), meaning);
+}
+
+QStringList quotedKeys(const char* portable) {
+    QStringList keys;
+    for (const QString& key : QString::fromLatin1(portable).split(QStringLiteral("; "), Qt::SkipEmptyParts))
+        keys << u'`' + key + u'`';
+    return keys;
+}
+
 } // namespace
+
+QString keyboardPage() {
+    QString page = QStringLiteral(
+        "# Keyboard and mouse\n\nMade from the program's own table of commands (`ui/shortcuts.cpp`); a test "
+        "holds the two together. In the program\n`F1` shows the same. Every command, also those without a "
+        "key, is found by a few letters of it with `Ctrl+Shift+P`.\n");
+    QString menu;
+    for (const Command& command : commands()) {
+        if (!*command.keys) continue;
+        const QString title = QString::fromLatin1(command.menu).section(u'/', 0, 0);
+        if (title != menu) page += QStringLiteral("\n## %1\n| keys | do |\n|---|---|\n").arg(title);
+        menu = title;
+        page += pageRow(quotedKeys(command.keys), QString::fromLatin1(command.sentence));
+    }
+    page += QStringLiteral("\n## In the view\n| what you do | does |\n|---|---|\n");
+    for (const Manner& manner : viewManners())
+        page += pageRow({QString::fromLatin1(manner.keys)}, QString::fromLatin1(manner.text));
+    return page;
+}
 
 void showKeyboardSheet(QWidget* parent) {
     auto* sheet = new QDialog(parent);

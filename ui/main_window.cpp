@@ -27,6 +27,7 @@
 #include "ui/panels/status_strip.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
+#include "ui/preset_store.h"
 #include "ui/recent_files.h"
 #include "ui/recording_saver.h"
 #include "ui/recovery.h"
@@ -61,11 +62,12 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
       recoveryBar_(new RecoveryBar(*recovery_)),
       comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
-      samples_(samples) {
+      presetStore_(new PresetStore(this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
     addCompareDock();
+    addPresetDock();
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -86,6 +88,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectRecovery();
     connectPalette();
     connectCompare();
+    connectPresets();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -224,7 +227,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    open(firstFile(*event->mimeData()));
+    const QString file = firstFile(*event->mimeData());
+    const QPointF at = view_->mapFrom(this, event->position());
+    if (!takePreset(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt)) open(file);
 }
 
 } // namespace tactum

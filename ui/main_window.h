@@ -31,7 +31,11 @@ class NoticeBar;
 class PaintTool;
 class Playback;
 class PlaybackBar;
+class PresetLibrary;
+class PresetStore;
 struct PaletteEntry;
+struct LoadedPreset;
+struct Preset;
 class RecordingSaver;
 class SelectTool;
 class ToolStrip;
@@ -121,6 +125,18 @@ private:
     QString whyNot(const QString& id) const;
     void addPanels(std::vector<PaletteEntry>& entries);
     void addSurfaces(std::vector<PaletteEntry>& entries);
+    // Of presets: main_window_presets.cpp.
+    void addPresetDock();
+    void connectPresets();
+    void showPresetCommands();
+    void applyPresetTo(const SurfaceRefs& surfaces, const Preset& preset);
+    void applyChosenPreset();
+    void showKept(const QString& file, const LoadedPreset& made);
+    void savePreset();
+    void askForPresets();
+    void exportPreset();
+    /// Whether the file is a preset; then it is imported, and given to the surface if there is one.
+    bool takePreset(const QString& file, std::optional<SurfaceRef> surface);
     // Of two states of the scene: main_window_compare.cpp.
     void addCompareDock();
     void connectCompare();
@@ -175,6 +191,9 @@ private:
     RecoveryBar* recoveryBar_;
     Comparison* comparison_;
     SoundLink* sound_;
+    PresetStore* presetStore_;
+    PresetLibrary* presets_ = nullptr;
+    std::optional<SurfaceRef> droppedOn_; ///< who gets the preset that is being imported
     Docks docks_;
     std::optional<Feel> copied_;      ///< to be pasted
     QStringList samples_;             ///< scenes to begin with, never written over

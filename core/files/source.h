@@ -1,4 +1,4 @@
-// The bytes of one file and how to speak of places in it. For the readers of this folder only.
+// The bytes of one file and how to speak of places in it. For readers only.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tactum {
 
-/// Thrown by a reader at the first fault; loadScene() and readFingerPath() catch it. Never leaves the room.
+/// Thrown by a reader at the first fault; loadScene() and readFingerPath() catch it. Never leaves a reader.
 struct ReadFault {
     Error error;
 };

@@ -26,12 +26,13 @@ inline const std::vector<Room> kRooms{
     {"core/scene", {"core/geometry", "core/surface", "core/dynamics"}},
     {"core/health", {"core/scene", "core/collision"}},
     {"core/files", {"core/scene", "core/archive"}},
+    {"core/presets", {"core/files"}},
     {"core/import", {"core/files"}},
     {"core/runtime", {"core/scene", "core/control", "core/proxy"}},
     {"core/bundle", {"core/runtime", "core/files"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"device", {"core/control"}},
-    {"ui", {"core/recording", "core/bundle", "core/health", "core/paint"}},
+    {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle"}},
 };
 
@@ -47,7 +48,7 @@ inline const std::vector<Library> kLibraries{
     {"OpenMesh/", {"core/geometry/topology.cpp"}},
     {"tiny_gltf.h", {"core/files/gltf/gltf_model.h"}},
     {"assimp/", {"core/files/read_assimp.cpp"}},
-    {"pugixml.hpp", {"core/files/x3d/x3d_document.h"}},
+    {"pugixml.hpp", {"core/files/x3d/x3d_document.h", "core/presets/read_hatt.cpp"}},
     {"png.h", {"core/files/images/read_png.cpp", "core/files/images/write_png.cpp"}},
     {"jpeglib.h", {"core/files/images/read_jpeg.cpp"}},
     {"tiffio.h", {"core/files/images/read_tiff.cpp"}},

@@ -10,6 +10,7 @@
 #include "core/archive/bundle_files.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/x3d/write_x3d.h"
+#include "core/presets/preset_file.h"
 #include "core/recording/recording_file.h"
 #include "core/scene/finger_path.h"
 #include "tests/core/files/image_files.h"
@@ -122,6 +123,27 @@ void addPictures(const Corpus& corpus) {
     }
 }
 
+void addPresets(const Corpus& corpus) {
+    Surface surface;
+    surface.layers.resize(2);
+    surface.layers[0].pattern.source = TextureSource::Image;
+    surface.layers[0].pattern.image = std::make_shared<const TextureImage>(
+        3, 2, std::vector<std::uint16_t>{0, 257, 514, 771, 1028, 65535}, "dots");
+    surface.layers[1].mask.emplace().source = TextureSource::Grooves;
+    corpus.add("preset", "layers.tactum-preset",
+               presetText(presetOf(surface, "layers", {"set by us", "https://example.org", true}).preset));
+    corpus.add("preset", "friction.tactum-preset",
+               R"({"tactumPreset":"1.0","name":"ice","category":"cold","tags":["a"],"colour":[0,0.5,1],)"
+               R"("feel":{"staticFriction":0.1,"dynamicFriction":0.03},"later":[1],)"
+               R"("sources":{"staticFriction":{"words":"w","link":"l","typical":true}}})");
+    corpus.add("hatt", "two.xml",
+               "<?xml version=\"1.0\"?><modelSet><material>fur</material><AccelUnits>m/s^2</AccelUnits>"
+               "<SampleRate>10000</SampleRate><mu>0.5</mu><numMACoeff>0</numMACoeff><model><ARlsf>"
+               "<value>0.5</value><value>1</value><value>2</value></ARlsf><gain>1</gain><var>0.1</var>"
+               "<speedMod>100</speedMod><forceMod>1</forceMod></model><model><ARlsf/><var>0</var>"
+               "<speedMod>0</speedMod><forceMod>0</forceMod></model></modelSet>\n");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -130,6 +152,7 @@ int main(int argc, char** argv) {
     addMeshes(corpus);
     addScenes(corpus);
     addPictures(corpus);
+    addPresets(corpus);
     const std::vector<FingerPoint> path{{0, {0, 0, 0}}, {0.001, {1e-3, -2, 0.5}}};
     corpus.add("finger", "two.csv", fingerCsv(path));
     Scene touched;

@@ -10,6 +10,8 @@
 #include "core/files/read_finger_path.h"
 #include "core/files/readers.h"
 #include "core/import/scene_transfer.h"
+#include "core/presets/preset_file.h"
+#include "core/presets/read_hatt.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
 #include "tests/support/random_touch.h"
@@ -103,6 +105,20 @@ void readFinger(std::string_view bytes) {
     if (!path) demandOneLine(path.error());
 }
 
+/// What a preset does to a surface is inside every range, and it can be written and read again.
+void demandSoundPreset(const Result<LoadedPreset>& read) {
+    if (!read) return demandOneLine(read.error());
+    const Surface surface = applied({}, read->preset);
+    for (const MaterialField& field : kMaterialFields)
+        if (!field.parameter->allows(surface.material.*field.value)) found("a preset out of range");
+    for (const TextureLayer& layer : surface.layers)
+        if (!strengthParameter(layer.target).allows(layer.strength)) found("a layer out of range");
+    const std::string text = presetText(read->preset);
+    const auto again = parsePreset(text, "b.tactum-preset");
+    if (!again) found("what was written cannot be read: " + again.error().text);
+    if (presetText(again->preset) != text) found("a preset changes when it is written again");
+}
+
 void readRun(std::string_view bytes) {
     std::string sealed(bytes); // else hardly any would get beyond its fingerprint
     sealRecording(sealed);
@@ -125,6 +141,8 @@ constexpr Target kTargets[] = {
     {"zip", [](std::string_view bytes) { readAs<readBundle>("a.zip", bytes); }},
     {"image", readPicture},
     {"finger", readFinger},
+    {"preset", [](std::string_view bytes) { demandSoundPreset(parsePreset(bytes, "a.tactum-preset")); }},
+    {"hatt", [](std::string_view bytes) { demandSoundPreset(parseHatt(bytes, "a.xml")); }},
     {"recording", readRun},
     {"3ds", [](std::string_view bytes) { readRare("a.3ds", bytes); }},
     {"fbx", [](std::string_view bytes) { readRare("a.fbx", bytes); }},

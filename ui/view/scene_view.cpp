@@ -237,6 +237,16 @@ void SceneView::setHandGoal(const Vec3& p_W) {
     impl_->hand.setGoal(p_W);
 }
 
+std::optional<SurfaceRef> SceneView::surfaceAt(QPointF at) const {
+    const auto hit = impl_->pick(at, ScenePicker::Patience::Wait);
+    return hit ? std::optional(hit->surface) : std::nullopt;
+}
+
+void SceneView::setDropTypes(const QStringList& types) {
+    impl_->dropTypes = types;
+    setAcceptDrops(!types.isEmpty());
+}
+
 QImage SceneView::grabPicture() {
     return grabSmooth();
 }

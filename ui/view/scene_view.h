@@ -8,6 +8,7 @@
 
 #include <QImage>
 #include <QRectF>
+#include <QStringList>
 
 #include "core/geometry/triangle_set.h"
 #include "core/runtime/channels.h"
@@ -18,6 +19,8 @@
 #include "ui/view/painted_picture.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
+
+class QMimeData;
 
 namespace tactum {
 
@@ -100,6 +103,11 @@ public:
     /// Puts the goal there without telling anybody; ends a glide that is under way.
     void setHandGoal(const Vec3& p_W);
 
+    /// The visible surface at a place of the view, in logical pixels.
+    std::optional<SurfaceRef> surfaceAt(QPointF at) const;
+    /// Data of these MIME types can be dropped onto a surface, which is lit up meanwhile.
+    void setDropTypes(const QStringList& types);
+
     /// What is shown now, in device pixels, drawn as well as this machine can.
     QImage grabPicture();
 
@@ -116,6 +124,8 @@ signals:
                  Qt::KeyboardModifiers modifiers);
     /// A drag, the wheel or a key moved the finger's goal. World frame, metre.
     void handGoalMoved(tactum::Vec3 goal_W);
+    /// Something of the drop types was let go over a surface; `data` lives until the signal returns.
+    void droppedOn(tactum::SurfaceRef surface, const QMimeData& data);
     /// The mouse took hold of the finger, or let it go.
     void handGrabbed(bool grabbed);
 
@@ -129,6 +139,10 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     void fadeOn();

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QDropEvent>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -132,6 +135,13 @@ void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
     model.setHighlight(surface, kHoverGlow);
     view.changed();
     emit view.surfaceHovered(surface);
+}
+
+bool SceneView::Impl::dragOver(QDropEvent& event) {
+    setHovered(view.surfaceAt(event.position()));
+    event.setDropAction(Qt::CopyAction);
+    event.setAccepted(hovered.has_value());
+    return hovered.has_value();
 }
 
 /// After the scene has changed: its actors may be new ones.
@@ -297,6 +307,27 @@ void SceneView::leaveEvent(QEvent* event) {
     impl_->brushAt.reset();
     impl_->setHovered(std::nullopt);
     VtkWidget::leaveEvent(event);
+}
+
+// What is not ours goes on to the window.
+void SceneView::dragEnterEvent(QDragEnterEvent* event) {
+    const auto fits = [&](const QString& type) { return event->mimeData()->hasFormat(type); };
+    event->setAccepted(std::ranges::any_of(impl_->dropTypes, fits));
+}
+
+void SceneView::dragMoveEvent(QDragMoveEvent* event) {
+    impl_->dragOver(*event);
+}
+
+void SceneView::dragLeaveEvent(QDragLeaveEvent*) {
+    impl_->setHovered(std::nullopt);
+}
+
+void SceneView::dropEvent(QDropEvent* event) {
+    if (!impl_->dragOver(*event)) return;
+    const SurfaceRef surface = *impl_->hovered;
+    impl_->setHovered(std::nullopt);
+    emit droppedOn(surface, *event->mimeData());
 }
 
 } // namespace tactum

@@ -48,6 +48,8 @@ struct SceneView::Impl {
     void setGrip(Grip grip, QPointF cursor);
     void startGlide();
     void hoverAt(QPointF cursor);
+    /// Lights up what the drag would fall onto; whether there is anything.
+    bool dragOver(QDropEvent& event);
     void refreshHover();
     void setHovered(std::optional<SurfaceRef> surface);
     void showCursor(QPointF cursor);
@@ -83,6 +85,7 @@ struct SceneView::Impl {
     BrushRing brush;
     ObjectId facesOf = 0; ///< whose triangles are selected
     bool boxNext = false; ///< the next drag draws a box
+    QStringList dropTypes;
 
     ViewTool tool = ViewTool::Touch;
     ViewDrag drag = ViewDrag::None;

@@ -8,6 +8,10 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include <cmath>
 
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
@@ -16,6 +20,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 #include "ui/panels/sample_gallery.h"
+#include "ui/preset_store.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
 
@@ -145,7 +150,8 @@ void leaveJournal(const Scene& scene) {
 }
 
 /// Friction painted onto the teapot by hand, and the ring of the brush.
-void takePainting(TouchedWindow& program, const QDir& folder, const QString& sample) {
+void takePainting(const QDir& folder, const QString& sample, QSize size) {
+    TouchedWindow program(size);
     if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
     program.command("paint-static-friction").trigger();
     const auto paint = [&](QPoint from, std::initializer_list<QPoint> way) {
@@ -163,7 +169,77 @@ void takePainting(TouchedWindow& program, const QDir& folder, const QString& sam
     program.moveTo(program.centre() + QPoint(60, 0));
     program.frames(20);
     save(program, folder, QStringLiteral("painting.png"));
-    program.command("touch").trigger();
+}
+
+/// The body of the teapot gets a preset, and the library says where its numbers are from.
+void takePresets(TouchedWindow& program, const QDir& folder) {
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-presets"));
+    auto* store = program.window->findChild<PresetStore*>();
+    dock->raise();
+    if (!QTest::qWaitFor([&] { return !store->loading() && !store->presets().empty(); }, kPatience))
+        qFatal("the presets do not come");
+    auto* list = dock->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+    QTreeWidgetItem* row = list->findItems(QStringLiteral("Brick"), Qt::MatchExactly).value(0);
+    if (!row) qFatal("there is no brick");
+    list->setCurrentItem(row);
+    list->scrollToItem(row, QAbstractItemView::PositionAtCenter);
+    program.document.select(program.window->view().surfaceAt(program.centre()));
+    program.command("preset-apply").trigger();
+    program.command("bumps-10").trigger();
+    program.frames(60);
+    (void)QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience);
+    program.frames(10);
+    save(program, folder, QStringLiteral("presets.png"));
+    program.command("bumps-10").trigger();
+    program.document.history().undo();
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
+}
+
+/// A ball about the origin, a few patches of which are missing.
+QString writeBall(const QTemporaryDir& folder) {
+    constexpr int kRows = 24, kColumns = 48;
+    QByteArray text;
+    const auto add = [&text](double polar, double around) {
+        const double r = 0.05 * std::sin(polar);
+        for (const double each : {r * std::cos(around), 0.05 * std::cos(polar), r * std::sin(around)})
+            text += (text.endsWith('\n') || text.isEmpty() ? "v " : " ") + QByteArray::number(each);
+        text += '\n';
+    };
+    for (int i = 1; i < kRows; ++i)
+        for (int j = 0; j < kColumns; ++j)
+            add(M_PI * i / kRows, 2 * M_PI * j / kColumns);
+    add(0, 0);
+    add(M_PI, 0);
+    const auto corner = [](int i, int j) {
+        constexpr int kTop = (kRows - 1) * kColumns + 1;
+        if (i == 0) return QByteArray::number(kTop);
+        if (i == kRows) return QByteArray::number(kTop + 1);
+        return QByteArray::number((i - 1) * kColumns + j % kColumns + 1);
+    };
+    const auto face = [&text](const QByteArray& a, const QByteArray& b, const QByteArray& c) {
+        text += "f " + a + ' ' + b + ' ' + c + '\n';
+    };
+    for (int i = 0; i < kRows; ++i)
+        for (int j = 0; j < kColumns; ++j) {
+            if ((i == 10 || i == 11) && j >= 8 && j < 11) continue;
+            if (i > 0) face(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1));
+            if (i + 1 < kRows || i == 0) face(corner(i, j), corner(i + 1, j + 1), corner(i + 1, j));
+        }
+    return writeFile(folder, QStringLiteral("ball.obj"), text);
+}
+
+void takeProblems(TouchedWindow& program, const QDir& folder) {
+    QTemporaryDir scratch;
+    if (!program.open(writeBall(scratch))) qFatal("the ball cannot be opened");
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
+    auto* list = program.window->findChild<QTreeWidget*>(QStringLiteral("problems"));
+    const auto hole = [list]() -> QTreeWidgetItem* {
+        return list->findItems(QStringLiteral("rim"), Qt::MatchContains).value(0);
+    };
+    if (!QTest::qWaitFor([&] { return hole(); }, kPatience)) qFatal("the hole is not found");
+    emit list->itemClicked(hole(), 0);
+    program.frames(60);
+    save(program, folder, QStringLiteral("problems.png"));
 }
 
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
@@ -198,8 +274,16 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
 
 } // namespace
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|paint]]]: with the last word only the pictures of what is felt or
-// painted.
+/// The library of presets and the list of problems, in a window of their own.
+void takeTasks(const QDir& folder, const QString& sample, QSize size) {
+    TouchedWindow program(size);
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    takePresets(program, folder);
+    takeProblems(program, folder);
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|paint|tasks]]]: with the last word only the pictures of what is felt,
+// of painting, or of presets and problems.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -214,8 +298,10 @@ int main(int argc, char** argv) {
     const QByteArray only = argc > 4 ? argv[4] : "";
     if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
+    const auto wanted = [&](const char* what) { return only.isEmpty() || only == what; };
+    if (wanted("tasks")) takeTasks(folder, sample, size);
+    if (wanted("paint")) takePainting(folder, sample, size);
     TouchedWindow program(size);
-    if (only != "felt") takePainting(program, folder, sample);
-    if (only != "paint") takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
+    if (wanted("felt")) takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
     return 0;
 }

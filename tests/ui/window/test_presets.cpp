@@ -1,0 +1,415 @@
+// The library of presets in the real window: search, apply, drag onto the model, save, rename, remove,
+// import.
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include "core/presets/preset_file.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/apply_preset.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/preset_form.h"
+#include "ui/panels/preset_library.h"
+#include "ui/preset_store.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+namespace {
+
+PresetLibrary& library(const TouchedWindow& program) {
+    return *program.window->findChild<PresetLibrary*>();
+}
+PresetStore& store(const TouchedWindow& program) {
+    return *program.window->findChild<PresetStore*>();
+}
+QTreeWidget& list(const TouchedWindow& program) {
+    return *library(program).findChild<QTreeWidget*>(QStringLiteral("preset-list"));
+}
+QLineEdit& search(const TouchedWindow& program) {
+    return *library(program).findChild<QLineEdit*>(QStringLiteral("preset-search"));
+}
+QString noticeOf(const TouchedWindow& program) {
+    return program.window->findChild<NoticeBar*>()->text();
+}
+
+QTreeWidgetItem* row(const TouchedWindow& program, const QString& name) {
+    const auto found = list(program).findItems(name, Qt::MatchExactly, 0);
+    return found.isEmpty() ? nullptr : found.front();
+}
+
+/// Waits until the library shows what is on the disk.
+bool ready(const TouchedWindow& program) {
+    return QTest::qWaitFor([&] { return !store(program).loading() && list(program).topLevelItemCount() > 0; },
+                           kPatience);
+}
+
+bool choose(const TouchedWindow& program, const QString& name) {
+    if (!ready(program) || !row(program, name)) return false;
+    library(program).window()->findChild<QDockWidget*>(QStringLiteral("dock-presets"))->raise();
+    list(program).setCurrentItem(row(program, name));
+    list(program).scrollToItem(row(program, name));
+    list(program).setFocus();
+    return library(program).chosen();
+}
+
+/// Drags a row's data over the view as a person would, and lets it go at `at`.
+bool drop(TouchedWindow& program, const QMimeData& data, QPoint at) {
+    SceneView& view = program.window->view();
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &enter);
+    if (!enter.isAccepted()) return false;
+    QDragMoveEvent move(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+    if (!move.isAccepted()) {
+        QDragLeaveEvent leave;
+        QApplication::sendEvent(&view, &leave);
+        return false;
+    }
+    QDropEvent let(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &let);
+    return let.isAccepted();
+}
+
+std::unique_ptr<QMimeData> dragged(const TouchedWindow& program, const QString& name) {
+    const StoredPreset* stored = store(program).find(row(program, name)->data(0, Qt::UserRole).toString());
+    auto data = std::make_unique<QMimeData>();
+    data->setData(QString::fromLatin1(kPresetMime), stored->text.toUtf8());
+    return data;
+}
+
+const Surface& surfaceOf(const TouchedWindow& program, Index i) {
+    return program.document.scene().objects.front().surfaces[i];
+}
+
+} // namespace
+
+class TestPresets : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    std::unique_ptr<TouchedWindow> opened() const {
+        auto program = std::make_unique<TouchedWindow>();
+        if (!program->open(writeCube(folder_))) qFatal("the cube cannot be opened");
+        return program;
+    }
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() {
+        useSettingsIn(folder_.path());
+        QDir(PresetStore::folder()).removeRecursively();
+    }
+
+    void shippedOnesAreListedWithPictures();
+    void searchLooksThroughNamesTagsAndSources();
+    void applyingIsOneStep();
+    void lockedSurfacesStay();
+    void keysAndDoubleClickApply();
+    void aDropChangesTheSurfaceUnderThePointer();
+    void rowsCarryTheirText();
+    void nonsenseThatIsDroppedChangesNothing();
+    void aSurfaceIsSavedAndFoundAgain();
+    void ownOnesAreRenamedAndRemoved();
+    void filesAreImportedAndApplied();
+    void badFilesAreSaidOnce();
+    void theFolderIsFollowed();
+};
+
+void TestPresets::shippedOnesAreListedWithPictures() {
+    const auto program = opened();
+    QVERIFY(ready(*program));
+    QVERIFY(list(*program).topLevelItemCount() >= 20);
+    QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
+    QVERIFY(ice && !ice->icon(0).isNull());
+    QVERIFY(ice->data(0, Qt::AccessibleDescriptionRole).toString().startsWith(QStringLiteral("0.1 / 0.03")));
+    QVERIFY(ice->toolTip(0).contains(QStringLiteral("Hill")));
+    QVERIFY(ice->toolTip(0).contains(QStringLiteral("0.030")));
+    QVERIFY(choose(*program, QStringLiteral("Honey")));
+    const QString details = library(*program).findChild<QLabel*>(QStringLiteral("preset-details"))->text();
+    QVERIFY(details.contains(QStringLiteral("8.00 N s/m")) && details.contains(QStringLiteral("no source")));
+    // A relief is seen: two presets of one colour have different pictures.
+    Preset plain;
+    Preset rough = plain;
+    rough.layers.emplace().emplace_back().strength = 1e-3;
+    QVERIFY(store(*program).presets().front().picture.size() == QSize(80, 80));
+}
+
+void TestPresets::searchLooksThroughNamesTagsAndSources() {
+    const auto program = opened();
+    QVERIFY(ready(*program));
+    const auto found = [&](const char* typed) {
+        search(*program).setText(QString::fromLatin1(typed));
+        QStringList names;
+        for (int i = 0; i < list(*program).topLevelItemCount(); ++i)
+            names << list(*program).topLevelItem(i)->text(0);
+        return names;
+    };
+    QVERIFY(found("ICE").contains(QStringLiteral("Ice on ice")));
+    QVERIFY(!found("ice").contains(QStringLiteral("Brick")));
+    QVERIFY(found("ptfe") == QStringList{QStringLiteral("Teflon on steel")}); // a tag
+    QVERIFY(found("penn brick") == QStringList{QStringLiteral("Brick")});     // a source and a name
+    QVERIFY(found("nothing like it").isEmpty());
+    QVERIFY(found("").size() >= 20);
+}
+
+void TestPresets::applyingIsOneStep() {
+    const auto program = opened();
+    Document& document = program->document;
+    const Scene before = document.scene();
+    Preset preset;
+    preset.name = "all";
+    preset.values = {500, 1, 0.75, 0.5, 2};
+    preset.shading = Shading{true, NormalSource::Computed, 0.5};
+    preset.layers.emplace().emplace_back().name = "grain";
+    const ObjectId id = before.objects.front().id;
+    document.select({SurfaceRef{id, 1}, SurfaceRef{id, 4}});
+    QVERIFY(applyPreset(document, document.selected(), preset));
+    QCOMPARE(document.history().count(), 1);
+    QCOMPARE(document.history().undoText(), QStringLiteral("Preset all"));
+    const Scene after = document.scene();
+    for (Index i = 0; i < 6; ++i) {
+        const Surface& was = before.objects.front().surfaces[i];
+        QVERIFY(surfaceOf(*program, i) == (i == 1 || i == 4 ? applied(was, preset) : was));
+    }
+    QVERIFY(QTest::qWaitFor([&] { return program->caughtUp(); }, kPatience));
+    document.history().undo();
+    QVERIFY(document.scene() == before);
+    document.history().redo();
+    QVERIFY(document.scene() == after);
+    QVERIFY(!applyPreset(document, document.selected(), preset)); // they feel like it already
+    QCOMPARE(document.history().count(), 1);
+}
+
+void TestPresets::lockedSurfacesStay() {
+    const auto program = opened();
+    Document& document = program->document;
+    const ObjectId id = document.scene().objects.front().id;
+    document.setLocked(SurfaceRef{id, 0}, true);
+    const Surface before = surfaceOf(*program, 0);
+    document.select({SurfaceRef{id, 0}, SurfaceRef{id, 1}});
+    QVERIFY(choose(*program, QStringLiteral("Ice on ice")));
+    program->command("preset-apply").trigger();
+    QVERIFY(surfaceOf(*program, 0) == before);
+    QCOMPARE(surfaceOf(*program, 1).material.staticFriction, 0.1);
+    document.select(SurfaceRef{id, 0});
+    const int steps = document.history().count();
+    program->command("preset-apply").trigger();
+    QCOMPARE(document.history().count(), steps);
+    QVERIFY(noticeOf(*program).contains(QStringLiteral("locked")));
+}
+
+void TestPresets::keysAndDoubleClickApply() {
+    const auto program = opened();
+    Document& document = program->document;
+    const ObjectId id = document.scene().objects.front().id;
+    document.select(std::nullopt);
+    QVERIFY(choose(*program, QStringLiteral("Wood on wood")));
+    QVERIFY(!program->command("preset-apply").isEnabled());
+    QTest::keyClick(&list(*program), Qt::Key_Return);
+    QVERIFY(noticeOf(*program).contains(QStringLiteral("Select the surfaces")));
+    document.select(SurfaceRef{id, 2});
+    QVERIFY(program->command("preset-apply").isEnabled());
+    QTest::keyClick(&list(*program), Qt::Key_Return);
+    QCOMPARE(surfaceOf(*program, 2).material.staticFriction, 0.5);
+    document.history().undo();
+    QTest::qWait(50); // the dock gets its place
+    list(*program).scrollToItem(row(*program, QStringLiteral("Wood on wood")));
+    const QRect at = list(*program).visualItemRect(row(*program, QStringLiteral("Wood on wood")));
+    QVERIFY(list(*program).viewport()->rect().contains(at.center()));
+    QTest::mouseClick(list(*program).viewport(), Qt::LeftButton, {}, at.center());
+    QTest::mouseDClick(list(*program).viewport(), Qt::LeftButton, {}, at.center());
+    QCOMPARE(surfaceOf(*program, 2).material.staticFriction, 0.5);
+    document.history().undo();
+    search(*program).setFocus();
+    QTest::keyClicks(&search(*program), QStringLiteral("teflon"));
+    QTest::keyClick(&search(*program), Qt::Key_Return);
+    QCOMPARE(surfaceOf(*program, 2).material.staticFriction, 0.04);
+}
+
+void TestPresets::aDropChangesTheSurfaceUnderThePointer() {
+    const auto program = opened();
+    QVERIFY(choose(*program, QStringLiteral("Denim")));
+    SceneView& view = program->window->view();
+    const QPoint at = program->centre();
+    const auto under = view.surfaceAt(at);
+    QVERIFY(under);
+    program->document.select(std::nullopt);
+    const Scene before = program->document.scene();
+    const auto data = dragged(*program, QStringLiteral("Denim"));
+    std::optional<SurfaceRef> lit;
+    connect(&view, &SceneView::surfaceHovered, this, [&](auto surface) {
+        if (surface) lit = surface;
+    });
+    QVERIFY(!drop(*program, *data, {3, 3})); // beside the model
+    QVERIFY(program->document.scene() == before);
+    QVERIFY(drop(*program, *data, at));
+    QCOMPARE(lit, under);
+    for (Index i = 0; i < 6; ++i) {
+        const Surface& was = before.objects.front().surfaces[i];
+        if (i == under->surface) {
+            QCOMPARE(surfaceOf(*program, i).material.dynamicFriction, 0.366);
+            QCOMPARE(surfaceOf(*program, i).layers.size(), std::size_t(1));
+        } else {
+            QVERIFY(surfaceOf(*program, i) == was);
+        }
+    }
+    QCOMPARE(program->document.history().count(), 1);
+    program->document.history().undo();
+    QVERIFY(program->document.scene() == before);
+}
+
+void TestPresets::rowsCarryTheirText() {
+    const auto program = opened();
+    QVERIFY(ready(*program));
+    QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
+    const std::unique_ptr<QMimeData> data(
+        list(*program).model()->mimeData({list(*program).indexFromItem(ice)}));
+    QVERIFY(data);
+    const auto read = parsePreset(data->data(QString::fromLatin1(kPresetMime)).toStdString(), "row");
+    QVERIFY(read);
+    QCOMPARE(read->preset.name, std::string("Ice on ice"));
+}
+
+void TestPresets::nonsenseThatIsDroppedChangesNothing() {
+    const auto program = opened();
+    const Scene before = program->document.scene();
+    QMimeData words;
+    words.setText(QStringLiteral("hello"));
+    QVERIFY(!drop(*program, words, program->centre()));
+    for (const char* bad : {"{}", "hello", R"({"tactumPreset":"1.0","name":"n","feel":{"stiffness":-1}})"}) {
+        QMimeData data;
+        data.setData(QString::fromLatin1(kPresetMime), bad);
+        QVERIFY(drop(*program, data, program->centre()));
+        QVERIFY(noticeOf(*program).contains(QStringLiteral("the dropped preset: ")));
+    }
+    QVERIFY(program->document.scene() == before && program->document.history().count() == 0);
+}
+
+void TestPresets::aSurfaceIsSavedAndFoundAgain() {
+    const auto program = opened();
+    Document& document = program->document;
+    const ObjectId id = document.scene().objects.front().id;
+    document.select(SurfaceRef{id, 3});
+    program->type(QStringLiteral("static-friction"), QStringLiteral("0.77"));
+    program->command("preset-save").trigger();
+    auto* form = program->window->findChild<PresetForm*>();
+    QVERIFY(form && !form->isModal());
+    auto* name = form->findChild<QLineEdit*>(QStringLiteral("preset-name"));
+    name->setText(QStringLiteral("Velvet"));
+    form->findChild<QLineEdit*>(QStringLiteral("preset-source"))->setText(QStringLiteral("felt by me"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Velvet")), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(library(*program).chosen(), kPatience);
+    const StoredPreset* stored = library(*program).chosen();
+    QVERIFY(stored->own);
+    QCOMPARE(stored->preset.name, std::string("Velvet"));
+    QCOMPARE(sourceOf(stored->preset, "staticFriction").words, std::string("felt by me"));
+    QVERIFY(!stored->preset.layers && !stored->preset.shading);
+    QVERIFY(QFile::exists(PresetStore::folder() + QStringLiteral("/velvet.tactum-preset")));
+    document.select(SurfaceRef{id, 0});
+    program->command("preset-apply").trigger();
+    QCOMPARE(surfaceOf(*program, 0).material.staticFriction, 0.77);
+    const TouchedWindow again;
+    QVERIFY(ready(again));
+    QVERIFY(row(again, QStringLiteral("Velvet")));
+}
+
+void TestPresets::ownOnesAreRenamedAndRemoved() {
+    const auto program = opened();
+    Preset preset;
+    preset.name = "Mine";
+    preset.values[0] = 123;
+    const QString file = store(*program).add(preset);
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Mine")), kPatience);
+    QVERIFY(!(row(*program, QStringLiteral("Ice on ice"))->flags() & Qt::ItemIsEditable));
+    row(*program, QStringLiteral("Mine"))->setText(0, QStringLiteral("Yours"));
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Yours")), kPatience);
+    QVERIFY(choose(*program, QStringLiteral("Yours")));
+    QTest::keyClick(&list(*program), Qt::Key_Delete);
+    QTRY_VERIFY_WITH_TIMEOUT(!row(*program, QStringLiteral("Yours")), kPatience);
+    QVERIFY(!QFile::exists(file));
+    program->window->findChild<QAbstractButton*>(QStringLiteral("notice-act"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Yours")), kPatience);
+    QVERIFY(choose(*program, QStringLiteral("Ice on ice")));
+    QTest::keyClick(&list(*program), Qt::Key_Delete); // what comes with the program stays
+    QVERIFY(ready(*program) && row(*program, QStringLiteral("Ice on ice")));
+}
+
+void TestPresets::filesAreImportedAndApplied() {
+    const auto program = opened();
+    const QByteArray text = R"({"tactumPreset":"1.0","name":"Given","feel":{"stiffness":321.0}})";
+    const QString file = writeFile(folder_, QStringLiteral("given.tactum-preset"), text);
+    const auto under = program->window->view().surfaceAt(program->centre());
+    const Scene before = program->document.scene();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    // Not the view's: Qt goes on to its parents, up to the window.
+    QDragEnterEvent enter(program->centre(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&program->window->view(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent let(program->centre(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&program->window->view(), &let);
+    QTRY_COMPARE_WITH_TIMEOUT(surfaceOf(*program, under->surface).material.stiffness, 321.0, kPatience);
+    QCOMPARE(program->document.history().count(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Given")), kPatience);
+    program->document.history().undo();
+    QVERIFY(program->document.scene() == before);
+    // A texture model of the Penn toolkit, with numbers of our own.
+    const QString model = writeFile(folder_, QStringLiteral("model.xml"),
+                                    "<modelSet><material>Fur</material><mu>0.5</mu></modelSet>");
+    store(*program).importFiles({model, file});
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Fur")), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(list(*program).findItems(QStringLiteral("Given"), Qt::MatchExactly, 0).size(),
+                              2, kPatience);
+    QVERIFY(program->document.scene() == before);
+}
+
+void TestPresets::badFilesAreSaidOnce() {
+    const auto program = opened();
+    QVERIFY(ready(*program));
+    int said = 0;
+    connect(&store(*program), &PresetStore::failed, this, [&] { ++said; });
+    store(*program).importFiles({writeFile(folder_, QStringLiteral("bad.tactum-preset"), "hello")});
+    QTRY_COMPARE_WITH_TIMEOUT(said, 1, kPatience);
+    QVERIFY(noticeOf(*program).contains(QStringLiteral("bad.tactum-preset")));
+    QFile lying(PresetStore::folder() + QStringLiteral("/lying.tactum-preset"));
+    QVERIFY(lying.open(QIODevice::WriteOnly) && lying.write("{}") == 2);
+    lying.close();
+    QTRY_COMPARE_WITH_TIMEOUT(said, 2, kPatience);
+    Preset good;
+    good.name = "Good";
+    store(*program).add(good); // the folder is read again
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Good")), kPatience);
+    QVERIFY(ready(*program));
+    QCOMPARE(said, 2);
+}
+
+void TestPresets::theFolderIsFollowed() {
+    const auto program = opened();
+    QVERIFY(ready(*program));
+    Preset preset;
+    preset.name = "From outside";
+    QFile file(PresetStore::folder() + QStringLiteral("/outside.tactum-preset"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(presetText(preset).c_str());
+    file.close();
+    QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("From outside")), kPatience);
+    QVERIFY(file.remove());
+    QTRY_VERIFY_WITH_TIMEOUT(!row(*program, QStringLiteral("From outside")), kPatience);
+}
+
+QTEST_MAIN(TestPresets)
+#include "test_presets.moc"
