@@ -17,6 +17,7 @@
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
+#include "ui/layer_edits.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connectSelecting();
+    connectLayers();
     connectFelt();
     connectDevice();
     connectHealth();
@@ -217,9 +219,21 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!firstFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
+void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
+    const bool lights = isPicture(firstFile(*event->mimeData())) && view_->isVisible();
+    if (lights) view_->light(view_->mapFrom(this, event->position()));
+    event->acceptProposedAction();
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    view_->endLight();
+}
+
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    open(firstFile(*event->mimeData()));
+    const QString file = firstFile(*event->mimeData());
+    if (isPicture(file)) return dropPicture(file, event->position());
+    open(file);
 }
 
 } // namespace tactum

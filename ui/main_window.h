@@ -64,6 +64,8 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
@@ -94,6 +96,13 @@ private:
     void connectSelecting();
     void fillSelectStrip();
     void showSelection();
+    // Of texture layers: main_window_layers.cpp.
+    void connectLayers();
+    void connectMapping();
+    void showLayerCommands();
+    void showMapping();
+    /// A picture that was dropped at a place of the window becomes a layer of what lies there.
+    void dropPicture(const QString& file, QPointF place);
     // Of saving: main_window_saving.cpp.
     void connectSaving();
     void save();

@@ -199,6 +199,26 @@ bool SceneView::hasMarked() const {
     return impl_->marks.any();
 }
 
+void SceneView::setMapping(const std::optional<MappingFrame>& frame) {
+    if (impl_->mapping.frame() == frame) return;
+    impl_->mapping.show(frame);
+    changed();
+}
+
+const MappingGizmo& SceneView::mapping() const {
+    return impl_->mapping;
+}
+
+std::optional<PickHit> SceneView::light(QPointF place) {
+    const auto hit = impl_->pick(place, ScenePicker::Patience::Now);
+    impl_->setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    return hit;
+}
+
+void SceneView::endLight() {
+    impl_->setHovered(std::nullopt);
+}
+
 const ViewCamera& SceneView::camera() const {
     return impl_->camera;
 }
@@ -255,6 +275,7 @@ void SceneView::paintOver() {
         painter.setBrush(fill);
         painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
     }
+    impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }

@@ -18,7 +18,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Mapping };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -58,6 +58,7 @@ struct SceneView::Impl {
     ModelLayer model;
     FaceLayer faces;
     MarkLayer marks;
+    MappingGizmo mapping;
     TouchOverlay overlay;
     FeltView felt;
     ScenePicker picker;

@@ -12,6 +12,7 @@
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
 #include "tests/ui/window/felt_pictures.h"
+#include "tests/ui/window/layer_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
@@ -176,7 +177,8 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
 
 } // namespace
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt]]]: with the last word only the pictures of what is felt.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers]]]: with the last word only the pictures of what is felt, or of
+// layers.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -188,10 +190,12 @@ int main(int argc, char** argv) {
     if (!folder.mkpath(QStringLiteral("."))) qFatal("the folder cannot be made");
 
     const QSize size = sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString());
-    const bool onlyFelt = argc > 4 && QByteArray(argv[4]) == "felt";
-    if (!onlyFelt) takeGuide(folder, sample, size);
+    const QByteArray only = argc > 4 ? argv[4] : "";
+    if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
     TouchedWindow program(size);
-    takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
+    const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (only != "layers") takeFeltPictures(program, folder, scenes);
+    if (only != "felt") takeLayerPictures(program, folder, scenes);
     return 0;
 }
