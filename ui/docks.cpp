@@ -8,6 +8,7 @@
 #include "ui/panels/force_plot.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/inspector.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/problems.h"
 #include "ui/style.h"
@@ -72,8 +73,8 @@ void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name,
 }
 
 Docks addDocks(QMainWindow& window, Document& document) {
-    Docks docks{new Outliner(document), new Inspector(document), new Problems(document), new ForcePlot,
-                new HealthPanel};
+    Docks docks{new Outliner(document), new Inspector(document), new Problems(document),
+                new ForcePlot,          new HealthPanel,         new LayerPanel(document)};
     auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
                              Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
@@ -86,7 +87,11 @@ Docks addDocks(QMainWindow& window, Document& document) {
                          Qt::BottomDockWidgetArea);
     auto* health = addDock(window, QStringLiteral("dock-health"), QObject::tr("Health"), docks.health,
                            Qt::BottomDockWidgetArea);
+    auto* layers = addDock(window, QStringLiteral("dock-layers"), QObject::tr("Layers"), docks.layers,
+                           Qt::RightDockWidgetArea);
     shareTabs(window, *plot, *health);
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    shareTabs(window, *inspector, *layers);
     // The side docks reach down to the status bar; the plot stands under the view alone.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

@@ -11,6 +11,7 @@ class Document;
 class ForcePlot;
 class HealthPanel;
 class Inspector;
+class LayerPanel;
 class Outliner;
 class Problems;
 
@@ -20,6 +21,7 @@ struct Docks {
     Problems* problems = nullptr;
     ForcePlot* plot = nullptr;
     HealthPanel* health = nullptr;
+    LayerPanel* layers = nullptr;
 };
 
 /// Adds a dock behind another one, in the same tabs.

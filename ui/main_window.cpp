@@ -17,6 +17,7 @@
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
+#include "ui/layer_edits.h"
 #include "ui/paint_tool.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectSelecting();
     connectSurfaces();
     connectPainting();
+    connectLayers();
     connectFelt();
     connectDevice();
     connectHealth();
@@ -225,9 +227,20 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!firstFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
+void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
+    const bool lights = isPicture(firstFile(*event->mimeData())) && view_->isVisible();
+    if (lights) view_->light(view_->mapFrom(this, event->position()));
+    event->acceptProposedAction();
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    view_->endLight();
+}
+
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     const QString file = firstFile(*event->mimeData());
+    if (isPicture(file)) return dropPicture(file, event->position());
     const QPointF at = view_->mapFrom(this, event->position());
     if (!takePreset(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt)) open(file);
 }

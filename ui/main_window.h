@@ -71,6 +71,8 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
@@ -109,6 +111,13 @@ private:
     // Of the brush: main_window_painting.cpp.
     void connectPainting();
     void fillPaintStrip(const QList<QAction*>& goals, const QList<QAction*>& modes);
+    // Of texture layers: main_window_layers.cpp.
+    void connectLayers();
+    void connectMapping();
+    void showLayerCommands();
+    void showMapping();
+    /// A picture that was dropped at a place of the window becomes a layer of what lies there.
+    void dropPicture(const QString& file, QPointF place);
     // Of saving: main_window_saving.cpp.
     void connectSaving();
     void save();

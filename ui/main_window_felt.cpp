@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "ui/panels/force_plot.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/playback.h"
 #include "ui/sound/sound_link.h"
@@ -118,6 +119,7 @@ void MainWindow::drawTrace() {
     docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate);
     view_->addTrail(trace_, engine_.proxy().output);
     sound_->play(trace_);
+    docks_.layers->take(trace_, engine_.proxy().time);
 }
 
 // Whether there is an output is asked when the menu opens: the answer may take a moment, and may change.

@@ -4,6 +4,7 @@
 #include <QActionGroup>
 
 #include "ui/paint_tool.h"
+#include "ui/panels/layer_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/tool_strip.h"
@@ -55,6 +56,8 @@ void MainWindow::connectPainting() {
     change("brush-smaller", [](Brush& brush) { brush.radius /= kGrow; });
     change("brush-stronger", [](Brush& brush) { brush.strength += kStronger; });
     change("brush-weaker", [](Brush& brush) { brush.strength -= kStronger; });
+    connect(docks_.layers, &LayerPanel::currentLayerChanged, painting_,
+            [this] { painting_->setLayer(docks_.layers->currentLayer()); });
     connect(painting_, &PaintTool::refused, notice_, &NoticeBar::showNote);
     connect(&actions_["paint"], &QAction::toggled, this, [this](bool on) {
         painting_->setActive(on && !playback_->active());

@@ -40,6 +40,13 @@ constexpr Reason kReasons[] = {
     {"swap-ab", "No state was marked as A."},
     {"compare-now", "There is no stroke, or no state was marked as A."},
     {"compare-csv", "Nothing was compared yet."},
+    {"layer-duplicate", "No layer is selected that can be edited."},
+    {"layer-remove", "No layer is selected that can be edited."},
+    {"layer-up", "No layer lies above the selected one."},
+    {"layer-down", "No layer lies beneath the selected one."},
+    {"layer-show", "No layer is selected that can be edited."},
+    {"layer-solo", "No layer is selected that can be edited."},
+    {"mapping", "No layer is selected whose mapping has a frame; choose Triplanar, Planar or a round one."},
 };
 
 } // namespace

@@ -82,6 +82,26 @@ constexpr Command kCommands[] = {
     {"preset-import", "Surface", "&Import presets...", "", "",
      "Presets from files, or texture models (.xml) of your own copy of the Penn Haptic Texture Toolkit"},
     {"preset-export", "Surface", "&Export the preset...", "", "", "The chosen preset as a file for others"},
+    {"layer-noise", "Layer", "Add &noise", "", "", "A layer of noise on all selected surfaces"},
+    {"layer-grooves", "Layer", "Add &grooves", "", "", "A layer of parallel ridges on all selected surfaces"},
+    {"layer-dots", "Layer", "Add &dots", "", "", "A layer of bumps in rows on all selected surfaces"},
+    {"layer-weave", "Layer", "Add &weave", "", "", "A layer like woven cloth on all selected surfaces"},
+    {"layer-image", "Layer", "Add an &image...", "", "picture",
+     "A layer of a PNG, JPEG or TIFF picture on all selected surfaces; bright is high"},
+    {"layer-painted", "Layer", "Add a &painted layer", "", "paint",
+     "An empty layer to be painted on all selected surfaces"},
+    {"layer-duplicate", "Layer", "D&uplicate layer", "", "duplicate", "The same layer once more, above it",
+     false, true},
+    {"layer-remove", "Layer", "&Remove layer", "", "remove", "Take the selected layer off the surface"},
+    {"layer-up", "Layer", "Move layer u&p", "", "up", "Above the layer that lies on it"},
+    {"layer-down", "Layer", "Move layer d&own", "", "down", "Beneath the layer that it lies on"},
+    {"layer-show", "Layer", "Show or &hide layer", "", "", "Switch the selected layer off, or on again",
+     false, true},
+    {"layer-solo", "Layer", "&Solo", "", "solo",
+     "Feel the selected layer alone; the scene keeps which layers are on", true},
+    {"mapping", "Layer", "&Move the mapping", "Ctrl+G", "frame",
+     "Handles in the view that move, turn and scale the selected layer's mapping (G with the select tool)",
+     true, true},
     {"touch", "Tools", "&Touch", "W", "touch", "Touch: drag on the model to lead the finger", true},
     {"select", "Tools", "&Select", "Q", "select", "Select: click a surface to see and set how it feels",
      true},
@@ -192,7 +212,10 @@ constexpr Manner kManners[] = {
      "paint; with Ctrl take away, with Shift smooth, Esc gives the stroke up"},
     {"Drag the finger", "move it in the plane of the camera"},
     {"Wheel, Ctrl+drag while touching", "move the finger along the view"},
-    {"G", "the finger follows the mouse until a click or Esc"},
+    {"G",
+     "the finger follows the mouse until a click or Esc; with the select tool: move the layer's mapping"},
+    {"Del, Ctrl+D, Alt+Up, Alt+Down", "in the list of layers: remove, duplicate, move"},
+    {"Space, S, F2", "in the list of layers: switch on or off, solo, rename"},
     {"Arrows, Page Up, Page Down", "nudge the finger"},
     {"Middle drag, Alt+drag", "orbit; with Shift pan"},
     {"Wheel", "zoom to the cursor"},
@@ -264,7 +287,7 @@ QAction& Actions::operator[](const char* id) const {
 }
 
 void Actions::fill(QMenuBar& bar) const {
-    QString used = QStringLiteral("ah"); // Alt+A and Alt+H are commands
+    QString used = QStringLiteral("ahn"); // Alt+A, Alt+H and Alt+N are commands
     for (const Command& command : kCommands) {
         QMenu* menu = menuOf(bar, QString::fromLatin1(command.menu), used);
         if (command.separatorBefore) menu->addSeparator();

@@ -21,24 +21,41 @@ void WorldPublisher::follow(const SceneChange& change) {
         compileMaterials();
 }
 
+void WorldPublisher::setSolo(const std::optional<SoloLayer>& solo) {
+    if (solo == solo_) return;
+    solo_ = solo;
+    follow({SceneChange::What::Layers});
+}
+
+/// The scene as it is to be felt: a copy, for the document keeps which layers are on.
+Scene WorldPublisher::felt() const {
+    Scene scene = document_.scene();
+    SceneObject* object = solo_ ? scene.find(solo_->surface.object) : nullptr;
+    if (object && solo_->surface.surface < object->surfaces.size()) {
+        TextureLayers& layers = object->surfaces[solo_->surface.surface].layers;
+        layers = alone(std::move(layers), solo_->layer);
+    }
+    return scene;
+}
+
 void WorldPublisher::compileShapes() {
     materialsChanged_ = false;
     // A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
-    job_.start([this, scene = document_.scene(),
-                previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
-        auto compiled = compile(scene, previous.get(), progress);
-        if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
-        return [this, world = std::move(*compiled)] {
-            publish(world);
-            if (materialsChanged_) compileMaterials();
-            emit shapesPublished();
-        };
-    });
+    job_.start(
+        [this, scene = felt(), previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
+            auto compiled = compile(scene, previous.get(), progress);
+            if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
+            return [this, world = std::move(*compiled)] {
+                publish(world);
+                if (materialsChanged_) compileMaterials();
+                emit shapesPublished();
+            };
+        });
 }
 
 void WorldPublisher::compileMaterials() {
     materialsChanged_ = false;
-    if (auto compiled = compile(document_.scene(), world_.get())) publish(std::move(*compiled));
+    if (auto compiled = compile(felt(), world_.get())) publish(std::move(*compiled));
 }
 
 void WorldPublisher::publish(std::shared_ptr<const World> world) {

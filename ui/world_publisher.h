@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QObject>
 
@@ -9,6 +10,7 @@
 #include "core/runtime/world.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
+#include "ui/layer_edits.h"
 
 namespace tactum {
 
@@ -20,6 +22,9 @@ public:
     WorldPublisher(Document& document, Engine& engine, QObject* parent = nullptr);
 
     bool working() const { return job_.running(); }
+    /// The other layers of the surface are not felt, whatever the scene says; nothing: the scene is felt as
+    /// it is.
+    void setSolo(const std::optional<SoloLayer>& solo);
     /// The newest World that the engine was given; nullptr before the first.
     const std::shared_ptr<const World>& world() const { return world_; }
 
@@ -32,6 +37,7 @@ signals:
 
 private:
     void follow(const SceneChange& change);
+    Scene felt() const;
     void compileShapes();
     void compileMaterials();
     void publish(std::shared_ptr<const World> world);
@@ -39,6 +45,7 @@ private:
     Document& document_;
     Engine& engine_;
     std::shared_ptr<const World> world_;
+    std::optional<SoloLayer> solo_;
     BackgroundJob job_;
     bool materialsChanged_ = false; ///< while the worker was compiling an older copy
 };

@@ -213,6 +213,26 @@ bool SceneView::hasMarked() const {
     return impl_->marks.any();
 }
 
+void SceneView::setMapping(const std::optional<MappingFrame>& frame) {
+    if (impl_->mapping.frame() == frame) return;
+    impl_->mapping.show(frame);
+    changed();
+}
+
+const MappingGizmo& SceneView::mapping() const {
+    return impl_->mapping;
+}
+
+std::optional<PickHit> SceneView::light(QPointF place) {
+    const auto hit = impl_->pick(place, ScenePicker::Patience::Now);
+    impl_->setHovered(hit ? std::optional(hit->surface) : std::nullopt);
+    return hit;
+}
+
+void SceneView::endLight() {
+    impl_->setHovered(std::nullopt);
+}
+
 const ViewCamera& SceneView::camera() const {
     return impl_->camera;
 }
@@ -281,6 +301,7 @@ void SceneView::paintOver() {
         painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
     }
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
+    impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }

@@ -16,6 +16,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/felt_options.h"
+#include "ui/view/mapping_gizmo.h"
 #include "ui/view/painted_picture.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
@@ -81,6 +82,13 @@ public:
     /// X_WB; no triangles: nothing.
     void setMarked(std::shared_ptr<const TriangleSoup> soup, const TriangleSet& triangles, const Pose& pose);
     bool hasMarked() const;
+    /// The frame of a texture's mapping, with handles to drag; nothing: none. World frame, at the time 0.
+    void setMapping(const std::optional<MappingFrame>& frame);
+    const MappingGizmo& mapping() const;
+    /// The surface under a place of the view, in logical pixels, which is lit up as under the mouse; for what
+    /// is dragged over the view from elsewhere.
+    std::optional<PickHit> light(QPointF place);
+    void endLight();
     const ViewCamera& camera() const;
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
@@ -128,6 +136,11 @@ signals:
     void droppedOn(tactum::SurfaceRef surface, const QMimeData& data);
     /// The mouse took hold of the finger, or let it go.
     void handGrabbed(bool grabbed);
+    /// The mouse took hold of a handle of the mapping; what it does to it follows until it lets go.
+    void mappingGrabbed();
+    void mappingDragged(const tactum::MappingFrame& frame);
+    /// G with the select tool: the mapping is to be moved, or has been.
+    void mappingAsked();
 
 protected:
     void prepareFrame() override;

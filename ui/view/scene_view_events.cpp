@@ -40,7 +40,14 @@ std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patien
 
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     drag = std::exchange(boxNext, false) ? ViewDrag::Box : ViewDrag::Orbit;
-    if (drag == ViewDrag::Box || alt || tool == ViewTool::Select) return;
+    if (drag == ViewDrag::Box || alt) return;
+    if (const auto handle = mapping.at(cursor, camera)) {
+        drag = ViewDrag::Mapping;
+        mapping.grab(*handle, cursor);
+        emit view.mappingGrabbed();
+        return;
+    }
+    if (tool == ViewTool::Select) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
     if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
@@ -78,6 +85,7 @@ void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
 
 void SceneView::Impl::letGo() {
     drag = ViewDrag::None;
+    mapping.letGo();
     if (hand.grip() == Grip::None) return;
     hand.end();
     emit view.handGrabbed(false);
@@ -92,6 +100,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
     if (drag == ViewDrag::Orbit) camera.orbit(step);
     if (drag == ViewDrag::Pan) camera.pan(step);
+    if (drag == ViewDrag::Mapping) emit view.mappingDragged(mapping.dragged(cursor, camera));
     if (hand.grip() == Grip::None) return view.changed();
     std::optional<Vec3> touched;
     if (hand.grip() == Grip::Stroke)
@@ -127,6 +136,7 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
         view.changed();
     }
     showCursor(cursor);
+    if (mapping.frame()) view.changed(); // the handle under the mouse is lit
 }
 
 void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
@@ -154,6 +164,7 @@ void SceneView::Impl::refreshHover() {
 void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
     if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
+    if (drag == ViewDrag::Mapping || mapping.at(cursor, camera)) return view.setCursor(Qt::SizeAllCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
     view.setCursor(tool == ViewTool::Select ? Qt::PointingHandCursor : Qt::CrossCursor);
@@ -178,7 +189,9 @@ bool SceneView::Impl::handKey(int key, QPointF cursor) {
         view.changed();
     } else if (key == Qt::Key_Escape && hand.grip() != Grip::None) {
         letGo();
-    } else if (key == Qt::Key_G && tool == ViewTool::Touch) {
+    } else if (key == Qt::Key_G && tool != ViewTool::Touch) {
+        emit view.mappingAsked();
+    } else if (key == Qt::Key_G) {
         if (hand.grip() == Grip::Follow)
             letGo();
         else

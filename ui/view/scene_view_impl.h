@@ -19,7 +19,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Mapping };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -65,6 +65,7 @@ struct SceneView::Impl {
     FaceLayer faces;
     PaintLayer paint;
     MarkLayer marks;
+    MappingGizmo mapping;
     TouchOverlay overlay;
     FeltView felt;
     ScenePicker picker;

@@ -16,6 +16,7 @@
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
 #include "tests/ui/window/felt_pictures.h"
+#include "tests/ui/window/layer_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
@@ -282,8 +283,8 @@ void takeTasks(const QDir& folder, const QString& sample, QSize size) {
     takeProblems(program, folder);
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|paint|tasks]]]: with the last word only the pictures of what is felt,
-// of painting, or of presets and problems.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks]]]: with the last word only the pictures of what is
+// felt, of layers, of painting, or of presets and problems.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -302,6 +303,8 @@ int main(int argc, char** argv) {
     if (wanted("tasks")) takeTasks(folder, sample, size);
     if (wanted("paint")) takePainting(folder, sample, size);
     TouchedWindow program(size);
-    if (wanted("felt")) takeFeltPictures(program, folder, QStringLiteral(TACTUM_RESOURCES "/scenes/"));
+    const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (wanted("felt")) takeFeltPictures(program, folder, scenes);
+    if (wanted("layers")) takeLayerPictures(program, folder, scenes);
     return 0;
 }

@@ -1,0 +1,88 @@
+#include "tests/ui/window/layer_pictures.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QTest>
+
+#include "ui/panels/flat_swatch.h"
+#include "ui/panels/layer_panel.h"
+#include "ui/panels/profile_chart.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+void choose(TouchedWindow& program, const char* box, int choice) {
+    auto* list = program.window->findChild<QComboBox*>(QLatin1String(box));
+    list->setCurrentIndex(choice);
+    emit list->activated(choice);
+}
+
+void save(TouchedWindow& program, const QDir& folder, const char* name) {
+    program.frames(30);
+    const QString file = folder.filePath(QLatin1String(name));
+    if (!program.window->grab().save(file)) qFatal("%s cannot be written", qPrintable(file));
+    qInfo("%s", qPrintable(file));
+}
+
+/// Ridges and a weave on the body of the teapot, where friction is higher on the ridges.
+void makeLayers(TouchedWindow& program) {
+    program.command("layer-weave").trigger();
+    program.type(QStringLiteral("size"), QStringLiteral("6"));
+    program.command("layer-noise").trigger();
+    program.type(QStringLiteral("height"), QStringLiteral("0.35"));
+    program.command("layer-grooves").trigger();
+    choose(program, "mapping", int(TextureMapping::Cylindrical));
+    program.type(QStringLiteral("size"), QStringLiteral("12"));
+    program.type(QStringLiteral("height"), QStringLiteral("0.6"));
+    program.type(QStringLiteral("rotation"), QStringLiteral("30"));
+    program.command("layer-grooves").trigger();
+    choose(program, "layer-target", int(TextureTarget::StaticFriction));
+    program.window->findChild<LayerPanel*>()->setCurrentLayer(2);
+}
+
+void stroke(TouchedWindow& program) {
+    QPoint at = program.centre() + QPoint(60, 20);
+    program.press(at);
+    program.frames(60);
+    for (int i = 0; i < 40; ++i) {
+        at += QPoint(-3, 0);
+        program.moveTo(at);
+        program.frames(2);
+    }
+    program.release(at);
+    program.frames(10);
+    program.wheel(at, 0);
+    // Away from the model: the stroke is over.
+    QTest::keyClick(&program.window->view(), Qt::Key_PageDown);
+    for (int i = 0; i < 60; ++i)
+        QTest::keyClick(&program.window->view(), Qt::Key_PageDown);
+    program.frames(60);
+}
+
+} // namespace
+
+void takeLayerPictures(TouchedWindow& program, const QDir& folder, const QString& scenes) {
+    if (!program.open(scenes + QStringLiteral("teapot.obj"))) qFatal("the teapot cannot be opened");
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-layers"))->raise();
+    program.document.select({SurfaceRef{program.document.scene().objects[0].id, 0}});
+    save(program, folder, "layers-empty.png");
+    makeLayers(program);
+    stroke(program);
+    program.command("bumps-1").trigger();
+    (void)QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience);
+    save(program, folder, "layers.png");
+    program.command("mapping").trigger();
+    save(program, folder, "layers-mapping.png");
+    for (QAction* action : program.window->findChildren<QAction*>())
+        if (action->text() == QLatin1String("&Light")) action->trigger();
+    save(program, folder, "layers-light.png");
+    for (QAction* action : program.window->findChildren<QAction*>())
+        if (action->text() == QLatin1String("&Dark")) action->trigger();
+    program.command("mapping").trigger();
+    program.command("bumps-1").trigger();
+}
+
+} // namespace tactum

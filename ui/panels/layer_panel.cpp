@@ -1,0 +1,487 @@
+#include "ui/panels/layer_panel.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QStandardPaths>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/files/images/read_image.h"
+#include "ui/layer_mapping.h"
+#include "ui/layer_profile.h"
+#include "ui/panels/flat_swatch.h"
+#include "ui/panels/layer_fields.h"
+#include "ui/panels/layer_list.h"
+#include "ui/panels/profile_chart.h"
+#include "ui/shortcuts.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+using What = SceneChange::What;
+
+constexpr int kLeastList = 84, kFirstList = 136; // pixels
+
+QVBoxLayout* columnOf(QWidget* of, int spacing) {
+    auto* layout = new QVBoxLayout(of);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(spacing);
+    return layout;
+}
+
+QString askForPicture(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, QObject::tr("Choose a picture"),
+                                        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
+                                        QObject::tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff)"));
+}
+
+} // namespace
+
+LayerPanel::LayerPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), heading_(new QLabel), hint_(new QLabel), buttons_(new QWidget),
+      body_(new QWidget), feel_(new QWidget), scroll_(new QScrollArea), list_(new LayerList),
+      fields_(new LayerFields([this](const QString& what, const LayerFields::Change& change,
+                                     Gesture gesture) { edit(what, change, gesture); })),
+      swatch_(new FlatSwatch), chart_(new ProfileChart) {
+    setObjectName(QStringLiteral("layer-panel"));
+    auto* column = columnOf(this, kRhythm / 2);
+    column->setContentsMargins(0, kRhythm / 2, 0, 0);
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(12, 0, kRhythm / 2, 0);
+    heading_->setProperty("heading", true);
+    heading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    top->addWidget(heading_, 1);
+    top->addWidget(buttons_);
+    column->addLayout(top);
+    hint_->setProperty("dimmed", true);
+    hint_->setWordWrap(true);
+    hint_->setObjectName(QStringLiteral("layer-hint"));
+    hint_->setContentsMargins(12, 0, 12, 0);
+    column->addWidget(hint_);
+    auto* inside = columnOf(body_, kRhythm / 2);
+    list_->setMinimumHeight(kLeastList);
+    list_->setMaximumHeight(kFirstList);
+    inside->addWidget(list_);
+    inside->addWidget(makeLower(), 1);
+    column->addWidget(body_, 1);
+    column->addStretch();
+    connectList();
+    connect(fields_, &LayerFields::imageAsked, this, &LayerPanel::chooseImage);
+    connect(fields_, &LayerFields::paintsMaskChanged, this, &LayerPanel::announceCurrent);
+    connect(&document_, &Document::changed, this, &LayerPanel::follow);
+    connect(&reading_, &BackgroundJob::progressed, this, &LayerPanel::readProgressed);
+    connect(&reading_, &BackgroundJob::finished, this, &LayerPanel::readEnded);
+    connect(&profiling_, &BackgroundJob::finished, this, [this] {
+        if (std::exchange(profileAgain_, false)) drawProfile();
+    });
+    follow({});
+}
+
+QWidget* LayerPanel::makeLower() {
+    auto* lower = new QWidget;
+    auto* column = columnOf(lower, kRhythm / 2);
+    auto* row = new QHBoxLayout(feel_);
+    row->setContentsMargins(12, 0, 12, 0);
+    row->setSpacing(kRhythm);
+    row->addWidget(swatch_, 0, Qt::AlignTop);
+    row->addWidget(chart_, 1);
+    column->addWidget(feel_);
+    auto* padded = new QWidget;
+    columnOf(padded, 0)->addWidget(fields_);
+    padded->layout()->setContentsMargins(12, kRhythm / 2, 12, kRhythm);
+    static_cast<QVBoxLayout*>(padded->layout())->addStretch();
+    scroll_->setWidget(padded);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column->addWidget(scroll_, 1);
+    return lower;
+}
+
+void LayerPanel::addButtons(const Actions& actions) {
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    auto* add = new QToolButton;
+    auto* menu = new QMenu(add);
+    for (const char* id :
+         {"layer-noise", "layer-grooves", "layer-dots", "layer-weave", "layer-image", "layer-painted"})
+        menu->addAction(&actions[id]);
+    add->setObjectName(QStringLiteral("layer-add"));
+    add->setMenu(menu);
+    add->setPopupMode(QToolButton::InstantPopup);
+    add->setAccessibleName(tr("Add a layer"));
+    add->setToolTip(tr("Add a layer to all selected surfaces"));
+    add->setText(tr("Add"));
+    row->addWidget(add);
+    for (const char* id : {"layer-duplicate", "layer-up", "layer-down", "mapping", "layer-remove"}) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(&actions[id]);
+        button->setIconSize({16, 16});
+        button->setObjectName(QLatin1String(id) + QStringLiteral("-button"));
+        button->setAccessibleName(actions[id].text().remove(u'&'));
+        row->addWidget(button);
+    }
+}
+
+void LayerPanel::connectList() {
+    connect(list_, &LayerList::chosen, this, &LayerPanel::setCurrentLayer);
+    connect(list_, &LayerList::showAsked, this, &LayerPanel::toggleShown);
+    connect(list_, &LayerList::soloAsked, this, &LayerPanel::toggleSolo);
+    connect(list_, &LayerList::moveAsked, this, &LayerPanel::moveLayer);
+    connect(list_, &LayerList::removeAsked, this, &LayerPanel::remove);
+    connect(list_, &LayerList::duplicateAsked, this, &LayerPanel::duplicate);
+    // Later: an editor that closes with the window speaks when the panel is half gone.
+    connect(list_, &LayerList::renameAsked, this, &LayerPanel::rename, Qt::QueuedConnection);
+}
+
+void LayerPanel::rename(int number, const QString& name) {
+    if (name.isEmpty() || number >= int(known_.size())) return refresh();
+    const std::string& before = known_[std::size_t(number)].name;
+    editList(tr("Rename layer %1 to %2").arg(QString::fromStdString(before), name),
+             [&](TextureLayers& layers) { layers[std::size_t(number)].name = name.toStdString(); });
+}
+
+const Surface* LayerPanel::surface() const {
+    return shown_ ? document_.surface(*shown_) : nullptr;
+}
+
+const TextureLayer* LayerPanel::layer() const {
+    const Surface* of = surface();
+    return of && current_ < int(of->layers.size()) ? &of->layers[std::size_t(current_)] : nullptr;
+}
+
+std::optional<int> LayerPanel::currentLayer() const {
+    return layer() ? std::optional(current_) : std::nullopt;
+}
+
+bool LayerPanel::maskIsEdited() const {
+    const TextureLayer* now = layer();
+    if (!now || !now->mask || now->mask->source != TextureSource::Painted) return false;
+    return now->pattern.source != TextureSource::Painted || fields_->paintsMask();
+}
+
+bool LayerPanel::canEdit() const {
+    const Surface* of = surface();
+    return of && !of->locked;
+}
+
+void LayerPanel::setCurrentLayer(int number) {
+    current_ = number;
+    refresh();
+}
+
+void LayerPanel::follow(const SceneChange& change) {
+    const bool concerns = change.what == What::Layers || change.what == What::Selection ||
+                          change.what == What::Names || change.touchesShape();
+    if (!concerns) return;
+    const auto active = document_.selection();
+    if (std::exchange(shown_, active) != active) {
+        const Surface* now = surface();
+        known_ = now ? now->layers : TextureLayers{};
+        current_ = std::max(0, int(known_.size()) - 1);
+        if (solo_ && solo_->surface != active) setSolo(std::nullopt);
+    }
+    keepSolo(change);
+    keepCurrent();
+    refresh();
+}
+
+// Undo and redo move layers behind the panel's back.
+void LayerPanel::keepCurrent() {
+    const Surface* now = surface();
+    if (!now || now->layers.empty()) {
+        current_ = 0;
+        return;
+    }
+    std::optional<int> place;
+    if (current_ < int(known_.size()))
+        place = followed(now->layers, known_.size(), current_, known_[std::size_t(current_)]);
+    current_ = std::clamp(place.value_or(current_), 0, int(now->layers.size()) - 1);
+}
+
+void LayerPanel::keepSolo(const SceneChange& change) {
+    if (!solo_) return;
+    const Surface* now = document_.surface(solo_->surface);
+    if (!now || (change.touchesShape() && now->layers != soloKnown_)) return setSolo(std::nullopt);
+    const auto place =
+        followed(now->layers, soloKnown_.size(), solo_->layer, soloKnown_[std::size_t(solo_->layer)]);
+    soloKnown_ = now->layers;
+    setSolo(place ? std::optional(SoloLayer{solo_->surface, *place}) : std::nullopt);
+}
+
+void LayerPanel::setSolo(std::optional<SoloLayer> solo) {
+    if (solo == solo_) return;
+    solo_ = solo;
+    const Surface* now = solo ? document_.surface(solo->surface) : nullptr;
+    soloKnown_ = now ? now->layers : TextureLayers{};
+    emit soloChanged(solo_);
+}
+
+TextureLayers LayerPanel::feltLayers() const {
+    const Surface* of = surface();
+    if (!of) return {};
+    return solo_ && solo_->surface == *shown_ ? alone(of->layers, solo_->layer) : of->layers;
+}
+
+void LayerPanel::refresh() {
+    const Surface* of = surface();
+    known_ = of ? of->layers : TextureLayers{};
+    const TextureLayer* now = layer();
+    const bool solos = solo_ && shown_ == solo_->surface;
+    list_->display(known_, currentLayer(), solos ? std::optional(solo_->layer) : std::nullopt);
+    body_->setEnabled(canEdit());
+    buttons_->setEnabled(canEdit());
+    scroll_->setVisible(now);
+    feel_->setVisible(now);
+    list_->setVisible(now);
+    body_->setVisible(now);
+    if (now) fields_->display(*now, hasUvs(*shown_));
+    describe();
+    drawGround();
+    drawProfile();
+    announceCurrent();
+    emit displayed();
+}
+
+void LayerPanel::describe() {
+    const Surface* of = surface();
+    heading_->setText(of ? QString::fromStdString(of->name) : tr("No surface selected"));
+    QString text;
+    if (!of)
+        text =
+            tr("Layers of haptic texture on a surface: what they change by how much, in which order. Click a "
+               "surface in the view (Q) or in the outliner, or drop a picture on the model.");
+    else if (of->locked)
+        text = tr("The surface is locked: press L to unlock it.");
+    else if (of->layers.empty())
+        text = tr(
+            "No layer yet. Add one with the button above, or drop a picture (PNG, JPEG, TIFF) on the model "
+            "or here.");
+    hint_->setText(text);
+    hint_->setVisible(!text.isEmpty());
+}
+
+void LayerPanel::announceCurrent() {
+    const Announced now{shown_, currentLayer(), maskIsEdited()};
+    if (std::exchange(announced_, now) != now) emit currentLayerChanged();
+}
+
+bool LayerPanel::hasUvs(const SurfaceRefs& refs) const {
+    return std::ranges::all_of(refs, [this](SurfaceRef ref) {
+        const SceneObject* object = document_.scene().find(ref.object);
+        return object && object->geometry && !object->geometry->cornerUvs.empty();
+    });
+}
+
+void LayerPanel::edit(const QString& what, const std::function<void(TextureLayer&)>& change,
+                      Gesture gesture) {
+    const TextureLayer* now = layer();
+    if (!now) return;
+    const QString text = tr("%1 of layer %2").arg(what, QString::fromStdString(now->name));
+    document_.editSurfaces(
+        *shown_, What::Layers, text,
+        [&](Surface& each) {
+            TextureLayer& to = each.layers[std::size_t(current_)];
+            const TexturePattern before = to.pattern;
+            change(to);
+            fitNewMapping(to.pattern, before);
+        },
+        gesture);
+    refresh(); // what was typed may have been brought into range
+}
+
+void LayerPanel::editList(const QString& text, const std::function<void(TextureLayers&)>& change) {
+    if (!shown_) return;
+    document_.editSurfaces(*shown_, What::Layers, text, [&](Surface& each) { change(each.layers); });
+    refresh();
+}
+
+// A mapping that gets a frame for the first time gets one that fits.
+void LayerPanel::fitNewMapping(TexturePattern& pattern, const TexturePattern& before) const {
+    if (pattern.mapping == before.mapping || !hasFrame(pattern) || !(pattern.frame == Pose{})) return;
+    const SceneObject* object = document_.scene().find(shown_->object);
+    if (object && object->geometry) pattern = fitted(pattern, *object->geometry, shown_->surface);
+}
+
+void LayerPanel::addOn(const SurfaceRefs& refs,
+                       const std::function<TextureLayer(const TextureLayers&)>& make) {
+    QString name;
+    for (const SurfaceRef ref : refs)
+        if (const Surface* of = document_.surface(ref); of && name.isEmpty())
+            name = QString::fromStdString(make(of->layers).name);
+    document_.editSurfaces(refs, What::Layers, tr("Layer %1 on %2").arg(name, QStringLiteral("%1")),
+                           [&](Surface& each) { each.layers.push_back(make(each.layers)); });
+    const Surface* of = surface();
+    if (of && std::ranges::find(refs, *shown_) != refs.end()) setCurrentLayer(int(of->layers.size()) - 1);
+}
+
+void LayerPanel::add(TextureSource source) {
+    const SurfaceRefs refs = document_.selected();
+    addOn(refs, [source](const TextureLayers& among) { return newLayer(source, among); });
+}
+
+void LayerPanel::askForImage() {
+    const SurfaceRefs refs = document_.selected();
+    const QString file = refs.empty() ? QString() : askForPicture(this);
+    if (!file.isEmpty()) addImage(refs, file);
+}
+
+void LayerPanel::addImage(const SurfaceRefs& on, const QString& file) {
+    const bool locked = std::ranges::all_of(on, [this](SurfaceRef ref) {
+        const Surface* of = document_.surface(ref);
+        return !of || of->locked;
+    });
+    if (locked) return emit failed(tr("The surface is locked, so it gets no layer; unlock it first (L)."));
+    readImage(file, [this, on](const std::shared_ptr<const TextureImage>& image) {
+        const bool uvs = hasUvs(on);
+        addOn(on,
+              [&](const TextureLayers& among) { return newLayer(TextureSource::Image, among, uvs, image); });
+    });
+}
+
+void LayerPanel::readImage(const QString& file,
+                           std::function<void(std::shared_ptr<const TextureImage>)> use) {
+    reading_.start([this, use = std::move(use), path = std::filesystem::path(file.toStdU16String())](
+                       const Progress&) -> BackgroundJob::Delivery {
+        auto read = std::make_shared<Result<LoadedImage>>(tactum::readImage(path));
+        return [this, use, read] {
+            if (!*read) return emit failed(QString::fromStdString(read->error().text));
+            use((*read)->image);
+            if (!(*read)->note.empty()) emit noted(QString::fromStdString((*read)->note));
+        };
+    });
+}
+
+void LayerPanel::chooseImage(bool ofMask) {
+    if (!layer()) return;
+    const QString file = askForPicture(this);
+    if (file.isEmpty()) return;
+    const auto wanted = std::pair(shown_, current_);
+    readImage(file, [this, ofMask, wanted](const std::shared_ptr<const TextureImage>& image) {
+        if (wanted != std::pair(shown_, current_)) return; // another layer was chosen meanwhile
+        edit(tr("Picture"), [&](TextureLayer& each) {
+            TexturePattern* pattern = ofMask ? (each.mask ? &*each.mask : nullptr) : &each.pattern;
+            if (pattern) pattern->image = image;
+        });
+    });
+}
+
+void LayerPanel::duplicate() {
+    const TextureLayer* now = layer();
+    if (!now) return;
+    TextureLayer copy = *now;
+    const auto place = std::size_t(current_ + 1);
+    copy.name = freshLayerName(known_, now->name);
+    editList(tr("Duplicate layer %1").arg(QString::fromStdString(now->name)),
+             [&](TextureLayers& layers) { layers.insert(layers.begin() + std::ptrdiff_t(place), copy); });
+    if (canEdit()) setCurrentLayer(int(place));
+}
+
+void LayerPanel::remove() {
+    const TextureLayer* now = layer();
+    if (!now) return;
+    const int place = current_;
+    editList(tr("Remove layer %1").arg(QString::fromStdString(now->name)),
+             [&](TextureLayers& layers) { layers.erase(layers.begin() + place); });
+}
+
+void LayerPanel::moveLayer(int from, int to) {
+    const int count = int(known_.size());
+    if (from == to || from < 0 || to < 0 || from >= count || to >= count) return;
+    editList(tr("Move layer %1").arg(QString::fromStdString(known_[std::size_t(from)].name)),
+             [&](TextureLayers& layers) { tactum::moveLayer(layers, from, to); });
+}
+
+void LayerPanel::toggleShown(int number) {
+    if (number >= int(known_.size())) return;
+    const TextureLayer& of = known_[std::size_t(number)];
+    const bool on = !of.enabled;
+    editList((on ? tr("Switch layer %1 on") : tr("Switch layer %1 off")).arg(QString::fromStdString(of.name)),
+             [&](TextureLayers& layers) { layers[std::size_t(number)].enabled = on; });
+}
+
+void LayerPanel::toggleSolo(int number) {
+    if (!shown_ || number >= int(known_.size())) return;
+    const SoloLayer wanted{*shown_, number};
+    setSolo(solo_ == wanted ? std::nullopt : std::optional(wanted));
+    refresh();
+}
+
+std::optional<MappingFrame> LayerPanel::mappingFrame() const {
+    const TextureLayer* now = layer();
+    const SceneObject* object = shown_ ? document_.scene().find(shown_->object) : nullptr;
+    if (!now || !object || !canEdit() || !hasFrame(now->pattern)) return std::nullopt;
+    const TexturePattern& of = now->pattern;
+    MappingFrame frame{of.mapping, object->pose * of.frame, of.size, 1, {of.offsetU, of.offsetV}, of.rotation,
+                       of.radius};
+    if (of.source == TextureSource::Image && of.image)
+        frame.proportion = double(of.image->height()) / of.image->width();
+    return frame;
+}
+
+void LayerPanel::setMappingFrame(const MappingFrame& frame, Gesture gesture) {
+    const SceneObject* object = shown_ ? document_.scene().find(shown_->object) : nullptr;
+    if (!object || !canEdit()) return;
+    const Quat back = object->pose.rotation.conjugate();
+    const Pose inBody{unitLength(back * frame.pose.rotation),
+                      object->pose.applyInverse(frame.pose.translation)};
+    edit(
+        tr("Mapping"),
+        [&](TextureLayer& each) {
+            each.pattern.frame = inBody;
+            each.pattern.size = kTextureSize.clamped(frame.size);
+            each.pattern.radius = kTextureRadius.clamped(frame.radius);
+        },
+        gesture);
+}
+
+void LayerPanel::drawGround() {
+    const SceneObject* object = shown_ ? document_.scene().find(shown_->object) : nullptr;
+    const TextureLayer* now = layer();
+    if (!object || !now) return;
+    swatch_->display(feltLayers(), now->target, object->geometry, shown_->surface);
+}
+
+void LayerPanel::setWorld(std::shared_ptr<const World> world) {
+    const bool moved = !world_ || !world || world_->shapeRevision != world->shapeRevision;
+    world_ = std::move(world);
+    if (moved) drawProfile();
+}
+
+void LayerPanel::take(std::span<const TracePoint> points, double bodiesTime) {
+    if (stroke_.add(points, bodiesTime)) drawProfile();
+}
+
+void LayerPanel::drawProfile() {
+    const TextureLayer* now = layer();
+    if (!now || !world_) return;
+    if (stroke_.points().empty())
+        return chart_->setHint(
+            tr("Stroke the model with the finger (W, then drag): what the layers are along the "
+               "way appears here."));
+    if (profiling_.running()) {
+        profileAgain_ = true;
+        return;
+    }
+    profiling_.start([this, stroke = stroke_.points(), world = world_, ref = *shown_, layers = feltLayers(),
+                      target = now->target](const Progress& progress) -> BackgroundJob::Delivery {
+        auto profile =
+            std::make_shared<LayerProfile>(profileAlong(stroke, *world, ref, layers, target, progress));
+        return [this, profile] {
+            if (profile->any())
+                chart_->display(std::move(*profile));
+            else
+                chart_->setHint(tr("The last stroke was not on this surface. Stroke it with the finger."));
+        };
+    });
+}
+
+} // namespace tactum
