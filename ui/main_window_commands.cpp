@@ -29,7 +29,8 @@ namespace tactum {
 
 namespace {
 
-constexpr int kHoldToStop = 500; // ms
+constexpr int kHoldToStop = 500;                            // ms
+constexpr double kTurn = 0.2617993877991494, kNearer = 0.8; // 15 degrees
 
 QString readableFilter() {
     QStringList patterns;
@@ -178,6 +179,18 @@ void MainWindow::connectView() {
     for (const auto& [id, standard] : views)
         connect(&actions_[id], &QAction::triggered, this,
                 [this, standard = standard] { view_->showStandardView(standard); });
+    struct CameraCommand {
+        const char* id;
+        double yaw, pitch, nearer;
+    };
+    for (const CameraCommand& each : {CameraCommand{"orbit-left", -kTurn, 0, 1},
+                                      {"orbit-right", kTurn, 0, 1},
+                                      {"orbit-up", 0, kTurn, 1},
+                                      {"orbit-down", 0, -kTurn, 1},
+                                      {"zoom-in", 0, 0, kNearer},
+                                      {"zoom-out", 0, 0, 1 / kNearer}})
+        connect(&actions_[each.id], &QAction::triggered, this,
+                [this, each] { view_->moveCamera(each.yaw, each.pitch, each.nearer); });
     connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
     actions_["overlay"].setChecked(true);
     connect(&actions_["panels"], &QAction::toggled, this, &MainWindow::hidePanels);

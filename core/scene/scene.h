@@ -76,8 +76,6 @@ struct Scene {
     SceneObject& add(SceneObject object);
 };
 
-/// The box of an object in the world frame, at the time 0.
-Bounds boundsOf(const SceneObject& object);
 /// The box of all objects in the world frame, at the time 0.
 Bounds boundsOf(const Scene& scene);
 std::size_t triangleCount(const Scene& scene);

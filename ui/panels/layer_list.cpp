@@ -172,7 +172,7 @@ QPixmap LayerList::pictureOf(const TexturePattern& pattern) {
     QPixmap pixmap = QPixmap::fromImage(patternPicture(pattern, int(kThumbnail * ratio)));
     pixmap.setDevicePixelRatio(ratio);
     if (pixmap.isNull())
-        pixmap = plainPicture(pattern.source == TextureSource::Painted ? QStringLiteral("brush")
+        pixmap = plainPicture(pattern.source == TextureSource::Painted ? QStringLiteral("paint")
                                                                        : QStringLiteral("picture"),
                               ratio);
     pictures_.push_back({pattern, pixmap});

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/object_bounds.h"
+
 namespace tactum {
 
 namespace {

@@ -233,6 +233,16 @@ void SceneView::endLight() {
     impl_->setHovered(std::nullopt);
 }
 
+void SceneView::moveCamera(double yaw, double pitch, double nearer) {
+    impl_->flight.stop();
+    ViewCamera& camera = impl_->camera;
+    camera.yaw = std::remainder(camera.yaw + yaw, 2 * std::numbers::pi);
+    camera.pitch = std::clamp(camera.pitch + pitch, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
+    const double size = std::max(impl_->picker.bounds().diagonal(), 1e-6);
+    camera.distance = std::clamp(nearer * camera.distance, 0.01 * size, 50 * size);
+    changed();
+}
+
 const ViewCamera& SceneView::camera() const {
     return impl_->camera;
 }

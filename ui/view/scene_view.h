@@ -90,6 +90,8 @@ public:
     std::optional<PickHit> light(QPointF place);
     void endLight();
     const ViewCamera& camera() const;
+    /// Turns about the focus, rad: to the right and up round the model; and comes nearer by a factor < 1.
+    void moveCamera(double yaw, double pitch, double nearer = 1);
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);

@@ -15,6 +15,7 @@
 #include "core/base/process_mark.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/journal.h"
+#include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 #include "ui/panels/recovery_bar.h"
@@ -23,71 +24,6 @@ using namespace tactum;
 namespace fs = std::filesystem;
 
 namespace {
-
-void setStiffness(Document& document, double stiffness, Gesture gesture = 0) {
-    const SurfaceRef first{document.scene().objects.front().id, 0};
-    for (const MaterialField& field : kMaterialFields)
-        if (field.parameter == &kStiffness) document.setMaterialValue(first, field, stiffness, gesture);
-}
-
-void write(const QString& file, const std::string& bytes) {
-    QFile out(file);
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes.data(), qint64(bytes.size())) < 0)
-        qFatal("%s cannot be written", qPrintable(file));
-}
-
-QByteArray read(const QString& file) {
-    QFile in(file);
-    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
-}
-
-std::vector<fs::path> journals() {
-    std::vector<fs::path> found;
-    std::error_code fault;
-    for (const auto& each : fs::directory_iterator(Journal::home(), fault))
-        found.push_back(each.path());
-    return found;
-}
-
-/// The program that is killed: opens a scene, edits it `edits` times, says what it has, and goes on until
-/// then.
-int editUntilKilled(const QString& settings, const QString& scene, int edits) {
-    useSettingsIn(settings);
-    TouchedWindow program;
-    if (!program.open(scene)) return 2;
-    for (int i = 1; i <= edits; ++i)
-        setStiffness(program.document, 100 + i);
-    write(settings + QStringLiteral("/edited.glb"), *glbOf(program.document.scene()));
-    for (;;)
-        program.frames(10);
-}
-
-/// Another run of this program, whose data are in the same folder.
-class OtherRun {
-public:
-    OtherRun(const QString& settings, const QString& scene, int edits) {
-        process_.setProcessChannelMode(QProcess::ForwardedChannels);
-        process_.start(QCoreApplication::applicationFilePath(),
-                       {QStringLiteral("--edit"), settings, scene, QString::number(edits)});
-    }
-    ~OtherRun() { kill(); }
-    bool waitForJournals(std::size_t count) {
-        return QTest::qWaitFor(
-            [&] {
-                const auto all = journals();
-                return std::size_t(std::ranges::count_if(all, holdsJournal)) == count;
-            },
-            kPatience);
-    }
-    void kill() {
-        process_.kill();
-        process_.waitForFinished();
-    }
-    qint64 pid() const { return process_.processId(); }
-
-private:
-    QProcess process_;
-};
 
 QPushButton* choice(const TouchedWindow& program, const char* name, int line = 0) {
     return program.window->findChild<QPushButton*>(
@@ -361,9 +297,7 @@ void TestRecovery::theHistoryOutlivesASave() {
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
-    const QStringList words = app.arguments();
-    if (words.value(1) == QLatin1String("--edit"))
-        return editUntilKilled(words[2], words[3], words[4].toInt());
+    if (const auto result = asOtherRun()) return *result;
     TestRecovery test;
     return QTest::qExec(&test, argc, argv);
 }

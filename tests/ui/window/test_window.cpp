@@ -1,4 +1,6 @@
 // The window around the touch: panels, files that are dropped, what is remembered, numbers in any locale.
+#include <cmath>
+
 #include <algorithm>
 
 #include <QApplication>
@@ -54,6 +56,7 @@ private slots:
     void layoutAndRecentFilesAreRemembered();
     void tabHidesThePanelsOfTheView();
     void everyKeyIsGivenOnce();
+    void keysTurnTheCamera();
 };
 
 void TestWindow::aDroppedModelIsOpened() {
@@ -288,6 +291,28 @@ void TestWindow::everyKeyIsGivenOnce() {
             QVERIFY2(!keys.contains(key), qPrintable(key));
             keys << key;
         }
+}
+
+// Fifteen degrees at a time, straight up and down at most.
+void TestWindow::keysTurnTheCamera() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    SceneView& view = program.window->view();
+    view.showStandardView(StandardView::Front);
+    const auto turn = [&](const char* id, int times) {
+        for (int i = 0; i < times; ++i)
+            program.command(id).trigger();
+    };
+    turn("orbit-right", 6);
+    QVERIFY(std::abs(view.camera().yaw - M_PI / 2) < 1e-9);
+    turn("orbit-left", 6);
+    turn("orbit-up", 20);
+    QVERIFY(std::abs(view.camera().yaw) < 1e-9 && std::abs(view.camera().pitch - M_PI / 2) < 1e-9);
+    const double distance = view.camera().distance;
+    turn("zoom-in", 2);
+    QVERIFY(std::abs(view.camera().distance - 0.64 * distance) < 1e-9);
+    turn("zoom-out", 2);
+    QVERIFY(std::abs(view.camera().distance - distance) < 1e-9);
 }
 
 QTEST_MAIN(TestWindow)
