@@ -1,7 +1,6 @@
 // The window around the touch: panels, files that are dropped, what is remembered, numbers in any locale.
-#include <cmath>
-
 #include <algorithm>
+#include <cmath>
 
 #include <QApplication>
 #include <QCheckBox>
