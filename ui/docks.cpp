@@ -1,6 +1,7 @@
 #include "ui/docks.h"
 
 #include <QDockWidget>
+#include <QTabBar>
 #include <QUndoView>
 
 #include "ui/document.h"
@@ -42,6 +43,8 @@ void followTabs(QMainWindow& window, QDockWidget& dock) {
     const auto follow = [&window, &dock, bare] {
         dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
         bare->setVisible(dock.titleBarWidget());
+        for (auto* bar : window.findChildren<QTabBar*>()) // one that comes later draws a line of its own
+            bar->setDrawBase(false);
     };
     follow();
     QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, follow);
