@@ -45,6 +45,8 @@ void followTabs(QMainWindow& window, QDockWidget& dock) {
             bar->setDrawBase(false); // the window switches it on whenever it makes one
         dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
         bare->setVisible(dock.titleBarWidget());
+        for (auto* bar : window.findChildren<QTabBar*>()) // one that comes later draws a line of its own
+            bar->setDrawBase(false);
     };
     follow();
     QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, follow);

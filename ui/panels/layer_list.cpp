@@ -179,6 +179,10 @@ QPixmap LayerList::pictureOf(const TexturePattern& pattern) {
     return pixmap;
 }
 
+void LayerList::setRows(int rows) {
+    setFixedHeight(std::max(1, rows) * kRowHeight + 2 * frameWidth());
+}
+
 QPixmap LayerList::thumbnail(int layer) const {
     return topLevelItem(layerOf(layer))->data(kName, kPicture).value<QPixmap>();
 }

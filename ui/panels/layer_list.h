@@ -23,6 +23,8 @@ public:
     /// Rows that are there already stay, with whoever edits a name in them. `solo`: the layer that is felt
     /// alone.
     void display(const TextureLayers& layers, std::optional<int> current, std::optional<int> solo);
+    /// As high as so many rows.
+    void setRows(int rows);
     /// The picture of a layer's row.
     QPixmap thumbnail(int layer) const;
     /// Begins to edit the name of a layer.

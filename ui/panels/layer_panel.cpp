@@ -27,7 +27,7 @@ namespace {
 
 using What = SceneChange::What;
 
-constexpr int kLeastList = 84, kFirstList = 136; // pixels
+constexpr int kMostRows = 4; // of the list: what is beneath needs the room
 
 QVBoxLayout* columnOf(QWidget* of, int spacing) {
     auto* layout = new QVBoxLayout(of);
@@ -51,6 +51,7 @@ LayerPanel::LayerPanel(Document& document, QWidget* parent)
                                      Gesture gesture) { edit(what, change, gesture); })),
       swatch_(new FlatSwatch), chart_(new ProfileChart) {
     setObjectName(QStringLiteral("layer-panel"));
+    setAttribute(Qt::WA_StyledBackground);
     auto* column = columnOf(this, kRhythm / 2);
     column->setContentsMargins(0, kRhythm / 2, 0, 0);
     auto* top = new QHBoxLayout;
@@ -66,8 +67,6 @@ LayerPanel::LayerPanel(Document& document, QWidget* parent)
     hint_->setContentsMargins(12, 0, 12, 0);
     column->addWidget(hint_);
     auto* inside = columnOf(body_, kRhythm / 2);
-    list_->setMinimumHeight(kLeastList);
-    list_->setMaximumHeight(kFirstList);
     inside->addWidget(list_);
     inside->addWidget(makeLower(), 1);
     column->addWidget(body_, 1);
@@ -236,6 +235,7 @@ void LayerPanel::refresh() {
     known_ = of ? of->layers : TextureLayers{};
     const TextureLayer* now = layer();
     const bool solos = solo_ && shown_ == solo_->surface;
+    list_->setRows(std::min(kMostRows, int(known_.size())));
     list_->display(known_, currentLayer(), solos ? std::optional(solo_->layer) : std::nullopt);
     body_->setEnabled(canEdit());
     buttons_->setEnabled(canEdit());

@@ -412,13 +412,18 @@ void TestLayers::aDroppedPictureBecomesALayer() {
     MainWindow& main = *window.program.window;
     const QPoint place = main.view().mapTo(&main, window.program.centre());
     QSignalSpy lit(&main.view(), &SceneView::surfaceHovered);
-    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&main, &enter);
-    QDragMoveEvent over(place, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&main, &over);
-    QCOMPARE(lit.count(), 1);
-    QDropEvent drop(place, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&main, &drop);
+    const auto dropAt = [&](QPoint at) {
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&main, &enter);
+        QDragMoveEvent over(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&main, &over);
+        QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&main, &drop);
+    };
+    dropAt(place);
+    QVERIFY(!lit.isEmpty());
+    const SurfaceRef front{window.id, Layered::kFront};
+    QVERIFY(lit.front()[0].value<std::optional<SurfaceRef>>() == front);
     QTRY_COMPARE_WITH_TIMEOUT(window.layers().size(), std::size_t(1), kPatience);
     const TextureLayer& layer = window.layers().front();
     QCOMPARE(layer.name, std::string("bark"));
@@ -433,8 +438,7 @@ void TestLayers::aDroppedPictureBecomesALayer() {
     // On the panel it becomes one of what is selected.
     window.program.document.select(SurfaceRef{window.id, 1});
     const QPoint onPanel = window.panel().mapTo(&main, window.panel().rect().center());
-    QDropEvent dropThere(onPanel, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&main, &dropThere);
+    dropAt(onPanel);
     QTRY_COMPARE_WITH_TIMEOUT(window.layers(1).size(), std::size_t(1), kPatience);
 }
 
