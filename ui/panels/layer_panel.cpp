@@ -201,6 +201,7 @@ void LayerPanel::keepCurrent() {
         return;
     }
     std::optional<int> place;
+    if (known_.empty()) current_ = int(now->layers.size()) - 1; // the topmost, where there was none
     if (current_ < int(known_.size()))
         place = followed(now->layers, known_.size(), current_, known_[std::size_t(current_)]);
     current_ = std::clamp(place.value_or(current_), 0, int(now->layers.size()) - 1);

@@ -170,7 +170,7 @@ void TestOneJob::fromABareMeshToRecovery() {
     QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
     const WorldBody& body = program_->window->publisher().world()->bodies.at(0);
     QCOMPARE(body.textures.at(1)->layers.size(), std::size_t(2));
-    QVERIFY(body.textures.at(1)->layers[1].mask.has_value() && body.normals);
+    QVERIFY(body.textures.at(1)->layers[1].mask.has_value() && body.normals.at(1));
     feltStiffness(after);
     QVERIFY2(std::abs(after - 400) < 0.02 * 400, qPrintable(QString::number(after)));
 
