@@ -218,7 +218,10 @@ void TestLayers::rowsAreDraggedIntoAnotherOrder() {
     QCOMPARE(window.panel().currentLayer(), std::optional(0)); // the same layer is selected
     drag(2, window.middleOf(1) - QPoint(0, 12));
     QCOMPARE(window.names(), std::string("Noise Dots Grooves"));
-    QCOMPARE(window.program.document.history().count(), 5);
+    drag(0, window.middleOf(1) + QPoint(0, 12)); // down by one
+    QCOMPARE(window.names(), std::string("Noise Grooves Dots"));
+    QCOMPARE(window.program.document.history().count(), 6);
+    window.program.document.history().undo();
     window.program.document.history().undo();
     QCOMPARE(window.panel().currentLayer(), std::optional(0));
 }
