@@ -223,7 +223,7 @@ void TestLayers::rowsAreDraggedIntoAnotherOrder() {
     QCOMPARE(window.program.document.history().count(), 6);
     window.program.document.history().undo();
     window.program.document.history().undo();
-    QCOMPARE(window.panel().currentLayer(), std::optional(0));
+    QCOMPARE(window.panel().currentLayer(), std::optional(2));
 }
 
 void TestLayers::keysDoItAll() {
