@@ -38,6 +38,11 @@ struct FeltMesh {
 /// The value of a surface where no layer changes it. SI.
 double plainValue(const Material& material, FeltValue value);
 
+/// Whether a surface can be felt at all: hidden ones, and those that are only seen, cannot.
+inline bool isFelt(const WorldBody& body, Index surface) {
+    return surface >= body.sides.size() || body.sides[surface] != Sides::None;
+}
+
 /// Whether the surface looks different from place to place, for this wish.
 bool varies(const WorldBody& body, Index surface, const FeltMeshWish& wish);
 

@@ -67,6 +67,7 @@ std::vector<Needle> needlesOf(const WorldBody& body, const CornerNormals& drawn,
     std::map<const SmoothNormals*, std::vector<Index>> shaded;
     std::size_t facets = 0;
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+        if (!isFelt(body, soup.surfaceOf[f])) continue;
         if (const SmoothNormals* normals = shadingOf(body, soup.surfaceOf[f]))
             shaded[normals];
         else
@@ -76,7 +77,8 @@ std::vector<Needle> needlesOf(const WorldBody& body, const CornerNormals& drawn,
     for (auto& [normals, corners] : shaded) {
         corners = distinctCorners(soup, normals->corners);
         std::erase_if(corners, [&, normals = normals](Index c) {
-            return shadingOf(body, soup.surfaceOf[c / 3]) != normals;
+            const Index surface = soup.surfaceOf[c / 3];
+            return shadingOf(body, surface) != normals || !isFelt(body, surface);
         });
         all += corners.size();
     }
@@ -87,7 +89,8 @@ std::vector<Needle> needlesOf(const WorldBody& body, const CornerNormals& drawn,
                 needles.push_back(needle(soup.positions[soup.triangles[c / 3][c % 3]],
                                          normals->corners[c].cast<double>(), drawn[c].cast<double>()));
     for (std::size_t f = 0; f < soup.triangles.size() && facets > 0; ++f) {
-        if (shadingOf(body, soup.surfaceOf[f]) || !chosen()) continue;
+        const Index surface = soup.surfaceOf[f];
+        if (shadingOf(body, surface) || !isFelt(body, surface) || !chosen()) continue;
         const auto& t = soup.triangles[f];
         const Vec3 &a = soup.positions[t[0]], &b = soup.positions[t[1]], &c = soup.positions[t[2]];
         const Vec3 across = (b - a).cross(c - a);

@@ -92,11 +92,13 @@ MapRange FeltSurfaces::rangeNow(FeltValue value) {
     double low = 1e300, high = -1e300;
     for (const WorldBody& body : world_->bodies)
         for (Index s = 0; s < Index(body.materials.size()); ++s) {
+            if (!isFelt(body, s)) continue;
             const Made* made = varies(body, s, {.value = value}) ? madeOf(body, s) : nullptr;
             const double plain = plainValue(body.materials[s], value);
             low = std::min(low, made ? made->mesh.low : plain);
             high = std::max(high, made ? made->mesh.high : plain);
         }
+    if (low > high) low = high = 0; // nothing is felt
     return rangeOf(low, high, 1 / wordsOf(value).factor);
 }
 

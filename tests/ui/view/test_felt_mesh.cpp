@@ -181,6 +181,22 @@ private slots:
             QVERIFY(n.normal.dot(n.at.normalized()) > 0.99);
     }
 
+    void whatIsNotFeltHasNoNormals() {
+        for (const bool shaded : {false, true}) {
+            Scene scene = ballScene(32, 16);
+            for (Surface& surface : scene.objects[0].surfaces)
+                surface.shading = {shaded, NormalSource::Computed, kDrawnCreaseForTest};
+            scene.objects[0].surfaces[kLower].visible = false;
+            const auto world = compile(scene).value();
+            QVERIFY(!isFelt(world->bodies[0], kLower) && isFelt(world->bodies[0], kUpper));
+            const auto needles =
+                needlesOf(world->bodies[0], drawnNormalsOf(*world->bodies[0].mesh->soup), 100'000);
+            QVERIFY(needles.size() > 200);
+            for (const Needle& n : needles)
+                QVERIFY(n.at.y() > -1e-9);
+        }
+    }
+
     void ofTooManyNormalsSomeAreShownEvenly() {
         const auto world = compile(ballScene(200, 100)).value();
         const auto needles = needlesOf(world->bodies[0], drawnNormalsOf(*world->bodies[0].mesh->soup), 500);
