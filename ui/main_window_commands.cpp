@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "core/recording/recording_file.h"
+#include "ui/guide_window.h"
 #include "ui/held_key.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/panels/notice_bar.h"
@@ -124,6 +125,7 @@ void MainWindow::connectFile() {
     connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
     connect(&actions_["save-picture"], &QAction::triggered, this, &MainWindow::savePicture);
     connect(&actions_["quit"], &QAction::triggered, this, &QWidget::close);
+    connect(&actions_["guide"], &QAction::triggered, this, [this] { showGuide(this); });
     connect(&actions_["keyboard"], &QAction::triggered, this, [this] { showKeyboardSheet(this); });
     connect(&actions_["about"], &QAction::triggered, this, [this] { aboutTactum(this); });
     connect(start_, &StartPage::openRequested, this, &MainWindow::askForFile);

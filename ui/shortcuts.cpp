@@ -208,6 +208,7 @@ constexpr Command kCommands[] = {
     {"compare-auto", "Compare", "After &each edit", "", "", "Each edit is compared with A at once", true},
     {"compare-csv", "Compare", "E&xport CSV...", "", "", "Both forces of each step of the stroke", false,
      true},
+    {"guide", "Help", "&Guide", "", "", "How to do things, task by task"},
     {"keyboard", "Help", "&Keyboard", "F1", "keyboard", "All keys on one page"},
     {"about", "Help", "&About Tactum", "", "", "Version and licence"},
 };

@@ -4,7 +4,9 @@
 #include <QFile>
 #include <QRegularExpression>
 #include <QTest>
+#include <QTextBrowser>
 
+#include "ui/guide_window.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/shortcuts.h"
 
@@ -38,6 +40,7 @@ private slots:
     void commandsExist_data() { linksLeadSomewhere_data(); }
     void commandsExist();
     void everyPageIsListed();
+    void theProgramShowsIt();
 };
 
 void TestGuide::theKeysAreThoseOfTheProgram() {
@@ -97,5 +100,19 @@ void TestGuide::everyPageIsListed() {
         QVERIFY2(page == QLatin1String("README.md") || list.contains(u'(' + page + u')'), qPrintable(page));
 }
 
-QTEST_GUILESS_MAIN(TestGuide)
+void TestGuide::theProgramShowsIt() {
+    QCOMPARE(guidePage(), QFileInfo(kGuide.filePath(QStringLiteral("README.md"))).canonicalFilePath());
+    QWidget parent;
+    showGuide(&parent);
+    auto* pages = parent.findChild<QTextBrowser*>();
+    QVERIFY(pages && pages->toPlainText().contains(QStringLiteral("Task by task")));
+    pages->setSource(QUrl(QStringLiteral("feel.md")));
+    QVERIFY(pages->toPlainText().contains(QStringLiteral("Texture models of the Penn toolkit")));
+    const QImage picture =
+        pages->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("../pictures/presets.png")))
+            .value<QImage>();
+    QVERIFY(!picture.isNull() && picture.width() < pages->window()->width());
+}
+
+QTEST_MAIN(TestGuide)
 #include "test_guide.moc"
