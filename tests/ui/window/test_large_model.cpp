@@ -20,6 +20,9 @@ using namespace tactum;
 namespace {
 
 constexpr int kSquares = 708; // along a side: 1,002,528 triangles
+/// What TestLargeModel::pieceOfWork() takes on the processor for which the limit of 100 ms is meant, a Xeon
+/// of 2.5 GHz. One that is slower, or that shares its core, has so much more time.
+constexpr double kPieceMs = 20;
 
 /// Milliseconds that this thread has worked: what else the machine does is not among them.
 double workedMs() {
@@ -99,14 +102,26 @@ class TestLargeModel : public QObject {
 
     QTemporaryDir folder_;
     QString file_;
+    double slowest_ = 0;
 
     static MeasuredApplication& app() { return static_cast<MeasuredApplication&>(*qApp); }
+    /// ms of a fixed piece of work on the model: how fast this processor is at this moment.
+    static double pieceOfWork(const Document& document) {
+        if (document.empty()) return 0;
+        const double before = workedMs();
+        for (int i = 0; i < 3; ++i)
+            if (boundsOf(*document.scene().objects[0].geometry).empty()) qFatal("the model is empty");
+        return workedMs() - before;
+    }
     /// Does something with the window, lets everything come to rest, and says how long an event took at most.
-    template <class Action> void measure(TouchedWindow& program, const char* what, Action&& action) {
+    /// `called`: the action is what an event does; else it sends events.
+    template <class Action>
+    void measure(TouchedWindow& program, const char* what, Action&& action, bool calls = true) {
+        const double piece = pieceOfWork(program.document);
         app().longest = 0;
         const double before = workedMs() - app().drawn;
-        action(); // commands are called from within an event
-        const double called = workedMs() - app().drawn - before;
+        action();
+        const double called = calls ? workedMs() - app().drawn - before : 0;
         const auto rests = [&] {
             return !program.document.editing() && !program.window->publisher().working() &&
                    !program.window->findChild<PaintTool*>()->working() &&
@@ -117,7 +132,9 @@ class TestLargeModel : public QObject {
         const double longest = std::max(called, app().longest);
         qInfo("%-28s %6.1f ms%s%s", what, longest, longest > called ? " in " : "",
               longest > called ? app().what.constData() : "");
-        QVERIFY2(longest < 100, what);
+        const double slower = std::max(piece, pieceOfWork(program.document)) / kPieceMs;
+        slowest_ = std::max(slowest_, slower);
+        QVERIFY2(longest < 100 * std::max(1.0, slower), what);
     }
 
 private slots:
@@ -135,12 +152,15 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     measure(program, "open", [&] { program.window->open(file_); });
     QTRY_VERIFY_WITH_TIMEOUT(!document.opening() && !document.empty() && program.caughtUp(), kPatience);
     measure(program, "opened", [] {});
+    program.frames(20);
+    program.window->view().setUpdatesEnabled(false); // it is not drawing that is measured
     const auto trigger = [&](const char* id) {
         measure(program, id, [&] { program.command(id).trigger(); });
     };
     const auto click = [&](const char* what) {
-        measure(program, what,
-                [&] { QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, program.centre()); });
+        measure(
+            program, what,
+            [&] { QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, program.centre()); }, false);
     };
     trigger("take-surface");
     click("select the surface");
@@ -164,12 +184,13 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     trigger("hide");
     trigger("show-all");
     trigger("paint-height");
-    measure(program, "paint", [&] {
+    const auto stroke = [&] {
         program.press(program.centre());
         for (int i = 1; i <= 10; ++i)
             program.moveTo(program.centre() + QPoint(8 * i, 0));
         program.release(program.centre() + QPoint(80, 0));
-    });
+    };
+    measure(program, "paint", stroke, false);
     trigger("undo");
     trigger("redo");
     trigger("map-height");
@@ -183,6 +204,7 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     });
     while (document.history().canUndo())
         measure(program, "undo", [&] { document.history().undo(); });
+    qInfo("this processor, against the one of the limits: %.2f times as slow at most", slowest_);
 }
 
 void TestLargeModel::anEditIsFeltWithinTwoUpdates() {
