@@ -47,7 +47,10 @@ public:
           change_(change), gesture_(gesture) {}
 
     void redo() override { exchange(); }
-    void undo() override { exchange(); }
+    void undo() override {
+        exchange();
+        if (document_.dropping_) setObsolete(true);
+    }
 
     int id() const override { return gesture_ == 0 ? -1 : gesture_; }
 
@@ -176,6 +179,12 @@ void Document::setFeel(const SurfaceRefs& refs, const Feel& like, const QString&
         each.sides = like.surface.sides;
         each.layers = object->geometry == like.soup ? like.surface.layers : bare;
     });
+}
+
+void Document::dropLastStep() {
+    dropping_ = true;
+    history_.undo();
+    dropping_ = false;
 }
 
 void Document::setSurfacesVisible(const SurfaceRefs& refs, bool visible) {

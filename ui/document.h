@@ -86,6 +86,8 @@ public:
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
+    /// Takes the last step back for good: the history does not know of it any more.
+    void dropLastStep();
 
     /// nullptr for a reference to nothing.
     const Surface* surface(SurfaceRef ref) const;
@@ -207,6 +209,8 @@ private:
     void announce(const SceneChange& change);
     void setSelection(SurfaceRefs refs);
     void keepSelection(const SceneChange& change);
+    void rememberNames();
+    SurfaceRef named(SurfaceRef ref, const std::string& name) const;
 
     Scene scene_;
     FileStamp file_;
@@ -214,9 +218,12 @@ private:
     int scenes_ = 0;   ///< how many have been opened
     std::vector<FileFinding> findings_;
     SurfaceRefs selected_;
+    std::vector<std::string> selectedNames_; ///< theirs, when they were selected or renamed
     SurfaceRefs lost_; ///< what was selected when it went: selected again if it comes back
+    std::vector<std::string> lostNames_;
     FaceSelection faces_;
     QUndoStack history_;
+    bool dropping_ = false; ///< the step that is taken back goes for good
     BackgroundJob job_, saving_, editing_;
     std::deque<std::function<void()>> nextSaves_; ///< asked for while another one was under way
 };

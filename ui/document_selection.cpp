@@ -57,6 +57,11 @@ Result<SceneObject> split(SceneObject object, const TriangleSet& faces) {
         return !object.surfaces[object.geometry->surfaceOf[face]].locked;
     });
     if (free.empty()) return inputError("The selected triangles are of locked surfaces; unlock them first.");
+    const Index main = mainSurfaceOf(object, free);
+    if (free.size() == countTriangles(*object.geometry, object.surfaces.size())[main] &&
+        object.geometry->surfaceOf[free.front()] == main)
+        return inputError("The selected triangles are all of " + object.surfaces[main].name +
+                          ": it is a surface of its own already.");
     const TriangleSoup soup = withSurface(*object.geometry, free, Index(object.surfaces.size()));
     Surface part = object.surfaces[mainSurfaceOf(object, free)];
     part.name = freshName(object, part.name);
@@ -90,7 +95,23 @@ void Document::setSelection(SurfaceRefs refs) {
     std::erase_if(refs, [this](SurfaceRef ref) { return !surface(ref); });
     if (refs == selected_) return;
     selected_ = std::move(refs);
+    rememberNames();
     emit changed({SceneChange::What::Selection});
+}
+
+void Document::rememberNames() {
+    selectedNames_.clear();
+    for (const SurfaceRef ref : selected_)
+        selectedNames_.push_back(surface(ref) ? surface(ref)->name : std::string());
+}
+
+/// The surface of that name; where there is none, a reference to nothing.
+SurfaceRef Document::named(SurfaceRef ref, const std::string& name) const {
+    const SceneObject* object = scene_.find(ref.object);
+    if (!object || (ref.surface < object->surfaces.size() && object->surfaces[ref.surface].name == name))
+        return ref;
+    const auto found = std::ranges::find(object->surfaces, name, &Surface::name);
+    return {ref.object, Index(found - object->surfaces.begin())};
 }
 
 void Document::selectFaces(FaceSelection faces, SelectMode mode) {
@@ -102,16 +123,26 @@ void Document::selectFaces(FaceSelection faces, SelectMode mode) {
     emit changed({SceneChange::What::Selection});
 }
 
-// Meshes with other triangles than before have lost what was selected of them.
+// Meshes with other triangles than before have lost what was selected of them. Where triangles went to other
+// surfaces the numbers of all may be others: a surface is known by its name.
 void Document::keepSelection(const SceneChange& change) {
-    SurfaceRefs there = selected_, gone;
-    for (const SurfaceRef ref : selected_)
-        if (!surface(ref)) gone.push_back(ref);
-    if (!gone.empty()) {
-        lost_ = gone;
-        setSelection(selected_);
-    } else if (!lost_.empty() && std::ranges::all_of(lost_, [this](auto ref) { return surface(ref); })) {
-        setSelection(joined(selected_, std::exchange(lost_, {}), SelectMode::Add));
+    if (change.what == SceneChange::What::Names) rememberNames();
+    const auto followed = [&](SurfaceRefs refs, const std::vector<std::string>& names) {
+        for (std::size_t i = 0; i < refs.size() && i < names.size(); ++i)
+            refs[i] = named(refs[i], names[i]);
+        return refs;
+    };
+    const SurfaceRefs now = followed(selected_, selectedNames_), back = followed(lost_, lostNames_);
+    const auto exists = [this](SurfaceRef ref) { return surface(ref) != nullptr; };
+    if (!std::ranges::all_of(now, exists)) {
+        lost_ = selected_;
+        lostNames_ = selectedNames_;
+        setSelection(now);
+    } else if (!lost_.empty() && std::ranges::all_of(back, exists)) {
+        lost_.clear();
+        setSelection(joined(now, back, SelectMode::Add));
+    } else {
+        setSelection(now);
     }
     if (change.touchesShape() && !faces_.empty()) selectFaces({}, SelectMode::Replace);
 }

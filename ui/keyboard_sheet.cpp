@@ -1,9 +1,15 @@
 #include "ui/keyboard_sheet.h"
 
+#include <algorithm>
+
 #include <QDialog>
 #include <QGridLayout>
 #include <QKeySequence>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
 
 #include "ui/shortcuts.h"
 #include "ui/style.h"
@@ -70,7 +76,8 @@ void showKeyboardSheet(QWidget* parent) {
     auto* sheet = new QDialog(parent);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->setWindowTitle(QObject::tr("Keyboard and mouse"));
-    auto* grid = new QGridLayout(sheet);
+    auto* page = new QWidget;
+    auto* grid = new QGridLayout(page);
     grid->setContentsMargins(3 * kRhythm, 2 * kRhythm, 3 * kRhythm, 3 * kRhythm);
     grid->setHorizontalSpacing(3 * kRhythm);
     grid->setVerticalSpacing(kRhythm / 2);
@@ -80,6 +87,17 @@ void showKeyboardSheet(QWidget* parent) {
     addHeading(*grid, QObject::tr("In the view"));
     for (const Manner& manner : viewManners())
         addRow(*grid, QObject::tr(manner.keys), QObject::tr(manner.text));
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* all = new QVBoxLayout(sheet);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(scroll);
+    const QSize room = parent->screen()->availableSize();
+    const int wide = page->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+    sheet->resize(std::min(wide, room.width()),
+                  std::min(page->sizeHint().height(), std::min(parent->height(), room.height())));
     sheet->show();
 }
 

@@ -39,9 +39,14 @@ bool isHeight(TextureTarget target) {
 } // namespace
 
 std::string freshLayerName(const TextureLayers& among, const std::string& wanted) {
+    // "Noise 2" once more is "Noise 3", not "Noise 2 2".
+    const std::size_t end = wanted.find_last_not_of("0123456789");
+    const bool numbered =
+        end != std::string::npos && end > 0 && wanted[end] == ' ' && end + 1 < wanted.size();
+    const std::string word = numbered ? wanted.substr(0, end) : wanted;
     std::string name = wanted;
     for (int number = 2; std::ranges::find(among, name, &TextureLayer::name) != among.end(); ++number)
-        name = wanted + " " + std::to_string(number);
+        name = word + " " + std::to_string(number);
     return name;
 }
 

@@ -80,7 +80,7 @@ private:
     void makeToolBar();
     void makeMenus();
     void fillRecent(QMenu* menu);
-    void fillTheme(QMenu* menu);
+    void connectTheme();
     void connectFile();
     void connectEdit();
     void connectView();

@@ -81,7 +81,6 @@ void MainWindow::makeMenus() {
     QMenu* panels = createPopupMenu();
     panels->setTitle(tr("&Panels"));
     view->addMenu(panels);
-    fillTheme(view->addMenu(tr("The&me")));
 }
 
 void MainWindow::fillRecent(QMenu* menu) {
@@ -100,17 +99,15 @@ void MainWindow::fillRecent(QMenu* menu) {
         });
 }
 
-void MainWindow::fillTheme(QMenu* menu) {
-    auto* group = new QActionGroup(menu);
-    const ThemeChoice chosen = rememberedTheme();
-    const std::pair<QString, ThemeChoice> choices[] = {{tr("&Dark"), ThemeChoice::Dark},
-                                                       {tr("&Light"), ThemeChoice::Light},
-                                                       {tr("&Like the system"), ThemeChoice::System}};
-    for (const auto& [text, choice] : choices) {
-        QAction* action = group->addAction(menu->addAction(text));
-        action->setCheckable(true);
-        action->setChecked(choice == chosen);
-        connect(action, &QAction::triggered, this, [this, choice = choice] { setTheme(choice); });
+void MainWindow::connectTheme() {
+    auto* group = new QActionGroup(this);
+    const std::pair<const char*, ThemeChoice> choices[] = {{"theme-dark", ThemeChoice::Dark},
+                                                           {"theme-light", ThemeChoice::Light},
+                                                           {"theme-system", ThemeChoice::System}};
+    for (const auto& [id, choice] : choices) {
+        group->addAction(&actions_[id]);
+        actions_[id].setChecked(choice == rememberedTheme());
+        connect(&actions_[id], &QAction::triggered, this, [this, choice = choice] { setTheme(choice); });
     }
 }
 
@@ -161,6 +158,7 @@ void MainWindow::connectEdit() {
 }
 
 void MainWindow::connectView() {
+    connectTheme();
     auto* tools = new QActionGroup(this);
     for (const char* id : {"touch", "select", "paint"})
         tools->addAction(&actions_[id]);

@@ -78,7 +78,7 @@ void MainWindow::fillPaintStrip(const QList<QAction*>& goals, const QList<QActio
     paintStrip_->addChoices(tr("What the brush paints"), goals, goalNames);
     for (const BrushField& each : kBrushFields) {
         auto* field = new ParameterField(*each.parameter);
-        field->setMaximumWidth(200);
+        field->setFixedWidth(200); // what has no room is cut off, as a whole
         connect(field, &ParameterField::edited, this, [this, value = each.value](double to) {
             Brush brush = painting_->brush();
             brush.*value = to;

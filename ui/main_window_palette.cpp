@@ -20,6 +20,11 @@ QString plain(QString text) {
     return text.remove(u'&');
 }
 
+/// "View/&Camera" as "View > Camera".
+QString menuPath(const char* menu) {
+    return plain(QObject::tr(menu)).replace(u'/', QStringLiteral(" > "));
+}
+
 /// Why a command can be off, where there is one reason alone.
 struct Reason {
     const char* id;
@@ -64,7 +69,7 @@ void MainWindow::openPalette() {
         QAction& action = actions_[command.id];
         const QString id = action.objectName();
         if (id == QLatin1String("palette")) continue;
-        entries.push_back({id, plain(action.text()), tr(command.menu),
+        entries.push_back({id, plain(action.text()), menuPath(command.menu),
                            action.shortcut().toString(QKeySequence::NativeText), tr(command.sentence),
                            action.isEnabled() ? QString() : whyNot(id), [&action] { action.trigger(); }});
     }

@@ -142,7 +142,7 @@ void PaintTool::giveUp() {
     const bool ours = stroke.written && document_.history().index() == stroke.before + 1;
     stroke.written = false;
     stroke.seen.clear(); // whatever is still being worked out is not written
-    if (ours) document_.history().undo();
+    if (ours) document_.dropLastStep();
 }
 
 void PaintTool::goOn() {

@@ -18,6 +18,8 @@ namespace tactum {
 
 namespace {
 
+constexpr int kLeastWidth = 31 * kRhythm; ///< a field with its unit
+
 QVBoxLayout* column(QWidget* of, int spacing) {
     auto* layout = new QVBoxLayout(of);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -66,6 +68,7 @@ Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), doc
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(kLeastWidth);
     column(this, 0)->addWidget(scroll);
     connect(&document_, &Document::changed, this, &Inspector::refresh);
     refresh({});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
@@ -37,8 +38,9 @@ QVBoxLayout* columnOf(QWidget* of, int spacing) {
 }
 
 QString askForPicture(QWidget* parent) {
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     return QFileDialog::getOpenFileName(parent, QObject::tr("Choose a picture"),
-                                        QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
+                                        QDir(pictures).exists() ? pictures : QString(),
                                         QObject::tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff)"));
 }
 
@@ -312,9 +314,22 @@ void LayerPanel::fitNewMapping(TexturePattern& pattern, const TexturePattern& be
     if (object && object->geometry) pattern = fitted(pattern, *object->geometry, shown_->surface);
 }
 
+/// Whether one more layer would be felt; says so where not.
+bool LayerPanel::haveRoom(const SurfaceRefs& refs) {
+    for (const SurfaceRef ref : refs)
+        if (const Surface* of = document_.surface(ref); of && of->layers.size() >= kMostTextureLayers) {
+            emit failed(tr("%1 has %2 layers, and more are not felt. Remove one first.")
+                            .arg(QString::fromStdString(of->name))
+                            .arg(of->layers.size()));
+            return false;
+        }
+    return true;
+}
+
 void LayerPanel::addOn(const SurfaceRefs& refs,
                        const std::function<TextureLayer(const TextureLayers&)>& make) {
     QString name;
+    if (!haveRoom(refs)) return;
     for (const SurfaceRef ref : refs)
         if (const Surface* of = document_.surface(ref); of && name.isEmpty())
             name = QString::fromStdString(make(of->layers).name);
@@ -377,7 +392,7 @@ void LayerPanel::chooseImage(bool ofMask) {
 
 void LayerPanel::duplicate() {
     const TextureLayer* now = layer();
-    if (!now) return;
+    if (!now || !haveRoom(*shown_)) return;
     TextureLayer copy = *now;
     const auto place = std::size_t(current_ + 1);
     copy.name = freshLayerName(known_, now->name);

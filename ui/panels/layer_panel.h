@@ -98,6 +98,7 @@ private:
     TextureLayers feltLayers() const;
     void edit(const QString& what, const std::function<void(TextureLayer&)>& change, Gesture gesture = 0);
     void editList(const QString& text, const std::function<void(TextureLayers&)>& change);
+    bool haveRoom(const SurfaceRefs& refs);
     void addOn(const SurfaceRefs& refs, const std::function<TextureLayer(const TextureLayers&)>& make);
     void readImage(const QString& file, std::function<void(std::shared_ptr<const TextureImage>)> use);
     void chooseImage(bool ofMask);

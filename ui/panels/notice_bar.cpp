@@ -14,6 +14,10 @@
 
 namespace tactum {
 
+namespace {
+constexpr int kNoteTime = 30000; // ms: what was done long ago is no news; errors stay
+}
+
 NoticeBar::NoticeBar(QWidget* parent)
     : QWidget(parent), icon_(new QLabel), text_(new QLabel), bar_(new QProgressBar),
       cancel_(new QPushButton(tr("Cancel"))), act_(new QPushButton), close_(new QToolButton) {
@@ -46,6 +50,10 @@ NoticeBar::NoticeBar(QWidget* parent)
         const auto action = std::exchange(action_, nullptr);
         if (action) action();
     });
+    fading_.setSingleShot(true);
+    connect(&fading_, &QTimer::timeout, this, [this] {
+        if (property("severity").toString() == QLatin1String("note")) hide();
+    });
     hide();
 }
 
@@ -76,11 +84,16 @@ void NoticeBar::showMessage(const QString& sentence, const QString& severity) {
     setSeverity(severity);
     setAccessibleName(sentence);
     show();
+    if (note)
+        fading_.start(kNoteTime);
+    else
+        fading_.stop();
 }
 
 void NoticeBar::offer(const QString& sentence, const QString& severity, const QString& button,
                       std::function<void()> action) {
     showMessage(sentence, severity);
+    fading_.stop();
     action_ = std::move(action);
     act_->setText(button);
     act_->show();

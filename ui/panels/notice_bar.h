@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -45,6 +46,7 @@ private:
     QPushButton* cancel_;
     QPushButton* act_;
     std::function<void()> action_;
+    QTimer fading_;
     QToolButton* close_;
 };
 

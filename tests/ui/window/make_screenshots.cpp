@@ -1,4 +1,6 @@
 // Writes the pictures of the guide: drives the real window through a first touch.
+#include <filesystem>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
@@ -271,6 +273,8 @@ void takeGuide(const QDir& folder, const QString& sample, QSize size) {
     TouchedWindow again(size, samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes")));
     again.frames(60);
     save(again, folder, QStringLiteral("recovery.png"));
+    std::error_code ignored;
+    std::filesystem::remove_all(Journal::home(), ignored); // the pictures after this one need no such line
 }
 
 } // namespace

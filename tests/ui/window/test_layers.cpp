@@ -99,6 +99,7 @@ private slots:
 
     void layersAreAddedToAllSelectedSurfaces();
     void eachEditIsOneStep();
+    void noMoreThanAreFelt();
     void anotherTargetBeginsAnew();
     void onlyWhatMattersIsShown();
     void rowsAreDraggedIntoAnotherOrder();
@@ -130,6 +131,17 @@ void TestLayers::layersAreAddedToAllSelectedSurfaces() {
     window.undoAll();
     QVERIFY(window.program.document.scene() == before);
     QVERIFY(!window.panel().currentLayer());
+}
+
+void TestLayers::noMoreThanAreFelt() {
+    Layered window(folder_);
+    window.add({"layer-noise"});
+    for (int i = 1; i < kMostTextureLayers + 3; ++i)
+        window.program.command("layer-duplicate").trigger();
+    QCOMPARE(int(window.layers().size()), kMostTextureLayers);
+    QCOMPARE(window.layers().back().name, "Noise " + std::to_string(kMostTextureLayers));
+    auto* notice = window.program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+    QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("16 layers")));
 }
 
 void TestLayers::eachEditIsOneStep() {

@@ -149,10 +149,12 @@ void TestPainting::controlTakesAwayAndEscapeGivesUp() {
     program.press(program.centre());
     program.moveTo(program.centre() + QPoint(50, 0));
     QTRY_VERIFY_WITH_TIMEOUT(!(program.document.scene() == painted), kPatience);
+    const int steps = program.document.history().index() - 1;
     QTest::keyClick(&program.window->view(), Qt::Key_Escape);
     program.release(program.centre() + QPoint(50, 0));
     QTRY_VERIFY_WITH_TIMEOUT(!tool(program).working(), kPatience);
     QVERIFY(program.document.scene() == painted);
+    QCOMPARE(program.document.history().count(), steps); // nothing to redo
 }
 
 void TestPainting::aMaskIsPaintedOnTheTopmostLayer() {

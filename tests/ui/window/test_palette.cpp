@@ -49,6 +49,14 @@ QStringList listed(const TouchedWindow& program) {
     return texts;
 }
 
+/// The menus beside the commands.
+QStringList menusListed(const TouchedWindow& program) {
+    QStringList texts;
+    for (int i = 0; i < listOf(program).topLevelItemCount(); ++i)
+        texts << listOf(program).topLevelItem(i)->text(1);
+    return texts;
+}
+
 QString sentenceOf(const TouchedWindow& program) {
     return paletteOf(program)->findChild<QLabel*>(QStringLiteral("palette-sentence"))->text();
 }
@@ -86,6 +94,7 @@ private slots:
 
     void wordsFitInAnyOrder();
     void everyCommandIsInIt();
+    void theThemeIsInItAndMenusAreWords();
     void enterRunsWhatWasTyped();
     void whatIsOffSaysWhy();
     void recentOnesComeFirst();
@@ -116,6 +125,15 @@ void TestPalette::wordsFitInAnyOrder() {
     QCOMPARE(order("xyz"), QString());
     QCOMPARE(order(""), QStringLiteral("Frame all|Front|Save as|Save"));
     QCOMPARE(order("", {QStringLiteral("Save")}), QStringLiteral("Save|Frame all|Front|Save as"));
+}
+
+void TestPalette::theThemeIsInItAndMenusAreWords() {
+    TouchedWindow program;
+    QVERIFY(openPalette(program));
+    for (const QString& menu : menusListed(program))
+        QVERIFY2(!menu.contains(u'&') && !menu.contains(u'/'), qPrintable(menu));
+    QTest::keyClicks(&lineOf(program), QStringLiteral("light"));
+    QVERIFY(listed(program).contains(QStringLiteral("Light")));
 }
 
 void TestPalette::everyCommandIsInIt() {

@@ -46,6 +46,8 @@ private slots:
     void aBoxTakesWhatItTouches();
     void splitHideAndUndo();
     void theRowShowsWhatAClickTakes();
+    void whatIsSelectedKeepsItsName();
+    void aWholeSurfaceIsNoPart();
 };
 
 void TestSelecting::aClickTakesWhatTheRowSays_data() {
@@ -164,6 +166,47 @@ void TestSelecting::theRowShowsWhatAClickTakes() {
     QCOMPARE(list->currentText(), QStringLiteral("Smooth"));
     QTest::keyClicks(list, QStringLiteral("T"));
     QVERIFY(command(program, "take-triangle").isChecked());
+}
+
+// Surfaces get other numbers when triangles go to others.
+void TestSelecting::whatIsSelectedKeepsItsName() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const ObjectId cube = program.document.scene().objects[0].id;
+    const auto names = [&] {
+        std::string all;
+        for (const SurfaceRef ref : program.document.selected())
+            all += program.document.surface(ref)->name + " ";
+        return all;
+    };
+    program.document.select({SurfaceRef{cube, 0}, SurfaceRef{cube, 1}});
+    program.document.mergeSelected(); // right and left: all others move down
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    program.document.select(SurfaceRef{cube, 4}); // back
+    QCOMPARE(names(), std::string("back "));
+    program.document.history().undo();
+    QCOMPARE(names(), std::string("back "));
+    program.document.history().redo();
+    QCOMPARE(names(), std::string("back "));
+    // What was split off goes with the step, and comes back with it.
+    QVERIFY(takeTriangle(program));
+    program.document.splitSelection();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    const std::string part = names();
+    program.document.history().undo();
+    QVERIFY(program.document.selected().empty());
+    program.document.history().redo();
+    QCOMPARE(names(), part);
+}
+
+void TestSelecting::aWholeSurfaceIsNoPart() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const Scene before = program.document.scene();
+    program.document.selectFaces({before.objects[0].id, {0, 1}}); // the right side
+    program.document.splitSelection();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    QVERIFY(program.document.scene() == before && program.document.history().count() == 0);
 }
 
 QTEST_MAIN(TestSelecting)
