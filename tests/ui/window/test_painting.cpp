@@ -55,6 +55,7 @@ private slots:
     void aMaskIsPaintedOnTheTopmostLayer();
     void lockedAndOtherSurfacesStay();
     void besideTheModelNothingHappens();
+    void aPictureIsPaintedOnItsTexels();
 };
 
 QString TestPainting::writePlate() const {
@@ -211,6 +212,60 @@ void TestPainting::besideTheModelNothingHappens() {
     stroke(program, {6, 6}, {40, 6});
     QVERIFY(program.document.scene() == before);
     QVERIFY(program.window->view().camera().yaw != yaw); // it orbits there
+}
+
+// A square with texture coordinates, and a grey picture on it: what is painted is where the pointer was.
+void TestPainting::aPictureIsPaintedOnItsTexels() {
+    TouchedWindow program;
+    const QString square =
+        writeFile(folder_, QStringLiteral("square.obj"),
+                  "v 0 0 0\nv 0.1 0 0\nv 0.1 0 -0.1\nv 0 0 -0.1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                  "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+    QVERIFY(program.open(square));
+    program.command("view-top").trigger();
+    constexpr int kSide = 64;
+    constexpr std::uint16_t kGrey = 20000;
+    TextureLayer layer;
+    layer.name = "picture";
+    layer.pattern.source = TextureSource::Image;
+    layer.pattern.mapping = TextureMapping::UvUnit;
+    layer.pattern.size = 1;
+    layer.pattern.image = std::make_shared<const TextureImage>(
+        kSide, kSide, std::vector<std::uint16_t>(kSide * kSide, kGrey), "grey");
+    program.document.editSurfaces(SurfaceRef{program.document.scene().objects[0].id, 0},
+                                  SceneChange::What::Layers, QStringLiteral("Add"),
+                                  [&](Surface& each) { each.layers = {layer}; });
+    program.command("paint-layer").trigger();
+    program.frames(5);
+    Brush brush;
+    brush.radius = 0.02;
+    brush.strength = 1;
+    brush.falloff = 0;
+    tool(program).setBrush(brush);
+    const Ray ray = program.window->view().camera().ray(program.centre());
+    const Vec3 at =
+        program.document.scene().objects[0].pose.applyInverse(ray.at(-ray.origin.y() / ray.direction.y()));
+    const Scene before = program.document.scene();
+    stroke(program, program.centre(), program.centre());
+    const TextureImage& image = *layers(program).at(0).pattern.image;
+    QCOMPARE(layers(program)[0].pattern.source, TextureSource::Image);
+    int painted = 0;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            // The plate may have been scaled to a hand's reach about its middle.
+            const TriangleSoup& soup = *program.document.scene().objects[0].geometry;
+            const Vec3 place = soup.positions[0] +
+                               (x + 0.5) / kSide * (soup.positions[1] - soup.positions[0]) +
+                               (y + 0.5) / kSide * (soup.positions[3] - soup.positions[0]);
+            const double far = (place - at).norm();
+            const std::uint16_t value = image.row(image.level(0), y)[x];
+            if (far < 0.95 * brush.radius) QCOMPARE(value, std::uint16_t(65535));
+            if (far > 1.05 * brush.radius) QCOMPARE(value, kGrey);
+            painted += value != kGrey;
+        }
+    QVERIFY(painted > 100 && painted < kSide * kSide / 2);
+    program.document.history().undo();
+    QVERIFY(program.document.scene() == before);
 }
 
 QTEST_MAIN(TestPainting)
