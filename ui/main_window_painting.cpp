@@ -9,6 +9,7 @@
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
+#include "ui/style.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -78,7 +79,8 @@ void MainWindow::fillPaintStrip(const QList<QAction*>& goals, const QList<QActio
     paintStrip_->addChoices(tr("What the brush paints"), goals, goalNames);
     for (const BrushField& each : kBrushFields) {
         auto* field = new ParameterField(*each.parameter);
-        field->setFixedWidth(200); // what has no room is cut off, as a whole
+        field->setCompact();
+        field->setFixedWidth(18 * kRhythm);
         connect(field, &ParameterField::edited, this, [this, value = each.value](double to) {
             Brush brush = painting_->brush();
             brush.*value = to;

@@ -43,7 +43,7 @@ ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
 }
 
 void ParameterField::layOut(QLabel* label) {
-    auto* unit = new QLabel(unit_.name);
+    auto* unit = unitLabel_ = new QLabel(unit_.name);
     unit->setProperty("dimmed", true);
     unit->setMinimumWidth(5 * kRhythm);
     box_->setFixedWidth(9 * kRhythm);
@@ -61,6 +61,16 @@ void ParameterField::layOut(QLabel* label) {
     grid->addWidget(slider_, 1, 0, 1, 4);
     grid->addWidget(hint_, 2, 0, 1, 4);
     grid->setColumnStretch(0, 1);
+}
+
+void ParameterField::setCompact() {
+    compact_ = true;
+    unitLabel_->setMinimumWidth(0);
+    box_->setFixedWidth(7 * kRhythm);
+    QSizePolicy given = reset_->sizePolicy();
+    given.setRetainSizeWhenHidden(false);
+    reset_->setSizePolicy(given);
+    reset_->hide();
 }
 
 void ParameterField::wire() {
@@ -120,14 +130,14 @@ void ParameterField::setValue(double value) {
     const QSignalBlocker quiet(box_);
     box_->setValue(unit_.factor * value);
     slider_->display(value);
-    reset_->setVisible(value != parameter_.initial);
+    reset_->setVisible(!compact_ && value != parameter_.initial);
 }
 
 void ParameterField::setMixed(bool mixed) {
     const QSignalBlocker quiet(box_);
     box_->setMixed(mixed);
     slider_->setEnabled(!mixed);
-    if (mixed) reset_->setVisible(true);
+    if (mixed) reset_->setVisible(!compact_);
 }
 
 void ParameterField::setCeiling(std::optional<double> ceiling, const QString& meaning) {

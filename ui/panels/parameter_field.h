@@ -27,6 +27,9 @@ public:
     /// `parameter` must outlive the field; the tables are constants.
     explicit ParameterField(const Parameter& parameter, QWidget* parent = nullptr);
 
+    /// For a row with little room: without the button back to the default, which a double click on the label
+    /// does as well.
+    void setCompact();
     /// Shows a value in the parameter's own unit, without telling anybody.
     void setValue(double value);
     /// Whether the value is only the first of several.
@@ -57,6 +60,8 @@ private:
     NumberBox* box_;
     ValueSlider* slider_;
     QToolButton* reset_;
+    QLabel* unitLabel_ = nullptr;
+    bool compact_ = false;
     QLabel* hint_; ///< why another value than the typed one is shown
     QString ceilingText_;
     QElapsedTimer sinceStep_;

@@ -1,7 +1,10 @@
 #include "ui/panels/tool_strip.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -31,13 +34,34 @@ QToolButton* buttonOf(QAction* action, const QString& text) {
 
 } // namespace
 
-ToolStrip::ToolStrip(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
+ToolStrip::ToolStrip(QWidget* parent)
+    : QWidget(parent), content_(new QWidget(this)), row_(new QHBoxLayout(content_)) {
     setObjectName(QStringLiteral("tool-strip"));
     row_->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
     row_->setSpacing(kRhythm / 2);
-    row_->setSizeConstraint(QLayout::SetNoConstraint);
+    content_->installEventFilter(this);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     hide();
+}
+
+QSize ToolStrip::sizeHint() const {
+    return content_->sizeHint();
+}
+
+void ToolStrip::layOut() {
+    content_->resize(std::max(width(), content_->minimumSizeHint().width()), height());
+}
+
+void ToolStrip::resizeEvent(QResizeEvent*) {
+    layOut();
+}
+
+bool ToolStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        updateGeometry();
+        layOut();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ToolStrip::addLabel(const QString& text) {

@@ -9,8 +9,8 @@ class QHBoxLayout;
 
 namespace tactum {
 
-/// Lists, fields and buttons from left to right; what has no room is cut off rather than taken from the
-/// panels. Thread: ui.
+/// Lists, fields and buttons from left to right; what has no room is cut off at the right end rather than
+/// taken from the panels or pushed together. Thread: ui.
 class ToolStrip : public QWidget {
     Q_OBJECT
 public:
@@ -25,8 +25,16 @@ public:
     void addField(QWidget* field);
     /// What follows stands at the right end.
     void addStretch();
+    QSize sizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< a list that became wider
 
 private:
+    void layOut();
+
+    QWidget* content_;
     QHBoxLayout* row_;
 };
 
