@@ -250,6 +250,7 @@ void TestPresetFile::badFilesAreOneLine_data() {
     add("nothing", "", "JSON");
     add("no JSON", "hello", "JSON");
     add("a list", "[]", "JSON");
+    add("a comma too many", "{\n  \"name\": \"x\",\n  \"feel\": {,}\n}\n", ":3: its JSON");
     add("no preset", "{}", "tactumPreset");
     add("later", R"({"tactumPreset":"2.0"})", "later");
     add("version of words", R"({"tactumPreset":"new"})", "tactumPreset");
@@ -309,7 +310,7 @@ void TestPresetFile::badFilesAreOneLine() {
     const auto read = parsed(text.toStdString());
     QVERIFY(!read);
     const QString line = QString::fromStdString(read.error().text);
-    QVERIFY2(line.startsWith(QStringLiteral("a.tactum-preset: ")), qPrintable(line));
+    QVERIFY2(line.startsWith(QStringLiteral("a.tactum-preset:")), qPrintable(line));
     QVERIFY2(line.contains(QString::fromUtf8(says)), qPrintable(line));
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
     QVERIFY(read.error().kind == Error::Kind::Input);
