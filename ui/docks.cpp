@@ -2,11 +2,11 @@
 
 #include <QDockWidget>
 #include <QTabBar>
-#include <QUndoView>
 
 #include "ui/document.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/health_panel.h"
+#include "ui/panels/history_list.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/outliner.h"
@@ -25,16 +25,6 @@ QDockWidget* addDock(QMainWindow& window, const QString& name, const QString& ti
     dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;
-}
-
-QUndoView* historyView(Document& document) {
-    auto* view = new QUndoView(&document.history());
-    view->setObjectName(QStringLiteral("history"));
-    view->setEmptyLabel(QObject::tr("As opened"));
-    view->setCleanIcon(icon(QStringLiteral("save")));
-    view->setToolTip(QObject::tr("Click a step to go back or forth to it; the disk marks what is saved"));
-    view->setAccessibleName(QObject::tr("History"));
-    return view;
 }
 
 /// While tabs name a dock it needs no title.
@@ -84,7 +74,7 @@ Docks addDocks(QMainWindow& window, Document& document) {
     auto* inspector = addDock(window, QStringLiteral("dock-inspector"), QObject::tr("Surface"),
                               docks.inspector, Qt::RightDockWidgetArea);
     auto* history = addDock(window, QStringLiteral("dock-history"), QObject::tr("History"),
-                            historyView(document), Qt::RightDockWidgetArea);
+                            new HistoryList(document.history()), Qt::RightDockWidgetArea);
     auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"), docks.plot,
                          Qt::BottomDockWidgetArea);
     auto* health = addDock(window, QStringLiteral("dock-health"), QObject::tr("Health"), docks.health,

@@ -17,6 +17,7 @@
 
 #include "tests/ui/window/window_fixture.h"
 #include "ui/numbers.h"
+#include "ui/panels/history_list.h"
 #include "ui/recent_files.h"
 #include "ui/shortcuts.h"
 #include "ui/view/scene_view.h"
@@ -56,6 +57,7 @@ private slots:
     void tabHidesThePanelsOfTheView();
     void everyKeyIsGivenOnce();
     void keysTurnTheCamera();
+    void undoneStepsAreDim();
 };
 
 void TestWindow::aDroppedModelIsOpened() {
@@ -312,6 +314,27 @@ void TestWindow::keysTurnTheCamera() {
     QVERIFY(std::abs(view.camera().distance - 0.64 * distance) < 1e-9);
     turn("zoom-out", 2);
     QVERIFY(std::abs(view.camera().distance - distance) < 1e-9);
+}
+
+void TestWindow::undoneStepsAreDim() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("300"));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
+    auto* list = program.window->findChild<HistoryList*>();
+    const auto brightest = [&](int row) {
+        const QImage picture = list->grab(list->visualRect(list->model()->index(row, 0))).toImage();
+        int most = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                most = std::max(most, qGray(picture.pixel(x, y)));
+        return most;
+    };
+    const int done = brightest(2);
+    program.document.history().undo();
+    program.frames(3);
+    QVERIFY2(brightest(2) < done - 40, qPrintable(QString::number(brightest(2))));
+    QVERIFY(std::abs(brightest(1) - done) < 10);
 }
 
 QTEST_MAIN(TestWindow)

@@ -1,0 +1,47 @@
+#include "ui/panels/history_list.h"
+
+#include <QEvent>
+#include <QStyledItemDelegate>
+#include <QUndoStack>
+
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+/// Row 0 is the scene as it was opened, row i the step i.
+class StepDelegate : public QStyledItemDelegate {
+public:
+    StepDelegate(const QUndoStack& steps, QObject* parent) : QStyledItemDelegate(parent), steps_(steps) {}
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.row() <= steps_.index()) return;
+        option->palette.setColor(QPalette::Text, theme().textDimmed);
+        option->font.setItalic(true);
+    }
+
+private:
+    const QUndoStack& steps_;
+};
+
+} // namespace
+
+HistoryList::HistoryList(QUndoStack& steps, QWidget* parent) : QUndoView(&steps, parent) {
+    setObjectName(QStringLiteral("history"));
+    setEmptyLabel(tr("As opened"));
+    setCleanIcon(icon(QStringLiteral("save")));
+    setToolTip(tr("Click a step to go back or forth to it; the disk marks what is saved"));
+    setAccessibleName(tr("History"));
+    setItemDelegate(new StepDelegate(steps, this));
+    connect(&steps, &QUndoStack::indexChanged, viewport(), qOverload<>(&QWidget::update));
+}
+
+void HistoryList::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) setCleanIcon(icon(QStringLiteral("save")));
+    QUndoView::changeEvent(event);
+}
+
+} // namespace tactum
