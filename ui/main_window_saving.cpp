@@ -2,10 +2,12 @@
 #include "ui/main_window.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
 
 #include "core/bundle/bundle.h"
 #include "core/files/save_scene.h"
@@ -46,6 +48,14 @@ QString askWhere(QWidget* parent, const QString& title, const QString& kind, con
     if (file.endsWith(u'.' + suffix, Qt::CaseInsensitive)) return file;
     file += u'.' + suffix;
     return !QFileInfo::exists(file) || mayReplace(parent, file) ? file : QString();
+}
+
+/// Beside the scene's file; what is made of a sample belongs to the person, not beside the samples.
+QString placeToSave(const Document& document, const QStringList& samples) {
+    const QFileInfo file(fileOf(document));
+    if (!samples.contains(file.canonicalFilePath())) return file.filePath();
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    return (documents.exists() ? documents : QDir::home()).filePath(file.fileName());
 }
 
 } // namespace
@@ -100,7 +110,8 @@ void MainWindow::askToOverwrite() {
 }
 
 void MainWindow::saveAs() {
-    const QString file = askWhere(this, tr("Save the scene"), tr("Scenes"), kSceneEnding, fileOf(document_));
+    const QString file =
+        askWhere(this, tr("Save the scene"), tr("Scenes"), kSceneEnding, placeToSave(document_, samples_));
     if (file.isEmpty())
         afterSave_ = nullptr;
     else
@@ -109,7 +120,7 @@ void MainWindow::saveAs() {
 
 void MainWindow::exportBundle() {
     const QString file =
-        askWhere(this, tr("Export a bundle"), tr("Bundles"), kBundleEnding, fileOf(document_));
+        askWhere(this, tr("Export a bundle"), tr("Bundles"), kBundleEnding, placeToSave(document_, samples_));
     if (!file.isEmpty()) document_.exportBundle(pathOf(file));
 }
 

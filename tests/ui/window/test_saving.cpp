@@ -14,12 +14,13 @@ using namespace tactum;
 
 namespace {
 
-/// Answers the next file dialog as a person does.
-void answerFileDialog(const QString& file) {
+/// Answers the next file dialog as a person does; `offered`: the folder in which it began.
+void answerFileDialog(const QString& file, QString* offered = nullptr) {
     auto* timer = new QTimer;
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, file] {
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, file, offered] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         if (!dialog) return;
+        if (offered) *offered = dialog->directory().path();
         dialog->selectFile(file);
         QMetaObject::invokeMethod(dialog, "accept");
         timer->deleteLater();
@@ -207,9 +208,11 @@ private slots:
         TouchedWindow program({1200, 800}, {QFileInfo(sample).canonicalFilePath()});
         QVERIFY(program.open(sample));
         QSignalSpy done(&program.document, &Document::saved);
-        answerFileDialog(file(QStringLiteral("mine.glb")));
+        QString offered; // not beside the samples
+        answerFileDialog(file(QStringLiteral("mine.glb")), &offered);
         QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
         QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+        QVERIFY(!offered.isEmpty() && offered != QFileInfo(sample).canonicalPath());
         QVERIFY(!QFileInfo::exists(sample + u'1')); // would be what was written over
         QVERIFY(program.document.hasOwnFile());
     }
