@@ -155,6 +155,7 @@ QString PresetStore::add(const Preset& preset) {
 
 void PresetStore::rename(const StoredPreset& stored, const QString& name) {
     if (!stored.own || name.trimmed().isEmpty()) return emit changed();
+    if (!QFileInfo::exists(stored.file)) return; // removed meanwhile: a new name does not bring it back
     Preset renamed = stored.preset;
     renamed.name = name.trimmed().toStdString();
     if (write(renamed, stored.file)) load();
