@@ -1,9 +1,9 @@
 #include "core/files/load_scene.h"
 
 #include <algorithm>
-#include <new>
 
 #include "core/base/text.h"
+#include "core/files/guarded.h"
 #include "core/files/readers.h"
 #include "core/geometry/mesh_health.h"
 
@@ -87,13 +87,8 @@ const std::vector<std::string>& readableEndings() {
 }
 
 Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress) {
-    try {
-        return load(file, progress);
-    } catch (const ReadFault& fault) {
-        return tl::unexpected<Error>(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": not enough memory to open it; close other programs");
-    }
+    return guarded<LoadedScene>(file, "to open it; close other programs",
+                                [&] { return load(file, progress); });
 }
 
 Surface namedSurface(std::string name) {

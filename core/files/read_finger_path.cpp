@@ -1,10 +1,9 @@
 #include "core/files/read_finger_path.h"
 
 #include <cmath>
-#include <new>
 
 #include "core/base/text.h"
-#include "core/files/source.h"
+#include "core/files/guarded.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum {
@@ -85,27 +84,23 @@ private:
     std::vector<FingerPoint> path_;
 };
 
-template <class Open>
-Result<std::vector<FingerPoint>> guarded(const std::filesystem::path& file, const Open& open) {
-    try {
-        const Source source = open();
-        return PathReader(source).read();
-    } catch (const ReadFault& fault) {
-        return tl::unexpected<Error>(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": not enough memory to read it; shorten the path");
-    }
+std::vector<FingerPoint> readFrom(const Source& source) {
+    return PathReader(source).read();
 }
+
+constexpr const char* kNoMemory = "to read it; shorten the path";
 
 } // namespace
 
 Result<std::vector<FingerPoint>> readFingerPath(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = std::uint64_t(4) << 30;
-    return guarded(file, [&] { return Source::openFileOrPipe(file, kLargest); });
+    return guarded<std::vector<FingerPoint>>(
+        file, kNoMemory, [&] { return readFrom(Source::openFileOrPipe(file, kLargest)); });
 }
 
 Result<std::vector<FingerPoint>> readFingerPath(std::string_view text, const std::filesystem::path& where) {
-    return guarded(where, [&] { return Source::ofBytes(where, text); });
+    return guarded<std::vector<FingerPoint>>(where, kNoMemory,
+                                             [&] { return readFrom(Source::ofBytes(where, text)); });
 }
 
 } // namespace tactum

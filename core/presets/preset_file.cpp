@@ -5,9 +5,9 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/files/guarded.h"
 #include "core/files/images/read_image.h"
 #include "core/files/images/write_png.h"
-#include "core/files/source.h"
 #include "core/presets/base64.h"
 #include "core/surface/texture_stack.h"
 
@@ -297,31 +297,19 @@ void overlay(Json& below, const Json& above) {
     }
 }
 
-Result<LoadedPreset> read(const Source& source) {
-    return PresetReader(source).read();
-}
+constexpr const char* kNoMemory = "for the preset; close other programs";
 
 } // namespace
 
 Result<LoadedPreset> readPreset(const std::filesystem::path& file) {
-    try {
-        return read(Source::open(file, kLargestPreset));
-    } catch (const ReadFault& fault) {
-        return tl::unexpected(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": needs more memory than there is; close other programs");
-    }
+    return guarded<LoadedPreset>(file, kNoMemory,
+                                 [&] { return PresetReader(Source::open(file, kLargestPreset)).read(); });
 }
 
 Result<LoadedPreset> parsePreset(std::string_view text, const std::filesystem::path& where) {
     if (text.size() > kLargestPreset) return inputError(shownPath(where) + ": is too large for a preset");
-    try {
-        return read(Source::ofBytes(where, text));
-    } catch (const ReadFault& fault) {
-        return tl::unexpected(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(where) + ": needs more memory than there is; close other programs");
-    }
+    return guarded<LoadedPreset>(where, kNoMemory,
+                                 [&] { return PresetReader(Source::ofBytes(where, text)).read(); });
 }
 
 std::string presetText(const Preset& preset) {

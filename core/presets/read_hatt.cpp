@@ -9,7 +9,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
-#include "core/files/source.h"
+#include "core/files/guarded.h"
 #include "core/presets/vibration_model.h"
 
 namespace tactum {
@@ -186,30 +186,18 @@ private:
     LoadedPreset made_;
 };
 
-Result<LoadedPreset> read(const Source& source) {
-    return HattReader(source).read();
-}
+constexpr const char* kNoMemory = "for the texture model; close other programs";
 
 } // namespace
 
 Result<LoadedPreset> readHatt(const std::filesystem::path& file) {
-    try {
-        return read(Source::open(file, kLargestFile));
-    } catch (const ReadFault& fault) {
-        return tl::unexpected(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": needs more memory than there is; close other programs");
-    }
+    return guarded<LoadedPreset>(file, kNoMemory,
+                                 [&] { return HattReader(Source::open(file, kLargestFile)).read(); });
 }
 
 Result<LoadedPreset> parseHatt(std::string_view text, const std::filesystem::path& where) {
-    try {
-        return read(Source::ofBytes(where, text));
-    } catch (const ReadFault& fault) {
-        return tl::unexpected(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(where) + ": needs more memory than there is; close other programs");
-    }
+    return guarded<LoadedPreset>(where, kNoMemory,
+                                 [&] { return HattReader(Source::ofBytes(where, text)).read(); });
 }
 
 } // namespace tactum

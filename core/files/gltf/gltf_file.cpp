@@ -1,7 +1,6 @@
 #include "core/files/gltf/gltf_file.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace tactum {
 namespace {
@@ -31,26 +30,17 @@ void demandShallow(const Source& source, std::string_view json) {
     }
 }
 
-/// Counted from 1; nothing for a number that no double can hold.
-std::optional<std::size_t> lineOfMistake(std::string_view json) {
-    try {
-        [[maybe_unused]] const Json parsed = Json::parse(json);
-    } catch (const Json::parse_error& mistake) {
-        const auto end = json.begin() + std::ptrdiff_t(std::min(mistake.byte, json.size()));
-        return 1 + std::size_t(std::count(json.begin(), end, '\n'));
-    } catch (const Json::exception&) {
-    }
-    return std::nullopt;
-}
-
 Json parseJson(const Source& source, std::string_view text) {
     demandShallow(source, text);
-    Json json = Json::parse(text, nullptr, false);
-    const bool isText = text.data() == source.bytes().data(); // else a part of a binary file
-    if (const auto line = json.is_discarded() && isText ? lineOfMistake(text) : std::nullopt)
-        source.failAtLine(*line, "its JSON cannot be parsed; mend that line or re-export the file");
-    if (!json.is_object()) source.fail("its JSON cannot be parsed; re-export the file");
-    return json;
+    try {
+        if (Json json = Json::parse(text); json.is_object()) return json;
+    } catch (const Json::parse_error& mistake) {
+        if (text.data() == source.bytes().data()) // in a part of a binary file lines say nothing
+            source.failAtLine(source.lineAt(text.data() + std::min(mistake.byte, text.size())),
+                              "its JSON cannot be parsed; mend that line or re-export the file");
+    } catch (const Json::exception&) { // a number that no double can hold
+    }
+    source.fail("its JSON cannot be parsed; re-export the file");
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 #include "core/files/images/read_image.h"
 
-#include <new>
-
 #include "core/base/realtime.h"
 #include "core/base/text.h"
+#include "core/files/guarded.h"
 #include "core/files/images/image_decoders.h"
 
 namespace tactum {
@@ -35,16 +34,7 @@ LoadedImage load(const Source& source, std::string name) {
             decoded.note};
 }
 
-template <class Read> Result<LoadedImage> guarded(const std::filesystem::path& file, const Read& read) {
-    assertNotRealtime();
-    try {
-        return read();
-    } catch (const ReadFault& fault) {
-        return tl::unexpected<Error>(fault.error);
-    } catch (const std::bad_alloc&) {
-        return machineError(shownPath(file) + ": not enough memory for the picture; scale it down");
-    }
-}
+constexpr const char* kNoMemory = "for the picture; scale it down";
 
 } // namespace
 
@@ -65,14 +55,17 @@ void failDamaged(const Source& source, const char* words) {
 }
 
 Result<LoadedImage> readImage(const std::filesystem::path& file) {
-    return guarded(file, [&] {
+    assertNotRealtime();
+    return guarded<LoadedImage>(file, kNoMemory, [&] {
         return load(Source::open(file, kLargestFile), printable(file.filename().string(), 200));
     });
 }
 
 Result<LoadedImage> readImage(std::string_view bytes, const std::string& name,
                               const std::filesystem::path& where) {
-    return guarded(where, [&] { return load(Source::ofBytes(where, bytes), printable(name, 200)); });
+    assertNotRealtime();
+    return guarded<LoadedImage>(where, kNoMemory,
+                                [&] { return load(Source::ofBytes(where, bytes), printable(name, 200)); });
 }
 
 } // namespace tactum
