@@ -9,18 +9,8 @@ bool isValue(PaintGoal goal) {
 }
 
 TextureTarget targetOf(PaintGoal goal) {
-    switch (goal) {
-    case PaintGoal::StaticFriction:
-        return TextureTarget::StaticFriction;
-    case PaintGoal::DynamicFriction:
-        return TextureTarget::DynamicFriction;
-    case PaintGoal::Viscosity:
-        return TextureTarget::Viscosity;
-    case PaintGoal::Stiffness:
-        return TextureTarget::Stiffness;
-    default:
-        return TextureTarget::Height;
-    }
+    static_assert(int(PaintGoal::Stiffness) == int(TextureTarget::Stiffness));
+    return TextureTarget(goal);
 }
 
 bool isPaintable(const TexturePattern& pattern) {

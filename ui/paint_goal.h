@@ -1,6 +1,7 @@
 // What the brush changes of a surface: which of its layers, and whether the layer itself or its mask.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -9,15 +10,16 @@
 
 namespace tactum {
 
-/// A value of the surface, by a painted layer of its own; or the layer that is chosen, or its mask.
+/// A value of the surface, by a painted layer of its own: those of TextureTarget, in that order. Or the layer
+/// that is chosen, or its mask.
 enum class PaintGoal { Height, StaticFriction, DynamicFriction, Viscosity, Stiffness, Layer, Mask };
-inline constexpr std::array<NamedChoice, 7> kPaintGoals{{{"height", "Height"},
-                                                         {"static-friction", "Static friction"},
-                                                         {"dynamic-friction", "Dynamic friction"},
-                                                         {"viscosity", "Viscosity"},
-                                                         {"stiffness", "Stiffness"},
-                                                         {"layer", "Layer"},
-                                                         {"mask", "Mask of layer"}}};
+inline constexpr auto kPaintGoals = [] {
+    std::array<NamedChoice, kTextureTargets.size() + 2> all{};
+    std::ranges::copy(kTextureTargets, all.begin());
+    all[std::size_t(PaintGoal::Layer)] = {"layer", "Layer"};
+    all[std::size_t(PaintGoal::Mask)] = {"mask", "Mask of layer"};
+    return all;
+}();
 
 /// A layer of a surface; `layer` is that of a new one where it is the number of layers.
 struct PaintPlace {
