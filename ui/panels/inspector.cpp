@@ -8,8 +8,8 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QVBoxLayout>
 
+#include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/swatch.h"
 #include "ui/style.h"
@@ -19,13 +19,6 @@ namespace tactum {
 namespace {
 
 constexpr int kLeastWidth = 31 * kRhythm; ///< a field with its unit
-
-QVBoxLayout* column(QWidget* of, int spacing) {
-    auto* layout = new QVBoxLayout(of);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(spacing);
-    return layout;
-}
 
 QLabel* dimmed(const QString& text) {
     auto* label = new QLabel(text);
@@ -58,7 +51,7 @@ void check(QCheckBox& box, bool on, bool mixed) {
 
 Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
     auto* body = new QWidget;
-    auto* sections = column(body, 3 * kRhythm);
+    auto* sections = columnIn(body, 3 * kRhythm);
     sections->setContentsMargins(12, kRhythm / 2, 12, kRhythm);
     sections->addWidget(makeSurfaceSection());
     sections->addWidget(makeSceneSection());
@@ -69,14 +62,14 @@ Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), doc
     scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setMinimumWidth(kLeastWidth);
-    column(this, 0)->addWidget(scroll);
+    columnIn(this, 0)->addWidget(scroll);
     connect(&document_, &Document::changed, this, &Inspector::refresh);
     refresh({});
 }
 
 QWidget* Inspector::makeSurfaceSection() {
     auto* section = new QWidget;
-    auto* rows = column(section, kRhythm);
+    auto* rows = columnIn(section, kRhythm);
     auto* title = new QHBoxLayout;
     swatch_ = new QLabel;
     heading_ = new QLabel;
@@ -90,7 +83,7 @@ QWidget* Inspector::makeSurfaceSection() {
     locked_->setObjectName("locked-hint");
     rows->addWidget(locked_);
     surfaceFields_ = new QWidget;
-    auto* list = column(surfaceFields_, kRhythm);
+    auto* list = columnIn(surfaceFields_, kRhythm);
     for (const MaterialField& field : kMaterialFields) {
         auto* row = new ParameterField(*field.parameter);
         connect(row, &ParameterField::edited, this, [this, &field](double value, Gesture gesture) {
@@ -117,7 +110,7 @@ QWidget* Inspector::makeSidesRow() {
         {Sides::Back, tr("Back"), tr("Felt from the side that sees the corners clockwise alone.")},
         {Sides::None, tr("None"), tr("Seen, but not felt.")}};
     auto* section = new QWidget;
-    auto* lines = column(section, kRhythm / 2);
+    auto* lines = columnIn(section, kRhythm / 2);
     lines->addWidget(new QLabel(tr("Felt from")));
     auto* row = new QHBoxLayout;
     row->setSpacing(kRhythm / 2);
@@ -153,7 +146,7 @@ template <class Change> void Inspector::editShading(Gesture gesture, Change&& ch
 
 QWidget* Inspector::makeShadingRows() {
     auto* rows = new QWidget;
-    auto* list = column(rows, kRhythm);
+    auto* list = columnIn(rows, kRhythm);
     shading_ = new QCheckBox(tr("Force shading"));
     shading_->setObjectName("force-shading");
     shading_->setToolTip(tr("Facets feel as the round surface that they stand for (section 3)."));
@@ -178,7 +171,7 @@ QWidget* Inspector::makeShadingRows() {
 
 QWidget* Inspector::makeSceneSection() {
     auto* section = new QWidget;
-    auto* rows = column(section, kRhythm);
+    auto* rows = columnIn(section, kRhythm);
     auto* title = new QLabel(tr("Scene"));
     title->setProperty("heading", true);
     rows->addWidget(title);

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include <QDir>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
-#include <QStandardPaths>
 #include <QToolButton>
-#include <QVBoxLayout>
 
-#include "core/files/images/read_image.h"
-#include "ui/layer_mapping.h"
 #include "ui/layer_profile.h"
+#include "ui/panels/columns.h"
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/layer_fields.h"
 #include "ui/panels/layer_list.h"
@@ -30,20 +25,6 @@ using What = SceneChange::What;
 
 constexpr int kMostRows = 4; // of the list: what is beneath needs the room
 
-QVBoxLayout* columnOf(QWidget* of, int spacing) {
-    auto* layout = new QVBoxLayout(of);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(spacing);
-    return layout;
-}
-
-QString askForPicture(QWidget* parent) {
-    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    return QFileDialog::getOpenFileName(parent, QObject::tr("Choose a picture"),
-                                        QDir(pictures).exists() ? pictures : QString(),
-                                        QObject::tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff)"));
-}
-
 } // namespace
 
 LayerPanel::LayerPanel(Document& document, QWidget* parent)
@@ -54,7 +35,7 @@ LayerPanel::LayerPanel(Document& document, QWidget* parent)
       swatch_(new FlatSwatch), chart_(new ProfileChart) {
     setObjectName(QStringLiteral("layer-panel"));
     setAttribute(Qt::WA_StyledBackground);
-    auto* column = columnOf(this, kRhythm / 2);
+    auto* column = columnIn(this, kRhythm / 2);
     column->setContentsMargins(0, kRhythm / 2, 0, 0);
     auto* top = new QHBoxLayout;
     top->setContentsMargins(12, 0, kRhythm / 2, 0);
@@ -68,7 +49,7 @@ LayerPanel::LayerPanel(Document& document, QWidget* parent)
     hint_->setObjectName(QStringLiteral("layer-hint"));
     hint_->setContentsMargins(12, 0, 12, 0);
     column->addWidget(hint_);
-    auto* inside = columnOf(body_, kRhythm / 2);
+    auto* inside = columnIn(body_, kRhythm / 2);
     inside->addWidget(list_);
     inside->addWidget(makeLower(), 1);
     column->addWidget(body_, 1);
@@ -87,7 +68,7 @@ LayerPanel::LayerPanel(Document& document, QWidget* parent)
 
 QWidget* LayerPanel::makeLower() {
     auto* lower = new QWidget;
-    auto* column = columnOf(lower, kRhythm / 2);
+    auto* column = columnIn(lower, kRhythm / 2);
     auto* row = new QHBoxLayout(feel_);
     row->setContentsMargins(12, 0, 12, 0);
     row->setSpacing(kRhythm);
@@ -95,7 +76,7 @@ QWidget* LayerPanel::makeLower() {
     row->addWidget(chart_, 1);
     column->addWidget(feel_);
     auto* padded = new QWidget;
-    columnOf(padded, 0)->addWidget(fields_);
+    columnIn(padded, 0)->addWidget(fields_);
     padded->layout()->setContentsMargins(12, kRhythm / 2, 12, kRhythm);
     static_cast<QVBoxLayout*>(padded->layout())->addStretch();
     scroll_->setWidget(padded);
@@ -141,13 +122,6 @@ void LayerPanel::connectList() {
     connect(list_, &LayerList::duplicateAsked, this, &LayerPanel::duplicate);
     // Later: an editor that closes with the window speaks when the panel is half gone.
     connect(list_, &LayerList::renameAsked, this, &LayerPanel::rename, Qt::QueuedConnection);
-}
-
-void LayerPanel::rename(int number, const QString& name) {
-    if (name.isEmpty() || number >= int(known_.size())) return refresh();
-    const std::string& before = known_[std::size_t(number)].name;
-    editList(tr("Rename layer %1 to %2").arg(QString::fromStdString(before), name),
-             [&](TextureLayers& layers) { layers[std::size_t(number)].name = name.toStdString(); });
 }
 
 const Surface* LayerPanel::surface() const {
@@ -227,6 +201,13 @@ void LayerPanel::setSolo(std::optional<SoloLayer> solo) {
     emit soloChanged(solo_);
 }
 
+void LayerPanel::toggleSolo(int number) {
+    if (!shown_ || number >= int(known_.size())) return;
+    const SoloLayer wanted{*shown_, number};
+    setSolo(solo_ == wanted ? std::nullopt : std::optional(wanted));
+    refresh();
+}
+
 TextureLayers LayerPanel::feltLayers() const {
     const Surface* of = surface();
     if (!of) return {};
@@ -282,181 +263,6 @@ bool LayerPanel::hasUvs(const SurfaceRefs& refs) const {
         const SceneObject* object = document_.scene().find(ref.object);
         return object && object->geometry && !object->geometry->cornerUvs.empty();
     });
-}
-
-void LayerPanel::edit(const QString& what, const std::function<void(TextureLayer&)>& change,
-                      Gesture gesture) {
-    const TextureLayer* now = layer();
-    if (!now) return;
-    const QString text = tr("%1 of layer %2").arg(what, QString::fromStdString(now->name));
-    document_.editSurfaces(
-        *shown_, What::Layers, text,
-        [&](Surface& each) {
-            TextureLayer& to = each.layers[std::size_t(current_)];
-            const TexturePattern before = to.pattern;
-            change(to);
-            fitNewMapping(to.pattern, before);
-        },
-        gesture);
-    refresh(); // what was typed may have been brought into range
-}
-
-void LayerPanel::editList(const QString& text, const std::function<void(TextureLayers&)>& change) {
-    if (!shown_) return;
-    document_.editSurfaces(*shown_, What::Layers, text, [&](Surface& each) { change(each.layers); });
-    refresh();
-}
-
-// A mapping that gets a frame for the first time gets one that fits.
-void LayerPanel::fitNewMapping(TexturePattern& pattern, const TexturePattern& before) const {
-    if (pattern.mapping == before.mapping || !hasFrame(pattern) || !(pattern.frame == Pose{})) return;
-    const SceneObject* object = document_.scene().find(shown_->object);
-    if (object && object->geometry) pattern = fitted(pattern, *object->geometry, shown_->surface);
-}
-
-/// Whether one more layer would be felt; says so where not.
-bool LayerPanel::haveRoom(const SurfaceRefs& refs) {
-    for (const SurfaceRef ref : refs)
-        if (const Surface* of = document_.surface(ref); of && of->layers.size() >= kMostTextureLayers) {
-            emit failed(tr("%1 has %2 layers, and more are not felt. Remove one first.")
-                            .arg(QString::fromStdString(of->name))
-                            .arg(of->layers.size()));
-            return false;
-        }
-    return true;
-}
-
-void LayerPanel::addOn(const SurfaceRefs& refs,
-                       const std::function<TextureLayer(const TextureLayers&)>& make) {
-    QString name;
-    if (!haveRoom(refs)) return;
-    for (const SurfaceRef ref : refs)
-        if (const Surface* of = document_.surface(ref); of && name.isEmpty())
-            name = QString::fromStdString(make(of->layers).name);
-    document_.editSurfaces(refs, What::Layers, tr("Layer %1 on %2").arg(name, QStringLiteral("%1")),
-                           [&](Surface& each) { each.layers.push_back(make(each.layers)); });
-    const Surface* of = surface();
-    if (of && std::ranges::find(refs, *shown_) != refs.end()) setCurrentLayer(int(of->layers.size()) - 1);
-}
-
-void LayerPanel::add(TextureSource source) {
-    const SurfaceRefs refs = document_.selected();
-    addOn(refs, [source](const TextureLayers& among) { return newLayer(source, among); });
-}
-
-void LayerPanel::askForImage() {
-    const SurfaceRefs refs = document_.selected();
-    const QString file = refs.empty() ? QString() : askForPicture(this);
-    if (!file.isEmpty()) addImage(refs, file);
-}
-
-void LayerPanel::addImage(const SurfaceRefs& on, const QString& file) {
-    const bool locked = std::ranges::all_of(on, [this](SurfaceRef ref) {
-        const Surface* of = document_.surface(ref);
-        return !of || of->locked;
-    });
-    if (locked) return emit failed(tr("The surface is locked, so it gets no layer; unlock it first (L)."));
-    readImage(file, [this, on](const std::shared_ptr<const TextureImage>& image) {
-        const bool uvs = hasUvs(on);
-        addOn(on,
-              [&](const TextureLayers& among) { return newLayer(TextureSource::Image, among, uvs, image); });
-    });
-}
-
-void LayerPanel::readImage(const QString& file,
-                           std::function<void(std::shared_ptr<const TextureImage>)> use) {
-    reading_.start([this, use = std::move(use), path = std::filesystem::path(file.toStdU16String())](
-                       const Progress&) -> BackgroundJob::Delivery {
-        auto read = std::make_shared<Result<LoadedImage>>(tactum::readImage(path));
-        return [this, use, read] {
-            if (!*read) return emit failed(QString::fromStdString(read->error().text));
-            use((*read)->image);
-            if (!(*read)->note.empty()) emit noted(QString::fromStdString((*read)->note));
-        };
-    });
-}
-
-void LayerPanel::chooseImage(bool ofMask) {
-    if (!layer()) return;
-    const QString file = askForPicture(this);
-    if (file.isEmpty()) return;
-    const auto wanted = std::pair(shown_, current_);
-    readImage(file, [this, ofMask, wanted](const std::shared_ptr<const TextureImage>& image) {
-        if (wanted != std::pair(shown_, current_)) return; // another layer was chosen meanwhile
-        edit(tr("Picture"), [&](TextureLayer& each) {
-            TexturePattern* pattern = ofMask ? (each.mask ? &*each.mask : nullptr) : &each.pattern;
-            if (pattern) pattern->image = image;
-        });
-    });
-}
-
-void LayerPanel::duplicate() {
-    const TextureLayer* now = layer();
-    if (!now || !haveRoom(*shown_)) return;
-    TextureLayer copy = *now;
-    const auto place = std::size_t(current_ + 1);
-    copy.name = freshLayerName(known_, now->name);
-    editList(tr("Duplicate layer %1").arg(QString::fromStdString(now->name)),
-             [&](TextureLayers& layers) { layers.insert(layers.begin() + std::ptrdiff_t(place), copy); });
-    if (canEdit()) setCurrentLayer(int(place));
-}
-
-void LayerPanel::remove() {
-    const TextureLayer* now = layer();
-    if (!now) return;
-    const int place = current_;
-    editList(tr("Remove layer %1").arg(QString::fromStdString(now->name)),
-             [&](TextureLayers& layers) { layers.erase(layers.begin() + place); });
-}
-
-void LayerPanel::moveLayer(int from, int to) {
-    const int count = int(known_.size());
-    if (from == to || from < 0 || to < 0 || from >= count || to >= count) return;
-    editList(tr("Move layer %1").arg(QString::fromStdString(known_[std::size_t(from)].name)),
-             [&](TextureLayers& layers) { tactum::moveLayer(layers, from, to); });
-}
-
-void LayerPanel::toggleShown(int number) {
-    if (number >= int(known_.size())) return;
-    const TextureLayer& of = known_[std::size_t(number)];
-    const bool on = !of.enabled;
-    editList((on ? tr("Switch layer %1 on") : tr("Switch layer %1 off")).arg(QString::fromStdString(of.name)),
-             [&](TextureLayers& layers) { layers[std::size_t(number)].enabled = on; });
-}
-
-void LayerPanel::toggleSolo(int number) {
-    if (!shown_ || number >= int(known_.size())) return;
-    const SoloLayer wanted{*shown_, number};
-    setSolo(solo_ == wanted ? std::nullopt : std::optional(wanted));
-    refresh();
-}
-
-std::optional<MappingFrame> LayerPanel::mappingFrame() const {
-    const TextureLayer* now = layer();
-    const SceneObject* object = shown_ ? document_.scene().find(shown_->object) : nullptr;
-    if (!now || !object || !canEdit() || !hasFrame(now->pattern)) return std::nullopt;
-    const TexturePattern& of = now->pattern;
-    MappingFrame frame{of.mapping, object->pose * of.frame, of.size, 1, {of.offsetU, of.offsetV}, of.rotation,
-                       of.radius};
-    if (of.source == TextureSource::Image && of.image)
-        frame.proportion = double(of.image->height()) / of.image->width();
-    return frame;
-}
-
-void LayerPanel::setMappingFrame(const MappingFrame& frame, Gesture gesture) {
-    const SceneObject* object = shown_ ? document_.scene().find(shown_->object) : nullptr;
-    if (!object || !canEdit()) return;
-    const Quat back = object->pose.rotation.conjugate();
-    const Pose inBody{unitLength(back * frame.pose.rotation),
-                      object->pose.applyInverse(frame.pose.translation)};
-    edit(
-        tr("Mapping"),
-        [&](TextureLayer& each) {
-            each.pattern.frame = inBody;
-            each.pattern.size = kTextureSize.clamped(frame.size);
-            each.pattern.radius = kTextureRadius.clamped(frame.radius);
-        },
-        gesture);
 }
 
 void LayerPanel::drawGround() {
