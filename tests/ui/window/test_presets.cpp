@@ -336,6 +336,13 @@ void TestPresets::ownOnesAreRenamedAndRemoved() {
     QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Mine")), kPatience);
     QVERIFY(!(row(*program, QStringLiteral("Ice on ice"))->flags() & Qt::ItemIsEditable));
     row(*program, QStringLiteral("Mine"))->setText(0, QStringLiteral("Yours"));
+    // A name that comes after the file has gone does not bring it back.
+    const QString late = store(*program).add(preset);
+    QTRY_VERIFY_WITH_TIMEOUT(store(*program).find(late), kPatience);
+    const StoredPreset gone = *store(*program).find(late);
+    store(*program).remove(gone);
+    store(*program).rename(gone, QStringLiteral("Late"));
+    QVERIFY(!QFile::exists(late));
     const auto known = [&] {
         const StoredPreset* stored = store(*program).find(file);
         return stored && stored->preset.name == "Yours" && row(*program, QStringLiteral("Yours"));
