@@ -4,9 +4,11 @@
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <string>
 
 #include <QAction>
 #include <QApplication>
+#include <QFile>
 #include <QTest>
 #include <QUndoStack>
 
@@ -22,7 +24,7 @@ namespace {
 constexpr int kSquares = 708; // along a side: 1,002,528 triangles
 /// What TestLargeModel::pieceOfWork() takes on the processor for which the limit of 100 ms is meant, a Xeon
 /// of 2.5 GHz. One that is slower, or that shares its core, has so much more time.
-constexpr double kPieceMs = 20;
+constexpr double kPieceMs = 27;
 
 /// Milliseconds that this thread has worked: what else the machine does is not among them.
 double workedMs() {
@@ -103,6 +105,7 @@ class TestLargeModel : public QObject {
     QTemporaryDir folder_;
     QString file_;
     double slowest_ = 0;
+    std::map<std::string, double> longest_; ///< ms, of each action
 
     static MeasuredApplication& app() { return static_cast<MeasuredApplication&>(*qApp); }
     /// ms of a fixed piece of work on the model: how fast this processor is at this moment.
@@ -134,17 +137,39 @@ class TestLargeModel : public QObject {
               longest > called ? app().what.constData() : "");
         const double slower = std::max(piece, pieceOfWork(program.document)) / kPieceMs;
         slowest_ = std::max(slowest_, slower);
+        double& most = longest_[what];
+        most = std::max(most, longest);
         QVERIFY2(longest < 100 * std::max(1.0, slower), what);
     }
+
+    void record() const;
 
 private slots:
     void initTestCase() {
         useSettingsIn(folder_.path());
         file_ = writeHills(folder_);
     }
+    void cleanupTestCase() { record(); }
     void nothingTakesTheWindowAway();
     void anEditIsFeltWithinTwoUpdates();
 };
+
+/// With TACTUM_RECORD set the table of docs/performance.md is made anew.
+void TestLargeModel::record() const {
+    if (!qEnvironmentVariableIsSet("TACTUM_RECORD") || longest_.empty()) return;
+    QFile page(QStringLiteral(TACTUM_DOCS "/performance.md"));
+    if (!page.open(QIODevice::ReadWrite)) qFatal("the page cannot be written");
+    QString text = QString::fromUtf8(page.readAll());
+    const QString begin = QStringLiteral("<!-- window -->\n"), end = QStringLiteral("<!-- /window -->");
+    const qsizetype from = text.indexOf(begin) + begin.size(), to = text.indexOf(end);
+    if (to < from) qFatal("the page has no place for the table");
+    QString table = QStringLiteral("| action | ms |\n| :-- | --: |\n");
+    for (const auto& [what, ms] : longest_)
+        table += QStringLiteral("| %1 | %2 |\n").arg(QString::fromStdString(what)).arg(ms, 0, 'f', 1);
+    text.replace(from, to - from, table);
+    page.resize(0);
+    page.write(text.toUtf8());
+}
 
 void TestLargeModel::nothingTakesTheWindowAway() {
     TouchedWindow program;
@@ -196,15 +221,22 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     trigger("map-height");
     trigger("felt-normals");
     trigger("spheres");
+    const SurfaceRef whole{document.scene().objects[0].id, 0};
+    document.select(whole);
     trigger("copy-feel");
+    measure(program, "edit a value", [&] { document.setMaterialValue(whole, kMaterialFields[0], 321); });
     trigger("paste-feel");
+    QVERIFY(document.surface(whole)->material.*kMaterialFields[0].value != 321);
+    trigger("lock");
+    trigger("lock");
     trigger("mark-a");
     measure(program, "save", [&] {
         document.save(std::filesystem::path(folder_.filePath(QStringLiteral("saved.glb")).toStdU16String()));
     });
     while (document.history().canUndo())
         measure(program, "undo", [&] { document.history().undo(); });
-    qInfo("this processor, against the one of the limits: %.2f times as slow at most", slowest_);
+    qInfo("a piece of work: %.1f ms now, %.2f times that of the limit at most", pieceOfWork(document),
+          slowest_);
 }
 
 void TestLargeModel::anEditIsFeltWithinTwoUpdates() {
