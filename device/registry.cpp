@@ -29,8 +29,9 @@ std::string firstWord(const std::filesystem::path& file) {
 
 std::vector<DeviceListing> listDevices(const std::filesystem::path& usbDevices) {
     std::vector<DeviceListing> listings{
-        {"Simulated hand", true, "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
-        {"Recorded hand", true, "plays a finger path: tactum touch SCENE --path FINGER.csv"}};
+        {"simulated", "Simulated hand", true,
+         "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
+        {"", "Recorded hand", true, "plays a finger path: tactum touch SCENE --path FINGER.csv"}};
     std::error_code error;
     std::vector<DeviceListing> found;
     for (const auto& entry : std::filesystem::directory_iterator(usbDevices, error)) {
@@ -38,7 +39,7 @@ std::vector<DeviceListing> listDevices(const std::filesystem::path& usbDevices) 
         const std::string product = firstWord(entry.path() / "idProduct");
         for (const KnownUsbDevice& known : kKnown)
             if (vendor == known.vendor && product == known.product)
-                found.push_back({std::string(known.name), false,
+                found.push_back({"", std::string(known.name), false,
                                  "connected at USB " + entry.path().filename().string() +
                                      "; this version has no driver for it, use the simulated hand"});
     }
@@ -46,7 +47,7 @@ std::vector<DeviceListing> listDevices(const std::filesystem::path& usbDevices) 
     listings.insert(listings.end(), found.begin(), found.end());
     if (found.empty())
         listings.push_back(
-            {"USB", false, "no known haptic device (Novint Falcon, WoodenHaptics) is connected"});
+            {"", "USB", false, "no known haptic device (Novint Falcon, WoodenHaptics) is connected"});
     return listings;
 }
 

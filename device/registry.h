@@ -2,16 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
+
+#include "core/control/device_catalogue.h"
 
 namespace tactum {
-
-struct DeviceListing {
-    std::string name;
-    bool usable = false;
-    std::string sentence; ///< what it is and can do, or why it is not usable
-};
 
 /// The built-in devices first, then every known haptic device on the USB bus. `usbDevices` is the folder in
 /// which the kernel lists them. Thread: any but real time.

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/vec.h"
+#include "core/control/opening.h"
 
 namespace tactum {
 
@@ -34,8 +36,9 @@ struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero(); ///< where the device measures it
     std::uint32_t buttons = 0;    ///< a bit for each that is held
-    bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
-    bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be
+    bool valid = false;    ///< false: nothing new was read; after three of them the force is taken away
+    bool jumped = false;   ///< the finger did not go here but was put here, as only a simulated one can be
+    bool clutched = false; ///< the person moves the device and not the finger (core/control/workspace.h)
 };
 
 /// One command to the device. Frame D, newton; positive force pushes the finger.
@@ -49,9 +52,20 @@ public:
 
     /// Thread: any but real time.
     virtual DeviceInfo info() const = 0;
-    /// Thread: any but real time. May allocate, wait and fail with a sentence.
+    /// What prepare() goes through, in order, as the person reads it. Thread: any but real time.
+    virtual std::vector<std::string> steps() const { return {}; }
+    /// All that takes long or needs a person at hand: drivers, firmware, homing. What is ready already is not
+    /// done again. The device stays as it is then, without force, until open() or the end of the object.
+    /// Thread: a worker.
+    virtual Result<void> prepare(Opening&) { return {}; }
+    /// Prepares unattended what prepare() has not. Thread: any but real time. May allocate, wait and fail
+    /// with a sentence.
     virtual Result<void> open() = 0;
+    /// Zero force first.
     virtual void close() = 0;
+    /// Why readings do not come or cannot be used, with what to do; empty while all is well.
+    /// Thread: any but real time, also while exchange() runs.
+    virtual std::string trouble() const { return {}; }
     /// Sends the command and returns the newest reading. `dt` is the time since the last exchange, in s.
     /// Thread: servo, real time: no allocation, lock or wait but the device's own transfer.
     virtual DeviceSample exchange(const DeviceCommand& command, double dt) noexcept = 0;

@@ -8,6 +8,7 @@
 
 #include "core/base/realtime.h"
 #include "core/base/text.h"
+#include "core/control/device_figures.h"
 #include "core/import/import_scene.h"
 #include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
@@ -23,23 +24,6 @@ constexpr std::uint32_t kVersion = 5;
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 
-struct DeviceNumber {
-    const char* key;
-    double DeviceInfo::*value;
-};
-constexpr DeviceNumber kDeviceNumbers[] = {{"max_force_N", &DeviceInfo::maxForce},
-                                           {"continuous_force_N", &DeviceInfo::continuousForce},
-                                           {"max_stiffness_N_per_m", &DeviceInfo::maxStiffness},
-                                           {"workspace_radius_m", &DeviceInfo::workspaceRadius},
-                                           {"position_resolution_m", &DeviceInfo::positionResolution},
-                                           {"rate_Hz", &DeviceInfo::rate},
-                                           {"damping_N_s_per_m", &DeviceInfo::damping},
-                                           {"hand_damping_N_s_per_m", &DeviceInfo::handDamping},
-                                           {"dry_friction_N", &DeviceInfo::dryFriction},
-                                           {"amplifier_lag_s", &DeviceInfo::amplifierLag},
-                                           {"delay_ticks", &DeviceInfo::delay},
-                                           {"trip_speed_m_per_s", &DeviceInfo::tripSpeed}};
-
 std::uint64_t fingerprintOf(std::string_view bytes) {
     Fingerprint print;
     print.add(bytes.data(), bytes.size());
@@ -48,8 +32,8 @@ std::uint64_t fingerprintOf(std::string_view bytes) {
 
 Json toJson(const DeviceInfo& device) {
     Json json{{"name", device.name}};
-    for (const DeviceNumber& number : kDeviceNumbers)
-        json[number.key] = device.*number.value;
+    for (const DeviceFigure& figure : kDeviceFigures)
+        json[figure.key] = device.*figure.value;
     json["measures_velocity"] = device.measuresVelocity;
     return json;
 }
@@ -57,8 +41,8 @@ Json toJson(const DeviceInfo& device) {
 DeviceInfo deviceOf(const Json& json) {
     DeviceInfo device;
     device.name = printable(json.at("name").get<std::string>());
-    for (const DeviceNumber& number : kDeviceNumbers)
-        device.*number.value = json.value(number.key, device.*number.value);
+    for (const DeviceFigure& figure : kDeviceFigures)
+        device.*figure.value = json.value(figure.key, device.*figure.value);
     device.measuresVelocity = json.value("measures_velocity", device.measuresVelocity);
     return device;
 }

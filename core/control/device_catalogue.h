@@ -1,0 +1,30 @@
+// What devices there are, for a window that must not know the drivers.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/control/haptic_device.h"
+
+namespace tactum {
+
+struct DeviceListing {
+    std::string id; ///< names it in settings and on the command line: "falcon:1-4.2"; empty: only a remark
+    std::string name;
+    bool usable = false;
+    std::string sentence; ///< what it is and can do, or why it is not usable and what to do
+};
+
+class DeviceCatalogue {
+public:
+    virtual ~DeviceCatalogue() = default;
+
+    /// What is there at this moment, the built-in devices first. May take tens of milliseconds.
+    /// Thread: any but real time, one at a time.
+    virtual std::vector<DeviceListing> list() = 0;
+    /// Not yet prepared. Thread: as list().
+    virtual Result<std::unique_ptr<HapticDevice>> make(const std::string& id) = 0;
+};
+
+} // namespace tactum
