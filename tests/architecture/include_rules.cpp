@@ -54,7 +54,8 @@ bool leadsTo(std::string_view from, std::string_view to) {
 // The room that tactum_<name> is built from: "geometry" is core/geometry, "ui_view" a part of ui.
 std::string_view roomOfTarget(const std::string& name) {
     for (const Room& room : kRooms)
-        if (room.folder == "core/" + name || room.folder == name.substr(0, name.find('_')))
+        if (room.folder == "core/" + name || room.folder == "device/" + name ||
+            room.folder == name.substr(0, name.find('_')))
             return room.folder;
     return {};
 }
