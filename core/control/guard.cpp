@@ -23,6 +23,7 @@ Withheld Guard::faultOf(const GuardInput& tick) noexcept {
 
 Withheld Guard::pauseOf(const GuardInput& tick) const noexcept {
     if (!tick.held) return Withheld::DeadMan;
+    if (tick.clutched) return Withheld::Clutched;
     if (tick.dt > kStall) return Withheld::Stall;
     if (!tick.answered) return Withheld::ProxySilent;
     return Withheld::Nothing;

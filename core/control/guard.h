@@ -5,8 +5,7 @@
 
 namespace tactum {
 
-/// Why no force, or less of it, goes to the device. From DeviceLost on it stays so until the person arms
-/// anew.
+/// Why no force, or less of it, goes to the device. What isFault() stays so until the person arms anew.
 enum class Withheld : std::uint8_t {
     Nothing,
     NotArmed,
@@ -21,14 +20,16 @@ enum class Withheld : std::uint8_t {
     NotFinite,   ///< the wanted force was no number
     Late,        ///< the servo missed tick after tick
     Unguarded,   ///< nobody would stop the device if the program died
+    Clutched,    ///< the person moves the device and not the finger
 };
 
 inline bool isFault(Withheld why) noexcept {
-    return why >= Withheld::DeviceLost;
+    return why >= Withheld::DeviceLost && why <= Withheld::Unguarded;
 }
 /// What takes the force away and gives it back by itself.
 inline bool isPause(Withheld why) noexcept {
-    return why == Withheld::DeadMan || why == Withheld::Stall || why == Withheld::ProxySilent;
+    return why == Withheld::DeadMan || why == Withheld::Stall || why == Withheld::ProxySilent ||
+           why == Withheld::Clutched;
 }
 
 /// A reading that is older was overtaken by events: no force at once, and a soft return. Unit: s.
@@ -53,6 +54,7 @@ struct GuardInput {
     bool late = false;  ///< the tick came more than one period late
     bool armed = false; ///< the person wants forces
     bool held = true;   ///< the dead-man switch, or none is asked for
+    bool clutched = false;
     bool deviceLost = false;
     bool unguarded = false; ///< the guardian of a real device is dead
     bool answered = false;  ///< the proxy knows where the finger is, and said so lately

@@ -18,7 +18,7 @@ struct GuardWords {
 };
 
 /// In the order of Withheld.
-inline constexpr std::array<GuardWords, 13> kGuardWords{{
+inline constexpr std::array<GuardWords, 14> kGuardWords{{
     {Withheld::Nothing, "full force", "The device gets its full force.", "", ""},
     {Withheld::NotArmed, "forces off", "The forces are off.", "The device gets no force.",
      "Switch them on when you hold the handle."},
@@ -46,6 +46,8 @@ inline constexpr std::array<GuardWords, 13> kGuardWords{{
     {Withheld::Unguarded, "the device's guardian died",
      "The process that stops the device in an emergency does not answer.", "The force was taken away.",
      "Save your work and start the program again."},
+    {Withheld::Clutched, "the clutch is held", "The clutch is held: the handle moves, the finger stays.",
+     "The device gets no force.", "Let the button go to feel again."},
 }};
 
 /// Thread: any.

@@ -36,9 +36,8 @@ struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero(); ///< where the device measures it
     std::uint32_t buttons = 0;    ///< a bit for each that is held
-    bool valid = false;    ///< false: nothing new was read; after three of them the force is taken away
-    bool jumped = false;   ///< the finger did not go here but was put here, as only a simulated one can be
-    bool clutched = false; ///< the person moves the device and not the finger (core/control/workspace.h)
+    bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
+    bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be
 };
 
 /// One command to the device. Frame D, newton; positive force pushes the finger.

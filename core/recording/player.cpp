@@ -257,7 +257,7 @@ void Player::stepServo() {
     note(servo_, output, servoState_);
     count(row);
     trace_.push_back(
-        tracePoint({.t = row.time, .finger = servo_.finger, .force = output.force, .energy = servo_.energy},
+        tracePoint({.t = row.time, .finger = servo_.finger, .force = servo_.force, .energy = servo_.energy},
                    sim_.model));
 }
 

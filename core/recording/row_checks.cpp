@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/control/device_check.h"
+#include "core/control/workspace.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum {
@@ -23,9 +24,15 @@ bool canBe(const ProxyRow& row, double before) {
            isPlace(row.velocity);
 }
 
+bool isFrame(const ServoRow& row) {
+    const DeviceFrame frame = frameOf(row);
+    const bool none = std::all_of(row.axes.begin() + 3, row.axes.end(), [](int axis) { return axis == 0; });
+    return none && checkWorkspace({.scale = frame.scale, .axes = frame.axes, .offset = frame.offset});
+}
+
 bool canBe(const ServoRow& row, double before, std::uint64_t model) {
     return std::isfinite(row.time) && row.time >= before && row.model >= model &&
-           (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0;
+           (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row);
 }
 
 } // namespace

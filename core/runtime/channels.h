@@ -2,6 +2,7 @@
 //
 //   ui ----- World (pointer hand-over) ---------> proxy      proxy -- old World (retire queue) --> ui
 //   ui ----- EngineCommand (queue) -------------> proxy
+//   ui ----- Workspace (newest) ----------------> servo
 //   servo -- FingerSample (newest) -------------> proxy
 //   proxy -- LocalContactModel (newest) --------> servo
 //   proxy -- ProxyTelemetry (newest) -----------> ui         servo -- ServoTelemetry (newest) ---> ui
@@ -15,6 +16,7 @@
 
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
+#include "core/control/workspace.h"
 #include "core/runtime/haptic_step.h"
 #include "core/runtime/recorder.h"
 #include "core/runtime/servo_telemetry.h"
@@ -60,6 +62,7 @@ struct Channels {
     std::atomic<const World*> worldIn{nullptr};
     SpscQueue<const World*, 64> worldOut;
     SpscQueue<EngineCommand, 64> commands;
+    TripleBuffer<Workspace> workspace;
     TripleBuffer<FingerSample> finger;
     TripleBuffer<NumberedModel> contactModel;
     TripleBuffer<ProxyTelemetry> proxyTelemetry;

@@ -44,6 +44,19 @@ Vec3 springForce(const LocalContactModel& model, const Vec3& anchor_W, const Vec
     return model.stiffness * stretch + (model.damping * inward / length) * stretch;
 }
 
+LocalContactModel inDevice(const LocalContactModel& model_W, const DeviceFrame& frame) noexcept {
+    LocalContactModel model = model_W;
+    model.proxy = frame.pointInDevice(model_W.proxy);
+    model.velocity = frame.wayInDevice(model_W.velocity);
+    model.stiffness *= frame.scale;
+    model.damping *= frame.scale;
+    for (int i = 0; i < model.planes; ++i) {
+        ConstraintPlane& plane = model.plane[std::size_t(i)];
+        plane = {frame.turnedBack(plane.normal), plane.offset / frame.scale};
+    }
+    return model;
+}
+
 Vec3 contactModelForce(const LocalContactModel& model, const Vec3& finger_W,
                        const Vec3& velocity_W) noexcept {
     const Anchor anchor = anchorOf(model, finger_W);

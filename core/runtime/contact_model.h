@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/base/vec.h"
+#include "core/control/device_frame.h"
 #include "core/proxy/nearest_point.h"
 #include "core/surface/friction.h"
 
@@ -14,7 +15,8 @@ namespace tactum {
 inline constexpr int kMaxModelPlanes = 4;
 
 /// The surroundings of the proxy in a form that the servo renders between proxy updates, so that free
-/// motion does not drag and contact keeps the servo's rate (sections 7 and 8). World frame, SI.
+/// motion does not drag and contact keeps the servo's rate (sections 7 and 8). World frame, or the device's
+/// (inDevice()). SI.
 struct LocalContactModel {
     Vec3 proxy = Vec3::Zero();
     int planes = 0;
@@ -43,6 +45,10 @@ Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W) noexcept;
 /// the device's limit (equation 24). Damping only ever adds to the push. Thread: real time.
 Vec3 springForce(const LocalContactModel& model, const Vec3& anchor_W, const Vec3& finger_W,
                  const Vec3& velocity_W) noexcept;
+
+/// The same surroundings as the hand meets them: frame D, with the stiffness and damping that they have
+/// there. Thread: real time.
+LocalContactModel inDevice(const LocalContactModel& model_W, const DeviceFrame& frame) noexcept;
 
 /// The force that a local contact model gives a finger: N, world frame, before the device's limit.
 /// Thread: real time.

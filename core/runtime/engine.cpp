@@ -50,6 +50,7 @@ struct Engine::Impl {
     Canary canary;
     std::deque<FeltScene> felt; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
+    Workspace workspace;
     bool deadMan = false;
     bool running = false;
     bool realtime = false;
@@ -71,6 +72,7 @@ struct Engine::Impl {
 void Engine::Impl::freshChannels() {
     const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
     channels = std::make_unique<Channels>(rate, kUpdatesPerTick * rate);
+    channels->workspace.write(workspace);
     askForButton();
     felt.clear();
     if (!kept.empty()) remember(*kept.back());
@@ -181,6 +183,30 @@ void Engine::stop() {
     // No loop is left to see them; the newest stays for the next start.
     impl_->kept.erase(impl_->kept.begin(),
                       impl_->kept.end() - std::min<std::ptrdiff_t>(1, std::ssize(impl_->kept)));
+}
+
+Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
+    stop();
+    impl_->device = std::move(device);
+    impl_->info = impl_->device->info();
+    impl_->freshChannels();
+    return start();
+}
+
+std::string Engine::trouble() const {
+    return impl_->device->trouble();
+}
+
+Result<void> Engine::setWorkspace(const Workspace& workspace) {
+    assertNotRealtime();
+    if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
+    impl_->workspace = workspace;
+    impl_->channels->workspace.write(workspace);
+    return {};
+}
+
+const Workspace& Engine::workspace() const {
+    return impl_->workspace;
 }
 
 bool Engine::running() const {

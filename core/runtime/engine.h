@@ -29,6 +29,18 @@ public:
     void stop();
     bool running() const;
 
+    /// Another device instead, prepared already: stops, and starts with it, forces off. The old one is
+    /// destroyed. On an error nothing runs, and the new device is the one that start() would try again.
+    Result<void> setDevice(std::unique_ptr<HapticDevice> device);
+    /// Why the device sends no readings that can be used, with what to do; empty while all is well.
+    std::string trouble() const;
+
+    /// Where the device's workspace is in the scene, from the next tick on; the proxy begins at the finger
+    /// anew where that moves it. Stays so through stop(), start() and setDevice(). Refuses what cannot be.
+    Result<void> setWorkspace(const Workspace& workspace);
+    /// As it was decided; ServoTelemetry::frame says where clutch and bump have moved it.
+    const Workspace& workspace() const;
+
     /// Hands over a World; the proxy loop takes it at its next update. The old one is destroyed here, at a
     /// later publish() or poll(), never on a loop. Starting without a World is fine: nothing is touched; a
     /// null pointer is ignored.

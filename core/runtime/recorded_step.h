@@ -54,13 +54,17 @@ struct ServoRow {
         Armed = 16,
         Override = 32,
         Unguarded = 64,
-        kAllFlags = 127
+        Clutched = 128,
+        kAllFlags = 255
     };
 
     double time = 0, dt = 0;
     Triple position{}, velocity{}; ///< as they were read
-    std::uint64_t model = 0;       ///< how many rows of the proxy led to the model; 0: there was none
-    double period = 0;             ///< ServoSettings::period
+    Triple offset{};               ///< of the DeviceFrame, with its scale and axes
+    double scale = 1;
+    std::array<std::int8_t, 8> axes{1, 2, 3}; ///< the last five are zero
+    std::uint64_t model = 0; ///< how many rows of the proxy led to the model; 0: there was none
+    double period = 0;       ///< ServoSettings::period
     std::uint32_t buttons = 0, deadMan = 0;
     std::uint32_t flags = 0;
 
@@ -70,7 +74,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 144, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 184, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
@@ -91,6 +95,10 @@ inline void note(ProxyRow& row, const HapticOutput& output) noexcept {
     row.contacts = std::uint64_t(output.contacts);
 }
 
+inline DeviceFrame frameOf(const ServoRow& row) noexcept {
+    return {row.scale, {row.axes[0], row.axes[1], row.axes[2]}, vectorOf(row.offset)};
+}
+
 /// Thread: real time.
 inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalContactModel& model) noexcept {
     const auto is = [&row](ServoRow::Flag flag) { return (row.flags & flag) != 0; };
@@ -105,10 +113,12 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                               .jumped = is(ServoRow::Jumped)};
     return servoStep(state, settings,
                      {.sample = sample,
+                      .frame = frameOf(row),
                       .dt = row.dt,
                       .late = is(ServoRow::Late),
                       .fresh = is(ServoRow::Fresh),
-                      .unguarded = is(ServoRow::Unguarded)},
+                      .unguarded = is(ServoRow::Unguarded),
+                      .clutched = is(ServoRow::Clutched)},
                      model);
 }
 

@@ -12,10 +12,13 @@ namespace {
 
 /// What the servo remembers from tick to tick.
 struct Servo {
-    Servo(Channels& theChannels, const DeviceInfo& device) noexcept : channels(theChannels), state(device) {}
+    Servo(Channels& theChannels, const DeviceInfo& device) noexcept
+        : channels(theChannels), state(device), workspace(device.workspaceRadius) {}
 
     Channels& channels;
     ServoState state;
+    WorkspaceTracker workspace;
+    bool pushing = false; ///< the last command was not zero
     HalfSecond jitter;
     RecentPeriods periods;
     GuardianWatch guardianWatch;
@@ -29,32 +32,41 @@ struct Servo {
 };
 
 /// Everything that this tick depends on.
-ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const Tick& tick, bool fresh) noexcept {
+ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const DeviceFrame& frame, const Tick& tick,
+               bool fresh) noexcept {
     const Channels& channels = servo.channels;
     const auto flag = [](bool on, ServoRow::Flag bit) { return on ? std::uint32_t(bit) : 0; };
     return {.time = servo.begun + tick.time,
             .dt = tick.elapsed,
             .position = tripleOf(sample.position),
             .velocity = tripleOf(sample.velocity),
+            .offset = tripleOf(frame.offset),
+            .scale = frame.scale,
+            .axes = {frame.axes[0], frame.axes[1], frame.axes[2]},
             .model = channels.contactModel.value().steps,
             .period = servo.period,
             .buttons = sample.buttons,
             .deadMan = channels.deadMan.load(std::memory_order_relaxed),
-            .flags = flag(sample.valid, ServoRow::Valid) | flag(sample.jumped, ServoRow::Jumped) |
+            .flags = flag(sample.valid, ServoRow::Valid) |
+                     flag(sample.jumped || servo.workspace.jumped(), ServoRow::Jumped) |
                      flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
                      flag(servo.unguarded, ServoRow::Unguarded) |
+                     flag(servo.workspace.clutched(), ServoRow::Clutched) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
 
 ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
     const bool fresh = servo.channels.contactModel.update();
-    ServoRow row = rowOf(servo, sample, tick, fresh);
+    if (servo.channels.workspace.update()) servo.workspace.decide(servo.channels.workspace.value());
+    const DeviceFrame& frame = servo.workspace.follow(sample, servo.pushing, tick.elapsed);
+    ServoRow row = rowOf(servo, sample, frame, tick, fresh);
     Recorder& recorder = servo.channels.recorder;
     recorder.begin(row, servo.state);
     const ServoOutput output = stepFrom(row, servo.state, servo.channels.contactModel.value().model);
     note(row, output, servo.state);
     recorder.end(row);
+    servo.pushing = !output.force.isZero(0);
     return output;
 }
 
@@ -77,7 +89,7 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
     servo.channels.servoTelemetry.write(telemetry);
     // A full queue means that nobody draws plots: the tick is dropped.
     servo.channels.trace.push(tracePoint(
-        {.t = tick.time, .finger = telemetry.finger, .force = output.force, .energy = telemetry.energy},
+        {.t = tick.time, .finger = telemetry.finger, .force = telemetry.force, .energy = telemetry.energy},
         servo.channels.contactModel.value().model));
 }
 

@@ -17,10 +17,12 @@ double plausible(double dt) noexcept {
     return dt > kShortest ? std::min(dt, kLongest) : kShortest;
 }
 
-/// The device's frame D is the world's so far.
-FingerSample fingerOf(const ServoState& state) noexcept {
+/// For the proxy loop; under the clutch the finger rests.
+FingerSample inWorld(const ServoState& state, const ServoInput& input) noexcept {
     const DeviceSample& seen = state.check.believed();
-    return {seen.position, seen.velocity, state.ticks, seen.valid, state.guard.anchoring()};
+    const Vec3 velocity = input.clutched ? Vec3::Zero() : input.frame.wayInWorld(seen.velocity);
+    return {input.frame.pointInWorld(seen.position), velocity, state.ticks, seen.valid,
+            state.guard.anchoring()};
 }
 
 /// Whether the person holds what must be held. A button that was never seen let go since the device came is
@@ -75,7 +77,7 @@ double rise(const Vec3& now, const Vec3& before) noexcept {
 /// N, that neither the finger's way nor a hit explains: what this tick's surroundings push more than those of
 /// the last tick would, met by the same finger. A step of the force is judged whole, in N and not in N/s: an
 /// anchor or a damping that jumps does so within one tick, however long that is.
-double suddenOf(const ServoState& state, const LocalContactModel& before, const FingerSample& finger,
+double suddenOf(const ServoState& state, const LocalContactModel& before, const DeviceSample& finger,
                 const LocalContactModel& now, const Vec3& force) noexcept {
     ForceLimiter limited{state.limiter.maxForce};
     const Anchor last = anchorOf(before, finger.position);
@@ -86,7 +88,7 @@ double suddenOf(const ServoState& state, const LocalContactModel& before, const 
     return rise(limited(force), limited(expected)) - now.stiffness * way - hit;
 }
 
-Wanted render(ServoState& state, const LocalContactModel& model, const FingerSample& finger, bool fresh,
+Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSample& finger, bool fresh,
               const Bounds& bounds, double dt) noexcept {
     if (state.guard.gain() == 0) state.ease.restart();
     const LocalContactModel before = state.ease.rendered();
@@ -130,8 +132,9 @@ ServoState::ServoState(const DeviceInfo& device) noexcept
       heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
-                      const LocalContactModel& model) noexcept {
+                      const LocalContactModel& model_W) noexcept {
     const double dt = plausible(input.dt);
+    const LocalContactModel model = inDevice(model_W, input.frame);
     ++state.ticks;
     state.check(input.sample, dt);
     const DeviceSample& seen = state.check.believed();
@@ -141,30 +144,29 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     calmDown(state, seen, dt);
     state.limiter.maxForce = state.heat.limit();
 
-    FingerSample finger = fingerOf(state);
     const Bounds bounds = boundsOf(state, settings, model);
-    const Wanted wanted = render(state, model, finger, input.fresh, bounds, dt);
+    const Wanted wanted = render(state, model, seen, input.fresh, bounds, dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 
     const GuardInput tick{.dt = dt,
                           .late = input.late,
                           .armed = settings.armed,
                           .held = isHeld(state, seen, settings.deadMan),
+                          .clutched = input.clutched,
                           .deviceLost = state.check.lost(),
                           .unguarded = input.unguarded,
-                          .answered = model.valid && model.anchoring == finger.anchoring &&
+                          .answered = model.valid && model.anchoring == state.guard.anchoring() &&
                                       state.modelAge <= kModelPatience,
-                          .speed = finger.velocity.norm(),
+                          .speed = seen.velocity.norm(),
                           .wanted = wanted.spring.force.norm(),
                           .sudden = wanted.sudden,
                           .finite = wanted.spring.force.allFinite() && wanted.sliding.allFinite() &&
                                     std::isfinite(wanted.sudden)};
-    RenderedSpring spring = guarded(state, wanted, finger.velocity, tick);
+    RenderedSpring spring = guarded(state, wanted, seen.velocity, tick);
     spring.force = state.limiter(spring.force);
     state.heat.add(spring.force.norm(), dt);
     state.passivity.commanded(spring);
-    finger.anchoring = state.guard.anchoring();
-    return {spring.force, finger};
+    return {spring.force, inWorld(state, input), input.frame};
 }
 
 } // namespace tactum

@@ -2,6 +2,7 @@
 // A plain function, the same in the servo loop, in the closed-loop simulator and in replay.
 #pragma once
 
+#include "core/control/device_frame.h"
 #include "core/control/force_limiter.h"
 #include "core/control/guard.h"
 #include "core/control/haptic_device.h"
@@ -36,10 +37,12 @@ struct ServoSettings {
 
 struct ServoInput {
     DeviceSample sample;
+    DeviceFrame frame{};    ///< where the device is in the scene
     double dt = 1e-3;       ///< s since the last tick
     bool late = false;      ///< the tick came more than one period late
     bool fresh = false;     ///< the model is another one than at the last tick
     bool unguarded = false; ///< nobody would stop the device if the program died
+    bool clutched = false;  ///< the device moves and the finger stays: `frame` sees to that
 };
 
 /// All that the servo remembers from tick to tick. Copied whole by the recorder.
@@ -62,19 +65,22 @@ struct ServoState {
     std::uint64_t oscillations = 0;
     std::uint32_t letGo = 0;    ///< buttons that were seen let go since the device came
     StiffnessCeiling ceiling;   ///< of this tick
-    Vec3 anchor = Vec3::Zero(); ///< of the rendered model, world frame
-    Vec3 finger = Vec3::Zero(); ///< of this tick, world frame
+    Vec3 anchor = Vec3::Zero(); ///< of the rendered model, frame D
+    Vec3 finger = Vec3::Zero(); ///< of this tick, frame D
     bool touching = false;
 };
 
 struct ServoOutput {
     Vec3 force = Vec3::Zero(); ///< N, frame D: finite, and never above the device's limit
     FingerSample finger;       ///< for the proxy loop
+    DeviceFrame frame;         ///< of the input
 };
 
-/// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled.
+/// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled. All of
+/// it happens in the hand's measure, frame D, so that no scale of the workspace changes what a hand or a
+/// device can bear; `model_W` and the finger that comes out are the world's.
 /// Deterministic. Thread: real time; bounded: nearestPoint() a dozen times.
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
-                      const LocalContactModel& model) noexcept;
+                      const LocalContactModel& model_W) noexcept;
 
 } // namespace tactum

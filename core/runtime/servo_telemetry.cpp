@@ -16,7 +16,10 @@ void countPause(const ServoState& state, ServoTelemetry& telemetry) noexcept {
 void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState& state) noexcept {
     countPause(state, telemetry);
     if (output.finger.valid) telemetry.finger = output.finger.position;
-    telemetry.force = output.force;
+    telemetry.force = output.frame.turned(output.force);
+    telemetry.handle = state.check.believed().position;
+    telemetry.buttons = state.check.believed().buttons;
+    telemetry.frame = output.frame;
     telemetry.ticks = state.ticks;
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();
@@ -29,6 +32,8 @@ void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState
     telemetry.energy = state.passivity.energy();
     telemetry.passivityDamping = state.passivity.lastDamping();
     telemetry.ceiling = state.ceiling;
+    telemetry.ceiling.value /= output.frame.scale;
+    telemetry.ceiling.damping /= output.frame.scale;
 }
 
 } // namespace tactum

@@ -109,6 +109,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/surface/shaded_normal",
     "core/dynamics/body_motion",
     "core/dynamics/motion",
+    "core/control/device_frame",
     "core/control/force_limiter",
     "core/control/guard",
     "core/control/motor_heat",

@@ -219,6 +219,55 @@ private slots:
         QCOMPARE(plate.probe->push.load(), 0.0);
     }
 
+    void anotherDeviceTakesOver() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        const std::shared_ptr<Probe> first = plate.probe;
+        plate.probe = std::make_shared<Probe>();
+        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
+        QVERIFY(!first->isOpen && first->log.back().force.isZero(0));
+        QVERIFY(plate.probe->isOpen && plate.engine.running() && !plate.engine.armed());
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+    }
+
+    void aDeviceThatDoesNotOpenTakesOverNothing() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        const auto other = std::make_shared<Probe>();
+        other->refusesToOpen = true;
+        QVERIFY(!plate.engine.setDevice(std::make_unique<ProbeDevice>(other)));
+        QVERIFY(!plate.engine.running() && !plate.probe->isOpen);
+        other->refusesToOpen = false;
+        QVERIFY(plate.engine.start());
+        QVERIFY(other->isOpen);
+    }
+
+    /// A hand at half the scene's measure presses half as deep and meets twice the stiffness.
+    void theWorkspaceLiesWhereThePersonWants() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.02}}));
+        QVERIFY(!plate.engine.setWorkspace({.scale = 0}));
+        plate.probe->height = 0.01;
+        plate.engine.publish(plate.world);
+        QVERIFY(plate.engine.start());
+        plate.engine.setArmed(true);
+        QVERIFY(eventually([&] { return plate.polled().proxy().updates > 10; }));
+        plate.probe->height = 0.5 * (kRadius - kDepth - 0.02);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        QCOMPARE(plate.polled().servo().handle.z(), plate.probe->height.load());
+        QVERIFY(std::abs(plate.engine.servo().finger.z() - (kRadius - kDepth)) < 1e-12);
+        // Elsewhere: the proxy begins at the finger, and nothing is touched.
+        QVERIFY(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.04}}));
+        QVERIFY(eventually(
+            [&] { return plate.probe->push == 0 && plate.polled().proxy().output.contacts == 0; }));
+        QCOMPARE(plate.engine.servo().faults, 0u);
+        QVERIFY(plate.engine.armed());
+    }
+
     void deviceThatDoesNotOpenIsReported() {
         const auto probe = std::make_shared<Probe>();
         probe->refusesToOpen = true;

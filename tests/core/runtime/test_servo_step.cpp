@@ -71,7 +71,10 @@ struct Held {
         sample.valid = true;
         sample.buttons = buttons;
         model.anchoring = state.guard.anchoring();
-        return servoStep(state, settings, {.sample = sample, .dt = dt, .fresh = true}, model).force;
+        output = servoStep(state, settings,
+                           {.sample = sample, .frame = frame, .dt = dt, .fresh = true, .clutched = clutched},
+                           model);
+        return output.force;
     }
     void rest(const Vec3& finger, int ticks = 1000) {
         for (int i = 0; i < ticks; ++i)
@@ -82,6 +85,9 @@ struct Held {
     ServoSettings settings;
     LocalContactModel model;
     std::uint32_t buttons = 0;
+    DeviceFrame frame;
+    bool clutched = false;
+    ServoOutput output;
 };
 
 /// Largest change from tick to tick until nothing changes any more.
@@ -153,8 +159,9 @@ private slots:
             model = wild ? anyModel(random, state.guard.anchoring()) : wall(800);
             if (!wild) model.anchoring = state.guard.anchoring();
             const double dt = wild && random() % 8 == 0 ? std::abs(anyNumber(random)) : kTick;
-            const ServoOutput output =
-                servoStep(state, settings, {sample, dt, random() % 32 == 0, random() % 4 != 0}, model);
+            const ServoOutput output = servoStep(
+                state, settings,
+                {.sample = sample, .dt = dt, .late = random() % 32 == 0, .fresh = random() % 4 != 0}, model);
             if (!output.force.allFinite()) QFAIL(qPrintable(QString("not finite at %1").arg(i)));
             if (output.force.norm() > info.maxForce) QFAIL(qPrintable(QString("too strong at %1").arg(i)));
             pushed += !output.force.isZero(0);
@@ -169,7 +176,7 @@ private slots:
             sample.valid = true;
             model = wall(800);
             model.anchoring = state.guard.anchoring();
-            force = servoStep(state, settings, {sample, kTick, false, true}, model).force;
+            force = servoStep(state, settings, {.sample = sample, .dt = kTick, .fresh = true}, model).force;
         }
         QVERIFY2(force.z() > 0.1, qPrintable(QString::number(force.z())));
     }
@@ -312,6 +319,75 @@ private slots:
             QVERIFY(most > 0.1 && most < 2);
             QCOMPARE(held.state.ease.rendered().damping, knowsBetter ? 20.0 : most);
         }
+    }
+
+    /// A scene at another scale, turned and moved is to the hand what a scene of its own measure would be.
+    void theHandMeetsTheSceneInItsOwnMeasure() {
+        Held there, here;
+        there.frame = {4, {3, -1, 2}, {0.5, -1, 2}};
+        there.model = wall(200, 0.4);
+        there.model.damping = 0.5;
+        here.model = wall(800, 0.4);
+        here.model.damping = 2;
+        here.model.plane[0].normal = there.frame.turnedBack(Vec3::UnitZ());
+        here.model.proxy = there.frame.pointInDevice(Vec3::Zero());
+        for (Held* held : {&there, &here})
+            held->rest(here.model.proxy);
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> step(-1e-5, 1e-5);
+        Vec3 finger = here.model.proxy;
+        double strongest = 0;
+        for (int i = 0; i < 3000; ++i) {
+            finger += Vec3(step(random), step(random), step(random)) - 1e-6 * here.model.plane[0].normal;
+            const Vec3 one = there.tick(finger), other = here.tick(finger);
+            strongest = std::max(strongest, other.norm());
+            QVERIFY2((one - other).norm() < 1e-9, qPrintable(QString("tick %1").arg(i)));
+            QVERIFY((there.output.finger.position - there.frame.pointInWorld(finger)).norm() < 1e-15);
+            QVERIFY(
+                (there.output.finger.velocity - there.frame.wayInWorld(here.output.finger.velocity)).norm() <
+                1e-9);
+        }
+        QVERIFY(strongest > 1);
+    }
+
+    /// The ceiling is the hand's, whatever the scale.
+    void theCeilingHoldsInTheHandsMeasure() {
+        Held held;
+        held.settings.overrideCeiling = false;
+        held.frame.scale = 10;
+        held.model = wall(3000);
+        held.rest({0, 0, 0.01});
+        for (int i = 0; i < 100; ++i) {
+            held.tick({0, 0, -3e-5 * i});
+            QVERIFY(held.state.ease.rendered().stiffness <= held.state.ceiling.value);
+        }
+    }
+
+    void underTheClutchNothingPushes() {
+        Held held;
+        held.model = wall(1000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 100; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        held.clutched = true;
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::Clutched);
+        QCOMPARE(held.state.guard.faults(), 0u);
+        for (int i = 1; i <= 100; ++i) { // the handle moves, the finger does not
+            held.frame.offset.z() -= 1e-4;
+            held.tick({0, 0, -0.001 + 1e-4 * i});
+            QVERIFY(held.output.finger.velocity.isZero(0));
+            QVERIFY((held.output.finger.position - Vec3(0, 0, -0.001)).norm() < 1e-12);
+        }
+        held.clutched = false;
+        Vec3 last = Vec3::Zero();
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 force = held.tick({0, 0, 0.009});
+            QVERIFY((force - last).norm() < 0.05);
+            last = force;
+        }
+        QVERIFY(last.z() > 0.9);
     }
 
     /// Sharp edges and hard hits are no fault.

@@ -1,0 +1,57 @@
+#include "core/control/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace tactum {
+
+Result<void> checkWorkspace(const Workspace& workspace) {
+    if (!(workspace.scale >= kLeastScale && workspace.scale <= kMostScale))
+        return inputError("The workspace's scale must be from 0.001 to 10000: choose another one.");
+    AxisMap axes = workspace.axes;
+    for (std::int8_t& axis : axes)
+        axis = std::int8_t(std::abs(axis));
+    std::ranges::sort(axes);
+    if (axes != kSameAxes)
+        return inputError("Each axis of the device must be used once: choose another mapping of the axes.");
+    if (!workspace.offset.allFinite())
+        return inputError("The workspace's centre is no place: centre it anew.");
+    return {};
+}
+
+void WorkspaceTracker::decide(const Workspace& workspace) noexcept {
+    const DeviceFrame before = frame_;
+    if (workspace.offset != workspace_.offset) frame_.offset = workspace.offset;
+    frame_.scale = workspace.scale;
+    frame_.axes = workspace.axes;
+    workspace_ = workspace;
+    moved_ = moved_ || frame_ != before;
+}
+
+/// Between kBumpFrom and the edge ever faster: a finger that crosses the border feels no step.
+void WorkspaceTracker::bump(const Vec3& position, double dt) noexcept {
+    const double distance = position.norm(), border = kBumpFrom * radius_;
+    if (!(distance > border)) return;
+    const double part = std::min(1.0, (distance - border) / (radius_ - border));
+    frame_.offset += frame_.wayInWorld(kBumpSpeed * part * dt / distance * position);
+}
+
+const DeviceFrame& WorkspaceTracker::follow(const DeviceSample& sample, bool pushing, double dt) noexcept {
+    jumped_ = std::exchange(moved_, false);
+    if (!sample.valid || !sample.position.allFinite()) {
+        known_ = false;
+        return frame_;
+    }
+    clutched_ = (sample.buttons & workspace_.clutch) != 0;
+    if (clutched_ && known_ && !sample.jumped)
+        frame_.offset -= frame_.wayInWorld(sample.position - last_);
+    else if (workspace_.bump && radius_ > 0 && !pushing)
+        bump(sample.position, dt);
+    last_ = sample.position;
+    known_ = true;
+    return frame_;
+}
+
+} // namespace tactum
