@@ -1,0 +1,97 @@
+#include "device/profile.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "core/control/device_check.h"
+#include "core/control/device_figures.h"
+#include "device/built_in_profiles.h"
+
+namespace tactum {
+namespace {
+
+using Json = nlohmann::json;
+
+tl::unexpected<Error> wrong(const std::filesystem::path& file, const std::string& what) {
+    return inputError(file.filename().string() + ": " + what);
+}
+
+double DeviceInfo::*figureOf(std::string_view key) {
+    const auto* const found =
+        std::ranges::find_if(kDeviceFigures, [key](const DeviceFigure& figure) { return key == figure.key; });
+    return found == std::end(kDeviceFigures) ? nullptr : found->value;
+}
+
+/// What is wrong with it; empty when nothing is.
+std::string take(const std::string& key, const Json& figure, DeviceInfo& info) {
+    double DeviceInfo::*const value = figureOf(key);
+    if (!value) return "\"" + key + "\" is no figure of a device; docs/devices.md lists them";
+    const Json& number = figure.is_object() && figure.contains("value") ? figure["value"] : figure;
+    if (!number.is_number()) return "\"" + key + "\" must be a number, or have a number as its value";
+    info.*value = number.get<double>();
+    return {};
+}
+
+std::string take(const Json& json, DeviceInfo& info) {
+    info.name = json.value("name", info.name);
+    info.buttons = json.value("buttons", info.buttons);
+    info.measuresVelocity = json.value("measures_velocity", info.measuresVelocity);
+    if (!json.contains("figures")) return {};
+    if (!json["figures"].is_object()) return "\"figures\" must be a list with names";
+    for (const auto& [key, figure] : json["figures"].items())
+        if (std::string fault = take(key, figure, info); !fault.empty()) return fault;
+    return {};
+}
+
+std::vector<DeviceProfile> readBuiltIn() {
+    std::vector<DeviceProfile> profiles;
+    for (const auto& [key, text] : kBuiltInProfiles) {
+        DeviceProfile empty{.key = std::string(key), .info = {}};
+        empty.info.real = true;
+        profiles.push_back(readProfile(text, std::string(key) + ".json", std::move(empty)).value());
+    }
+    return profiles;
+}
+
+} // namespace
+
+Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::path& file,
+                                  DeviceProfile profile) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object() || json.value("format", Json()) != "tactum-device")
+        return wrong(file, "is no profile of a device: it must be JSON with \"format\": \"tactum-device\"");
+    std::string fault;
+    try {
+        fault = take(json, profile.info);
+    } catch (const Json::exception&) {
+        fault = "\"name\" must be a text, \"buttons\" a whole number";
+    }
+    if (!fault.empty()) return wrong(file, fault);
+    if (const Result<void> possible = checkDevice(profile.info); !possible)
+        return wrong(file, possible.error().text);
+    return profile;
+}
+
+const std::vector<DeviceProfile>& builtInProfiles() {
+    static const std::vector<DeviceProfile> profiles = readBuiltIn();
+    return profiles;
+}
+
+Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::path& folder) {
+    const auto& profiles = builtInProfiles();
+    const auto found = std::ranges::find(profiles, key, &DeviceProfile::key);
+    if (found == profiles.end())
+        return inputError("There is no profile of a device called \"" + std::string(key) + "\".");
+    const std::filesystem::path file = folder / (std::string(key) + ".json");
+    std::error_code error;
+    if (folder.empty() || !std::filesystem::exists(file, error)) return *found;
+    std::ifstream in(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!in) return wrong(file, "cannot be read; check its permissions");
+    return readProfile(text, file, *found);
+}
+
+} // namespace tactum

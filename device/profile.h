@@ -1,0 +1,30 @@
+// The figures of a device as a text file that a person can edit: resources/devices/*.json are built in.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/control/haptic_device.h"
+
+namespace tactum {
+
+struct DeviceProfile {
+    std::string key; ///< name of its file without the ending: "falcon"
+    DeviceInfo info; ///< a real device
+};
+
+/// What the text says over what is in `profile`; a figure that it does not name stays. `file` is for
+/// messages. Refuses unknown figures and what checkDevice() does. Thread: any but real time.
+Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::path& file,
+                                  DeviceProfile profile);
+
+/// Those that are built in, by key. Thread: any but real time.
+const std::vector<DeviceProfile>& builtInProfiles();
+
+/// The built-in one, with what KEY.json in the person's folder says over it; a folder that is not there says
+/// nothing. Errors: no such key, a file that cannot be read. Thread: any but real time.
+Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::path& folder);
+
+} // namespace tactum

@@ -1,0 +1,103 @@
+// Profiles of devices: what is built in can be believed, and what a person writes changes just that.
+#include <fstream>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/control/device_check.h"
+#include "core/control/safe_stiffness.h"
+#include "device/profile.h"
+
+using namespace tactum;
+
+namespace {
+
+std::filesystem::path pathOf(const QTemporaryDir& folder) {
+    return folder.path().toStdString();
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream(file) << text;
+}
+
+std::string edited(const std::string& figures) {
+    return R"({"format": "tactum-device", "figures": {)" + figures + "}}";
+}
+
+} // namespace
+
+class TestProfile : public QObject {
+    Q_OBJECT
+
+private slots:
+    void builtInOnesArePossible() {
+        QVERIFY(builtInProfiles().size() > 10);
+        for (const DeviceProfile& profile : builtInProfiles()) {
+            const char* key = profile.key.c_str();
+            QVERIFY2(checkDevice(profile.info), key);
+            QVERIFY2(profile.info.real, key);
+            // A profile that forgot a figure would allow anything.
+            QVERIFY2(profile.info.maxForce > 0 && profile.info.maxForce <= 22, key);
+            QVERIFY2(profile.info.maxStiffness > 0 && profile.info.workspaceRadius > 0, key);
+            QVERIFY2(profile.info.positionResolution > 0 && !profile.info.name.empty(), key);
+            QVERIFY2(safeStiffness(loopFigures(profile.info)).value > 100, key);
+        }
+    }
+
+    void theFalconIsAsItsSourcesSay() {
+        const auto falcon = profileOf("falcon", {});
+        QVERIFY(falcon);
+        QCOMPARE(falcon->info.name, std::string("Novint Falcon"));
+        QCOMPARE(falcon->info.maxForce, 8.0);
+        QCOMPARE(falcon->info.maxStiffness, 3000.0);
+        QCOMPARE(falcon->info.buttons, 4);
+    }
+
+    void aPersonsFileChangesWhatItNames() {
+        const QTemporaryDir folder;
+        write(pathOf(folder) / "falcon.json",
+              edited(R"("max_force_N": 5, "damping_N_s_per_m": {"value": 0.8})"));
+        const auto mine = profileOf("falcon", pathOf(folder));
+        QVERIFY(mine);
+        QCOMPARE(mine->info.maxForce, 5.0);
+        QCOMPARE(mine->info.damping, 0.8);
+        QCOMPARE(mine->info.maxStiffness, 3000.0);
+        QCOMPARE(profileOf("touch", pathOf(folder))->info.maxForce, 3.3);
+    }
+
+    void aFileThatIsWrongIsRefused_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("no JSON") << "max_force = 5"
+                                 << "is no profile";
+        QTest::newRow("another format") << R"({"format": "other"})"
+                                        << "is no profile";
+        QTest::newRow("a list") << "[]"
+                                << "is no profile";
+        QTest::newRow("unknown figure") << edited(R"("max_fource_N": 5)").c_str() << "max_fource_N";
+        QTest::newRow("a word") << edited(R"("max_force_N": "five")").c_str() << "must be a number";
+        QTest::newRow("beyond belief") << edited(R"("max_force_N": 1e9)").c_str() << "largest force";
+        QTest::newRow("negative") << edited(R"("damping_N_s_per_m": -1)").c_str() << "damping";
+        QTest::newRow("no rate") << edited(R"("rate_Hz": 0)").c_str() << "rate";
+        QTest::newRow("figures as a text") << R"({"format": "tactum-device", "figures": "many"})"
+                                           << "figures";
+        QTest::newRow("a name that is none") << R"({"format": "tactum-device", "name": 7})"
+                                             << "name";
+    }
+    void aFileThatIsWrongIsRefused() {
+        QFETCH(QString, text);
+        QFETCH(QString, said);
+        const QTemporaryDir folder;
+        write(pathOf(folder) / "falcon.json", text.toStdString());
+        const auto refused = profileOf("falcon", pathOf(folder));
+        QVERIFY(!refused);
+        const QString sentence = QString::fromStdString(refused.error().text);
+        QVERIFY2(sentence.contains("falcon.json") && sentence.contains(said) && !sentence.contains('\n'),
+                 qPrintable(sentence));
+    }
+
+    void anUnknownDeviceIsRefused() { QVERIFY(!profileOf("../falcon", {})); }
+};
+
+QTEST_APPLESS_MAIN(TestProfile)
+#include "test_profile.moc"
