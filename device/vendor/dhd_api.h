@@ -1,0 +1,67 @@
+// The part of Force Dimension's DHD API (3.x) that the driver calls: names, types and numbers as its public
+// reference and the programs that use it show them. Declared here, because the maker's headers are not free.
+// Never tried with the real library. Less sure: that kStatusReset is 1 once the device is calibrated.
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "device/vendor/shared_library.h"
+
+namespace tactum::dhd {
+
+inline constexpr unsigned char kOff = 0, kOn = 1;
+/// Below 0: an error. 1 (a reading that is a fraction of a millisecond old) and 2 (a motor gives all that it
+/// can) are none.
+inline constexpr int kNoError = 0;
+inline constexpr int kRoomForStatus = 32; ///< the library fills 13 to 16 numbers, more in every version
+inline constexpr int kStatusConnected = 1, kStatusReset = 3;
+
+enum Error : int {
+    kUnknown = 1,
+    kCommunication,
+    kBusy,
+    kNoDriver,
+    kNoDevice,
+    kNotAvailable,
+    kTimeout,
+    kGeometry,
+    kExpertModeDisabled,
+    kNotImplemented,
+    kOutOfMemory,
+    kDeviceNotReady,
+    kFileNotFound,
+    kConfiguration,
+    kInvalidIndex,
+    kDeprecated,
+    kNullArgument,
+    kRedundantFail,
+    kNotEnabled,
+    kDeviceInUse,
+};
+
+/// Metre, newton; x toward the user, y right, z up. The last argument is what openId() gave.
+struct Api {
+    int (*getDeviceCount)();
+    int (*openId)(char index);
+    int (*close)(char id);
+    int (*stop)(char id); ///< forces off, brakes on
+    const char* (*getSystemName)(char id);
+    int (*getStatus)(int* values, char id);
+    int (*enableForce)(unsigned char on, char id);
+    int (*getPosition)(double* x, double* y, double* z, char id);
+    int (*getLinearVelocity)(double* x, double* y, double* z, char id);
+    int (*setForceAndTorqueAndGripperForce)(double fx, double fy, double fz, double tx, double ty, double tz,
+                                            double grip, char id);
+    unsigned int (*getButtonMask)(char id);
+    int (*errorGetLast)();
+    /// Null before 3.3.2: after so many times 125 us without a command the device takes the force away.
+    int (*setWatchdog)(unsigned char periods, char id);
+};
+
+const LibraryWanted& library();
+Result<Api> load();
+/// What a person understands of an error, with what to do. Thread: any but real time.
+std::string sentenceOf(int error);
+
+} // namespace tactum::dhd

@@ -1,0 +1,220 @@
+#include "device/vendor/force_dimension.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <mutex>
+#include <string_view>
+#include <thread>
+
+#include "core/base/text.h"
+#include "core/control/force_limiter.h"
+#include "device/vendor/dhd_api.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::string_view kPrefix = "forcedimension:";
+constexpr int kMostDevices = 16;
+constexpr int kMoment = 20;              ///< ms between two looks
+constexpr int kQuiet = 500;              ///< exchanges without an error, and the device is believed again
+constexpr unsigned char kWatchdog = 240; ///< times 125 us: 30 ms
+constexpr const char* kLoad = "Load the maker's library";
+constexpr const char* kConnect = "Connect";
+constexpr const char* kCalibrate = "Calibrate";
+
+const double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+// Theirs: x toward the user, y right, z up. D: x right, y up, z toward the user.
+Vec3 inD(const Vec3& theirs) {
+    return {theirs.y(), theirs.z(), theirs.x()};
+}
+Vec3 asTheirs(const Vec3& force_D) {
+    return {force_D.z(), force_D.x(), force_D.y()};
+}
+
+class ForceDimension final : public HapticDevice {
+public:
+    ForceDimension(int index, DeviceInfo profile) : index_(char(index)), info_(std::move(profile)) {
+        info_.real = true;
+        limiter_.maxForce = info_.maxForce;
+    }
+    ~ForceDimension() override { shutDown(); }
+
+    DeviceInfo info() const override {
+        const std::lock_guard lock(infoMutex_);
+        return info_;
+    }
+    std::vector<std::string> steps() const override { return {kLoad, kConnect, kCalibrate}; }
+    Result<void> prepare(Opening& opening) override;
+    Result<void> open() override;
+    void close() override { shutDown(); }
+    std::string trouble() const override {
+        const int error = fault_;
+        return error ? dhd::sentenceOf(error) : std::string();
+    }
+    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override;
+
+private:
+    Result<void> connect(Opening& opening);
+    Result<void> calibrate(Opening& opening);
+    Result<void> asksForCalibration(bool& asks) const;
+    bool send(const Vec3& force_D) noexcept;
+    bool read(DeviceSample& sample) noexcept;
+    int lastError() const noexcept;
+    tl::unexpected<Error> failure() const { return machineError(dhd::sentenceOf(lastError())); }
+    void shutDown();
+
+    char index_;
+    dhd::Api api_{};
+    int id_ = -1; ///< below 0: not connected
+    mutable std::mutex infoMutex_;
+    DeviceInfo info_;
+    ForceLimiter limiter_;
+    int quiet_ = kQuiet; ///< exchanges since the last error
+    bool open_ = false;
+    std::atomic<int> fault_{dhd::kNoError};
+};
+
+DeviceSample ForceDimension::exchange(const DeviceCommand& command, double) noexcept {
+    DeviceSample sample;
+    if (!open_) return sample;
+    const bool believed = quiet_ >= kQuiet;
+    // Both are tried whatever becomes of the other: zero has to get there.
+    const bool sent = send(believed ? limiter_(command.force) : Vec3::Zero());
+    if (read(sample) && sent) {
+        if (quiet_ < kQuiet && ++quiet_ == kQuiet) fault_ = dhd::kNoError;
+    } else {
+        fault_ = lastError();
+        quiet_ = 0;
+        send(Vec3::Zero());
+    }
+    sample.valid = quiet_ >= kQuiet && sample.position.allFinite() && sample.velocity.allFinite();
+    return sample;
+}
+
+bool ForceDimension::send(const Vec3& force_D) noexcept {
+    const Vec3 force = asTheirs(force_D);
+    return api_.setForceAndTorqueAndGripperForce(force.x(), force.y(), force.z(), 0, 0, 0, 0, char(id_)) >=
+           dhd::kNoError;
+}
+
+bool ForceDimension::read(DeviceSample& sample) noexcept {
+    Vec3 position = Vec3::Constant(kNothing), velocity = position;
+    const char id = char(id_);
+    const bool read =
+        api_.getPosition(&position.x(), &position.y(), &position.z(), id) >= dhd::kNoError &&
+        api_.getLinearVelocity(&velocity.x(), &velocity.y(), &velocity.z(), id) >= dhd::kNoError;
+    sample.position = inD(position);
+    sample.velocity = inD(velocity);
+    sample.buttons = read ? api_.getButtonMask(id) : 0;
+    return read;
+}
+
+int ForceDimension::lastError() const noexcept {
+    const int error = api_.errorGetLast();
+    return error != dhd::kNoError ? error : dhd::kUnknown;
+}
+
+Result<void> ForceDimension::prepare(Opening& opening) {
+    if (fault_ != dhd::kNoError) shutDown(); // what broke is begun anew
+    if (id_ < 0)
+        if (Result<void> connected = connect(opening); !connected) return connected;
+    opening.begin(kCalibrate);
+    return calibrate(opening);
+}
+
+Result<void> ForceDimension::connect(Opening& opening) {
+    opening.begin(kLoad);
+    Result<dhd::Api> api = dhd::load();
+    if (!api) return tl::unexpected(api.error());
+    api_ = *api;
+    opening.begin(kConnect);
+    id_ = api_.openId(index_);
+    if (id_ < 0) return failure();
+    fault_ = dhd::kNoError;
+    quiet_ = kQuiet;
+    api_.enableForce(dhd::kOff, char(id_));
+    const std::lock_guard lock(infoMutex_);
+    if (const char* name = api_.getSystemName(char(id_)); name && info_.name.empty())
+        info_.name = printable(name);
+    return {};
+}
+
+Result<void> ForceDimension::asksForCalibration(bool& asks) const {
+    std::array<int, dhd::kRoomForStatus> status{};
+    if (api_.getStatus(status.data(), char(id_)) < dhd::kNoError) return failure();
+    asks = status[dhd::kStatusReset] == 0;
+    return {};
+}
+
+Result<void> ForceDimension::calibrate(Opening& opening) {
+    constexpr const char* kTodo = "Calibrate the device as its manual says: most do it by themselves after "
+                                  "they are switched on, some when the handle is led to its rest.";
+    bool asks = false, said = false;
+    while (true) {
+        if (Result<void> known = asksForCalibration(asks); !known || !asks) return known;
+        if (!said) opening.begin(kCalibrate, kTodo);
+        said = true;
+        if (opening.cancelled()) return machineError(std::string("The device is not calibrated. ") + kTodo);
+        std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+    }
+}
+
+Result<void> ForceDimension::open() {
+    Unattended nobody;
+    if (Result<void> prepared = prepare(nobody); !prepared) return prepared;
+    // Its own last line: nobody's signal handler can call this library.
+    if (api_.setWatchdog) api_.setWatchdog(kWatchdog, char(id_));
+    if (!send(Vec3::Zero()) || api_.enableForce(dhd::kOn, char(id_)) < dhd::kNoError) return failure();
+    open_ = true;
+    return {};
+}
+
+void ForceDimension::shutDown() {
+    open_ = false;
+    if (id_ < 0) return;
+    send(Vec3::Zero());
+    api_.enableForce(dhd::kOff, char(id_));
+    api_.stop(char(id_));
+    api_.close(char(id_));
+    id_ = -1;
+}
+
+DeviceListing listed(const dhd::Api& api, int index) {
+    const std::string id = std::string(kPrefix) + std::to_string(index);
+    const int opened = api.openId(char(index));
+    if (opened < 0)
+        return {"", "Force Dimension " + std::to_string(index), false, dhd::sentenceOf(api.errorGetLast())};
+    const char* name = api.getSystemName(char(opened));
+    const std::string shown = "Force Dimension " + (name ? printable(name) : std::to_string(index));
+    api.close(char(opened));
+    return {id, shown, true, "connected; driven by its maker's library, never tried with a real one"};
+}
+
+} // namespace
+
+std::vector<DeviceListing> listForceDimension() {
+    const Result<dhd::Api> api = dhd::load();
+    if (!api) return {{"", "omega, delta, sigma (Force Dimension)", false, api.error().text}};
+    const int count = std::min(api->getDeviceCount(), kMostDevices);
+    if (count <= 0)
+        return {{"", "Force Dimension", false,
+                 "the maker's library is there, but no device: connect one and switch it on"}};
+    std::vector<DeviceListing> listings;
+    for (int index = 0; index < count; ++index)
+        listings.push_back(listed(*api, index));
+    return listings;
+}
+
+Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, DeviceInfo profile) {
+    std::int64_t index = -1;
+    if (!id.starts_with(kPrefix) || !parseNumber(std::string_view(id).substr(kPrefix.size()), index) ||
+        index < 0 || index >= kMostDevices)
+        return inputError("There is no device " + inQuotes(id) + ": those of Force Dimension are called " +
+                          std::string(kPrefix) + "0 and so on.");
+    return std::make_unique<ForceDimension>(int(index), std::move(profile));
+}
+
+} // namespace tactum

@@ -1,0 +1,23 @@
+// omega, delta, sigma and lambda, by Force Dimension's own library where the user has it. Never tried with
+// either.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/control/device_catalogue.h"
+
+namespace tactum {
+
+/// One for each that is connected, "forcedimension:INDEX"; one that is not usable and says what to install
+/// where the library is missing, or that nothing is connected. Thread: any but real time, and not while one
+/// is open.
+std::vector<DeviceListing> listForceDimension();
+
+/// The device with such an id. `profile`: its figures. Torques and the force of a gripper stay zero. The
+/// servo calls the library itself, which waits for the transfer. Error: no such id. Thread: any but real
+/// time.
+Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, DeviceInfo profile);
+
+} // namespace tactum

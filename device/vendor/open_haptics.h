@@ -1,0 +1,22 @@
+// Touch, Touch X and the Phantoms, by 3D Systems' own library where the user has it. Never tried with either.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/control/device_catalogue.h"
+
+namespace tactum {
+
+/// One for each device that was set up, "openhaptics:NAME"; one that is not usable and says what to install
+/// where the library is missing. Thread: any but real time.
+std::vector<DeviceListing> listOpenHaptics();
+
+/// The device with such an id, "openhaptics:default" the maker's default. `profile`: its figures, of which
+/// the limits are lowered to what the device says of itself. Only one at a time. The maker's scheduler talks
+/// to the device, so its delay is a tick more than the profile's. Error: no such id.
+/// Thread: any but real time.
+Result<std::unique_ptr<HapticDevice>> makeOpenHaptics(const std::string& id, DeviceInfo profile);
+
+} // namespace tactum

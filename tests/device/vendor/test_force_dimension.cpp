@@ -1,0 +1,241 @@
+// Force Dimension's devices against a library that stands in for theirs: axes, limits, faults and partings.
+#include <cmath>
+#include <dlfcn.h>
+#include <limits>
+
+#include <QtTest>
+
+#include "device/vendor/force_dimension.h"
+#include "tests/device/vendor/fake_dhd.h"
+#include "tests/device/vendor/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+class TestForceDimension : public QObject {
+    Q_OBJECT
+
+    FakeDhd* fake_ = nullptr;
+
+    static DeviceInfo profile() { return {.name = "", .maxForce = 12, .buttons = 1}; }
+    static std::unique_ptr<HapticDevice> device(const std::string& id = "forcedimension:0") {
+        auto made = makeForceDimension(id, profile());
+        return made ? std::move(*made) : nullptr;
+    }
+    static std::unique_ptr<HapticDevice> opened() {
+        auto made = device();
+        if (const auto ok = made->open(); !ok) qWarning("%s", ok.error().text.c_str());
+        return made;
+    }
+    Vec3 motors() const { return {fake_->motors[0], fake_->motors[1], fake_->motors[2]}; }
+
+private slots:
+    void initTestCase() {
+        void* library = dlopen(TACTUM_FAKE_DHD, RTLD_NOW | RTLD_NODELETE);
+        QVERIFY2(library, dlerror());
+        const auto get = reinterpret_cast<FakeDhdGetter>(dlsym(library, "fakeDhd"));
+        QVERIFY(get);
+        fake_ = &get();
+    }
+    void init() {
+        new (fake_) FakeDhd;
+        qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD);
+    }
+    void cleanup() {
+        QCOMPARE(fake_->misuses.load(), 0);
+        QCOMPARE(fake_->notFinite.load(), 0);
+        QCOMPARE(fake_->torque.load(), 0.0);
+        QCOMPARE(fake_->opened.load(), fake_->closed.load());
+    }
+
+    /// Theirs: x toward the user, y right, z up. Ours: x right, y up, z toward the user.
+    void readingsComeInOurFrame() {
+        fake_->position[0] = 0.01;
+        fake_->position[1] = 0.02;
+        fake_->position[2] = 0.03;
+        fake_->velocity[0] = -0.1;
+        fake_->buttons = 1;
+        const auto device = opened();
+        const DeviceSample sample = device->exchange({}, 1e-3);
+        QVERIFY(sample.valid);
+        QVERIFY((sample.position - Vec3(0.02, 0.03, 0.01)).isZero());
+        QVERIFY((sample.velocity - Vec3(0, 0, -0.1)).isZero());
+        QCOMPARE(sample.buttons, 1u);
+        QCOMPARE(device->info().name, std::string("omega.3"));
+        QVERIFY(device->info().real);
+        QVERIFY(device->trouble().empty());
+    }
+
+    void forcesArriveInTheirs() {
+        const auto device = opened();
+        device->exchange({{1, 2, 3}}, 1e-3);
+        QVERIFY((motors() - Vec3(3, 1, 2)).isZero());
+        QVERIFY(fake_->force);
+    }
+
+    /// What pushes the finger along an axis moves it along the same axis.
+    void theAxesOfForceAndPositionAgree() {
+        const auto device = opened();
+        for (int axis = 0; axis < 3; ++axis) {
+            device->exchange({Vec3::Unit(axis)}, 1e-3);
+            for (std::size_t i = 0; i < 3; ++i)
+                fake_->position[i] = 0.01 * fake_->motors[i];
+            QVERIFY((device->exchange({}, 1e-3).position - 0.01 * Vec3::Unit(axis)).isZero());
+        }
+    }
+
+    void noForceIsAboveTheLimitOrNoNumber() {
+        const auto device = opened();
+        const double inf = std::numeric_limits<double>::infinity();
+        for (const Vec3& wild : {Vec3(100, 0, 0), Vec3(0, -1e300, 1e300), Vec3(std::nan(""), 1, 0),
+                                 Vec3(inf, 0, 0), Vec3(9, 9, 9)})
+            device->exchange({wild}, 1e-3);
+        QVERIFY(fake_->strongest <= 12 + 1e-9);
+        QVERIFY(fake_->strongest > 11.9);
+    }
+
+    void successHasThreeNumbers() {
+        const auto device = opened();
+        for (const int success : {0, 1, 2}) {
+            fake_->success = success;
+            QVERIFY(device->exchange({}, 1e-3).valid);
+        }
+    }
+
+    void anErrorTakesReadingsAndForceAway_data() {
+        QTest::addColumn<int>("error");
+        QTest::addColumn<bool>("sending");
+        QTest::addColumn<QString>("word");
+        const std::pair<int, const char*> errors[] = {
+            {2, "answer"},         {3, "busy"},      {4, "rule"},
+            {5, "not there"},      {6, "cannot do"}, {7, "too late"},
+            {8, "arms"},           {11, "memory"},   {12, "ready"},
+            {14, "configuration"}, {18, "sensors"},  {19, "forces of the device are off"},
+            {20, "in use"},        {99, "99"}};
+        for (const auto& [error, word] : errors)
+            for (const bool sending : {true, false})
+                QTest::addRow("%d %d", error, int(sending)) << error << sending << QString(word);
+    }
+
+    void anErrorTakesReadingsAndForceAway() {
+        QFETCH(int, error);
+        QFETCH(bool, sending);
+        QFETCH(QString, word);
+        const auto device = opened();
+        device->exchange({{0, 1, 0}}, 1e-3);
+        QVERIFY(!motors().isZero());
+        (sending ? fake_->sendError : fake_->readError) = error;
+        QVERIFY(!device->exchange({{0, 1, 0}}, 1e-3).valid);
+        if (!sending) QVERIFY(motors().isZero()); // at once, in the same exchange
+        const QString said = QString::fromStdString(device->trouble());
+        QVERIFY2(said.contains(word) && said.endsWith('.'), qPrintable(said));
+        fake_->sendError = fake_->readError = 0;
+        QVERIFY(!device->exchange({{0, 1, 0}}, 1e-3).valid);
+        QVERIFY(motors().isZero());
+        int waited = 0;
+        while (!device->exchange({{0, 1, 0}}, 1e-3).valid && waited < 10'000)
+            ++waited;
+        QVERIFY(waited > 100 && waited < 1000);
+        QVERIFY(device->trouble().empty());
+    }
+
+    void aReadingThatIsNoNumberIsNone() {
+        const auto device = opened();
+        fake_->velocity[1] = std::nan("");
+        QVERIFY(!device->exchange({}, 1e-3).valid);
+    }
+
+    void closeSendsZeroAndGivesTheDeviceBack() {
+        const auto device = opened();
+        device->exchange({{1, 0, 0}}, 1e-3);
+        device->close();
+        QVERIFY(motors().isZero());
+        QVERIFY(!fake_->force);
+        QCOMPARE(fake_->closed.load(), 1);
+        const long before = fake_->commands;
+        QVERIFY(!device->exchange({{1, 0, 0}}, 1e-3).valid); // of one that is closed: nothing
+        QCOMPARE(fake_->commands.load(), before);
+        QVERIFY(device->open());
+        QVERIFY(device->exchange({}, 1e-3).valid);
+    }
+
+    void pulledOutAndBackItOpensAgain() {
+        const auto device = opened();
+        fake_->sendError = fake_->readError = 2;
+        QVERIFY(!device->exchange({{1, 0, 0}}, 1e-3).valid);
+        device->close();
+        fake_->openError = 5;
+        const auto gone = device->open();
+        QVERIFY(!gone && gone.error().text.find("not there") != std::string::npos);
+        fake_->openError = fake_->sendError = fake_->readError = 0;
+        QVERIFY(device->open());
+        QVERIFY(device->exchange({}, 1e-3).valid);
+        QVERIFY(device->trouble().empty());
+    }
+
+    void preparedItGivesNoForceYet() {
+        const auto made = device();
+        Watcher watcher;
+        QVERIFY(made->prepare(watcher));
+        QVERIFY(!fake_->force);
+        QVERIFY(!made->exchange({{1, 0, 0}}, 1e-3).valid);
+        QVERIFY(motors().isZero());
+        QVERIFY(watcher.steps == made->steps());
+        QVERIFY(watcher.todo.empty());
+    }
+
+    void calibrationIsAskedForAndWaitedFor() {
+        fake_->reset = 0;
+        fake_->calibrateAt = 3;
+        const auto made = device();
+        Watcher watcher;
+        QVERIFY(made->prepare(watcher));
+        QVERIFY(!watcher.todo.empty());
+        QCOMPARE(fake_->looks.load(), 3);
+    }
+
+    void nobodyAtHandIsNotWaitedFor() {
+        fake_->reset = 0;
+        const auto result = device()->open();
+        QVERIFY(!result && result.error().text.find("not calibrated") != std::string::npos);
+        QVERIFY(!fake_->force);
+    }
+
+    void theDeviceItselfWatchesToo() {
+        opened();
+        QVERIFY(fake_->watchdog * 0.125 >= 10 && fake_->watchdog * 0.125 <= 50); // ms
+        qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD_OLD);                           // which has no such function
+        QVERIFY(device()->open());
+    }
+
+    void withoutTheLibraryThereIsASentence() {
+        qputenv("TACTUM_LIBDHD", "/no/such/libdhd.so");
+        const auto listings = listForceDimension();
+        QCOMPARE(listings.size(), std::size_t(1));
+        QVERIFY(!listings.front().usable && listings.front().id.empty());
+        for (const char* word : {"Force Dimension", "/no/such/libdhd.so", "install", "TACTUM_LIBDHD"})
+            QVERIFY2(listings.front().sentence.find(word) != std::string::npos, word);
+        QVERIFY(!device()->open());
+    }
+
+    void whatIsConnectedIsListed() {
+        fake_->devices = 2;
+        const auto listings = listForceDimension();
+        QCOMPARE(listings.size(), std::size_t(2));
+        QCOMPARE(listings[1].id, std::string("forcedimension:1"));
+        QVERIFY(listings[1].usable && listings[1].name.find("omega.3") != std::string::npos);
+        fake_->openError = 20;
+        QVERIFY(!listForceDimension().front().usable);
+        fake_->devices = 0;
+        QVERIFY(!listForceDimension().front().usable);
+    }
+
+    void whatIsNoIdIsRefused() {
+        for (const char* id : {"forcedimension:", "forcedimension:x", "forcedimension:-1",
+                               "forcedimension:400", "falcon:0", ""})
+            QVERIFY2(!makeForceDimension(id, {}), id);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestForceDimension)
+#include "test_force_dimension.moc"
