@@ -33,6 +33,7 @@ struct State {
     std::map<int, std::unique_ptr<UsbfsFile>> files; ///< by their descriptors
     std::vector<std::shared_ptr<kernel::UdevMonitor>> monitors;
     int lastAddress = 1; ///< 1 is the hub's
+    int abandoned = 0;   ///< transfers of files that were closed without fetching them
 };
 
 State& state() {
@@ -161,7 +162,7 @@ int EmulatedBus::openDescriptors() const {
 
 int EmulatedBus::pendingTransfers() const {
     const kernel::Inside inside;
-    int pending = 0;
+    int pending = state().abandoned;
     for (const auto& [descriptor, file] : state().files)
         pending += file->pending();
     return pending;
@@ -229,7 +230,9 @@ bool isNode(int descriptor) {
 void closeNode(int descriptor) {
     const Inside inside;
     nodes[static_cast<std::size_t>(descriptor)] = false;
-    state().files.erase(descriptor);
+    const auto file = state().files.find(descriptor);
+    state().abandoned += file->second->notFetched();
+    state().files.erase(file);
 }
 
 namespace {

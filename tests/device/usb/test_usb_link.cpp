@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 #include <random>
+#include <thread>
 
 #include <QtTest>
 #include <sys/wait.h>
@@ -167,7 +168,7 @@ private slots:
         const auto second = UsbLink::open(place, {});
         QVERIFY(!second);
         QVERIFY(second.error().text.find("another program") != std::string::npos);
-        EmulatedBus::the().unplug(kSocket);
+        plugCounter(); // another one in the same socket
         const auto late = UsbLink::open(place, {});
         QVERIFY(!late);
         QVERIFY(late.error().text.find("not there") != std::string::npos);
@@ -312,6 +313,7 @@ private slots:
         setFaults(faults);
         QVERIFY(link->send(kHello));
         QVERIFY(!link->send(kHello));
+        QCOMPARE(link->failures(), 0);
         setFaults({});
         QVERIFY(pollUntil(*link, [&] { return device->commands->load() == 1; }));
         link->poll();
@@ -359,8 +361,8 @@ private slots:
         device->left = 1;
         link->send(kHello);
         link->poll();
-        QVERIFY(link->failures() > 0);
-        setFaults({}); // but its endpoints stay halted until they are cleared
+        QCOMPARE(link->failures(), 1); // the reads that were cancelled for it are no failures
+        setFaults({});                 // but its endpoints stay halted until they are cleared
         link->poll();
         link->poll();
         QVERIFY(!link->take().empty());
@@ -445,6 +447,21 @@ private slots:
         link->sendNow(kHello);
         link->poll();
         QVERIFY(link->take().empty());
+    }
+
+    void noticesItWhileAnotherThreadPulls() {
+        for (int i = 0; i < 20; ++i) {
+            const auto device = plugCounter();
+            const auto link = open().value();
+            QVERIFY(link->startStream().has_value());
+            std::thread person([] { EmulatedBus::the().unplug(kSocket); });
+            while (!link->gone()) {
+                link->send(kHello);
+                link->poll();
+            }
+            person.join();
+            QVERIFY(link->take().empty());
+        }
     }
 
     void noticesItWhenSendingToo() {

@@ -94,7 +94,10 @@ int UsbfsFile::driver(const usbdevfs_ioctl& command) {
     return plugged_->kernelDriver ? 1 : 0;
 }
 
+/// What is still queued then, some controllers never look at again.
 int UsbfsFile::clearHalt(unsigned endpoint) {
+    for (Urb& urb : pending_)
+        if (urb.endpoint == endpoint) urb.stuck = true;
     (endpoint & 0x80 ? plugged_->haltedIn : plugged_->haltedOut) = false;
     return 0;
 }
@@ -107,6 +110,7 @@ int UsbfsFile::submit(usbdevfs_urb& urb, std::int64_t now) {
     }
     const bool control = urb.type == USBDEVFS_URB_TYPE_CONTROL;
     if (!control && plugged_->claimedBy != this) return -EINVAL;
+    if (urb.type == USBDEVFS_URB_TYPE_INTERRUPT && !plugged_->description.interrupt) return -EINVAL;
     const auto* bytes = static_cast<const std::uint8_t*>(urb.buffer);
     const auto length = static_cast<std::size_t>(urb.buffer_length);
     Urb copy{&urb, urb.type, urb.endpoint, {}, length, 0, 0, now + faults.delay};
@@ -208,8 +212,9 @@ bool UsbfsFile::carryOut(Urb& urb, std::int64_t now) {
     }
     if (urb.type == USBDEVFS_URB_TYPE_CONTROL) return controlTransfer(urb, now);
     bool& halted = urb.isIn() ? plugged_->haltedIn : plugged_->haltedOut;
-    halted = halted || (urb.isIn() ? faults.stallIn : faults.stallOut);
-    if (halted) {
+    if (halted || urb.stuck) return false;
+    if (urb.isIn() ? faults.stallIn : faults.stallOut) {
+        halted = true;
         urb.status = -EPIPE;
         return true;
     }

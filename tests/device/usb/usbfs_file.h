@@ -52,6 +52,8 @@ public:
     void endAll();
     const PluggedDevice& plugged() const { return *plugged_; }
     int pending() const { return static_cast<int>(pending_.size()); }
+    /// Pending, and complete but not fetched.
+    int notFetched() const { return static_cast<int>(pending_.size() + completed_.size()); }
 
 private:
     struct Urb {
@@ -61,6 +63,7 @@ private:
         std::size_t room = 0;
         int status = 0, length = 0;
         std::int64_t due = 0; ///< not complete before
+        bool stuck = false;   ///< never complete, but for cancelling
 
         bool isIn() const { return endpoint & 0x80; }
     };
