@@ -198,7 +198,9 @@ struct Request {
     ConvertOptions convert;
     PlayOptions play;
     std::filesystem::path scene;
+    std::string device;
     bool json = false;
+    bool makers = false;
 };
 
 void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
@@ -209,13 +211,24 @@ void addSceneVerb(CLI::App& program, const char* name, const char* help, Request
         ->required();
 }
 
+void addDevices(CLI::App& program, Request& request) {
+    CLI::App* devices =
+        program.add_subcommand("devices", "What is connected, and why what is not usable is not");
+    devices->add_flag("--json", request.json, "As a JSON array");
+    devices->add_flag("--makers", request.makers, "Only what the makers' libraries know of");
+    // For this program itself; an empty group is not listed.
+    CLI::App* server = program.add_subcommand("device-server", "Drive a device for another process");
+    server->group("")->add_option("ID", request.device)->required();
+}
+
 Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("touch")) return runTouch(request.touch);
     if (program.got_subcommand("convert")) return runConvert(request.convert);
     if (program.got_subcommand("play")) return runPlay(request.play);
     if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
     if (program.got_subcommand("check")) return runCheck(request.scene);
-    return runDevices();
+    if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
+    return runDevices(request.makers, request.json);
 }
 
 int runVerb(int argc, char** argv) {
@@ -227,7 +240,7 @@ int runVerb(int argc, char** argv) {
     addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
     program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
     addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
-    program.add_subcommand("devices", "What is connected, and why what is not usable is not");
+    addDevices(program, request);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);
@@ -246,7 +259,8 @@ int runVerb(int argc, char** argv) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 6> verbs{"touch", "convert", "play", "info", "check", "devices"};
+    constexpr std::array<std::string_view, 7> verbs{"touch", "convert", "play",         "info",
+                                                    "check", "devices", "device-server"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 

@@ -7,6 +7,7 @@
 #include <QIcon>
 #include <QLocale>
 
+#include "device/registry.h"
 #include "device/simulated_hand.h"
 #include "ui/main_window.h"
 #include "ui/panels/sample_gallery.h"
@@ -49,7 +50,11 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     const auto started = engine.start();
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;
+    DeviceRegistry devices({.hand = hand,
+                            .profiles = personsProfiles(),
+                            .program = QCoreApplication::applicationFilePath().toStdString()});
     MainWindow window(document, engine, hand, sampleScenes());
+    window.setCatalogue(devices);
     QApplication::setWindowIcon(logo(128));
     window.show();
     if (!started) window.showFault(QString::fromStdString(started.error().text));

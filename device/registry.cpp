@@ -2,53 +2,178 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
+#include "device/falcon/falcon.h"
+#include "device/listings_text.h"
+#include "device/profile.h"
+#include "device/remote/remote_device.h"
+#include "device/simulated_hand.h"
+#include "device/usb/usb_link.h"
+#include "device/vendor/force_dimension.h"
+#include "device/vendor/haply_inverse3.h"
+#include "device/vendor/open_haptics.h"
+#include "device/wooden_haptics/wooden_haptics.h"
 
 namespace tactum {
-
 namespace {
 
-struct KnownUsbDevice {
-    std::string_view vendor, product; ///< as the kernel writes them, product empty for any
+using Made = Result<std::unique_ptr<HapticDevice>>;
+
+constexpr const char* kSimulated = "simulated";
+constexpr int kMakersPatience = 5000; ///< ms, to say what is connected
+constexpr std::chrono::seconds kMakersEvery{10};
+
+/// A device that we drive ourselves over USB.
+struct UsbFamily {
+    std::string_view prefix; ///< of its ids, and the key of its profile
+    UsbId id;
     std::string_view name;
+    std::unique_ptr<HapticDevice> (*make)(const UsbPlace& place, const DeviceInfo& profile);
 };
 
-constexpr std::array<KnownUsbDevice, 2> kKnown{{
-    {"0403", "cb48", "Novint Falcon"},
-    {"1234", "0006", "WoodenHaptics"},
+constexpr std::array<UsbFamily, 2> kUsbFamilies{{
+    {"falcon", kFalconId, "Novint Falcon",
+     [](const UsbPlace& place, const DeviceInfo& profile) -> std::unique_ptr<HapticDevice> {
+         return std::make_unique<Falcon>(place, profile, FalconSettings{});
+     }},
+    {"wooden-haptics", kWoodenHapticsId, "WoodenHaptics",
+     [](const UsbPlace& place, const DeviceInfo& profile) -> std::unique_ptr<HapticDevice> {
+         return std::make_unique<WoodenHaptics>(place, profile);
+     }},
 }};
 
-std::string firstWord(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::string word;
-    in >> word;
-    return word;
+/// Devices that a maker's library drives, where the person has it.
+struct MakersFamily {
+    std::string_view prefix, profile;
+    std::vector<DeviceListing> (*list)();
+    Made (*make)(const std::string& id, DeviceInfo profile);
+};
+
+constexpr std::array<MakersFamily, 3> kMakersFamilies{{
+    {"openhaptics", "phantom", listOpenHaptics, makeOpenHaptics},
+    {"forcedimension", "omega", listForceDimension, makeForceDimension},
+    {"haply", "inverse3", listHaply, makeHaply},
+}};
+
+std::string prefixOf(const std::string& id) {
+    return id.substr(0, id.find(':'));
+}
+
+template <class Families> const auto* familyOf(const Families& families, const std::string& id) {
+    const auto found = std::ranges::find(families, prefixOf(id), &Families::value_type::prefix);
+    return found == families.end() ? nullptr : &*found;
+}
+
+std::vector<UsbId> wantedIds() {
+    std::vector<UsbId> ids;
+    for (const UsbFamily& family : kUsbFamilies)
+        ids.push_back(family.id);
+    return ids;
+}
+
+/// Whether this person may write to the device's file. One that nobody can see is left to the link's own
+/// words.
+bool mayOpen(const UsbPlace& place) {
+    std::array<char, 64> file{};
+    std::snprintf(file.data(), file.size(), "/dev/bus/usb/%03d/%03d", place.bus, place.address);
+    return access(file.data(), W_OK) == 0 || errno != EACCES;
+}
+
+DeviceListing listingOf(const UsbFamily& family, const UsbPlace& place) {
+    DeviceListing listing{std::string(family.prefix) + ':' + place.port, std::string(family.name), true,
+                          "connected at USB " + place.port};
+    if (mayOpen(place)) return listing;
+    listing.usable = false;
+    listing.sentence += ", but you have no permission to use it: install the rule "
+                        "resources/udev/70-tactum.rules in /etc/udev/rules.d and plug it in again";
+    return listing;
+}
+
+std::vector<DeviceListing> listOwn() {
+    const Result<std::vector<UsbPlace>> places = listUsb(wantedIds());
+    if (!places) return {{"", "USB", false, places.error().text}};
+    std::vector<DeviceListing> listings;
+    for (const UsbPlace& place : *places)
+        for (const UsbFamily& family : kUsbFamilies)
+            if (family.id == place.id) listings.push_back(listingOf(family, place));
+    std::ranges::sort(listings, {}, &DeviceListing::id);
+    if (listings.empty())
+        listings.push_back(
+            {"", "USB", false, "no Novint Falcon and no WoodenHaptics is connected; plug one in"});
+    return listings;
+}
+
+Made makeOwn(const UsbFamily& family, const std::string& id, const DeviceInfo& profile) {
+    const Result<std::vector<UsbPlace>> places = listUsb(wantedIds());
+    if (!places) return tl::unexpected<Error>(places.error());
+    const auto place = std::ranges::find_if(*places, [&](const UsbPlace& found) {
+        return found.id == family.id && id == std::string(family.prefix) + ':' + found.port;
+    });
+    if (place == places->end())
+        return machineError("The " + std::string(family.name) + " of \"" + id +
+                            "\" is not connected: plug it in, or choose another device.");
+    return family.make(*place, profile);
 }
 
 } // namespace
 
-std::vector<DeviceListing> listDevices(const std::filesystem::path& usbDevices) {
-    std::vector<DeviceListing> listings{
-        {"simulated", "Simulated hand", true,
-         "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
-        {"", "Recorded hand", true, "plays a finger path: tactum touch SCENE --path FINGER.csv"}};
-    std::error_code error;
-    std::vector<DeviceListing> found;
-    for (const auto& entry : std::filesystem::directory_iterator(usbDevices, error)) {
-        const std::string vendor = firstWord(entry.path() / "idVendor");
-        const std::string product = firstWord(entry.path() / "idProduct");
-        for (const KnownUsbDevice& known : kKnown)
-            if (vendor == known.vendor && product == known.product)
-                found.push_back({"", std::string(known.name), false,
-                                 "connected at USB " + entry.path().filename().string() +
-                                     "; this version has no driver for it, use the simulated hand"});
-    }
-    std::ranges::sort(found, {}, &DeviceListing::sentence);
-    listings.insert(listings.end(), found.begin(), found.end());
-    if (found.empty())
-        listings.push_back(
-            {"", "USB", false, "no known haptic device (Novint Falcon, WoodenHaptics) is connected"});
+std::vector<DeviceListing> DeviceRegistry::listMakers() {
+    std::vector<DeviceListing> listings;
+    for (const MakersFamily& family : kMakersFamilies)
+        std::ranges::move(family.list(), std::back_inserter(listings));
     return listings;
+}
+
+/// A maker's library may take long to look, so it is not asked each time.
+std::vector<DeviceListing> DeviceRegistry::listMakersApart() {
+    const auto now = std::chrono::steady_clock::now();
+    if (asked_ && now - *asked_ < kMakersEvery) return makers_;
+    asked_ = now;
+    makers_ = listingsOf(outputOf(settings_.program, {"devices", "--makers", "--json"}, kMakersPatience));
+    if (makers_.empty())
+        makers_.push_back({"", "Makers' libraries", false,
+                           "the process that asks them did not answer; one of them may be broken"});
+    return makers_;
+}
+
+std::vector<DeviceListing> DeviceRegistry::list() {
+    std::vector<DeviceListing> listings{
+        {kSimulated, "Simulated hand", true, "the mouse moves it in the window; 3 degrees of freedom, 1 kHz"},
+        {"", "Recorded hand", true, "plays a finger path: tactum touch SCENE --path FINGER.csv"}};
+    std::ranges::move(listOwn(), std::back_inserter(listings));
+    std::ranges::move(settings_.program.empty() ? listMakers() : listMakersApart(),
+                      std::back_inserter(listings));
+    return listings;
+}
+
+bool DeviceRegistry::runsApart(const std::string& id) const {
+    return !settings_.program.empty() && (settings_.allApart || familyOf(kMakersFamilies, id));
+}
+
+Made DeviceRegistry::make(const std::string& id) {
+    if (id == kSimulated)
+        return std::make_unique<SimulatedHand>(settings_.hand ? settings_.hand
+                                                              : std::make_shared<HandTarget>());
+    const UsbFamily* const own = familyOf(kUsbFamilies, id);
+    const MakersFamily* const makers = familyOf(kMakersFamilies, id);
+    if (!own && !makers)
+        return inputError("There is no device \"" + id + "\": tactum devices lists those that there are.");
+    if (runsApart(id)) return makeRemoteDevice(settings_.program, {"device-server", id});
+    const auto profile = profileOf(own ? own->prefix : makers->profile, settings_.profiles);
+    if (!profile) return tl::unexpected<Error>(profile.error());
+    return own ? makeOwn(*own, id, profile->info) : makers->make(id, profile->info);
+}
+
+std::filesystem::path personsProfiles() {
+    const char* const settings = std::getenv("XDG_CONFIG_HOME");
+    const char* const home = std::getenv("HOME");
+    if (settings && *settings) return std::filesystem::path(settings) / "Tactum/devices";
+    return home ? std::filesystem::path(home) / ".config/Tactum/devices" : std::filesystem::path();
 }
 
 } // namespace tactum

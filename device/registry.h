@@ -1,14 +1,46 @@
-// What haptic devices there are on this machine, and whether this program can drive them.
+// Every device that this program can drive: found, explained, made.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include "core/control/device_catalogue.h"
+#include "core/control/hand_target.h"
 
 namespace tactum {
 
-/// The built-in devices first, then every known haptic device on the USB bus. `usbDevices` is the folder in
-/// which the kernel lists them. Thread: any but real time.
-std::vector<DeviceListing> listDevices(const std::filesystem::path& usbDevices = "/sys/bus/usb/devices");
+struct RegistrySettings {
+    std::shared_ptr<HandTarget> hand; ///< who leads the simulated hand; empty: it rests
+    std::filesystem::path profiles;   ///< folder of the person's own (device/profile.h)
+    /// That knows the verb device-server: drivers with a maker's library run in it and not here, where their
+    /// crash would be ours. Empty: all run here.
+    std::filesystem::path program;
+    bool allApart = false; ///< our own drivers too
+};
+
+/// ids: "simulated", "falcon:PORT", "wooden-haptics:PORT" and those of the makers' drivers.
+class DeviceRegistry final : public DeviceCatalogue {
+public:
+    explicit DeviceRegistry(RegistrySettings settings) : settings_(std::move(settings)) {}
+
+    std::vector<DeviceListing> list() override;
+    /// Errors: no such device, or not there any more; a profile that is wrong.
+    Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override;
+
+    /// Those with a maker's library, asked in this process. Thread: as list().
+    static std::vector<DeviceListing> listMakers();
+
+private:
+    std::vector<DeviceListing> listMakersApart();
+    bool runsApart(const std::string& id) const;
+
+    RegistrySettings settings_;
+    std::vector<DeviceListing> makers_; ///< as they were last asked for
+    std::optional<std::chrono::steady_clock::time_point> asked_;
+};
+
+/// Where a person's own profiles are: ~/.config/Tactum/devices, or below XDG_CONFIG_HOME.
+std::filesystem::path personsProfiles();
 
 } // namespace tactum

@@ -1,5 +1,5 @@
 // T11: the whole servo over random meshes: nothing pops through, nothing is above the limit, friction gives
-// nothing. TACTUM_SEEDS=10000 makes it 10^6 paths.
+// nothing. TACTUM_SEEDS=10000 makes it 10^6 paths; TACTUM_TRIANGLES=20000000 makes the large mesh that large.
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +46,36 @@ struct Led {
     Vec3 finger = Vec3::Zero();
 };
 
+/// Hills of 3 mm.
+double hillsAt(double x, double y) {
+    return 3e-3 * std::sin(80 * x) * std::cos(70 * y);
+}
+
+Soup hills() {
+    const int triangles = qEnvironmentVariableIntValue("TACTUM_TRIANGLES");
+    return heightField(0.1, int(std::sqrt(std::max(200'000, triangles) / 2)), hillsAt);
+}
+
+/// Leads the finger along random ways, as fast as it may go; the proxy stays above `bottom(x, y)`.
+template <class Bottom> void wander(Led& led, int ways, Bottom&& bottom) {
+    led.rest({0, 0, 0.01});
+    Rng random(11);
+    for (int i = 0; i < ways; ++i) {
+        const Vec3 from = led.finger;
+        Vec3 to(uniform(random, -kReach, kReach), uniform(random, -kReach, kReach),
+                uniform(random, -0.01, 0.01));
+        const double most = kSteps * 1.4e-3;
+        to = from + (to - from) * std::min(1.0, most / std::max((to - from).norm(), 1e-9));
+        for (int step = 1; step <= kSteps; ++step) {
+            led.to(from + (to - from) * (double(step) / kSteps));
+            QVERIFY(led.sound());
+            const Vec3& proxy = led.proxy.state.proxy.position;
+            QVERIFY2(proxy.z() > bottom(proxy.x(), proxy.y()), qPrintable(QString("path %1").arg(i)));
+        }
+    }
+    QCOMPARE(led.servo.state.guard.faults(), 0u);
+}
+
 /// Ridges as sharp as they come.
 Soup ridges() {
     return heightField(0.1, 40,
@@ -73,21 +103,12 @@ private slots:
         const Soup soup = shape == 0 ? plate(0.1, kThin) : ridges();
         const double top = shape == 0 ? kThin / 2 : -0.006;
         Led led(worldOf(soup, rough(0.6, 0.4), kRadius), rate);
-        led.rest({0, 0, 0.01});
-        Rng random(11);
-        for (int i = 0, n = paths(10'000) / 4; i < n; ++i) {
-            const Vec3 from = led.finger;
-            Vec3 to(uniform(random, -kReach, kReach), uniform(random, -kReach, kReach),
-                    uniform(random, -0.01, 0.01));
-            const double most = kSteps * 1.4e-3; // as fast as a finger may go
-            to = from + (to - from) * std::min(1.0, most / std::max((to - from).norm(), 1e-9));
-            for (int step = 1; step <= kSteps; ++step) {
-                led.to(from + (to - from) * (double(step) / kSteps));
-                QVERIFY(led.sound());
-                QVERIFY2(led.proxy.state.proxy.position.z() > top, qPrintable(QString("path %1").arg(i)));
-            }
-        }
-        QCOMPARE(led.servo.state.guard.faults(), 0u);
+        wander(led, paths(10'000) / 4, [top](double, double) { return top; });
+    }
+
+    void nothingPopsThroughALargeMesh() {
+        Led led(worldOf(hills(), rough(0.6, 0.4), kRadius));
+        wander(led, paths(10'000) / 4, hillsAt);
     }
 
     void soupsAreSound() {

@@ -1,0 +1,21 @@
+// Listings of devices as text, for a process that asks another one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/control/device_catalogue.h"
+
+namespace tactum {
+
+/// A JSON array of objects with id, name, usable and sentence. Thread: any but real time.
+std::string toJson(const std::vector<DeviceListing>& listings);
+/// Nothing where the text is no such array. Thread: any but real time.
+std::vector<DeviceListing> listingsOf(std::string_view json);
+
+/// What `program` writes with these arguments, at most 1 MB; empty when it does not start, fails or takes
+/// longer than `patience` ms, after which it is killed. Thread: any but real time.
+std::string outputOf(const std::string& program, std::vector<std::string> arguments, int patience);
+
+} // namespace tactum

@@ -1,0 +1,127 @@
+// What devices are found, on an emulated bus, and what is said of those that cannot be used.
+#include <QtTest>
+
+#include "device/listings_text.h"
+#include "device/registry.h"
+#include "tests/device/usb/emulated_usb.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+/// Is there, and says nothing.
+class Plugged : public EmulatedUsbDevice {
+public:
+    Plugged(std::uint16_t vendor, std::uint16_t product) : vendor_(vendor), product_(product) {}
+    UsbDescription describe() const override {
+        return {.vendor = vendor_, .product = product_, .maker = "", .name = ""};
+    }
+    std::optional<Bytes> control(const UsbSetup&, std::span<const std::uint8_t>, std::int64_t) override {
+        return Bytes();
+    }
+    void out(std::span<const std::uint8_t>, std::int64_t) override {}
+    std::optional<Bytes> in(std::int64_t) override { return {}; }
+    std::int64_t nextIn(std::int64_t now) const override { return now + 1'000'000; }
+
+private:
+    std::uint16_t vendor_, product_;
+};
+
+DeviceRegistry registry() {
+    return DeviceRegistry({.hand = {}, .profiles = {}, .program = {}});
+}
+
+const DeviceListing* named(const std::vector<DeviceListing>& listings, std::string_view name) {
+    const auto found = std::ranges::find(listings, name, &DeviceListing::name);
+    return found == listings.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+class TestRegistry : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { EmulatedBus::the().unplugAll(); }
+
+    void theSimulatedHandIsAlwaysThere() {
+        const auto listings = registry().list();
+        QVERIFY(listings.front().usable);
+        QCOMPARE(listings.front().id, std::string("simulated"));
+        const auto hand = registry().make("simulated");
+        QVERIFY(hand && !(*hand)->info().real);
+    }
+
+    void withoutADeviceItSaysSo() {
+        const auto listings = registry().list();
+        const DeviceListing* const usb = named(listings, "USB");
+        QVERIFY(usb && !usb->usable && usb->id.empty() && !usb->sentence.empty());
+        // Of each maker's family one sentence that says what is missing.
+        QCOMPARE(std::ranges::count(listings, true, &DeviceListing::usable), 2);
+        for (const DeviceListing& listing : listings)
+            QVERIFY2(!listing.sentence.empty() && listing.sentence.find('\n') == std::string::npos,
+                     listing.name.c_str());
+    }
+
+    void whatIsPluggedInIsFoundAndMade() {
+        EmulatedBus::the().plug(1, std::make_shared<Plugged>(0x0403, 0x6001)); // some other serial adapter
+        EmulatedBus::the().plug(2, std::make_shared<Plugged>(0x0403, 0xcb48));
+        EmulatedBus::the().plug(3, std::make_shared<Plugged>(0x1234, 0x0006));
+        const auto listings = registry().list();
+        QVERIFY(!named(listings, "USB"));
+        const DeviceListing* const falcon = named(listings, "Novint Falcon");
+        const DeviceListing* const wooden = named(listings, "WoodenHaptics");
+        QVERIFY(falcon && falcon->usable && wooden && wooden->usable);
+        QCOMPARE(falcon->id, std::string("falcon:1-2"));
+        for (const DeviceListing* listing : {falcon, wooden}) {
+            const auto device = registry().make(listing->id);
+            QVERIFY(device);
+            QVERIFY((*device)->info().real);
+            QCOMPARE((*device)->info().name, listing->name);
+            QVERIFY(!(*device)->steps().empty());
+        }
+        EmulatedBus::the().unplug(2);
+        const auto gone = registry().make("falcon:1-2");
+        QVERIFY(!gone && gone.error().text.find("not connected") != std::string::npos);
+    }
+
+    void whatDoesNotExistIsRefused() {
+        for (const char* id : {"", "falcon", "falcon:", "falcon:9-9", "no such", "simulated:2"})
+            QVERIFY2(!registry().make(id), id);
+    }
+
+    void listingsPassAsText() {
+        const std::vector<DeviceListing> listings{{"a:1", "A \"name\"", true, "is there"},
+                                                  {"", "B", false, "is not"}};
+        const auto back = listingsOf(toJson(listings));
+        QCOMPARE(back.size(), listings.size());
+        for (std::size_t i = 0; i < back.size(); ++i) {
+            QCOMPARE(back[i].id, listings[i].id);
+            QCOMPARE(back[i].name, listings[i].name);
+            QCOMPARE(back[i].usable, listings[i].usable);
+            QCOMPARE(back[i].sentence, listings[i].sentence);
+        }
+        for (const char* nonsense : {"", "{}", "[7]", "[{\"id\": 1}]", "[[[[["})
+            QVERIFY(listingsOf(nonsense).empty());
+    }
+
+    void anotherProcessIsHeardButNotWaitedFor() {
+        QCOMPARE(outputOf("/bin/echo", {"two words"}, 5000), std::string("two words\n"));
+        QVERIFY(outputOf("/bin/false", {}, 5000).empty());
+        QVERIFY(outputOf("/no/such/program", {}, 5000).empty());
+        QVERIFY(outputOf("/bin/sleep", {"100"}, 50).empty());
+        QVERIFY(outputOf("/usr/bin/yes", {}, 5000).empty()); // more than anybody needs
+    }
+
+    /// A library that breaks the process that asks it breaks only that.
+    void aProcessThatAsksTheMakersMayBreak() {
+        DeviceRegistry apart({.hand = {}, .profiles = {}, .program = "/bin/false"});
+        const auto listings = apart.list();
+        const DeviceListing* const makers = named(listings, "Makers' libraries");
+        QVERIFY(makers && !makers->usable);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRegistry)
+#include "test_registry.moc"
