@@ -22,10 +22,10 @@ const char kRestTodo[] =
     "Move the arm, then put it into its rest position, the upper arm upright and the forearm "
     "hanging straight down, and hold it there for two seconds.";
 
-constexpr int kSilence = 1000;  ///< ms without a report: it does not work
-constexpr int kMoved = 100;     ///< counts: somebody moves the arm on purpose
-constexpr int kStillWithin = 4; ///< counts, of an arm that is held still
-constexpr int kStillFor = 2000; ///< reports, 2 s
+constexpr int kSilence = 1000;   ///< ms without a report: it does not work
+constexpr int kMoved = 100;      ///< counts: somebody moves the arm on purpose
+constexpr int kStillWithin = 10; ///< counts, of an arm that is held still
+constexpr int kStillFor = 2000;  ///< reports, 2 s
 
 constexpr int kMostLost = 100;  ///< reports between two; more, and it began to count anew
 constexpr int kStaleTicks = 10; ///< so many without a report, and the arm may be anywhere: no current
