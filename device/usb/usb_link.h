@@ -55,22 +55,25 @@ public:
     /// Whatever one transfer of a packet brings; empty when nothing came in time.
     Result<std::vector<std::uint8_t>> read(int timeout = 50);
 
-    // The stream: `reads` transfers wait for packets at any time, writes go beside them, each with a
-    // time-out of 5 ms.
+    // The stream: `reads` transfers wait for packets at any time, for as long as it takes; writes go beside
+    // them, each with a time-out of 5 ms.
 
     Result<void> startStream(int reads = 3);
     void stopStream();
     /// Hands a packet over and returns; false when the one before is still under way: it was not sent.
     /// Thread: servo. Allocates and locks inside libusb, never waits.
     bool send(std::span<const std::uint8_t> bytes) noexcept;
-    /// Takes in what has come since the last call, without waiting. Thread: as send().
+    /// Takes in what has come since the last call, without waiting; but for a stalled endpoint, whose
+    /// clearing takes about a millisecond. Packets that nobody takes make room for newer ones. Thread: as
+    /// send().
     void poll() noexcept;
     /// The oldest packet that was not taken yet, its bytes valid until the next poll(); empty when there is
     /// none. Thread: as send().
     std::span<const std::uint8_t> take() noexcept;
-    /// Transfers that failed or timed out in a row. Thread: as send().
+    /// Transfers that failed or timed out in a row, of writing or of reading, whichever is worse. Thread: as
+    /// send().
     int failures() const noexcept;
-    /// The device is not there any more: no transfer will ever succeed. Thread: any.
+    /// The device is not there any more: no transfer will ever succeed, and take() has nothing. Thread: any.
     bool gone() const noexcept;
 
     /// The shortest way to the device, past libusb: for HapticDevice::emergencyStop(). Thread: any, also a

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <thread>
 
 #include "core/base/realtime.h"
@@ -20,26 +22,61 @@ const char kRestTodo[] =
     "Move the arm, then put it into its rest position, the upper arm upright and the forearm "
     "hanging straight down, and hold it there for two seconds.";
 
-constexpr int kSilence = 1000;    ///< ms without a report: it does not work
-constexpr int kMoved = 100;       ///< counts: somebody moves the arm on purpose
-constexpr int kStillWithin = 4;   ///< counts, of an arm that is held still
-constexpr double kStillFor = 2.0; ///< s
+constexpr int kSilence = 1000;   ///< ms without a report: it does not work
+constexpr int kMoved = 100;      ///< counts: somebody moves the arm on purpose
+constexpr int kStillWithin = 10; ///< counts, of an arm that is held still
+constexpr int kStillFor = 2000;  ///< reports, 2 s
 
 constexpr int kMostLost = 100;  ///< reports between two; more, and it began to count anew
 constexpr int kStaleTicks = 10; ///< so many without a report, and the arm may be anywhere: no current
 constexpr int kSilentTicks = 50;
 constexpr int kUnheard = 20; ///< commands in a row
 
+int apart(std::int16_t a, std::int16_t b) noexcept {
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(a) - static_cast<std::uint16_t>(b));
+}
+
 /// The farthest that a motor is from where it was.
 int distance(const Counts& a, const Counts& b) noexcept {
-    int farthest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto apart =
-            static_cast<std::int16_t>(static_cast<std::uint16_t>(a[i]) - static_cast<std::uint16_t>(b[i]));
-        farthest = std::max(farthest, std::abs(int{apart}));
-    }
-    return farthest;
+    return std::max({std::abs(apart(a[0], b[0])), std::abs(apart(a[1], b[1])), std::abs(apart(a[2], b[2]))});
 }
+
+/// Waits until an arm was moved and then held still. Nothing about it is absolute, so where it stands is only
+/// its rest position because somebody says so: he moves it first, on purpose.
+class RestGesture {
+public:
+    /// `enough`: reports that it has to be held still for.
+    RestGesture(const Counts& first, int enough) : first_(first), held_(first), enough_(enough) {}
+
+    void see(const Counts& counts) {
+        moved_ = moved_ || distance(counts, first_) > kMoved;
+        if (!moved_ || distance(counts, held_) > kStillWithin) {
+            held_ = counts;
+            sum_ = {};
+            still_ = 0;
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+            sum_[i] += apart(counts[i], held_[i]);
+        ++still_;
+    }
+    double done() const { return moved_ ? static_cast<double>(still_) / enough_ : 0; }
+    /// The middle of where it was held, since no hand is quite still.
+    Counts rest() const {
+        Counts rest = held_;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const long off = std::lround(static_cast<double>(sum_[i]) / still_);
+            rest[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(held_[i] + off));
+        }
+        return rest;
+    }
+
+private:
+    Counts first_, held_;
+    int enough_;
+    bool moved_ = false;
+    int still_ = 0;
+    std::array<int, 3> sum_{};
+};
 
 } // namespace
 
@@ -75,33 +112,21 @@ Result<void> WoodenHaptics::connect(Opening& opening) {
     return {};
 }
 
-/// Nothing about the arm is absolute, so where it stands still is only the rest position because somebody
-/// says so: he moves it first, and then holds it there.
 Result<void> WoodenHaptics::findRest(Opening& opening) {
     opening.begin(kRest, kRestTodo);
     if (auto started = link_->startStream(); !started) return started;
-    const int enough = static_cast<int>(kStillFor * profile_.rate);
-    std::optional<Counts> first;
-    Counts held{};
-    bool moved = false;
-    int still = 0;
-    Result<void> outcome;
-    while (still < enough) {
-        const Result<WoodenReport> report = waitForReport(opening);
-        if (!report) {
-            outcome = tl::unexpected(report.error());
-            break;
+    Result<WoodenReport> report = waitForReport(opening);
+    if (report) {
+        RestGesture gesture(report->values, kStillFor);
+        while (report && gesture.done() < 1) {
+            gesture.see(report->values);
+            opening.progress(gesture.done());
+            report = waitForReport(opening);
         }
-        const Counts& counts = report->values;
-        if (!first) first = counts;
-        moved = moved || distance(counts, *first) > kMoved;
-        still = moved && distance(counts, held) <= kStillWithin ? still + 1 : 0;
-        if (still == 0) held = counts;
-        opening.progress(static_cast<double>(still) / enough);
+        rest_ = gesture.rest();
     }
     link_->stopStream();
-    if (!outcome) return outcome;
-    rest_ = held;
+    if (!report) return tl::unexpected(report.error());
     prepared_ = true;
     return {};
 }
@@ -139,8 +164,8 @@ Result<void> WoodenHaptics::open() {
 
 void WoodenHaptics::close() {
     if (!stopWay_.exchange(nullptr)) return;
+    link_->sendNow(encode({})); // comes after whatever is under way
     link_->stopStream();
-    link_->sendNow(encode({}));
     if (trouble_ == Trouble::Restarted) prepared_ = false;
 }
 
