@@ -63,6 +63,8 @@ public:
     void setFaults(int socket, const UsbFaults& faults);
     /// Whether opening fails for lack of permission.
     void setForbidden(int socket, bool forbidden);
+    /// Whether the kernel's own driver has it: that of HID devices, until somebody takes it away.
+    bool kernelDriverHolds(int socket) const;
     /// How many file descriptors of devices libusb has open, and how many transfers it left: leaks.
     int openDescriptors() const;
     int pendingTransfers() const;

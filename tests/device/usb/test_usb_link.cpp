@@ -1,0 +1,575 @@
+// The link against devices that answer, that do not, and that are pulled out: the real libusb on an emulated
+// bus.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <random>
+
+#include <QtTest>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "device/usb/usb_link.h"
+#include "tests/device/usb/emulated_kernel.h"
+#include "tests/device/usb/emulated_usb.h"
+#include "tests/device/usb/shared_value.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+std::atomic<int> ownAllocations{0};
+thread_local bool counting = false;
+
+} // namespace
+
+// Our code allocates by `new`, libusb by malloc; what the emulated bus does is nobody's fault.
+void* operator new(std::size_t size) {
+    if (counting && !kernel::isInside()) ++ownAllocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+constexpr UsbId kId{0x1209, 0x0001};
+constexpr int kSocket = 3;
+
+/// Says numbers, one a packet, and remembers what it was told.
+class Counter final : public EmulatedUsbDevice {
+public:
+    explicit Counter(bool interrupt = false) : interrupt_(interrupt) {}
+
+    UsbDescription describe() const override {
+        UsbDescription about{kId.vendor, kId.product, 0x0100, "Tactum", "Counter"};
+        about.interrupt = interrupt_;
+        if (interrupt_) about.interfaceClass = 3;
+        return about;
+    }
+    std::optional<Bytes> control(const UsbSetup& setup, std::span<const std::uint8_t>,
+                                 std::int64_t) override {
+        if (setup.request != 7) return std::nullopt;
+        told = setup.value;
+        return Bytes{};
+    }
+    void out(std::span<const std::uint8_t> bytes, std::int64_t) override {
+        heard.assign(bytes.begin(), bytes.end());
+        ++(*commands);
+        *lastByte = bytes.empty() ? 0 : bytes.back();
+    }
+    std::optional<Bytes> in(std::int64_t) override {
+        if (left == 0) return std::nullopt;
+        --left;
+        ++said;
+        Bytes packet(length, 0);
+        packet[0] = static_cast<std::uint8_t>(said);
+        packet[1] = static_cast<std::uint8_t>(said >> 8);
+        return packet;
+    }
+    std::int64_t nextIn(std::int64_t now) const override { return now + 1'000'000; }
+
+    int left = 0; ///< packets that it still has to say
+    std::size_t length = 8;
+    int said = 0;
+    int told = -1;
+    Bytes heard;
+    SharedValue<std::atomic<int>> commands, lastByte;
+
+private:
+    bool interrupt_;
+};
+
+int numberIn(std::span<const std::uint8_t> packet) {
+    return packet[0] | packet[1] << 8;
+}
+
+std::shared_ptr<Counter> plugCounter(bool interrupt = false) {
+    auto device = std::make_shared<Counter>(interrupt);
+    EmulatedBus::the().plug(kSocket, device);
+    return device;
+}
+
+std::vector<UsbPlace> places() {
+    const UsbId wanted[] = {kId};
+    return listUsb(wanted).value();
+}
+
+Result<std::unique_ptr<UsbLink>> open(bool interrupt = false) {
+    UsbEndpoints endpoints;
+    endpoints.interrupt = interrupt;
+    return UsbLink::open(places().at(0), endpoints);
+}
+
+void setFaults(const UsbFaults& faults) {
+    EmulatedBus::the().setFaults(kSocket, faults);
+}
+
+bool isClean() {
+    return EmulatedBus::the().openDescriptors() == 0 && EmulatedBus::the().pendingTransfers() == 0;
+}
+
+/// Until `wanted` holds: for what needs libusb's time-outs, which go by the real clock.
+template <class Wanted> bool pollUntil(UsbLink& link, Wanted wanted) {
+    for (int i = 0; i < 5000; ++i) {
+        if (wanted()) return true;
+        link.poll();
+        QTest::qSleep(1);
+    }
+    return false;
+}
+
+const Bytes kHello{'h', 'e', 'l', 'l', 'o'};
+
+} // namespace
+
+class TestUsbLink : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() {
+        EmulatedBus::the().unplugAll();
+        QVERIFY(isClean());
+    }
+
+    void findsWhatIsPluggedInAndNothingElse() {
+        QVERIFY(places().empty());
+        plugCounter();
+        QCOMPARE(places().size(), 1u);
+        QCOMPARE(places()[0].port, std::string("1-3"));
+        QVERIFY(places()[0].id == kId);
+        const UsbId other[] = {{0x0403, 0xcb48}};
+        QVERIFY(listUsb(other).value().empty());
+        const int address = places()[0].address;
+        plugCounter();
+        QVERIFY(places().at(0).address != address);
+        EmulatedBus::the().unplug(kSocket);
+        QVERIFY(places().empty());
+    }
+
+    void saysWhyItDoesNotOpen() {
+        plugCounter();
+        const UsbPlace place = places().at(0);
+        EmulatedBus::the().setForbidden(kSocket, true);
+        const auto forbidden = UsbLink::open(place, {});
+        QVERIFY(!forbidden);
+        QVERIFY(forbidden.error().text.find("70-tactum.rules") != std::string::npos);
+        QVERIFY(forbidden.error().text.find("1-3") != std::string::npos);
+        EmulatedBus::the().setForbidden(kSocket, false);
+        const auto first = UsbLink::open(place, {});
+        QVERIFY(first.has_value());
+        const auto second = UsbLink::open(place, {});
+        QVERIFY(!second);
+        QVERIFY(second.error().text.find("another program") != std::string::npos);
+        EmulatedBus::the().unplug(kSocket);
+        const auto late = UsbLink::open(place, {});
+        QVERIFY(!late);
+        QVERIFY(late.error().text.find("not there") != std::string::npos);
+    }
+
+    void takesTheDeviceFromTheKernelAndGivesItBack() {
+        plugCounter(true);
+        QVERIFY(EmulatedBus::the().kernelDriverHolds(kSocket));
+        {
+            const auto link = open(true);
+            QVERIFY(link.has_value());
+            QVERIFY(!EmulatedBus::the().kernelDriverHolds(kSocket));
+        }
+        QVERIFY(EmulatedBus::the().kernelDriverHolds(kSocket));
+    }
+
+    void requestsAndTheirRefusal() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->request(7, 0x1234, 0).has_value());
+        QCOMPARE(device->told, 0x1234);
+        QVERIFY(!link->request(8, 1, 0)); // one that it does not know
+        QVERIFY(link->request(7, 5, 0).has_value());
+        UsbFaults faults;
+        faults.stallControl = true;
+        setFaults(faults);
+        QVERIFY(!link->request(7, 6, 0));
+        setFaults({});
+        QVERIFY(link->request(7, 7, 0).has_value());
+    }
+
+    void writesAndReads_data() {
+        QTest::addColumn<bool>("interrupt");
+        QTest::newRow("bulk") << false;
+        QTest::newRow("interrupt") << true;
+    }
+    void writesAndReads() {
+        QFETCH(bool, interrupt);
+        const auto device = plugCounter(interrupt);
+        const auto link = open(interrupt).value();
+        QVERIFY(link->write(kHello).has_value());
+        QCOMPARE(device->heard, kHello);
+        QVERIFY(link->read(1).value().empty()); // it has nothing to say
+        device->left = 2;
+        QCOMPARE(link->read().value(), (Bytes{1, 0, 0, 0, 0, 0, 0, 0}));
+        device->length = 64; // a full packet ends a read as well
+        QCOMPARE(link->read().value().size(), 64u);
+    }
+
+    void readsAndWritesThatFail() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        UsbFaults faults;
+        faults.mute = true;
+        setFaults(faults);
+        QVERIFY(link->read(5).value().empty());
+        const auto mute = link->write(kHello, 5);
+        QVERIFY(!mute);
+        QVERIFY(mute.error().text.find("power") != std::string::npos);
+        faults = {};
+        faults.stallIn = faults.stallOut = true;
+        setFaults(faults);
+        QVERIFY(!link->read());
+        QVERIFY(!link->write(kHello));
+        setFaults({}); // the halts were cleared
+        QVERIFY(link->write(kHello).has_value());
+        device->left = 1;
+        QCOMPARE(link->read().value().size(), 8u);
+        device->left = 1;
+        device->length = 65; // more than its packets hold
+        QVERIFY(!link->read());
+        device->length = 8;
+        device->left = 1;
+        QCOMPARE(link->read().value().size(), 8u);
+        QVERIFY(link->write(kHello).has_value());
+        EmulatedBus::the().unplug(kSocket);
+        QVERIFY(!link->write(kHello));
+        QVERIFY(link->gone());
+    }
+
+    void streamsEveryPacketInOrder() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        int expected = 0;
+        for (int round = 0; round < 20'000; ++round) {
+            device->left += round % 4;
+            QVERIFY(link->send(kHello));
+            link->poll();
+            for (auto packet = link->take(); !packet.empty(); packet = link->take()) {
+                QCOMPARE(packet.size(), 8u);
+                QCOMPARE(numberIn(packet), ++expected & 0xffff);
+            }
+        }
+        QCOMPARE(expected, device->said);
+        QCOMPARE(link->failures(), 0);
+        QCOMPARE(device->commands->load(), 20'000);
+    }
+
+    void allocatesNothingOfItsOwn() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        ownAllocations = 0;
+        counting = true;
+        for (int round = 0; round < 1000; ++round) {
+            device->left = 2;
+            link->send(kHello);
+            link->poll();
+            while (!link->take().empty()) {
+            }
+        }
+        counting = false;
+        QCOMPARE(ownAllocations.load(), 0);
+        counting = true;
+        ::operator delete(::operator new(4));
+        counting = false;
+        QCOMPARE(ownAllocations.load(), 1); // it would have noticed
+    }
+
+    void keepsTheNewestPacketsForWhoDoesNotTakeThem() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        for (int round = 0; round < 100; ++round) {
+            device->left = 3;
+            link->poll();
+        }
+        int last = 0, count = 0;
+        for (auto packet = link->take(); !packet.empty(); packet = link->take(), ++count)
+            last = numberIn(packet);
+        QCOMPARE(count, 64);
+        QCOMPARE(last, device->said);
+    }
+
+    void aSecondSendWaitsForTheFirst() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        UsbFaults faults;
+        faults.delay = 2'000'000;
+        setFaults(faults);
+        QVERIFY(link->send(kHello));
+        QVERIFY(!link->send(kHello));
+        setFaults({});
+        QVERIFY(pollUntil(*link, [&] { return device->commands->load() == 1; }));
+        link->poll();
+        QVERIFY(link->send(kHello));
+    }
+
+    void shortPacketsAreTakenAsTheyAre() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream(1).has_value());
+        for (const std::size_t length : {2u, 63u, 64u, 16u}) {
+            device->length = length;
+            device->left = 1;
+            link->poll();
+            QCOMPARE(link->take().size(), length);
+            QVERIFY(link->take().empty());
+        }
+    }
+
+    void babbleIsAFailureAndNoPacket() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        device->length = 80;
+        device->left = 1;
+        link->poll();
+        QCOMPARE(link->failures(), 1);
+        QVERIFY(link->take().empty());
+        device->length = 8;
+        device->left = 1;
+        link->poll();
+        link->poll();
+        QCOMPARE(link->failures(), 0);
+        QCOMPARE(numberIn(link->take()), 2);
+        QVERIFY(!link->gone());
+    }
+
+    void goesOnAfterAStall() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        UsbFaults faults;
+        faults.stallIn = faults.stallOut = true;
+        setFaults(faults);
+        device->left = 1;
+        link->send(kHello);
+        link->poll();
+        QVERIFY(link->failures() > 0);
+        setFaults({}); // but its endpoints stay halted until they are cleared
+        link->poll();
+        link->poll();
+        QVERIFY(!link->take().empty());
+        QVERIFY(link->send(kHello));
+        link->poll();
+        QCOMPARE(device->heard, kHello);
+        QCOMPARE(link->failures(), 0);
+    }
+
+    void silenceIsNoFailureButAnUnheardCommandIs() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        for (int i = 0; i < 100; ++i) {
+            QVERIFY(link->send(kHello));
+            link->poll();
+        }
+        QCOMPARE(link->failures(), 0);
+        UsbFaults faults;
+        faults.mute = true;
+        setFaults(faults);
+        QVERIFY(pollUntil(*link, [&] {
+            link->send(kHello);
+            return link->failures() >= 3;
+        }));
+        QVERIFY(!link->gone());
+        setFaults({});
+        device->left = 1;
+        QVERIFY(pollUntil(*link, [&] { return link->send(kHello) && link->failures() == 0; }));
+    }
+
+    void submitsThatFailAreTriedAgain() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        UsbFaults faults;
+        faults.failSubmits = 3;
+        setFaults(faults);
+        QVERIFY(link->startStream().has_value());
+        QCOMPARE(link->failures(), 3);
+        faults.failSubmits = 1;
+        setFaults(faults);
+        QVERIFY(!link->send(kHello));
+        device->left = 1;
+        link->poll();
+        link->poll();
+        QCOMPARE(numberIn(link->take()), 1);
+        QVERIFY(link->send(kHello));
+    }
+
+    void aFewBrokenTransfersAreNoUnplugging() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        UsbFaults faults;
+        faults.errors = 20;
+        setFaults(faults);
+        for (int i = 0; i < 10; ++i)
+            link->poll();
+        QVERIFY(link->failures() >= 20);
+        QVERIFY(!link->gone());
+        device->left = 1;
+        link->poll();
+        QCOMPARE(link->failures(), 0);
+        faults.errors = 1000;
+        setFaults(faults);
+        for (int i = 0; i < 20; ++i)
+            link->poll();
+        QVERIFY(link->gone());
+    }
+
+    void noticesTheUnpluggingAtTheNextPoll() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        device->left = 3;
+        link->poll();
+        EmulatedBus::the().unplug(kSocket);
+        link->poll();
+        QVERIFY(link->gone());
+        QVERIFY(link->take().empty()); // not even what came before
+        QVERIFY(!link->send(kHello));
+        link->sendNow(kHello);
+        link->poll();
+        QVERIFY(link->take().empty());
+    }
+
+    void noticesItWhenSendingToo() {
+        plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        EmulatedBus::the().unplug(kSocket);
+        QVERIFY(!link->send(kHello));
+        QVERIFY(link->gone());
+    }
+
+    void streamsStopAndStartAgain() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        for (int reads : {1, 3, 5}) {
+            QVERIFY(link->startStream(reads).has_value());
+            QCOMPARE(EmulatedBus::the().pendingTransfers(), std::max(reads, 1));
+            device->left = 1;
+            link->poll();
+            QCOMPARE(numberIn(link->take()), device->said);
+            link->stopStream();
+            QCOMPARE(EmulatedBus::the().pendingTransfers(), 0);
+            QVERIFY(!link->send(kHello));
+            QVERIFY(link->write(kHello).has_value());
+        }
+    }
+
+    void leavesNothingBehindInAnyState() {
+        // cleanup() looks at the bus.
+        const auto device = plugCounter();
+        open().value();
+        const auto stream = [&](const UsbFaults& faults, int polls) {
+            const auto link = open().value();
+            QVERIFY(link->startStream().has_value());
+            setFaults(faults);
+            device->left = 5;
+            for (int i = 0; i < polls; ++i) {
+                link->send(kHello);
+                link->poll();
+            }
+        };
+        UsbFaults mute, delayed, stalled, failing, broken;
+        mute.mute = true;
+        delayed.delay = 50'000'000;
+        stalled.stallIn = stalled.stallOut = true;
+        failing.failSubmits = 1000;
+        broken.errors = 1000;
+        for (const UsbFaults& faults : {UsbFaults{}, mute, delayed, stalled, failing, broken})
+            for (const int polls : {0, 1, 2, 20}) {
+                stream(faults, polls);
+                setFaults({});
+                QVERIFY(isClean());
+            }
+    }
+
+    void aThousandPluggings() {
+        std::mt19937 random(20);
+        const auto upTo = [&](int most) {
+            return static_cast<int>(random() % static_cast<unsigned>(most + 1));
+        };
+        for (int cycle = 0; cycle < 1000; ++cycle) {
+            const auto device = plugCounter(cycle % 2);
+            device->left = upTo(10);
+            std::unique_ptr<UsbLink> link;
+            const int state = upTo(4);
+            if (state > 0) link = open(cycle % 2).value();
+            if (state > 1) QVERIFY(link->startStream(1 + upTo(3)).has_value());
+            UsbFaults faults;
+            faults.delay = upTo(1) * 1'000'000;
+            faults.stallIn = upTo(9) == 0;
+            faults.errors = upTo(4);
+            setFaults(faults);
+            for (int i = upTo(5); state > 2 && i > 0; --i) {
+                link->send(kHello);
+                link->poll();
+                while (upTo(3) && !link->take().empty()) {
+                }
+            }
+            if (upTo(1)) link.reset(); // before the unplugging, or after it
+            EmulatedBus::the().unplug(kSocket);
+            if (link && state > 1) {
+                link->poll();
+                QVERIFY(link->take().empty());
+            }
+            link.reset();
+            QVERIFY2(isClean(), qPrintable(QString("cycle %1, state %2").arg(cycle).arg(state)));
+        }
+    }
+
+    void sendsNowFromAForkedChild() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        QVERIFY(link->startStream().has_value());
+        link->send(kHello);
+        link->poll();
+        QCOMPARE(device->lastByte->load(), int('o'));
+        const pid_t child = fork();
+        if (child == 0) {
+            const std::uint8_t stop[] = {'<', '0'};
+            link->sendNow(stop);
+            _exit(0);
+        }
+        int status = 0;
+        QCOMPARE(waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
+        QCOMPARE(device->lastByte->load(), int('0'));
+        QVERIFY(link->send(kHello)); // and the stream goes on
+        device->left = 1;
+        link->poll();
+        QCOMPARE(device->lastByte->load(), int('o'));
+        QVERIFY(!link->take().empty());
+    }
+
+    void sendNowEndsWhenNobodyListens() {
+        const auto device = plugCounter();
+        const auto link = open().value();
+        UsbFaults faults;
+        faults.mute = true;
+        setFaults(faults);
+        errno = 17;
+        link->sendNow(kHello);
+        QCOMPARE(errno, 17);
+        QCOMPARE(device->commands->load(), 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestUsbLink)
+#include "test_usb_link.moc"
