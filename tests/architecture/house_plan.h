@@ -32,7 +32,7 @@ inline const std::vector<Room> kRooms{
     {"core/bundle", {"core/runtime", "core/files"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"device/usb", {"core/base"}},
-    {"device/falcon", {"core/control", "device/usb"}},
+    {"device/falcon", {"core/control", "core/archive", "device/usb"}},
     {"device/wooden_haptics", {"core/control", "device/usb"}},
     {"device/vendor", {"core/control"}},
     {"device/remote", {"core/control"}},
@@ -141,6 +141,8 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/runtime/state_bytes",
     "core/runtime/proxy_loop",
     "core/runtime/servo_loop",
+    "device/falcon/falcon_packet",
+    "device/falcon/falcon_kinematics",
 };
 
 /// Standard headers whose contents lock, wait, write text or allocate by design.

@@ -1,0 +1,109 @@
+// What the tests of the Falcon share: one in a socket, a firmware of no meaning, and a person at hand.
+#pragma once
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <QTemporaryDir>
+
+#include "device/falcon/falcon.h"
+#include "device/falcon/falcon_line.h"
+#include "tests/device/falcon/boot_stream.h"
+#include "tests/device/falcon/emulated_falcon.h"
+
+namespace tactum::test {
+
+inline constexpr int kSocket = 2;
+
+/// Does what the driver asks for, and may give up at a step.
+class Person final : public Opening {
+public:
+    explicit Person(std::shared_ptr<EmulatedFalcon> device) : device_(std::move(device)) {}
+
+    void begin(std::string_view step, std::string_view todo) override {
+        if (steps.empty() || steps.back() != step) steps.emplace_back(step);
+        if (step == givesUpAt) gaveUp = true;
+        if (todo.empty()) return;
+        asked = todo;
+        if (homes) device_->homeByHand();
+    }
+    void progress(double part) override { most = std::max(most, part); }
+    bool cancelled() const override { return gaveUp; }
+
+    std::vector<std::string> steps;
+    std::string asked, givesUpAt;
+    double most = 0;
+    bool homes = true, gaveUp = false;
+
+private:
+    std::shared_ptr<EmulatedFalcon> device_;
+};
+
+struct FalconBench {
+    explicit FalconBench(double hurry = 20) : device(std::make_shared<EmulatedFalcon>(hurry)) {
+        const auto bytes = makeBootStream();
+        std::ofstream(firmware(), std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        plug();
+    }
+    ~FalconBench() { EmulatedBus::the().unplugAll(); }
+    FalconBench(const FalconBench&) = delete;
+    FalconBench& operator=(const FalconBench&) = delete;
+
+    void plug() const { EmulatedFalcon::plug(kSocket, device); }
+    static void unplug() { EmulatedBus::the().unplug(kSocket); }
+    static UsbPlace place() { return {kFalconUsb, 1, 0, "1-" + std::to_string(kSocket)}; }
+    std::string firmware() const { return (folder.path() + "/made-up.bin").toStdString(); }
+    static DeviceInfo profile() {
+        return {.name = "Novint Falcon",
+                .maxForce = 8,
+                .workspaceRadius = 0.04,
+                .positionResolution = 5e-5,
+                .damping = 0.5,
+                .handDamping = 2};
+    }
+    std::unique_ptr<Falcon> driver() const {
+        return std::make_unique<Falcon>(place(), profile(), FalconSettings{firmware()});
+    }
+    /// One that is ready to be felt, as it is when it was in use before.
+    std::unique_ptr<Falcon> opened() const {
+        device->startFirmware(true);
+        device->putGrip(Vec3::Zero());
+        auto falcon = driver();
+        return falcon->open() ? std::move(falcon) : nullptr;
+    }
+
+    QTemporaryDir folder;
+    std::shared_ptr<EmulatedFalcon> device;
+};
+
+/// What exchanges brought.
+struct Run {
+    int valid = 0;
+    DeviceSample last;
+};
+
+/// Exchanges as if 1 ms apart, and fast enough for a chip in a hurry to have answered between.
+inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero()) {
+    Run run;
+    for (int i = 0; i < times; ++i) {
+        run.last = falcon.exchange({force}, 1e-3);
+        run.valid += run.last.valid;
+        std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+    return run;
+}
+
+inline bool says(const Result<void>& result, const std::string& words) {
+    return !result && result.error().text.find(words) != std::string::npos &&
+           result.error().text.find('\n') == std::string::npos;
+}
+inline bool says(const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+}
+
+} // namespace tactum::test

@@ -1,0 +1,438 @@
+// The driver of the Falcon and the emulated one, through the real libusb: made ready, felt, and with
+// everything going wrong that can.
+#include <functional>
+#include <random>
+
+#include <QtTest>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/device/falcon/falcon_bench.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+using State = EmulatedFalcon::State;
+
+const FalconLegs kNoTorque{};
+const Vec3 kPush(0.5, 0.3, 2);
+
+bool isClean() {
+    return EmulatedBus::the().openDescriptors() == 0 && EmulatedBus::the().pendingTransfers() == 0;
+}
+
+/// A fault, what the test does to bring it and what ends it.
+struct Fault {
+    const char* name;
+    std::function<void(FalconBench&)> begin;
+    const char* words; ///< of the trouble that is told
+    std::function<void(FalconBench&)> end = [](FalconBench& bench) {
+        bench.device->setFaults({});
+        EmulatedBus::the().setFaults(kSocket, {});
+    };
+    bool heard = true; ///< whether the device still gets commands
+    bool mends = true; ///< whether readings come back when it ends
+};
+
+std::function<void(FalconBench&)> inTheDevice(const FalconFaults& faults) {
+    return [faults](FalconBench& bench) { bench.device->setFaults(faults); };
+}
+std::function<void(FalconBench&)> onTheBus(const UsbFaults& faults) {
+    return [faults](FalconBench&) { EmulatedBus::the().setFaults(kSocket, faults); };
+}
+
+const std::vector<Fault>& faults() {
+    constexpr int kMany = 1'000'000;
+    static const std::vector<Fault> all{
+        {"silent", inTheDevice({.silent = true}), "does not answer"},
+        {"every report lacks a byte", inTheDevice({.shortReports = kMany}), "does not answer"},
+        {"no report ends as it should", inTheDevice({.wrongEnds = kMany}), "does not answer"},
+        {"forgets its home", inTheDevice({.forgetsHome = true}), "pull the grip",
+         [](FalconBench& bench) { bench.device->startFirmware(true); }},
+        {"an encoder jumps", inTheDevice({.encoderJump = {0, 300, 0}}), "jumped"},
+        {"an arm that cannot be", inTheDevice({.encoderJump = {0, 20'000, 0}}), "none can be",
+         inTheDevice({.encoderJump = {0, -20'000, 0}})},
+        {"no power", [](FalconBench& bench) { bench.device->setPower(false); }, "power supply",
+         [](FalconBench& bench) { bench.device->startFirmware(true); }},
+        {"reading stalls", onTheBus({.stallIn = true}), "does not answer"},
+        {"writing stalls", onTheBus({.stallOut = true}), "do not get through", onTheBus({}), false},
+        {"nothing completes", onTheBus({.mute = true}), "", onTheBus({}), false},
+    };
+    return all;
+}
+
+} // namespace
+
+class TestFalcon : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { QVERIFY(isClean()); }
+
+    // ---- Made ready.
+
+    void fromPowerToReady() {
+        FalconBench bench;
+        bench.device->setFaults({.deafTries = 3, .zeroFirst = true});
+        const auto falcon = bench.driver();
+        Person person(bench.device);
+        const auto ready = falcon->prepare(person);
+        QVERIFY2(ready, ready ? "" : ready.error().text.c_str());
+        QCOMPARE(person.steps, falcon->steps());
+        QVERIFY(says(person.asked, "Pull the grip"));
+        QCOMPARE(person.most, 1.0);
+        QVERIFY(bench.device->state() == State::Running && bench.device->homed());
+        QCOMPARE(bench.device->uploads(), 1);
+        QCOMPARE(bench.device->latency(), 1);
+        QCOMPARE(bench.device->torqueCommands(), 0);
+        QVERIFY(bench.device->light() == FalconLight::Red);
+        QVERIFY(falcon->open());
+        QVERIFY(exchange(*falcon, 50).valid > 40);
+        QVERIFY(bench.device->light() == FalconLight::Blue);
+        QCOMPARE(falcon->trouble(), std::string());
+    }
+
+    void whatIsReadyIsNotDoneAgain() {
+        FalconBench bench;
+        bench.device->startFirmware(true);
+        const auto falcon = bench.driver();
+        QVERIFY(falcon->open()); // nobody at hand
+        QCOMPARE(bench.device->uploads(), 0);
+        falcon->close();
+        Person person(bench.device);
+        QVERIFY(falcon->prepare(person));
+        QVERIFY(person.asked.empty());
+    }
+
+    void firmwareIsLoadedUnattendedButHomingNeedsAHand() {
+        FalconBench bench;
+        const auto falcon = bench.driver();
+        const auto opened = falcon->open();
+        QVERIFY(says(opened, "\"Home\"") && says(opened, "grip"));
+        QCOMPARE(bench.device->uploads(), 1);
+        QVERIFY(!falcon->exchange({kPush}, 1e-3).valid);
+        QCOMPARE(bench.device->torqueCommands(), 0);
+    }
+
+    void homingWaitsForThePerson() {
+        FalconBench bench;
+        bench.device->startFirmware(false);
+        const auto falcon = bench.driver();
+        Person person(bench.device);
+        person.homes = false;
+        std::jthread later([&] {
+            QTest::qSleep(300);
+            person.gaveUp = true;
+        });
+        QVERIFY(says(falcon->prepare(person), "\"Home\""));
+        QVERIFY(bench.device->light() == FalconLight::Red);
+        QVERIFY(!bench.device->homed());
+    }
+
+    void thePersonMayGiveUpAtAnyStep() {
+        for (const char* step : {"Firmware", "Home"}) {
+            FalconBench bench;
+            const auto falcon = bench.driver();
+            Person person(bench.device);
+            person.givesUpAt = step;
+            QVERIFY(says(falcon->prepare(person), step));
+            QCOMPARE(person.steps.back(), std::string(step));
+            Person patient(bench.device);
+            QVERIFY(falcon->prepare(patient));
+        }
+    }
+
+    void withoutPowerItSaysSo() {
+        FalconBench bench;
+        bench.device->setPower(false);
+        const auto falcon = bench.driver();
+        Person person(bench.device);
+        const auto ready = falcon->prepare(person);
+        QVERIFY(says(ready, "\"Firmware\"") && says(ready, "power supply"));
+    }
+
+    void notThereOrNotAllowed() {
+        FalconBench bench;
+        const auto falcon = bench.driver();
+        Person person(bench.device);
+        EmulatedBus::the().setForbidden(kSocket, true);
+        QVERIFY(says(falcon->prepare(person), "70-tactum.rules"));
+        FalconBench::unplug();
+        QVERIFY(says(falcon->prepare(person), "plug in its USB cable"));
+        EmulatedFalcon::plug(5, bench.device); // another socket
+        QVERIFY(falcon->prepare(person));
+    }
+
+    void withoutFirmwareItSaysWhereToGetIt() {
+        FalconBench bench;
+        Falcon falcon(FalconBench::place(), FalconBench::profile(), {"/nowhere/firmware.bin"});
+        Person person(bench.device);
+        QVERIFY(says(falcon.prepare(person), "/nowhere/firmware.bin"));
+        bench.device->startFirmware(true);
+        QVERIFY(falcon.prepare(person)); // then it needs none
+    }
+
+    void troubleWithLoading_data() {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<QString>("words");
+        QTest::addRow("many deaf tries") << 0 << "";
+        QTest::addRow("junk before the answer") << 1 << "";
+        QTest::addRow("wrong echoes") << 2 << "";
+        QTest::addRow("lost echoes") << 3 << "";
+        QTest::addRow("wrong echoes without end") << 4 << "bytes are lost";
+        QTest::addRow("a program that does not start") << 5 << "says nothing";
+        QTest::addRow("a refused request") << 6 << "refused";
+        QTest::addRow("broken transfers") << 7 << "";
+    }
+    void troubleWithLoading() {
+        QFETCH(int, fault);
+        QFETCH(QString, words);
+        FalconBench bench;
+        const FalconFaults faults[] = {{.deafTries = 40}, {.junkFirst = 90},     {.corruptEchoes = 2},
+                                       {.lostEchoes = 1}, {.corruptEchoes = 99}, {.startsNoFirmware = true}};
+        if (fault < 6) bench.device->setFaults(faults[fault]);
+        if (fault == 6) EmulatedBus::the().setFaults(kSocket, {.stallControl = true});
+        Person person(bench.device);
+        const auto falcon = bench.driver();
+        const auto ready = falcon->prepare(person);
+        QVERIFY2(words.isEmpty() == ready.has_value(), ready ? "it worked" : ready.error().text.c_str());
+        if (!words.isEmpty()) QVERIFY2(says(ready, words.toStdString()), ready.error().text.c_str());
+        QCOMPARE(bench.device->torqueCommands(), 0);
+    }
+
+    // ---- Felt.
+
+    void readsWhereTheGripIs() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        QVERIFY(falcon);
+        for (const Vec3& p :
+             {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(0, 0.03, -0.01), Vec3(-0.02, -0.01, 0.02)}) {
+            bench.device->putGrip(p);
+            exchange(*falcon, 60); // it jumped there
+            const Run run = exchange(*falcon, 50);
+            QVERIFY(run.valid > 40);
+            QVERIFY((run.last.position - p).norm() < 1e-4);
+        }
+        for (const std::uint8_t buttons : {0, 1, 2, 4, 8, 15}) {
+            bench.device->setButtons(buttons);
+            QCOMPARE(exchange(*falcon, 20).last.buttons, std::uint32_t(buttons));
+        }
+    }
+
+    void pushesAsItIsTold() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        bench.device->setHand({.stiffness = 2000, .damping = 40});
+        for (const Vec3& force : {Vec3(1, 0, 0), Vec3(0, -2, 0), Vec3(0, 0, 4), Vec3(-1, 2, -3)}) {
+            exchange(*falcon, 100, force);
+            QVERIFY((bench.device->force() - force).norm() < 0.01 * force.norm() + 0.005);
+        }
+        QVERIFY(!bench.device->overdriven());
+    }
+
+    void neverMoreThanItsLimits() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        bench.device->setHand({.stiffness = 5000, .damping = 60});
+        for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+            exchange(*falcon, 100, 1000 * direction);
+            QVERIFY((bench.device->force() - 8 * direction).norm() < 0.08);
+        }
+        exchange(*falcon, 100, {1e30, 0, 0}); // the motors end before the 8 N
+        const Vec3 sideways = bench.device->force();
+        QVERIFY(sideways.x() > 5 && sideways.x() < 8 && std::hypot(sideways.y(), sideways.z()) < 0.05);
+        for (const double bad : {std::nan(""), 1.0 / 0.0}) {
+            exchange(*falcon, 20, {bad, 0, 0});
+            QCOMPARE(bench.device->motors(), kNoTorque);
+        }
+        QVERIFY(!bench.device->overdriven());
+        QCOMPARE(bench.device->malformed(), 0);
+    }
+
+    void zeroIsFirstAndLast() {
+        FalconBench bench;
+        auto falcon = bench.opened();
+        QVERIFY(!bench.device->firstHadTorque());
+        exchange(*falcon, 50, kPush);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        falcon->close();
+        QCOMPARE(bench.device->motors(), kNoTorque);
+        QVERIFY(falcon->open());
+        exchange(*falcon, 50, kPush);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        falcon.reset();
+        QCOMPARE(bench.device->motors(), kNoTorque);
+    }
+
+    void anEmergencyStopNeedsNothingButTheLink() {
+        FalconBench bench;
+        const auto falcon = bench.driver();
+        falcon->emergencyStop(); // of nothing
+        bench.device->startFirmware(true);
+        QVERIFY(falcon->open());
+        exchange(*falcon, 50, kPush);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        falcon->emergencyStop();
+        QTest::qSleep(5);
+        exchange(*falcon, 1);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+        exchange(*falcon, 50, kPush);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        const pid_t child = fork();
+        if (child == 0) {
+            falcon->emergencyStop();
+            falcon->emergencyStop(); // the second carries the first down the line
+            _exit(0);
+        }
+        int status = 0;
+        QCOMPARE(waitpid(child, &status, 0), child);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+    }
+
+    // ---- With things going wrong.
+
+    /// Within ten exchanges nothing is valid any more and the motors are off, as the device sees it, or as
+    /// soon as it hears again.
+    void afterAFaultThereIsNoForce_data() {
+        QTest::addColumn<int>("number");
+        for (std::size_t i = 0; i < faults().size(); ++i)
+            QTest::addRow("%s", faults()[i].name) << int(i);
+    }
+    void afterAFaultThereIsNoForce() {
+        QFETCH(int, number);
+        const Fault& fault = faults()[std::size_t(number)];
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        QVERIFY(exchange(*falcon, 100, kPush).valid > 80);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        const int before = bench.device->torqueCommands();
+        fault.begin(bench);
+        exchange(*falcon, 12, kPush);
+        if (fault.heard) QCOMPARE(bench.device->motors(), kNoTorque);
+        QVERIFY(bench.device->torqueCommands() <= before + 10);
+        const int then = bench.device->torqueCommands();
+        QCOMPARE(exchange(*falcon, 3, kPush).valid, 0);
+        if (std::string_view(fault.words) != "jumped") {
+            QCOMPARE(exchange(*falcon, 150, kPush).valid, 0);
+            QCOMPARE(bench.device->torqueCommands(), then);
+        }
+        QVERIFY2(says(falcon->trouble(), fault.words), falcon->trouble().c_str());
+        QVERIFY(!falcon->trouble().empty());
+
+        fault.end(bench);
+        exchange(*falcon, 200);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+        QVERIFY(exchange(*falcon, 50).valid > 40);
+        QVERIFY(exchange(*falcon, 50, kPush).valid > 40);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        QVERIFY(!bench.device->overdriven());
+        QCOMPARE(bench.device->malformed(), 0);
+    }
+
+    void whatDoesNoHarmIsNotFelt_data() {
+        QTest::addColumn<int>("fault");
+        const char* names[] = {"junk before each report",
+                               "reports in pieces",
+                               "each report three times",
+                               "a report is lost",
+                               "a byte is lost",
+                               "a wrong end",
+                               "babble"};
+        for (int i = 0; i < int(std::size(names)); ++i)
+            QTest::addRow("%s", names[i]) << i;
+    }
+    void whatDoesNoHarmIsNotFelt() {
+        QFETCH(int, fault);
+        const FalconFaults harmless[] = {{.junk = 5},        {.split = true},     {.repeats = 2},
+                                         {.lostReports = 1}, {.shortReports = 1}, {.wrongEnds = 1},
+                                         {.babble = true}};
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        exchange(*falcon, 50, kPush);
+        bench.device->setFaults(harmless[fault]);
+        const int before = bench.device->torqueCommands();
+        const Run run = exchange(*falcon, 400, kPush);
+        QVERIFY2(run.valid > 300, qPrintable(QString::number(run.valid)));
+        QVERIFY((run.last.position - bench.device->grip()).norm() < 5e-4);
+        QVERIFY(bench.device->torqueCommands() > before + 300);
+    }
+
+    /// A frozen encoder looks like a hand that holds still: the force stays what it was. The moment it moves
+    /// again it has jumped.
+    void afterAFrozenEncoderThereIsNoForce() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        exchange(*falcon, 50, kPush);
+        bench.device->setFaults({.frozenEncoders = true});
+        QVERIFY(exchange(*falcon, 50, kPush).valid > 40);
+        bench.device->putGrip({0.01, 0, 0});
+        exchange(*falcon, 20, kPush);
+        bench.device->setFaults({});
+        exchange(*falcon, 10, kPush);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+        QVERIFY(says(falcon->trouble(), "jumped"));
+    }
+
+    void unpluggedWhileItPushes() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        for (int cycle = 0; cycle < 20; ++cycle) {
+            exchange(*falcon, 20 + cycle, kPush);
+            FalconBench::unplug();
+            QCOMPARE(exchange(*falcon, 1, kPush).valid, 0);
+            exchange(*falcon, 2, kPush);
+            QVERIFY2(says(falcon->trouble(), "unplugged"), falcon->trouble().c_str());
+            falcon->emergencyStop();
+            const auto without = falcon->open();
+            QVERIFY(says(without, "plug in its USB cable"));
+            QVERIFY(bench.device->motors() != kNoTorque); // it has power of its own, and knows no better
+            bench.plug();
+            QVERIFY(falcon->open());
+            QVERIFY(!bench.device->firstHadTorque());
+            QCOMPARE(bench.device->motors(), kNoTorque);
+            QCOMPARE(falcon->trouble(), std::string());
+            QVERIFY(exchange(*falcon, 30).valid > 20);
+        }
+    }
+
+    void powerThatGoesAndComesNeedsHomingAgain() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        exchange(*falcon, 50, kPush);
+        bench.device->setPower(false);
+        bench.device->setPower(true);
+        exchange(*falcon, 150, kPush);
+        QVERIFY(says(falcon->trouble(), "power supply"));
+        Person person(bench.device);
+        QVERIFY(falcon->prepare(person));
+        QVERIFY(says(person.asked, "Pull the grip"));
+        QCOMPARE(bench.device->uploads(), 1);
+        QVERIFY(falcon->open());
+        QVERIFY(exchange(*falcon, 50).valid > 40);
+    }
+
+    void unpluggedWhileItIsMadeReady() {
+        std::mt19937 random(5);
+        for (int i = 0; i < 40; ++i) {
+            FalconBench bench(100);
+            const auto falcon = bench.driver();
+            Person person(bench.device);
+            const int after = int(random() % 60);
+            std::jthread puller([after] {
+                QTest::qSleep(after);
+                FalconBench::unplug();
+            });
+            const auto ready = falcon->prepare(person);
+            if (!ready) QVERIFY(says(ready, "Falcon"));
+            puller.join();
+            exchange(*falcon, 3, kPush);
+            QCOMPARE(bench.device->torqueCommands(), 0);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFalcon)
+#include "test_falcon.moc"
