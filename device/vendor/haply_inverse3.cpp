@@ -1,0 +1,233 @@
+#include "device/vendor/haply_inverse3.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "core/base/text.h"
+#include "core/control/device_check.h"
+#include "core/control/force_limiter.h"
+#include "core/runtime/metronome.h"
+#include "core/runtime/realtime_thread.h"
+#include "device/vendor/haply_messages.h"
+#include "device/vendor/shared_mailbox.h"
+#include "device/vendor/web_socket.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::string_view kPrefix = "haply:";
+constexpr int kPort = 10001;
+constexpr int kGreeting = 300;  ///< ms, for the service's first words
+constexpr int kAnswer = 100;    ///< ms, for every other
+constexpr int kMoment = 20;     ///< ms between two looks at the calibration
+constexpr int kFarewells = 3;   ///< commands of zero, the last words
+constexpr int kPriority = 80;   ///< as the servo's
+constexpr double kSilent = 0.1; ///< s without a reading
+constexpr const char* kConnect = "Connect to the Inverse Service";
+constexpr const char* kCalibrate = "Calibrate";
+
+constexpr const char* kGone = "Haply's Inverse Service does not answer any more: see that it runs, then open "
+                              "the device again.";
+constexpr const char* kUnplugged = "The Inverse3 is not there any more: check its cable and its power, then "
+                                   "open it again.";
+
+int port() {
+    const char* named = std::getenv("TACTUM_HAPLY_PORT");
+    std::int64_t number = 0;
+    constexpr std::int64_t kLast = 65535;
+    return named && parseNumber(named, number) && number > 0 && number <= kLast ? int(number) : kPort;
+}
+
+/// The service, and the devices of its first words.
+struct Greeting {
+    WebSocket socket;
+    std::vector<haply::State> devices;
+};
+
+Result<Greeting> greet() {
+    const auto failure = [](const std::string& why) {
+        return machineError("Haply's Inverse Service does not answer at port " + std::to_string(port()) +
+                            " of this machine (" + why +
+                            "): install it from Haply and start it. Where it has another port, set "
+                            "TACTUM_HAPLY_PORT.");
+    };
+    Result<WebSocket> socket = WebSocket::connect(port(), kGreeting);
+    if (!socket) return failure(socket.error().text);
+    std::string words;
+    if (!socket->receive(words, kGreeting)) return failure("it says nothing");
+    return Greeting{std::move(*socket), haply::read(words)};
+}
+
+class Haply final : public HapticDevice {
+public:
+    Haply(std::string id, DeviceInfo profile) : id_(std::move(id)), info_(std::move(profile)) {
+        info_.real = true;
+        info_.delay += 1;
+        if (info_.name.empty()) info_.name = "Inverse3";
+        limiter_.maxForce = info_.maxForce;
+    }
+    ~Haply() override { shutDown(); }
+
+    DeviceInfo info() const override { return info_; }
+    std::vector<std::string> steps() const override { return {kConnect, kCalibrate}; }
+    Result<void> prepare(Opening& opening) override;
+    Result<void> open() override;
+    void close() override { shutDown(); }
+    std::string trouble() const override;
+    DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
+        const std::int64_t now = steadyNanoseconds();
+        mailbox_->command(command.force, now);
+        return mailbox_->newest(now);
+    }
+    void emergencyStop() noexcept override { mailbox_->stop(steadyNanoseconds()); }
+
+private:
+    Result<void> connect();
+    Result<void> calibrate(Opening& opening);
+    bool talk(const Vec3& force, haply::State& state);
+    void converse();
+    void tick();
+    void shutDown();
+
+    std::string id_;
+    DeviceInfo info_;
+    SharedMailbox mailbox_;
+    RealtimeThread thread_;
+    std::atomic<bool> stop_{false}, open_{false};
+    std::atomic<const char*> fault_{nullptr}; ///< a sentence
+    std::atomic<std::int64_t> lastReading_{0};
+
+    // Of the thread that talks, while it runs.
+    std::optional<WebSocket> socket_;
+    ForceLimiter limiter_;
+    bool greeted_ = false;
+    std::string words_;
+};
+
+/// Says what to push with, and takes in the answer. False: the service or the device is gone.
+bool Haply::talk(const Vec3& force, haply::State& state) {
+    if (!socket_->send(haply::write(id_, force, !greeted_), kAnswer) || !socket_->receive(words_, kAnswer)) {
+        fault_ = kGone;
+        return false;
+    }
+    greeted_ = true;
+    const std::vector<haply::State> states = haply::read(words_);
+    const auto mine = std::ranges::find(states, id_, &haply::State::id);
+    if (mine == states.end()) {
+        fault_ = kUnplugged;
+        return false;
+    }
+    state = *mine;
+    return true;
+}
+
+void Haply::tick() {
+    haply::State state;
+    if (!talk(limiter_(mailbox_->force(steadyNanoseconds())), state)) {
+        stop_ = true;
+        return;
+    }
+    const std::int64_t now = steadyNanoseconds();
+    mailbox_->measured(state.sample, now);
+    if (state.sample.valid) lastReading_ = now;
+}
+
+void Haply::converse() {
+    Metronome metronome(info_.rate);
+    while (!stop_) {
+        metronome.wait();
+        tick();
+    }
+    haply::State state;
+    for (int i = 0; i < kFarewells; ++i)
+        talk(Vec3::Zero(), state);
+}
+
+Result<void> Haply::connect() {
+    Result<Greeting> greeting = greet();
+    if (!greeting) return tl::unexpected(greeting.error());
+    if (std::ranges::find(greeting->devices, id_, &haply::State::id) == greeting->devices.end())
+        return machineError("The Inverse Service knows no device " + inQuotes(id_) +
+                            ": connect it and switch it on.");
+    socket_ = std::move(greeting->socket);
+    greeted_ = false;
+    fault_ = nullptr;
+    return {};
+}
+
+Result<void> Haply::calibrate(Opening& opening) {
+    constexpr const char* kTodo = "Calibrate the device as its light asks: put the handle into its inkwell.";
+    haply::State state;
+    for (bool said = false;; said = true) {
+        if (!talk(Vec3::Zero(), state)) return machineError(fault_.load());
+        if (state.calibrated) return {};
+        if (!said) opening.begin(kCalibrate, kTodo);
+        if (opening.cancelled()) return machineError(std::string("The device is not calibrated. ") + kTodo);
+        std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+    }
+}
+
+Result<void> Haply::prepare(Opening& opening) {
+    if (fault_) shutDown(); // what broke is begun anew
+    opening.begin(kConnect);
+    if (!socket_)
+        if (Result<void> connected = connect(); !connected) return connected;
+    opening.begin(kCalibrate);
+    return calibrate(opening);
+}
+
+Result<void> Haply::open() {
+    shutDown();
+    if (Result<void> possible = checkDevice(info_); !possible) return possible;
+    Unattended nobody;
+    if (Result<void> prepared = prepare(nobody); !prepared) return prepared;
+    emergencyStop(); // what an earlier use left in the mailbox
+    stop_ = false;
+    open_ = true;
+    lastReading_ = steadyNanoseconds();
+    return thread_.start("tactum-haply", kPriority, [this] { converse(); });
+}
+
+void Haply::shutDown() {
+    open_ = false;
+    stop_ = true;
+    thread_.join();
+    socket_.reset();
+    fault_ = nullptr;
+}
+
+std::string Haply::trouble() const {
+    if (const char* fault = fault_) return fault;
+    if (open_ && 1e-9 * double(steadyNanoseconds() - lastReading_) > kSilent)
+        return "The Inverse Service tells no position: see in its own program that the device works.";
+    return {};
+}
+
+} // namespace
+
+std::vector<DeviceListing> listHaply() {
+    const Result<Greeting> greeting = greet();
+    if (!greeting) return {{"", "Inverse3 (Haply)", false, greeting.error().text}};
+    std::vector<DeviceListing> listings;
+    for (const haply::State& device : greeting->devices)
+        listings.push_back({std::string(kPrefix) + device.id, "Haply Inverse3 " + printable(device.id), true,
+                            "connected; driven by Haply's Inverse Service, never tried with a real one"});
+    if (listings.empty())
+        listings.push_back({"", "Inverse3 (Haply)", false,
+                            "the Inverse Service runs, but knows no device: connect one and switch it on"});
+    return listings;
+}
+
+Result<std::unique_ptr<HapticDevice>> makeHaply(const std::string& id, DeviceInfo profile) {
+    if (!id.starts_with(kPrefix) || id.size() == kPrefix.size())
+        return inputError("There is no device " + inQuotes(id) + ": those of Haply are called " +
+                          std::string(kPrefix) + "ID.");
+    return std::make_unique<Haply>(id.substr(kPrefix.size()), std::move(profile));
+}
+
+} // namespace tactum

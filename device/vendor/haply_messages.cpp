@@ -1,0 +1,106 @@
+#include "device/vendor/haply_messages.h"
+
+#include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+namespace tactum::haply {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kFarthest = 10;     ///< m, and beyond it no arm reaches
+constexpr double kFastestSaid = 100; ///< m/s
+
+// Theirs: x right, y forward, z up. D: x right, y up, z toward the user.
+Vec3 inD(const Vec3& theirs) {
+    return {theirs.x(), theirs.z(), -theirs.y()};
+}
+Vec3 asTheirs(const Vec3& force_D) {
+    return {force_D.x(), -force_D.z(), force_D.y()};
+}
+
+/// The member, or nothing that has members.
+const Json& member(const Json& object, const char* name) {
+    static const Json nothing;
+    if (!object.is_object()) return nothing;
+    const auto found = object.find(name);
+    return found == object.end() ? nothing : *found;
+}
+
+/// Three numbers that can be; nothing when one is missing, for what is left out might be anything.
+std::optional<Vec3> vector(const Json& object, double most) {
+    Vec3 value;
+    constexpr const char* kNames[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+        const Json& number = member(object, kNames[i]);
+        if (!number.is_number()) return {};
+        value[i] = number.get<double>();
+        if (!(std::abs(value[i]) <= most)) return {};
+    }
+    return value;
+}
+
+std::uint32_t buttonsOf(const Json& message) {
+    std::uint32_t held = 0;
+    for (const char* kind : {"wireless_verse_grip", "verse_grip"}) {
+        const Json& grips = member(message, kind);
+        if (!grips.is_array() || grips.empty()) continue;
+        const Json& buttons = member(member(grips.front(), "state"), "buttons");
+        std::uint32_t bit = 1;
+        for (const char* name : {"a", "b", "c"}) {
+            const Json& button = member(buttons, name);
+            if (button.is_boolean() && button.get<bool>()) held |= bit;
+            bit <<= 1;
+        }
+    }
+    return held;
+}
+
+State stateOf(const Json& device) {
+    State state{.id = member(device, "device_id").get<std::string>()};
+    const Json& said = member(device, "state");
+    const auto position = vector(member(said, "cursor_position"), kFarthest);
+    const auto velocity = vector(member(said, "cursor_velocity"), kFastestSaid);
+    state.sample.valid = position.has_value();
+    if (position) state.sample.position = inD(*position);
+    if (velocity) state.sample.velocity = inD(*velocity);
+    const Json& calibrated = member(member(device, "status"), "calibrated");
+    state.calibrated = !calibrated.is_boolean() || calibrated.get<bool>();
+    return state;
+}
+
+} // namespace
+
+std::vector<State> read(std::string_view text) {
+    const Json message = Json::parse(text, nullptr, false);
+    const Json& devices = member(message, "inverse3");
+    std::vector<State> states;
+    if (!devices.is_array()) return states;
+    const std::uint32_t buttons = buttonsOf(message);
+    for (const Json& device : devices) {
+        if (!member(device, "device_id").is_string()) continue;
+        states.push_back(stateOf(device));
+        states.back().sample.buttons = buttons;
+    }
+    return states;
+}
+
+std::string write(const std::string& id, const Vec3& force_D, bool first) {
+    const Vec3 force = asTheirs(force_D);
+    Json device{
+        {"device_id", id},
+        {"commands",
+         {{"set_cursor_force", {{"values", {{"x", force.x()}, {"y", force.y()}, {"z", force.z()}}}}}}}};
+    Json message;
+    if (first) {
+        device["configure"]["preset"] = "arm_front_centered";
+        message["session"]["configure"] = {{"profile", {{"name", "tactum"}}},
+                                           {"basis", {{"permutation", "XYZ"}}}};
+    }
+    message["inverse3"] = Json::array({device});
+    return message.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+} // namespace tactum::haply

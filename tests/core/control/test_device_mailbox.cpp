@@ -1,0 +1,71 @@
+// What lies between the servo and a driver elsewhere, by a clock that the test holds.
+#include <QtTest>
+
+#include "core/control/device_mailbox.h"
+
+using namespace tactum;
+
+namespace {
+constexpr std::int64_t kMillisecond = 1'000'000, kNow = 1000 * kMillisecond;
+const Vec3 kForce{0, 0, 2};
+const DeviceSample kReading{.position = {1, 2, 3}, .valid = true};
+} // namespace
+
+class TestDeviceMailbox : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anEmptyOneHasNeitherReadingNorForce() {
+        DeviceMailbox box;
+        QVERIFY(!box.newest(kMillisecond).valid);
+        QVERIFY(box.force(kMillisecond).isZero());
+    }
+
+    void aReadingIsTakenWhileItIsYoung() {
+        DeviceMailbox box;
+        box.measured(kReading, kNow);
+        for (const int age : {0, 1, 5}) // again and again, for two clocks beat
+            QVERIFY(box.newest(kNow + age * kMillisecond).valid);
+        QCOMPARE(box.newest(kNow).position, kReading.position);
+        QVERIFY(!box.newest(kNow + 6 * kMillisecond).valid);
+        box.measured(kReading, kNow + 7 * kMillisecond);
+        QVERIFY(box.newest(kNow + 8 * kMillisecond).valid);
+    }
+
+    void aReadingThatWasNoneStaysNone() {
+        DeviceMailbox box;
+        DeviceSample none = kReading;
+        none.valid = false;
+        box.measured(none, kNow);
+        QVERIFY(!box.newest(kNow).valid);
+    }
+
+    /// The guard calls a device lost after three readings that are none: at a kilohertz within 10 ms.
+    void aDeviceThatStandsStillIsLostInTime() {
+        QVERIFY(kOldestReading + 3 * kMillisecond <= 10 * kMillisecond);
+    }
+
+    void aCommandFadesWhenNoneFollows() {
+        DeviceMailbox box;
+        box.command(kForce, kNow);
+        QCOMPARE(box.force(kNow), kForce);
+        QCOMPARE(box.force(kNow + kOldestCommand), kForce);
+        const Vec3 half = box.force(kNow + kOldestCommand + kCommandFade / 2);
+        QVERIFY((half - 0.5 * kForce).norm() < 1e-9);
+        QVERIFY(box.force(kNow + kOldestCommand + kCommandFade).isZero());
+        QVERIFY(box.force(kNow + 1'000'000 * kMillisecond).isZero());
+        QVERIFY(kOldestCommand + kCommandFade <= 300 * kMillisecond);
+    }
+
+    void aStopHoldsForWhatWasCommandedBefore() {
+        DeviceMailbox box;
+        box.command(kForce, kNow);
+        box.stop(kNow + kMillisecond);
+        QVERIFY(box.force(kNow + 2 * kMillisecond).isZero());
+        box.command(kForce, kNow + 3 * kMillisecond);
+        QCOMPARE(box.force(kNow + 3 * kMillisecond), kForce);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDeviceMailbox)
+#include "test_device_mailbox.moc"

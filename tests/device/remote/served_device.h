@@ -1,0 +1,114 @@
+// A device for a process of its own, whose motors and behaviour lie in memory that the test shares.
+#pragma once
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/mman.h>
+#include <thread>
+#include <unistd.h>
+
+#include "core/control/device_mailbox.h"
+
+namespace tactum::test {
+
+/// What the test sees of it, and asks of it.
+struct Served {
+    std::atomic<double> push{0};      ///< N, along z: holds until the next command, as a real motor does
+    std::atomic<double> strongest{0}; ///< N
+    std::atomic<int> notFinite{0};
+    std::atomic<std::int64_t> zeroAt{0}; ///< ns, when the force became zero; 0 while there is some
+    std::atomic<std::uint64_t> exchanges{0};
+    std::atomic<int> stops{0}, opens{0}, closes{0}, prepares{0};
+    std::atomic<pid_t> server{0};
+    std::atomic<bool> troubled{false};
+
+    void command(double z) noexcept {
+        if (z != 0) zeroAt = 0;
+        push = z;
+        if (z == 0 && zeroAt == 0) zeroAt = steadyNanoseconds();
+    }
+};
+
+/// Maps the file, made with the right size if it is not; null when that fails.
+inline Served* mapServed(const char* file) {
+    const int fd = open(file, O_RDWR | O_CREAT, 0600);
+    if (fd < 0 || ftruncate(fd, sizeof(Served)) != 0) return nullptr;
+    void* memory = mmap(nullptr, sizeof(Served), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    close(fd);
+    return memory == MAP_FAILED ? nullptr : static_cast<Served*>(memory);
+}
+
+/// Forces that make its driver fail, along x.
+inline constexpr double kCrash = 1, kAbort = 2, kOverflow = 3, kHang = 4;
+
+class ServedDevice final : public HapticDevice {
+public:
+    ServedDevice(Served& served, std::string way) : served_(served), way_(std::move(way)) {}
+
+    DeviceInfo info() const override {
+        return {.name = "Served",
+                .maxForce = 8,
+                .maxStiffness = 1234,
+                .rate = 1000,
+                .damping = 2.5,
+                .buttons = 2,
+                .real = true,
+                .measuresVelocity = true};
+    }
+    std::vector<std::string> steps() const override { return {"Wake", "Home"}; }
+    Result<void> prepare(Opening& opening) override {
+        ++served_.prepares;
+        opening.begin("Wake");
+        opening.progress(0.5);
+        opening.begin("Home", "Pull the handle.");
+        while (way_ == "homes" && !opening.cancelled())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (way_ == "homes") return machineError("The device is not homed. Pull the handle.");
+        return {};
+    }
+    Result<void> open() override {
+        if (way_ == "closed") return inputError("The lid of the device is shut: open it.");
+        if (way_ == "dies") std::abort();
+        if (way_ == "sleeps") std::this_thread::sleep_for(std::chrono::hours(1));
+        ++served_.opens;
+        return {};
+    }
+    void close() override { ++served_.closes; }
+    std::string trouble() const override { return served_.troubled ? "Its motors are warm." : std::string(); }
+    DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
+        misbehave(command.force.x());
+        const double strength = command.force.norm();
+        if (!command.force.allFinite()) ++served_.notFinite;
+        if (strength > served_.strongest) served_.strongest = strength;
+        served_.command(command.force.z());
+        const std::uint64_t number = ++served_.exchanges;
+        return {
+            .position = {0, 0.01, 0}, .velocity = {1e-6 * double(number), 0, 0}, .buttons = 2, .valid = true};
+    }
+    void emergencyStop() noexcept override {
+        served_.command(0);
+        ++served_.stops;
+    }
+
+private:
+    static int overflow(int depth) {
+        volatile char room[4096] = {};
+        room[depth % 4096] = char(depth);
+        return depth > 1'000'000'000 ? room[0] : overflow(depth + 1) + room[1];
+    }
+    static void misbehave(double how) noexcept {
+        if (how == kCrash) *static_cast<volatile int*>(nullptr) = 1;
+        if (how == kAbort) std::abort();
+        if (how == kOverflow) std::_Exit(overflow(0));
+        while (how == kHang)
+            pause();
+    }
+
+    Served& served_;
+    std::string way_;
+};
+
+} // namespace tactum::test

@@ -1,0 +1,339 @@
+// A device in a process of its own: what goes through, and what happens when either side dies.
+#include <algorithm>
+#include <csignal>
+#include <limits>
+#include <sys/wait.h>
+
+#include <QtTest>
+
+#include "device/remote/remote_device.h"
+#include "tests/device/remote/served_device.h"
+#include "tests/device/vendor/hand.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr int kPatience = 20'000; // ms
+
+/// How often each way of dying is tried; more on demand: TACTUM_DEATHS=1000.
+int deaths() {
+    const int wanted = qEnvironmentVariableIntValue("TACTUM_DEATHS");
+    return wanted > 0 ? wanted : 12;
+}
+
+void say(const char* what, std::vector<std::int64_t> times) {
+    std::ranges::sort(times);
+    qInfo("%s: zero force after %.2f ms in the median, %.2f ms at most of %zu", what,
+          1e-6 * double(times[times.size() / 2]), 1e-6 * double(times.back()), times.size());
+}
+
+bool isGone(pid_t process) {
+    return QTest::qWaitFor([&] { return kill(process, 0) != 0; }, kPatience);
+}
+
+/// Another instant of the loops' millisecond each time.
+void anInstant(int i) {
+    std::this_thread::sleep_for(std::chrono::microseconds(2000 + 137 * i % 1000));
+}
+
+/// A program that pushes, to be killed.
+struct Program {
+    explicit Program(const QByteArray& file) {
+        pid = fork();
+        if (pid == 0) {
+            execl(TACTUM_REMOTE_PROGRAM, "remote_program", "push", file.constData(), "", nullptr);
+            _exit(127);
+        }
+    }
+    ~Program() {
+        kill(pid, SIGKILL);
+        waitpid(pid, nullptr, 0);
+    }
+    pid_t pid = -1;
+};
+
+} // namespace
+
+class TestRemoteDevice : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir dir_;
+    QByteArray file_;
+    Served* served_ = nullptr;
+
+    Result<std::unique_ptr<HapticDevice>> make(const char* way = "") const {
+        return makeRemoteDevice(TACTUM_REMOTE_PROGRAM, {"serve", file_.toStdString(), way});
+    }
+    std::unique_ptr<HapticDevice> opened() const {
+        auto device = make();
+        if (!device || !(*device)->open()) qFatal("it does not open");
+        return std::move(*device);
+    }
+    bool comesToZero() const {
+        return QTest::qWaitFor([&] { return served_->zeroAt != 0; }, kPatience);
+    }
+
+private slots:
+    void initTestCase() {
+        file_ = dir_.filePath("served").toLocal8Bit();
+        served_ = mapServed(file_.constData());
+        QVERIFY(served_);
+    }
+    void init() { new (served_) Served; }
+    void cleanup() {
+        QCOMPARE(served_->notFinite.load(), 0);
+        if (served_->server > 0) QVERIFY(isGone(served_->server)); // nobody is left behind
+    }
+
+    void figuresAndStepsComeThrough() {
+        const auto device = make();
+        QVERIFY2(device, device ? "" : device.error().text.c_str());
+        const DeviceInfo info = (*device)->info(), own = ServedDevice(*served_, "").info();
+        QCOMPARE(info.name, own.name);
+        QCOMPARE(info.maxStiffness, own.maxStiffness);
+        QCOMPARE(info.damping, own.damping);
+        QCOMPARE(info.buttons, own.buttons);
+        QCOMPARE(info.handDamping, own.handDamping);
+        QVERIFY(info.real && info.measuresVelocity);
+        QCOMPARE(info.delay, own.delay + 1);
+        QVERIFY((*device)->steps() == ServedDevice(*served_, "").steps());
+    }
+
+    void readingsAndForcesComeThrough() {
+        const auto device = opened();
+        Hand hand(*device, {0, 0, 2});
+        QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+        QVERIFY((hand.last.position - Vec3(0, 0.01, 0)).isZero());
+        QCOMPARE(hand.last.buttons, 2u);
+        const double before = hand.last.velocity.x();
+        QVERIFY(hand.until([&] { return hand.last.velocity.x() > before; })); // newer ones
+        QVERIFY(device->trouble().empty());
+    }
+
+    void noForceIsAboveTheLimitOrNoNumber() {
+        const auto device = opened();
+        const double inf = std::numeric_limits<double>::infinity();
+        for (const Vec3& wild : {Vec3(0, 0, 100), Vec3(0, -1e300, 1e300), Vec3(0, std::nan(""), 1),
+                                 Vec3(0, inf, 0), Vec3(0, 0, -inf)})
+            Hand(*device, wild).forTicks(20);
+        QVERIFY(served_->strongest <= 8 + 1e-9);
+        QVERIFY(served_->strongest > 7.9);
+    }
+
+    void preparingIsShown() {
+        const auto device = make();
+        Watcher watcher;
+        QVERIFY((*device)->prepare(watcher));
+        QVERIFY((watcher.steps == std::vector<std::string>{"Wake", "Home"}));
+        QCOMPARE(watcher.todo, std::string("Pull the handle."));
+        QCOMPARE(watcher.parts, std::vector<double>{0.5});
+        QCOMPARE(served_->exchanges.load(), std::uint64_t(0)); // no loop yet
+    }
+
+    void aPersonMayGiveUp() {
+        const auto device = make("homes");
+        Watcher watcher;
+        watcher.onTodo = [&](std::string_view) { watcher.givesUp = true; };
+        const auto result = (*device)->prepare(watcher);
+        QVERIFY(!result);
+        QCOMPARE(result.error().text, std::string("The device is not homed. Pull the handle."));
+    }
+
+    void nobodyAtHandIsNotWaitedFor() {
+        const auto device = make("homes");
+        Unattended nobody;
+        QVERIFY(!(*device)->prepare(nobody));
+        Watcher watcher;
+        watcher.onTodo = [&](std::string_view) { watcher.givesUp = true; };
+        QVERIFY(!(*device)->prepare(watcher)); // and it can still be asked again
+        QCOMPARE(served_->prepares.load(), 2);
+    }
+
+    void whyItDoesNotOpenComesThrough() {
+        const auto device = make("closed");
+        const auto result = (*device)->open();
+        QVERIFY(!result);
+        QCOMPARE(result.error().text, std::string("The lid of the device is shut: open it."));
+        QVERIFY(result.error().kind == Error::Kind::Input);
+    }
+
+    void aDriverThatDiesOpeningIsSaid() {
+        const auto device = make("dies");
+        const auto result = (*device)->open();
+        QVERIFY(!result);
+        QVERIFY2(result.error().text.find("crashed (Aborted)") != std::string::npos,
+                 result.error().text.c_str());
+        QVERIFY((*device)->trouble().find("crashed") != std::string::npos);
+    }
+
+    void whatCannotBeStartedIsSaid() {
+        const auto none = makeRemoteDevice("/no/such/program", {});
+        QVERIFY(!none && none.error().text.find("cannot be started") != std::string::npos);
+        const auto other = makeRemoteDevice("/bin/true", {});
+        QVERIFY(!other && other.error().text.find("ended by itself") != std::string::npos);
+        const auto refused = make("unknown");
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().text, std::string("There is no such device."));
+    }
+
+    void itsTroubleComesThrough() {
+        const auto device = opened();
+        served_->troubled = true;
+        QVERIFY(Hand(*device).until([&] { return device->trouble() == "Its motors are warm."; }));
+        served_->troubled = false;
+        QVERIFY(Hand(*device).until([&] { return device->trouble().empty(); }));
+    }
+
+    void aCrashOfTheDriverStaysThere_data() {
+        QTest::addColumn<double>("how");
+        QTest::newRow("segmentation fault") << kCrash;
+        QTest::newRow("abort") << kAbort;
+        QTest::newRow("stack overflow") << kOverflow;
+    }
+
+    void aCrashOfTheDriverStaysThere() {
+        QFETCH(double, how);
+        const auto device = opened();
+        Hand hand(*device, {0, 0, 2});
+        QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+        hand.force.x() = how;
+        QVERIFY(hand.until([&] { return !hand.last.valid; }));
+        QVERIFY(comesToZero());
+        QVERIFY(served_->stops > 0);
+        QVERIFY(hand.until([&] { return device->trouble().find("crashed") != std::string::npos; }));
+        hand.forTicks(20);
+        QVERIFY(!hand.last.valid);
+        // Opened again it is another process.
+        hand.force.x() = 0;
+        device->close();
+        QVERIFY(device->open());
+        QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+        QVERIFY(device->trouble().empty());
+    }
+
+    void aDriverThatHangsLosesTheForce() {
+        const auto device = opened();
+        Hand hand(*device, {0, 0, 2});
+        QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+        hand.force.x() = kHang;
+        QVERIFY(hand.until([&] { return !hand.last.valid; }));
+        QVERIFY(comesToZero()); // by its guardian
+        QVERIFY(hand.until([&] { return device->trouble().find("stands still") != std::string::npos; }));
+    }
+
+    void killedAtAnyInstantTheDriverLeavesNoForce() {
+        std::vector<std::int64_t> delays;
+        for (int i = 0; i < deaths(); ++i) {
+            const auto device = opened();
+            Hand hand(*device, {0, 0, 2});
+            QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+            anInstant(i);
+            const std::int64_t killed = steadyNanoseconds();
+            QCOMPARE(kill(served_->server, SIGKILL), 0);
+            QVERIFY(hand.until([&] { return !hand.last.valid; }));
+            QVERIFY(comesToZero());
+            delays.push_back(served_->zeroAt - killed);
+            hand.forTicks(5);
+            QVERIFY(!hand.last.valid);
+            QCOMPARE(served_->push.load(), 0.0);
+            QVERIFY(device->trouble().find("crashed (Killed)") != std::string::npos);
+        }
+        say("driver killed", delays);
+    }
+
+    void frozenTheDriverGivesNoOldReadings() {
+        std::vector<std::int64_t> delays;
+        const auto device = opened();
+        for (int i = 0; i < deaths(); ++i) {
+            Hand hand(*device, {0, 0, 2});
+            QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
+            anInstant(i);
+            const std::int64_t frozen = steadyNanoseconds();
+            QCOMPARE(kill(served_->server, SIGSTOP), 0);
+            QVERIFY(hand.until([&] { return !hand.last.valid; }));
+            QVERIFY(comesToZero());
+            delays.push_back(served_->zeroAt - frozen);
+            QVERIFY(hand.until([&] { return !device->trouble().empty(); }));
+            QVERIFY(!hand.last.valid);
+            QCOMPARE(kill(served_->server, SIGCONT), 0);
+        }
+        QVERIFY(Hand(*device).until([&] { return device->trouble().empty(); }));
+        say("driver frozen", delays);
+    }
+
+    void killedAtAnyInstantTheProgramLeavesNoForce() {
+        std::vector<std::int64_t> delays;
+        for (int i = 0; i < deaths(); ++i) {
+            new (served_) Served;
+            Program program(file_);
+            QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
+            anInstant(i);
+            const std::int64_t killed = steadyNanoseconds();
+            QCOMPARE(kill(program.pid, SIGKILL), 0);
+            QVERIFY(comesToZero());
+            delays.push_back(served_->zeroAt - killed);
+            QVERIFY(isGone(served_->server));    // it ends by itself,
+            QCOMPARE(served_->closes.load(), 1); // the device closed
+            QCOMPARE(served_->push.load(), 0.0);
+            QCOMPARE(served_->stops.load(), 0); // in order
+        }
+        say("program killed", delays);
+    }
+
+    void frozenTheProgramLosesTheForceGently() {
+        std::vector<std::int64_t> delays;
+        Program program(file_);
+        for (int i = 0; i < deaths(); ++i) {
+            QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
+            anInstant(i);
+            const std::int64_t frozen = steadyNanoseconds();
+            QCOMPARE(kill(program.pid, SIGSTOP), 0);
+            bool between = false;
+            while (served_->zeroAt == 0 && steadyNanoseconds() - frozen < 1'000'000LL * kPatience) {
+                const double push = served_->push;
+                between = between || (push > 0.2 && push < 1.8);
+            }
+            QVERIFY(served_->zeroAt != 0);
+            QVERIFY(between); // it fades
+            delays.push_back(served_->zeroAt - frozen);
+            QCOMPARE(kill(program.pid, SIGCONT), 0); // and comes back with the next command
+        }
+        say("program frozen", delays);
+        kill(program.pid, SIGKILL);
+    }
+
+    void aStopHoldsUntilTheNextCommand() {
+        const auto device = opened();
+        Hand hand(*device, {0, 0, 2});
+        QVERIFY(hand.until([&] { return served_->push == 2; }));
+        const std::int64_t stopped = steadyNanoseconds();
+        device->emergencyStop();
+        QVERIFY(comesToZero());
+        QVERIFY2(served_->zeroAt - stopped < kOldestCommand + kCommandFade, "it only faded");
+        QVERIFY(hand.until([&] { return served_->push == 2; }));
+    }
+
+    void closedInOrder() {
+        auto device = opened();
+        Hand hand(*device, {0, 0, 2});
+        QVERIFY(hand.until([&] { return served_->push == 2; }));
+        device->close();
+        QCOMPARE(served_->push.load(), 0.0);
+        QCOMPARE(served_->closes.load(), 1);
+        QCOMPARE(served_->stops.load(), 0);
+        hand.forTicks(20);
+        QVERIFY(!hand.last.valid);
+        QCOMPARE(served_->push.load(), 0.0);
+        QVERIFY(device->open());
+        QCOMPARE(served_->opens.load(), 2);
+        QVERIFY(hand.until([&] { return served_->push == 2; }));
+        device.reset();
+        QCOMPARE(served_->push.load(), 0.0);
+        QVERIFY(isGone(served_->server));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRemoteDevice)
+#include "test_remote_device.moc"
