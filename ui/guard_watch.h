@@ -31,6 +31,8 @@ public:
     void frame();
     /// Forces on or off, by a person. On ends the fault.
     void setArmed(bool armed);
+    /// The device that had the fault is not the engine's any more.
+    void forget() { fault_.reset(); }
     /// Until the person arms anew.
     std::optional<Withheld> fault() const { return fault_; }
     /// Why there is less force than usual, or less fidelity; empty when all is well.

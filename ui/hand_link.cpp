@@ -23,9 +23,16 @@ HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> 
 }
 
 void HandLink::placeBeside(const Bounds& model) {
-    if (!target_ || model.empty()) return;
-    goal_.position = model.centre();
-    goal_.position.x() = model.high.x() + kBeside * model.diagonal();
+    if (model.empty()) return;
+    Vec3 beside = model.centre();
+    beside.x() = model.high.x() + kBeside * model.diagonal();
+    placeAt(beside);
+}
+
+void HandLink::placeAt(const Vec3& p_W) {
+    if (idle_) return engine_.restartProxy(); // the finger is where it is
+    if (!target_) return;
+    goal_.position = p_W;
     // The mark stays on in every later goal with the same number, so that a goal written before the hand has
     // read this one does not swallow the jump.
     goal_.teleport = true;
@@ -36,6 +43,7 @@ void HandLink::placeBeside(const Bounds& model) {
 }
 
 void HandLink::follow() {
+    if (idle_) arrival_ = 0;
     if (arrival_ == 0 || engine_.servo().ticks < arrival_) return;
     // Only now: a proxy put onto the finger before the jump would be dragged through the new model.
     arrival_ = 0;
@@ -43,7 +51,7 @@ void HandLink::follow() {
 }
 
 void HandLink::send() {
-    if (target_) target_->write(goal_);
+    if (target_ && !idle_) target_->write(goal_);
 }
 
 } // namespace tactum

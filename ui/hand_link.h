@@ -21,8 +21,13 @@ public:
 
     /// Puts the finger beside a model, at rest, and the proxy onto it once it is there.
     void placeBeside(const Bounds& model);
+    /// The same at a place.
+    void placeAt(const Vec3& p_W);
     /// Once a frame.
     void follow();
+    /// While idle a device leads itself, and the mouse has no hand to lead.
+    void setIdle(bool idle) { idle_ = idle; }
+    bool idle() const { return idle_; }
     /// While suspended the hand stays where it is.
     void setSuspended(bool suspended) { suspended_ = suspended; }
 
@@ -34,6 +39,7 @@ private:
     std::shared_ptr<HandTarget> target_;
     HandGoal goal_;
     bool suspended_ = false;
+    bool idle_ = false;
     std::uint64_t arrival_ = 0; ///< servo tick at which a jump is surely over; 0: none under way
 };
 

@@ -36,7 +36,7 @@ QString guardSentences(Withheld why) {
 
 CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device) {
     StiffnessCeiling promised = safeStiffness(loopFigures(device));
-    promised.value /= servo.frame.scale; // of surfaces in the scene, as the servo's
+    promised.value /= servo.frame.scale; // a spring of the scene is so much stiffer in the hand
     const StiffnessCeiling now = servo.ceiling.value > 0 ? servo.ceiling : promised;
     if (servo.calm < 1)
         return {servo.calm * now.value, QObject::tr("limited by an oscillation that was seen")};

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/comparison.h"
+#include "ui/device_link.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
@@ -35,6 +36,7 @@
 #include "ui/select_tool.h"
 #include "ui/sound/sound_link.h"
 #include "ui/touch_hint.h"
+#include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -63,12 +65,14 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
       recoveryBar_(new RecoveryBar(*recovery_)),
       comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
-      presetStore_(new PresetStore(this)), samples_(samples) {
+      presetStore_(new PresetStore(this)), link_(new DeviceLink(engine, this)),
+      permission_(new UsbPermission(this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
     addCompareDock();
     addPresetDock();
+    addDeviceDock();
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -91,6 +95,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectPalette();
     connectCompare();
     connectPresets();
+    connectDevices();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -135,6 +140,7 @@ void MainWindow::showFault(const QString& sentence) {
 void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
     playback_->end(); // whoever edits wants to see it
+    endTrial();
     if (change.what == What::Selection) return showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     if (change.touchesShape()) {
@@ -169,6 +175,7 @@ void MainWindow::hidePanels(bool hidden) {
 
 void MainWindow::setArmed(bool armed) {
     const bool faulty = guard_->fault().has_value();
+    if (armed) link_->stop().pressed = false; // held still, it stops again at once
     guard_->setArmed(armed);
     showArmed(armed);
     if (!armed && !faulty)
@@ -186,6 +193,7 @@ void MainWindow::frame() {
     engine_.poll();
     saver_->watch(); // before a fault switches the forces off
     watchHealth();
+    watchDevice();
     if (playback_->active()) return playFrame();
     hand_->follow();
     if (view_->isVisible())

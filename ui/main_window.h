@@ -12,6 +12,8 @@
 #include "core/control/hand_target.h"
 #include "core/geometry/mend.h"
 #include "core/runtime/engine.h"
+#include "ui/device_settings.h"
+#include "ui/device_trial.h"
 #include "ui/docks.h"
 #include "ui/document.h"
 #include "ui/shortcuts.h"
@@ -24,6 +26,9 @@ class QStackedWidget;
 namespace tactum {
 
 class Comparison;
+class DeviceCatalogue;
+class DeviceLink;
+class DevicePanel;
 class GuardWatch;
 class HandLink;
 class Journal;
@@ -46,6 +51,7 @@ class SoundLink;
 class StartPage;
 class StatusStrip;
 class TouchHint;
+class UsbPermission;
 struct Problem;
 
 /// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
@@ -57,6 +63,9 @@ public:
                const QStringList& samples = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    /// What devices a person can choose from; it outlives the window. Without one the engine keeps its
+    /// device.
+    void setCatalogue(DeviceCatalogue& catalogue);
     void open(const QString& file);
     /// One line above the view: what happened and how to go on.
     void showFault(const QString& sentence);
@@ -64,6 +73,7 @@ public:
     Document& document() { return document_; }
     Journal& journal() { return *journal_; }
     Comparison& comparison() { return *comparison_; }
+    DeviceLink& devices() { return *link_; }
     /// Of a window that was never opened before, on a screen with so much room.
     static QSize firstSize(QSize room);
     const WorldPublisher& publisher() const { return publisher_; }
@@ -175,6 +185,23 @@ private:
     void setDeadMan(bool on);
     void offerToArm(const QString& more = {});
     void askToOverride(bool on);
+    // Of devices: main_window_device.cpp.
+    void addDeviceDock();
+    void connectDevices();
+    void showDevicePage(int page);
+    void adoptDevice();
+    void setDeviceSettings(const DeviceSettings& settings);
+    void showDeviceSettings();
+    void setWorkspace(const Workspace& workspace);
+    void centreWorkspace(bool fit);
+    void watchDevice();
+    void offerReady(const QString& name, bool back);
+    void sayAway(const QString& name, const QString& more = {});
+    void showDeviceCommands();
+    void switchOff();
+    void beginTrial(Trial trial);
+    void endTrial();
+    void showTrial();
 
     Document& document_;
     Engine& engine_;
@@ -202,6 +229,11 @@ private:
     SoundLink* sound_;
     PresetStore* presetStore_;
     PresetLibrary* presets_ = nullptr;
+    DeviceLink* link_;
+    UsbPermission* permission_;
+    DevicePanel* devicePanel_ = nullptr;
+    DeviceSettings deviceSettings_;       ///< of the device in the engine
+    std::optional<Trial> trial_;          ///< that is felt instead of the document
     std::optional<SurfaceRef> droppedOn_; ///< who gets the preset that is being imported
     Docks docks_;
     std::optional<Feel> copied_;      ///< to be pasted

@@ -1,6 +1,7 @@
 // Guard and health in the window: what a fault does, and who may render above the ceiling.
 #include <QSettings>
 
+#include "ui/device_link.h"
 #include "ui/guard_watch.h"
 #include "ui/health_words.h"
 #include "ui/main_window.h"
@@ -23,7 +24,11 @@ QString deadManKey() {
 } // namespace
 
 void MainWindow::connectHealth() {
-    connect(guard_, &GuardWatch::faulted, this, [this] { offerToArm(); });
+    connect(guard_, &GuardWatch::faulted, this, [this](Withheld why) {
+        if (why != Withheld::DeviceLost) return offerToArm();
+        offerToArm(QString::fromStdString(engine_.trouble()));
+        link_->look(); // whether it is there at all
+    });
     connect(guard_, &GuardWatch::happened, this, [this] {
         if (!playback_->active()) docks_.health->setEvents(guard_->events());
     });
@@ -84,6 +89,10 @@ void MainWindow::restoreDeadMan() {
         action.setToolTip(tr("This device has no button that could be held"));
         return;
     }
+    action.setEnabled(true);
+    action.setToolTip(
+        tr("Force only while a button of the device is held. Of the simulated hand: while the mouse "
+           "holds the finger"));
     action.setChecked(QSettings().value(deadManKey()).toBool());
     engine_.setDeadMan(action.isChecked());
 }

@@ -12,6 +12,7 @@
 #include <QStandardPaths>
 
 #include "core/recording/recording_file.h"
+#include "ui/device_link.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/panels/force_plot.h"
@@ -33,8 +34,9 @@ constexpr double kSlice = 0.016;  // s
 
 /// What would change the document, the hand or the forces.
 constexpr const char* kLiveActions[] = {
-    "touch", "select", "hide",          "show-all",    "remove", "armed",   "stop",       "restart-proxy",
-    "undo",  "redo",   "record-stroke", "take-stroke", "mark-a", "swap-ab", "compare-now"};
+    "touch",         "select",       "hide",       "show-all",       "remove",        "armed",  "stop",
+    "restart-proxy", "undo",         "redo",       "record-stroke",  "take-stroke",   "mark-a", "swap-ab",
+    "compare-now",   "trial-spring", "trial-wall", "trial-friction", "workspace-axes"};
 
 QString ending() {
     return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
@@ -71,6 +73,8 @@ void MainWindow::connectRecordings() {
     connect(&actions_["save-recording"], &QAction::triggered, this, &MainWindow::saveRecording);
     connect(saver_, &RecordingSaver::failed, notice_, &NoticeBar::showError);
     connect(saver_, &RecordingSaver::saved, this, [this](const QString& file, bool afterFault) {
+        if (afterFault && link_->lost() && !playback_->active())
+            return sayAway(link_->lostName(), tr("What led to it was saved: %1.").arg(file));
         if (guard_->fault() && !playback_->active())
             return offerToArm(tr("What led to it was saved: %1.").arg(file));
         notice_->showNote(
@@ -112,15 +116,17 @@ void MainWindow::setLive(bool live) {
         actions_["redo"].setEnabled(document_.history().canRedo());
         actions_["stop"].setEnabled(engine_.armed());
         followComparison();
+        showDeviceCommands();
     }
     for (const char* name :
-         {"dock-outliner", "dock-problems", "dock-inspector", "dock-history", "dock-compare"})
+         {"dock-outliner", "dock-problems", "dock-inspector", "dock-history", "dock-compare", "dock-device"})
         if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
     hand_->setSuspended(!live);
     view_->setTool(live && actions_["touch"].isChecked() ? ViewTool::Touch : ViewTool::Select);
 }
 
 void MainWindow::beginPlayback() {
+    endTrial();
     if (guard_->fault()) notice_->hide(); // it offers to arm, and nobody does while a recording is shown
     guard_->setArmed(false);
     actions_["armed"].setChecked(false);

@@ -1,5 +1,7 @@
 #include "ui/world_publisher.h"
 
+#include <utility>
+
 #include "core/runtime/compile.h"
 
 namespace tactum {
@@ -11,8 +13,9 @@ WorldPublisher::WorldPublisher(Document& document, Engine& engine, QObject* pare
 }
 
 void WorldPublisher::follow(const SceneChange& change) {
+    if (trial_) return; // all of it is compiled when the trial ends
     if (change.takesTime())
-        compileShapes();
+        compileShapes(world_);
     else if (!change.touchesFeel())
         return;
     else if (job_.running())
@@ -27,8 +30,16 @@ void WorldPublisher::setSolo(const std::optional<SoloLayer>& solo) {
     follow({SceneChange::What::Layers});
 }
 
+void WorldPublisher::setTrial(std::shared_ptr<const Scene> trial) {
+    if (trial == trial_) return;
+    if (!trial_) own_ = world_;
+    trial_ = std::move(trial);
+    compileShapes(trial_ ? nullptr : std::exchange(own_, nullptr));
+}
+
 /// The scene as it is to be felt: a copy, for the document keeps which layers are on.
 Scene WorldPublisher::felt() const {
+    if (trial_) return *trial_;
     Scene scene = document_.scene();
     SceneObject* object = solo_ ? scene.find(solo_->surface.object) : nullptr;
     if (object && solo_->surface.surface < object->surfaces.size()) {
@@ -38,19 +49,19 @@ Scene WorldPublisher::felt() const {
     return scene;
 }
 
-void WorldPublisher::compileShapes() {
+void WorldPublisher::compileShapes(std::shared_ptr<const World> previous) {
     materialsChanged_ = false;
     // A copy of the scene is cheap: geometry is shared. The worker holds the World it reuses, too.
-    job_.start(
-        [this, scene = felt(), previous = world_](const Progress& progress) -> BackgroundJob::Delivery {
-            auto compiled = compile(scene, previous.get(), progress);
-            if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
-            return [this, world = std::move(*compiled)] {
-                publish(world);
-                if (materialsChanged_) compileMaterials();
-                emit shapesPublished();
-            };
-        });
+    job_.start([this, scene = felt(),
+                previous = std::move(previous)](const Progress& progress) -> BackgroundJob::Delivery {
+        auto compiled = compile(scene, previous.get(), progress);
+        if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
+        return [this, world = std::move(*compiled)] {
+            publish(world);
+            if (materialsChanged_) compileMaterials();
+            emit shapesPublished();
+        };
+    });
 }
 
 void WorldPublisher::compileMaterials() {

@@ -25,6 +25,10 @@ public:
     /// The other layers of the surface are not felt, whatever the scene says; nothing: the scene is felt as
     /// it is.
     void setSolo(const std::optional<SoloLayer>& solo);
+    /// This scene is felt instead of the document's; a null pointer: the document's again, of which nothing
+    /// that was built is built anew.
+    void setTrial(std::shared_ptr<const Scene> trial);
+    bool trying() const { return trial_ != nullptr; }
     /// The newest World that the engine was given; nullptr before the first.
     const std::shared_ptr<const World>& world() const { return world_; }
 
@@ -38,13 +42,15 @@ signals:
 private:
     void follow(const SceneChange& change);
     Scene felt() const;
-    void compileShapes();
+    void compileShapes(std::shared_ptr<const World> previous);
     void compileMaterials();
     void publish(std::shared_ptr<const World> world);
 
     Document& document_;
     Engine& engine_;
     std::shared_ptr<const World> world_;
+    std::shared_ptr<const Scene> trial_;
+    std::shared_ptr<const World> own_; ///< of the document, while something else is felt
     std::optional<SoloLayer> solo_;
     BackgroundJob job_;
     bool materialsChanged_ = false; ///< while the worker was compiling an older copy

@@ -17,6 +17,7 @@
 
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
+#include "tests/ui/window/device_pictures.h"
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/layer_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
@@ -287,8 +288,9 @@ void takeTasks(const QDir& folder, const QString& sample, QSize size) {
     takeProblems(program, folder);
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks]]]: with the last word only the pictures of what is
-// felt, of layers, of painting, or of presets and problems.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|device|devices]]]: with the last word only the
+// pictures of what is felt, of layers, of painting, of presets and problems, or of a device; `devices`: every
+// page of its dock in both themes.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -305,6 +307,9 @@ int main(int argc, char** argv) {
     applyTheme(ThemeChoice::Dark);
     const auto wanted = [&](const char* what) { return only.isEmpty() || only == what; };
     if (wanted("tasks")) takeTasks(folder, sample, size);
+    if (wanted("device") || only == "devices") takeDevicePictures(folder, sample, size, only == "devices");
+    applyTheme(ThemeChoice::Dark);
+    if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
     TouchedWindow program(size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");

@@ -1,0 +1,125 @@
+// A catalogue whose devices are plugged in, made ready and fail as the test wants it.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/control/device_catalogue.h"
+#include "core/control/hand_target.h"
+#include "device/simulated_hand.h"
+
+namespace tactum {
+
+/// What a test and a fake device share.
+struct FakeDesk {
+    std::atomic<bool> plugged{true};
+    std::atomic<int> go{0};      ///< steps that prepare() may end
+    std::atomic<int> failAt{-1}; ///< the step that fails
+    std::atomic<bool> failOpen{false};
+    std::atomic<int> made{0};     ///< devices that exist
+    std::atomic<int> prepared{0}; ///< times that it was prepared to the end
+    std::atomic<bool> preparing{false};
+    std::atomic<std::uint32_t> buttons{0};
+    std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
+    std::atomic<double> force{0};         ///< N, of the last command
+    std::atomic<int> stops{0};            ///< exchanges without force since the button was pressed
+
+    void place(double px, double py, double pz) {
+        x = px;
+        y = py;
+        z = pz;
+    }
+};
+
+/// Three steps, the second of which wants the person's hand; its handle is where the test holds it.
+class FakeDevice final : public HapticDevice {
+public:
+    explicit FakeDevice(std::shared_ptr<FakeDesk> desk) : desk_(std::move(desk)) { ++desk_->made; }
+    ~FakeDevice() override { --desk_->made; }
+
+    DeviceInfo info() const override {
+        return {.name = "Fake arm",
+                .maxForce = 6,
+                .continuousForce = 2,
+                .workspaceRadius = 0.05,
+                .rate = 1000,
+                .damping = 4,
+                .buttons = 3,
+                .tripSpeed = 100};
+    }
+    std::vector<std::string> steps() const override { return {"Load the firmware", "Find home", "Rest"}; }
+    Result<void> prepare(Opening& opening) override {
+        desk_->preparing = true;
+        const auto result = goThrough(opening);
+        desk_->preparing = false;
+        return result;
+    }
+    Result<void> open() override {
+        if (desk_->failOpen) return machineError("The arm did not wake: switch it off and on.");
+        return {};
+    }
+    void close() override { desk_->force = 0; }
+    std::string trouble() const override { return desk_->plugged ? "" : "The arm does not answer."; }
+    DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
+        desk_->force = command.force.norm();
+        return {
+            .position = {desk_->x, desk_->y, desk_->z}, .buttons = desk_->buttons, .valid = desk_->plugged};
+    }
+
+private:
+    Result<void> goThrough(Opening& opening) {
+        const auto names = steps();
+        for (int i = 0; i < int(names.size()); ++i) {
+            opening.begin(names[std::size_t(i)], i == 1 ? "Push the grip in and out." : "");
+            opening.progress(0.5);
+            while (desk_->go <= i) {
+                if (opening.cancelled()) return machineError("It was given up.");
+                if (desk_->failAt == i)
+                    return machineError("The grip did not move: pull it all the way out.");
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        }
+        ++desk_->prepared;
+        return {};
+    }
+
+    std::shared_ptr<FakeDesk> desk_;
+};
+
+class FakeCatalogue final : public DeviceCatalogue {
+public:
+    FakeCatalogue(std::shared_ptr<FakeDesk> desk, std::shared_ptr<HandTarget> hand)
+        : desk_(std::move(desk)), hand_(std::move(hand)) {}
+
+    std::vector<DeviceListing> list() override {
+        std::vector<DeviceListing> found{
+            {"simulated", "Simulated hand", true, "The mouse moves it in the window."}};
+        if (desk_->plugged)
+            found.push_back({"fake:1-2", "Fake arm", true, "At USB 1-2; 6 N, three buttons."});
+        if (locked)
+            found.push_back({"locked:1-3", "Locked arm", false,
+                             "At USB 1-3; you have no permission to use it: install the udev rule."});
+        ++lists;
+        return found;
+    }
+    Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override {
+        if (id == "simulated") return std::make_unique<SimulatedHand>(hand_);
+        if (id == "fake:1-2" && desk_->plugged) return std::make_unique<FakeDevice>(desk_);
+        return inputError("There is no such device: plug it in.");
+    }
+
+    std::atomic<bool> locked{false};
+    std::atomic<int> lists{0};
+
+private:
+    std::shared_ptr<FakeDesk> desk_;
+    std::shared_ptr<HandTarget> hand_;
+};
+
+} // namespace tactum

@@ -1,0 +1,135 @@
+// Between the devices that there are and the engine: lists them, makes the chosen one ready, brings it back.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+
+#include "core/control/device_catalogue.h"
+#include "core/control/stop_button.h"
+#include "core/runtime/engine.h"
+
+namespace tactum {
+
+/// The device that everyone has, as every catalogue names it.
+inline const QString kSimulatedDevice = QStringLiteral("simulated");
+
+enum class StepState { Waiting, Doing, Done, Failed };
+
+/// A device on its way into the engine, as far as a person wants to know.
+struct Preparation {
+    enum class State { None, Running, GivenUp, Failed, Done };
+    struct Step {
+        QString name;
+        StepState state = StepState::Waiting;
+    };
+    State state = State::None;
+    QString id, name;
+    std::vector<Step> steps;
+    QString todo;        ///< what the person has to do now
+    double progress = 0; ///< of the step that is being done, 0 to 1
+    QString failure;     ///< the device's sentence
+};
+
+/// The engine always has a device that works: a simulated one stands in while the chosen one is made ready,
+/// cannot be started or was lost. The choice is remembered. A chosen device that comes back, or is there
+/// when the program starts, is made ready by itself; the forces are off then, and a person switches them on.
+/// Without a catalogue it does nothing. Thread: ui.
+class DeviceLink : public QObject {
+    Q_OBJECT
+public:
+    explicit DeviceLink(Engine& engine, QObject* parent = nullptr);
+    /// Gives up what is under way and waits for its end.
+    ~DeviceLink() override;
+
+    /// Must outlive the link. Looks once a second from now on.
+    void setCatalogue(DeviceCatalogue& catalogue);
+    bool hasCatalogue() const { return catalogue_ != nullptr; }
+    const std::vector<DeviceListing>& devices() const { return devices_; }
+    const DeviceListing* find(const QString& id) const;
+    /// Of the device that the engine has.
+    const QString& current() const { return current_; }
+    /// Whether that is another one than the simulated device.
+    bool connected() const { return current_ != kSimulatedDevice; }
+    /// What the person wants; another one than the current while it is not there.
+    const QString& wanted() const { return wanted_; }
+    /// The chosen device went away, and has not come back.
+    bool lost() const { return !lostName_.isEmpty(); }
+    const QString& lostName() const { return lostName_; }
+    bool preparing() const { return preparation_.state == Preparation::State::Running; }
+    const Preparation& preparation() const { return preparation_; }
+
+    /// Makes it ready and gives it to the engine; the simulated one at once.
+    void choose(const QString& id);
+    /// The same once more, after it failed or was given up.
+    void tryAgain();
+    /// Ends the preparing soon.
+    void giveUp();
+    /// Lists now instead of within the next second.
+    void look();
+    /// Once a frame.
+    void frame();
+    /// Of the device in the engine, if this link put it there.
+    StopSwitch& stop() { return *stop_; }
+
+signals:
+    void listChanged();
+    /// Its state, steps, what the person has to do, its progress.
+    void preparationChanged();
+    /// The engine has another device: its forces are off and it knows nothing of the person's settings.
+    void exchanged();
+    /// The chosen device runs. `back`: nobody asked for it just now.
+    void ready(const QString& name, bool back);
+    void failed(const QString& sentence);
+    void wentAway(const QString& name);
+
+private:
+    struct Attempt {
+        QString id;
+        bool back = false;
+        std::atomic<bool> cancelled{false};
+        std::atomic<double> progress{0};
+    };
+    class Watch;
+    using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
+
+    void list();
+    void listed(std::vector<DeviceListing> found, const Made& spare);
+    bool unread();
+    void lose();
+    void bringBack();
+    void begin(const QString& id, bool back);
+    void prepare(const std::shared_ptr<Attempt>& attempt);
+    void knowSteps(const QString& name, const std::vector<std::string>& steps);
+    void beginStep(const QString& step, const QString& todo);
+    void ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure);
+    void adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device);
+    void fail(const QString& sentence);
+    void park();
+    void finish(Preparation::State state);
+
+    Engine& engine_;
+    DeviceCatalogue* catalogue_ = nullptr;
+    std::mutex asking_; ///< the catalogue answers one at a time
+    std::vector<DeviceListing> devices_;
+    Made spare_; ///< a simulated device at hand
+    QString current_, wanted_, next_;
+    QString lostName_;
+    bool nextBack_ = false;
+    bool wantedThere_ = false; ///< when it was last looked for
+    bool listing_ = false, again_ = false;
+    std::uint64_t seenUnread_ = 0;
+    Preparation preparation_;
+    std::shared_ptr<Attempt> attempt_;
+    std::shared_ptr<StopSwitch> stop_;
+    QTimer timer_;
+    QThreadPool pool_; ///< one thread lists, one prepares
+};
+
+} // namespace tactum

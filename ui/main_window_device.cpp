@@ -1,0 +1,253 @@
+// Devices in the window: the dock, what happens when one comes or goes, its workspace, scenes to try it with.
+#include <QAction>
+#include <QDockWidget>
+#include <QStackedWidget>
+
+#include <cmath>
+#include <limits>
+
+#include "ui/device_link.h"
+#include "ui/guard_watch.h"
+#include "ui/hand_link.h"
+#include "ui/health_words.h"
+#include "ui/main_window.h"
+#include "ui/panels/device_connect.h"
+#include "ui/panels/device_live.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/device_trial_page.h"
+#include "ui/panels/notice_bar.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/workspace_fields.h"
+#include "ui/playback.h"
+#include "ui/usb_permission.h"
+#include "ui/view/scene_view.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kUsualRadius = 0.05; // m, of a workspace that is not known
+constexpr std::pair<const char*, Trial> kTrials[] = {
+    {"trial-spring", Trial::Spring}, {"trial-wall", Trial::Wall}, {"trial-friction", Trial::Friction}};
+
+double radiusOf(const DeviceInfo& device) {
+    return device.workspaceRadius > 0 ? device.workspaceRadius : kUsualRadius;
+}
+
+} // namespace
+
+void MainWindow::setCatalogue(DeviceCatalogue& catalogue) {
+    link_->setCatalogue(catalogue);
+    showDeviceCommands();
+}
+
+void MainWindow::addDeviceDock() {
+    devicePanel_ = new DevicePanel(*link_);
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QString::fromLatin1(name)); };
+    addTabBeside(*this, *dock("dock-inspector"), QStringLiteral("dock-device"), tr("Device"), devicePanel_);
+    dock("dock-inspector")->raise();
+    // A dock that comes later takes the room of the others.
+    resizeDocks({dock("dock-inspector")}, {288}, Qt::Horizontal);
+    resizeDocks({dock("dock-inspector"), dock("dock-history")}, {520, 180}, Qt::Vertical);
+}
+
+void MainWindow::connectDevices() {
+    const auto on = [this](const char* id, auto act) {
+        connect(&actions_[id], &QAction::triggered, this, act);
+    };
+    const auto choose = [this] { link_->choose(devicePanel_->connecting().chosen()); };
+    const auto release = [this] { link_->choose(kSimulatedDevice); };
+    on("device-panel", [this] { showDevicePage(int(DevicePanel::Page::Connect)); });
+    on("device-connect", choose);
+    on("device-disconnect", release);
+    on("workspace-centre", [this] { centreWorkspace(false); });
+    on("workspace-fit", [this] { centreWorkspace(true); });
+    on("workspace-axes", [this] {
+        showDevicePage(int(DevicePanel::Page::Workspace));
+        devicePanel_->workspace().beginCapture();
+    });
+    for (const auto& [id, trial] : kTrials)
+        on(id, [this, trial = trial] {
+            showDevicePage(int(DevicePanel::Page::Trial));
+            beginTrial(trial);
+        });
+    on("trial-end", [this] { endTrial(); });
+    connect(link_, &DeviceLink::exchanged, this, &MainWindow::adoptDevice);
+    connect(link_, &DeviceLink::ready, this, &MainWindow::offerReady);
+    connect(link_, &DeviceLink::failed, notice_, &NoticeBar::showError);
+    connect(link_, &DeviceLink::wentAway, this, [this](const QString& name) { sayAway(name); });
+    connect(link_, &DeviceLink::preparationChanged, this, &MainWindow::showDeviceCommands);
+    connect(devicePanel_, &DevicePanel::armPressed, this, &MainWindow::setArmed);
+    DeviceConnect& connecting = devicePanel_->connecting();
+    connect(&connecting, &DeviceConnect::connectPressed, this, choose);
+    connect(&connecting, &DeviceConnect::disconnectPressed, this, release);
+    connect(&connecting, &DeviceConnect::chosenChanged, this, &MainWindow::showDeviceCommands);
+    connect(&connecting, &DeviceConnect::permissionPressed, permission_, &UsbPermission::ask);
+    connect(permission_, &UsbPermission::refused, &connecting, &DeviceConnect::showCommand);
+    connect(permission_, &UsbPermission::granted, this, [this] {
+        notice_->showNote(tr("You may use USB devices now. If yours is still not usable, plug it in anew."));
+        link_->look();
+    });
+    connect(&devicePanel_->live(), &DeviceLive::stopButtonChosen, this, [this](std::uint32_t button) {
+        DeviceSettings next = deviceSettings_;
+        next.stopButton = button;
+        next.workspace.clutch &= ~button; // a button does one thing
+        setDeviceSettings(next);
+    });
+    WorkspaceFields& workspace = devicePanel_->workspace();
+    connect(&workspace, &WorkspaceFields::edited, this, &MainWindow::setWorkspace);
+    connect(&workspace, &WorkspaceFields::centrePressed, this, [this] { centreWorkspace(false); });
+    connect(&workspace, &WorkspaceFields::fitPressed, this, [this] { centreWorkspace(true); });
+    connect(&workspace, &WorkspaceFields::captureBegun, this, &MainWindow::switchOff);
+    connect(&devicePanel_->trial(), &DeviceTrialPage::chosen, this, &MainWindow::beginTrial);
+    connect(&devicePanel_->trial(), &DeviceTrialPage::endPressed, this, &MainWindow::endTrial);
+    hand_->setIdle(link_->connected());
+    showDeviceSettings();
+    showDeviceCommands();
+}
+
+void MainWindow::showDevicePage(int page) {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock-device"));
+    dock->show();
+    dock->raise();
+    devicePanel_->showPage(DevicePanel::Page(page));
+    devicePanel_->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// Another device is in the engine, without force.
+void MainWindow::adoptDevice() {
+    endTrial(); // it was laid out for the other one
+    guard_->forget();
+    showArmed(false);
+    hand_->setIdle(link_->connected());
+    riskAccepted_ = false;
+    deviceSettings_ = link_->connected() ? rememberedSettings(link_->current()) : DeviceSettings{};
+    setDeviceSettings(deviceSettings_);
+    restoreDeadMan();
+    displayHealth();
+    showDeviceCommands();
+}
+
+// How a person's device lies in the scene, and what its buttons do, belongs to neither the scene nor its
+// history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
+void MainWindow::setDeviceSettings(const DeviceSettings& settings) {
+    deviceSettings_ = settings;
+    if (const auto possible = engine_.setWorkspace(settings.workspace); !possible)
+        notice_->showError(QString::fromStdString(possible.error().text));
+    link_->stop().buttons = settings.stopButton;
+    if (link_->connected()) rememberSettings(link_->current(), settings);
+    showDeviceSettings();
+}
+
+void MainWindow::showDeviceSettings() {
+    const DeviceInfo& device = engine_.device();
+    devicePanel_->live().setStopButton(deviceSettings_.stopButton, device.buttons, link_->connected());
+    devicePanel_->workspace().show(deviceSettings_.workspace, device.buttons, device.workspaceRadius,
+                                   link_->connected());
+}
+
+void MainWindow::setWorkspace(const Workspace& workspace) {
+    DeviceSettings next = deviceSettings_;
+    next.workspace = workspace;
+    next.stopButton &= ~workspace.clutch; // a button does one thing
+    setDeviceSettings(next);
+}
+
+void MainWindow::centreWorkspace(bool fit) {
+    if (!link_->connected()) return;
+    const Bounds model = boundsOf(document_.scene());
+    Workspace next = deviceSettings_.workspace;
+    next.offset = model.empty() ? Vec3(Vec3::Zero()) : model.centre();
+    if (fit && model.diagonal() > 0)
+        next.scale = kWorkspaceScale.clamped(0.5 * model.diagonal() / radiusOf(engine_.device()));
+    // Where clutch and bump have taken the workspace is kept as long as the offset is the same number.
+    if (next.offset == deviceSettings_.workspace.offset)
+        next.offset.x() = std::nextafter(next.offset.x(), std::numeric_limits<double>::infinity());
+    setWorkspace(next);
+}
+
+/// Once a frame.
+void MainWindow::watchDevice() {
+    link_->frame();
+    devicePanel_->display(engine_);
+    // The device itself has been without force since the tick that read the button.
+    if (!link_->stop().pressed || !engine_.armed()) return;
+    setArmed(false);
+    notice_->showNote(tr("Stopped by the button of the device. Device > Forces on goes on."));
+}
+
+void MainWindow::offerReady(const QString& name, bool back) {
+    notice_->offer((back ? tr("%1 is there and ready. The forces are off: hold the handle, then arm.")
+                         : tr("%1 is ready. The forces are off: hold the handle, then arm."))
+                       .arg(name),
+                   QStringLiteral("note"), tr("Arm"), [this] { setArmed(true); });
+}
+
+void MainWindow::sayAway(const QString& name, const QString& more) {
+    notice_->showError(
+        tr("%1 is not there any more; the forces are off. Plug it in: it is made ready again by "
+           "itself. Until then the mouse leads a simulated hand. %2")
+            .arg(name, more)
+            .trimmed());
+}
+
+void MainWindow::showDeviceCommands() {
+    const QString chosen = devicePanel_->connecting().chosen();
+    const bool connected = link_->connected();
+    actions_["device-connect"].setEnabled(!chosen.isEmpty() && chosen != link_->current() &&
+                                          !link_->preparing());
+    actions_["device-disconnect"].setEnabled(link_->hasCatalogue() && (connected || link_->preparing()));
+    for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
+        actions_[id].setEnabled(connected && !playback_->active());
+    showTrial();
+}
+
+void MainWindow::switchOff() {
+    guard_->setArmed(false);
+    showArmed(false);
+}
+
+void MainWindow::beginTrial(Trial trial) {
+    playback_->end();
+    switchOff();
+    const ServoTelemetry& servo = engine_.servo();
+    const DeviceInfo& device = engine_.device();
+    const TrialFigures figures{.centre = servo.frame.offset,
+                               .radius = servo.frame.scale * radiusOf(device),
+                               .maxForce = device.maxForce,
+                               .ceiling = ceilingNow(servo, device).value};
+    trial_ = trial;
+    const auto scene = std::make_shared<const Scene>(trialScene(trial, figures));
+    publisher_.setTrial(scene);
+    view_->setSelection({});
+    view_->setScene(*scene);
+    view_->setProxyRadius(scene->proxyRadius);
+    centre_->setCurrentWidget(view_);
+    view_->fit();
+    hand_->placeAt(figures.centre);
+    showTrial();
+}
+
+/// Safe to call when nothing is tried. Forces off: the finger may be inside of the person's model.
+void MainWindow::endTrial() {
+    if (!trial_) return;
+    trial_.reset();
+    switchOff();
+    publisher_.setTrial(nullptr);
+    view_->setScene(document_.scene());
+    view_->setProxyRadius(document_.scene().proxyRadius);
+    view_->setSelection(document_.selected());
+    if (!document_.empty()) view_->fit();
+    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+    hand_->placeBeside(boundsOf(document_.scene()));
+    showTrial();
+}
+
+void MainWindow::showTrial() {
+    for (const auto& [id, trial] : kTrials)
+        actions_[id].setChecked(trial_ == trial);
+    actions_["trial-end"].setEnabled(trial_.has_value());
+    devicePanel_->trial().setTrial(trial_);
+}
+
+} // namespace tactum

@@ -1,0 +1,169 @@
+#include "ui/panels/device_connect.h"
+
+#include <algorithm>
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "ui/device_link.h"
+#include "ui/panels/columns.h"
+#include "ui/panels/device_steps.h"
+#include "ui/panels/hinted_tree.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+constexpr int kListHeight = 22 * kRhythm;
+
+/// One row of sentences for each device.
+class DeviceList final : public HintedTree {
+public:
+    DeviceList() : HintedTree(DeviceConnect::tr("Looking for devices...")) {
+        setObjectName(QStringLiteral("device-list"));
+        setAccessibleName(DeviceConnect::tr("Haptic devices"));
+        setRootIsDecorated(false);
+        setWrapping();
+        setMinimumHeight(kListHeight);
+    }
+    using HintedTree::wrapRows;
+};
+
+QString lineOf(const DeviceLink& link, const DeviceListing& listing) {
+    const QString id = QString::fromStdString(listing.id);
+    const QString name = QString::fromStdString(listing.name);
+    const QString sentence = QString::fromStdString(listing.sentence);
+    if (!id.isEmpty() && id == link.current())
+        return DeviceConnect::tr("%1 \u00b7 in use\n%2").arg(name, sentence);
+    if (!listing.usable && !id.isEmpty())
+        return DeviceConnect::tr("%1 \u00b7 not usable\n%2").arg(name, sentence);
+    return QStringLiteral("%1\n%2").arg(name, sentence);
+}
+
+QIcon iconOf(const DeviceLink& link, const DeviceListing& listing) {
+    if (!listing.id.empty() && QString::fromStdString(listing.id) == link.current())
+        return icon(QStringLiteral("check"), theme().contact);
+    if (listing.id.empty()) return icon(QStringLiteral("note"), theme().textDimmed);
+    return listing.usable ? icon(QStringLiteral("touch"), theme().text)
+                          : icon(QStringLiteral("warning"), theme().stick);
+}
+
+} // namespace
+
+// The sentence of a listing is all that the window knows of a driver.
+bool wantsPermission(const DeviceLink& link) {
+    return std::ranges::any_of(link.devices(), [](const DeviceListing& listing) {
+        const QString sentence = QString::fromStdString(listing.sentence);
+        return !listing.usable && (sentence.contains(QLatin1String("permission"), Qt::CaseInsensitive) ||
+                                   sentence.contains(QLatin1String("udev"), Qt::CaseInsensitive));
+    });
+}
+
+DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
+    : QWidget(parent), link_(link), list_(new DeviceList), connect_(new QPushButton(tr("Connect"))),
+      disconnect_(new QPushButton(tr("Disconnect"))), permit_(new QPushButton(tr("Let me use USB devices"))),
+      sentence_(new QLabel), command_(new QLineEdit), copy_(new QPushButton(tr("Copy"))),
+      steps_(new DeviceSteps) {
+    connect_->setObjectName(QStringLiteral("device-connect-button"));
+    connect_->setToolTip(tr("Make the chosen device ready, step by step"));
+    disconnect_->setObjectName(QStringLiteral("device-disconnect-button"));
+    disconnect_->setToolTip(tr("Give the device back; the mouse leads a simulated hand"));
+    permit_->setObjectName(QStringLiteral("device-permit"));
+    permit_->setToolTip(tr("Puts a rule where udev looks for it, after an administrator's consent"));
+    sentence_->setObjectName(QStringLiteral("device-permit-sentence"));
+    sentence_->setWordWrap(true);
+    command_->setObjectName(QStringLiteral("device-permit-command"));
+    command_->setAccessibleName(tr("Line for a terminal"));
+    command_->setReadOnly(true);
+    copy_->setObjectName(QStringLiteral("device-permit-copy"));
+    auto* column = columnIn(this, kRhythm);
+    column->addWidget(list_);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(connect_, 1);
+    buttons->addWidget(disconnect_, 1);
+    column->addLayout(buttons);
+    column->addWidget(permit_);
+    column->addWidget(sentence_);
+    auto* line = new QHBoxLayout;
+    line->addWidget(command_, 1);
+    line->addWidget(copy_);
+    column->addLayout(line);
+    column->addWidget(steps_);
+    column->addStretch();
+    showCommand({}, {});
+    connect(connect_, &QPushButton::clicked, this, &DeviceConnect::connectPressed);
+    connect(disconnect_, &QPushButton::clicked, this, &DeviceConnect::disconnectPressed);
+    connect(permit_, &QPushButton::clicked, this, &DeviceConnect::permissionPressed);
+    connect(copy_, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(command_->text()); });
+    connect(steps_, &DeviceSteps::giveUpPressed, &link_, &DeviceLink::giveUp);
+    connect(steps_, &DeviceSteps::againPressed, &link_, &DeviceLink::tryAgain);
+    connect(list_, &QTreeWidget::currentItemChanged, this, &DeviceConnect::follow);
+    connect(list_, &QTreeWidget::itemActivated, this, [this] { emit connectPressed(); });
+    connect(&link_, &DeviceLink::listChanged, this, &DeviceConnect::fill);
+    connect(&link_, &DeviceLink::exchanged, this, &DeviceConnect::fill);
+    connect(&link_, &DeviceLink::preparationChanged, this, &DeviceConnect::follow);
+    fill();
+}
+
+QString DeviceConnect::chosen() const {
+    const QTreeWidgetItem* row = list_->currentItem();
+    const DeviceListing* listing = row ? link_.find(row->data(0, kIdRole).toString()) : nullptr;
+    return listing && listing->usable ? QString::fromStdString(listing->id) : QString();
+}
+
+void DeviceConnect::showCommand(const QString& sentence, const QString& command) {
+    sentence_->setText(sentence);
+    sentence_->setVisible(!sentence.isEmpty());
+    command_->setText(command);
+    command_->setCursorPosition(0);
+    command_->setVisible(!command.isEmpty());
+    copy_->setVisible(!command.isEmpty());
+}
+
+void DeviceConnect::fill() {
+    const QTreeWidgetItem* before = list_->currentItem();
+    const QString kept = before ? before->data(0, kIdRole).toString() : link_.wanted();
+    {
+        const QSignalBlocker quiet(list_);
+        list_->clear();
+        for (const DeviceListing& listing : link_.devices()) {
+            auto* row = new QTreeWidgetItem(list_, {lineOf(link_, listing)});
+            row->setIcon(0, iconOf(link_, listing));
+            row->setToolTip(0, QString::fromStdString(listing.sentence));
+            row->setData(0, kIdRole, QString::fromStdString(listing.id));
+            if (listing.id.empty()) row->setFlags(Qt::ItemIsEnabled); // a remark
+            if (!listing.id.empty() && QString::fromStdString(listing.id) == kept) list_->setCurrentItem(row);
+        }
+        static_cast<DeviceList*>(list_)->wrapRows();
+    }
+    follow();
+}
+
+void DeviceConnect::follow() {
+    steps_->show(link_.preparation());
+    const bool wants = wantsPermission(link_);
+    permit_->setVisible(wants);
+    if (!wants) showCommand({}, {});
+    connect_->setEnabled(!chosen().isEmpty() && chosen() != link_.current() && !link_.preparing());
+    disconnect_->setEnabled(link_.hasCatalogue() && (link_.connected() || link_.preparing()));
+    emit chosenChanged();
+}
+
+void DeviceConnect::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        fill();
+        steps_->show(link_.preparation());
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace tactum

@@ -1,0 +1,53 @@
+// The page "Connect" of the dock Device: which devices there are, and making one ready.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace tactum {
+
+class DeviceLink;
+class DeviceSteps;
+
+/// Thread: ui.
+class DeviceConnect : public QWidget {
+    Q_OBJECT
+public:
+    explicit DeviceConnect(DeviceLink& link, QWidget* parent = nullptr);
+
+    /// Id of the chosen row; empty when there is none, or when its device cannot be used.
+    QString chosen() const;
+    /// A line for a terminal, to be copied; with the sentence that leads to it.
+    void showCommand(const QString& sentence, const QString& command);
+
+signals:
+    void connectPressed();
+    void disconnectPressed();
+    void permissionPressed();
+    /// Another row, or another state of it.
+    void chosenChanged();
+
+protected:
+    void changeEvent(QEvent* event) override; ///< another theme
+
+private:
+    void fill();
+    void follow();
+
+    DeviceLink& link_;
+    QTreeWidget* list_;
+    QPushButton *connect_, *disconnect_, *permit_;
+    QLabel* sentence_;
+    QLineEdit* command_;
+    QPushButton* copy_;
+    DeviceSteps* steps_;
+};
+
+/// Whether a device is listed that the person's account may not open.
+bool wantsPermission(const DeviceLink& link);
+
+} // namespace tactum

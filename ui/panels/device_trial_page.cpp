@@ -1,0 +1,110 @@
+#include "ui/panels/device_trial_page.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "core/runtime/engine.h"
+#include "ui/health_words.h"
+#include "ui/numbers.h"
+#include "ui/panels/columns.h"
+#include "ui/panels/force_meter.h"
+#include "ui/style.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kFramesPerFigure = 6;
+
+struct Words {
+    Trial trial;
+    const char* name;
+    const char* button;
+    const char* task;
+};
+constexpr std::array<Words, 3> kWords{{
+    {Trial::Spring, "trial-spring-button", "Spring",
+     "Bring the finger to the middle. From there a gentle spring draws it back, wherever you go."},
+    {Trial::Wall, "trial-wall-button", "Wall",
+     "A stiff wall stands to the right of the middle. Push against it: it holds and does not buzz."},
+    {Trial::Friction, "trial-friction-button", "Friction",
+     "A plate lies below the middle. Press on it and stroke: it holds, then lets go and slides."},
+}};
+
+QLabel* words(const char* name, bool dimmed) {
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String(name));
+    label->setProperty("dimmed", dimmed);
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+DeviceTrialPage::DeviceTrialPage(QWidget* parent)
+    : QWidget(parent), task_(words("trial-task", false)), state_(words("trial-state", false)),
+      limits_(words("trial-limits", true)), force_(new ForceMeter),
+      end_(new QPushButton(tr("Back to my scene"))) {
+    auto* column = columnIn(this, kRhythm);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kRhythm / 2);
+    column->addLayout(row);
+    for (std::size_t i = 0; i < kWords.size(); ++i) {
+        auto* button = buttons_[i] = new QToolButton;
+        button->setObjectName(QLatin1String(kWords[i].name));
+        button->setText(tr(kWords[i].button));
+        button->setToolTip(tr(kWords[i].task));
+        button->setAccessibleName(tr("Try: %1").arg(button->text()));
+        button->setCheckable(true);
+        button->setProperty("choice", true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(button, 1);
+        connect(button, &QToolButton::clicked, this, [this, i] {
+            setTrial(trial_); // until whoever decides says so
+            emit chosen(kWords[i].trial);
+        });
+    }
+    force_->setObjectName(QStringLiteral("trial-force"));
+    end_->setObjectName(QStringLiteral("trial-end-button"));
+    for (QWidget* each : std::initializer_list<QWidget*>{task_, state_, force_, limits_, end_})
+        column->addWidget(each);
+    column->addStretch();
+    connect(end_, &QPushButton::clicked, this, &DeviceTrialPage::endPressed);
+    setTrial({});
+}
+
+void DeviceTrialPage::setTrial(std::optional<Trial> trial) {
+    trial_ = trial;
+    for (std::size_t i = 0; i < kWords.size(); ++i)
+        buttons_[i]->setChecked(trial == kWords[i].trial);
+    task_->setText(trial ? tr(kWords[std::size_t(*trial)].task)
+                         : tr("Three small scenes to feel whether a device works as it should. Your own "
+                              "scene waits, unchanged."));
+    state_->setVisible(trial.has_value());
+    end_->setEnabled(trial.has_value());
+    frames_ = 0;
+}
+
+void DeviceTrialPage::display(const Engine& engine) {
+    force_->setForce(engine.servo().force.norm(), std::max(0.1, engine.device().maxForce));
+    if (frames_++ % kFramesPerFigure) return;
+    state_->setText(engine.armed() ? tr("The forces are on.")
+                                   : tr("The forces are off. Hold the handle, then arm."));
+    showLimits(engine);
+}
+
+void DeviceTrialPage::showLimits(const Engine& engine) {
+    const DeviceInfo& device = engine.device();
+    const CeilingNow ceiling = ceilingNow(engine.servo(), device);
+    QString force = tr("At most %1 N").arg(numberText(device.maxForce, 1));
+    if (device.continuousForce > 0 && device.continuousForce < device.maxForce)
+        force += tr(", %1 N for ever").arg(numberText(device.continuousForce, 1));
+    limits_->setText(
+        tr("%1. Stiffness up to %2 N/m, %3.").arg(force, numberText(ceiling.value, 0), ceiling.reason));
+}
+
+} // namespace tactum

@@ -1,0 +1,66 @@
+#include "ui/usb_permission.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace tactum {
+
+namespace {
+
+/// For a shell, which gets the rule as its first argument.
+constexpr const char* kScript = "install -m 644 -- \"$1\" /etc/udev/rules.d/70-tactum.rules && "
+                                "udevadm control --reload && udevadm trigger --subsystem-match=usb";
+
+QString quoted(QString path) {
+    return u'\'' + path.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
+}
+
+} // namespace
+
+QString udevRule() {
+    const QString program = QCoreApplication::applicationDirPath();
+    for (const QString& folder :
+         {program + QStringLiteral("/../share/tactum"), QStringLiteral(TACTUM_RESOURCES)})
+        if (const QFileInfo rule(folder + QStringLiteral("/udev/70-tactum.rules")); rule.exists())
+            return rule.canonicalFilePath();
+    return {};
+}
+
+QString udevCommand(const QString& rule) {
+    QString script = QString::fromLatin1(kScript);
+    return QStringLiteral("sudo sh -c '%1' sh %2").arg(script, quoted(rule));
+}
+
+UsbPermission::UsbPermission(QObject* parent) : QObject(parent) {}
+
+void UsbPermission::ask() {
+    if (asking_) return;
+    const QString rule = udevRule();
+    if (rule.isEmpty())
+        return emit refused(tr("The rule 70-tactum.rules was not installed with the program: install the "
+                               "program anew."),
+                            {});
+    const QString asker = QStandardPaths::findExecutable(QStringLiteral("pkexec"));
+    if (asker.isEmpty())
+        return emit refused(tr("Run this line in a terminal, then plug the device in anew:"),
+                            udevCommand(rule));
+    asking_ = true;
+    // Nobody's child: who is asked for a password may go on answering when the window is closed, and what
+    // runs as root could not be ended from here.
+    auto* process = new QProcess;
+    connect(process, &QProcess::finished, process, &QObject::deleteLater);
+    connect(process, &QProcess::finished, this, &UsbPermission::finish);
+    process->start(asker, {QStringLiteral("/bin/sh"), QStringLiteral("-c"), QString::fromLatin1(kScript),
+                           QStringLiteral("sh"), rule});
+}
+
+void UsbPermission::finish(int code, QProcess::ExitStatus status) {
+    asking_ = false;
+    if (status == QProcess::NormalExit && code == 0) return emit granted();
+    emit refused(
+        tr("The system did not allow it. Run this line in a terminal, then plug the device in anew:"),
+        udevCommand(udevRule()));
+}
+
+} // namespace tactum
