@@ -14,8 +14,4 @@ std::string toJson(const std::vector<DeviceListing>& listings);
 /// Nothing where the text is no such array. Thread: any but real time.
 std::vector<DeviceListing> listingsOf(std::string_view json);
 
-/// What `program` writes with these arguments, at most 1 MB; empty when it does not start, fails or takes
-/// longer than `patience` ms, after which it is killed. Thread: any but real time.
-std::string outputOf(const std::string& program, std::vector<std::string> arguments, int patience);
-
 } // namespace tactum

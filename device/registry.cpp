@@ -9,8 +9,10 @@
 #include <unistd.h>
 
 #include "device/falcon/falcon.h"
+#include "device/falcon/falcon_line.h"
 #include "device/listings_text.h"
 #include "device/profile.h"
+#include "device/remote/output_of.h"
 #include "device/remote/remote_device.h"
 #include "device/simulated_hand.h"
 #include "device/usb/usb_link.h"
@@ -37,7 +39,7 @@ struct UsbFamily {
 };
 
 constexpr std::array<UsbFamily, 2> kUsbFamilies{{
-    {"falcon", kFalconId, "Novint Falcon",
+    {"falcon", kFalconUsb, "Novint Falcon",
      [](const UsbPlace& place, const DeviceInfo& profile) -> std::unique_ptr<HapticDevice> {
          return std::make_unique<Falcon>(place, profile, FalconSettings{});
      }},

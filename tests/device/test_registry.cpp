@@ -3,6 +3,7 @@
 
 #include "device/listings_text.h"
 #include "device/registry.h"
+#include "device/remote/output_of.h"
 #include "tests/device/usb/emulated_usb.h"
 
 using namespace tactum;
