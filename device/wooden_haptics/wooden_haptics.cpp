@@ -78,6 +78,15 @@ private:
     std::array<int, 3> sum_{};
 };
 
+/// What was plugged in again is another place on the bus, but in the same socket.
+UsbPlace placeNow(const UsbPlace& before) {
+    const UsbId wanted[] = {before.id};
+    if (const auto places = listUsb(wanted))
+        for (const UsbPlace& place : *places)
+            if (place.port == before.port) return place;
+    return before;
+}
+
 } // namespace
 
 WoodenHaptics::WoodenHaptics(const UsbPlace& place, DeviceInfo profile)
@@ -106,7 +115,7 @@ Result<void> WoodenHaptics::prepare(Opening& opening) {
 Result<void> WoodenHaptics::connect(Opening& opening) {
     if (link_) return {};
     opening.begin(kConnect);
-    auto link = UsbLink::open(place_, kEndpoints);
+    auto link = UsbLink::open(placeNow(place_), kEndpoints);
     if (!link) return tl::unexpected(link.error());
     link_ = std::move(*link);
     return {};
