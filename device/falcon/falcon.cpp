@@ -14,6 +14,7 @@ constexpr int kButtons = 4;
 /// hears one in each. More would only wait in line and come late.
 constexpr int kMostUnanswered = 2;
 constexpr double kUnheard = 0.01; ///< s, without a command handed over
+constexpr int kMostFailures = 5;  ///< transfers in a row
 constexpr auto kTick = std::chrono::milliseconds(1);
 
 const char* sentenceOf(FalconTrouble trouble) {
@@ -31,8 +32,9 @@ const char* sentenceOf(FalconTrouble trouble) {
     case FalconTrouble::Impossible:
         return "The Falcon says that its arm is where none can be: switch its power off and on and home it "
                "again.";
-    case FalconTrouble::Unheard:
-        return "Commands do not get through to the Falcon: look at its USB cable, then connect it anew.";
+    case FalconTrouble::Broken:
+        return "The Falcon and this machine do not hear each other: look at its USB cable, then connect it "
+               "anew.";
     case FalconTrouble::Gone:
         return "The Falcon was unplugged: plug it in and connect it anew.";
     }
@@ -141,13 +143,13 @@ DeviceSample Falcon::exchange(const DeviceCommand& wanted, double dt) noexcept {
     command(wanted.force, dt);
     const FalconTrouble trouble = troubleNow();
     trouble_.store(trouble, std::memory_order_relaxed);
-    if (trouble == FalconTrouble::Gone || trouble == FalconTrouble::Unheard) sample.valid = false;
+    if (trouble == FalconTrouble::Gone || trouble == FalconTrouble::Broken) sample.valid = false;
     return sample;
 }
 
 FalconTrouble Falcon::troubleNow() const noexcept {
     if (link_->gone()) return FalconTrouble::Gone;
-    if (unheard_ > kUnheard) return FalconTrouble::Unheard;
+    if (unheard_ > kUnheard || link_->failures() > kMostFailures) return FalconTrouble::Broken;
     return readings_.trouble();
 }
 

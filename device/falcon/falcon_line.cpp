@@ -56,7 +56,7 @@ Result<std::vector<std::uint8_t>> hearFalcon(UsbLink& link, milliseconds patienc
 }
 
 Result<std::optional<FalconReport>> askFalcon(UsbLink& link, const FalconCommand& command) {
-    constexpr milliseconds kPatience{100}, kPacket{20};
+    constexpr milliseconds kPatience{50}, kPacket{20};
     if (auto sent = link.write(encodeCommand(command)); !sent) return tl::unexpected(sent.error());
     FalconStream stream;
     std::optional<FalconReport> answer;

@@ -36,7 +36,7 @@ Result<void> releaseFalconReset(UsbLink& link);
 /// What the processor said next; empty when nothing came within one packet or `patience`.
 Result<std::vector<std::uint8_t>> hearFalcon(UsbLink& link, std::chrono::milliseconds patience);
 
-/// Sends a command and waits for its report, a tenth of a second at most; nullopt: none came.
+/// Sends a command and waits for its report, 50 ms at most; nullopt: none came.
 Result<std::optional<FalconReport>> askFalcon(UsbLink& link, const FalconCommand& command);
 
 } // namespace tactum

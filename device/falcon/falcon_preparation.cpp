@@ -145,7 +145,7 @@ Result<void> Preparation::home() {
 }
 
 Result<void> Preparation::waitForHome() {
-    constexpr int kMostSilent = 10; // tenths of a second
+    constexpr int kMostSilent = 20; // questions without an answer: a second
     watcher_.begin(kHome, "Pull the grip all the way out, then push it all the way in.");
     for (int silent = 0; silent < kMostSilent;) {
         if (givenUp()) return cancelled(kHome);

@@ -14,7 +14,8 @@ bool FalconReadings::follow(const FalconLegs& counts) noexcept {
         known_ = false;
         return false;
     }
-    const bool jumped = known_ && (*place - position_).norm() > kFastest * std::max(silence_, kShortest);
+    const double longest = std::max(*std::max_element(spans_.begin(), spans_.end()), kShortest);
+    const bool jumped = known_ && (*place - position_).norm() > kFastest * std::max(silence_, longest);
     if (jumped) why_ = FalconTrouble::Jumped;
     position_ = *place;
     arm_ = *arm;
@@ -23,6 +24,7 @@ bool FalconReadings::follow(const FalconLegs& counts) noexcept {
 }
 
 DeviceSample FalconReadings::operator()(const std::optional<FalconReport>& report, double dt) noexcept {
+    spans_ = {dt, spans_[0], spans_[1]};
     silence_ += std::max(0.0, dt);
     distrust_ = std::max(0, distrust_ - 1);
     mention_ = std::max(0.0, mention_ - dt);

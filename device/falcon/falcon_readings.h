@@ -1,6 +1,7 @@
 // What may be believed of the Falcon's reports, and whether it may be pushed. Thread: real time.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/control/haptic_device.h"
@@ -14,7 +15,7 @@ enum class FalconTrouble : unsigned char {
     NotHomed,   ///< counts without meaning
     Jumped,     ///< counts that no hand makes
     Impossible, ///< counts of no place
-    Unheard,    ///< commands do not get through
+    Broken,     ///< transfers fail
     Gone,       ///< unplugged
 };
 
@@ -48,6 +49,9 @@ private:
     bool homed_ = false;
     std::uint32_t buttons_ = 0;
     double silence_ = 0; ///< s
+    /// s, of the last exchanges: a report answers one of the commands before, so that after a stall the
+    /// reports are as far apart as the exchanges were.
+    std::array<double, 3> spans_{};
     int distrust_ = 0;   ///< exchanges that are still not believed
     double mention_ = 0; ///< s
     FalconTrouble why_ = FalconTrouble::None;

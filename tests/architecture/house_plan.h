@@ -145,6 +145,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/runtime/servo_loop",
     "device/falcon/falcon_packet",
     "device/falcon/falcon_kinematics",
+    "device/falcon/falcon_readings",
 };
 
 /// Standard headers whose contents lock, wait, write text or allocate by design.

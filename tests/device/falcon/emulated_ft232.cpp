@@ -68,7 +68,9 @@ std::optional<EmulatedFt232::LineByte> EmulatedFt232::fromLine(std::int64_t now)
 }
 
 void EmulatedFt232::toLine(std::uint8_t byte, double baud, std::int64_t now) {
+    constexpr std::size_t kRoom = 256;
     upBusy_ = std::max(upBusy_, now) + scaled(kBits / baud);
+    if (up_.size() >= kRoom) return; // nobody fetches them
     const bool readable = baud > 0.97 * baud_ && baud < 1.03 * baud_;
     up_.push_back({readable ? byte : std::uint8_t(byte * 7 ^ 0xe5), baud, upBusy_});
 }
@@ -83,7 +85,10 @@ std::optional<Bytes> EmulatedFt232::toHost(std::int64_t now) {
     for (std::size_t i = 0; i < size; ++i, up_.pop_front())
         packet.push_back(up_.front().byte);
     if (std::exchange(babble, false)) packet.resize(80, '<');
-    lastPacket_ = now;
+    // The bus is looked at now and then; the host's reads waited all the while.
+    constexpr int kReads = 3;
+    const std::int64_t period = scaled(1e-3 * latency);
+    lastPacket_ = std::max(lastPacket_ + period, now - kReads * period);
     return packet;
 }
 

@@ -87,11 +87,16 @@ struct Run {
     DeviceSample last;
 };
 
-/// Exchanges as if 1 ms apart, and fast enough for a chip in a hurry to have answered between.
+/// Exchanges as if 1 ms apart, and fast enough for a chip in a hurry to have answered between; when the
+/// machine was busy with others, as far apart as they were: the hand went on meanwhile.
 inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero()) {
+    using Clock = std::chrono::steady_clock;
+    static auto last = Clock::now();
     Run run;
     for (int i = 0; i < times; ++i) {
-        run.last = falcon.exchange({force}, 1e-3);
+        const auto now = Clock::now();
+        const double elapsed = std::chrono::duration<double>(now - std::exchange(last, now)).count();
+        run.last = falcon.exchange({force}, std::max(1e-3, elapsed));
         run.valid += run.last.valid;
         std::this_thread::sleep_for(std::chrono::microseconds(300));
     }

@@ -56,8 +56,8 @@ const std::vector<Fault>& faults() {
          inTheDevice({.encoderJump = {0, -20'000, 0}})},
         {"no power", [](FalconBench& bench) { bench.device->setPower(false); }, "power supply",
          [](FalconBench& bench) { bench.device->startFirmware(true); }},
-        {"reading stalls", onTheBus({.stallIn = true}), "does not answer"},
-        {"writing stalls", onTheBus({.stallOut = true}), "do not get through", onTheBus({}), false},
+        {"reading stalls", onTheBus({.stallIn = true}), "do not hear"},
+        {"writing stalls", onTheBus({.stallOut = true}), "do not hear", onTheBus({}), false},
         {"nothing completes", onTheBus({.mute = true}), "", onTheBus({}), false},
     };
     return all;
@@ -325,7 +325,8 @@ private slots:
         fault.end(bench);
         exchange(*falcon, 200);
         QCOMPARE(bench.device->motors(), kNoTorque);
-        QVERIFY(exchange(*falcon, 50).valid > 40);
+        const int valid = exchange(*falcon, 50).valid;
+        QVERIFY2(valid > 40, qPrintable(QString::number(valid)));
         QVERIFY(exchange(*falcon, 50, kPush).valid > 40);
         QVERIFY(bench.device->motors() != kNoTorque);
         QVERIFY(!bench.device->overdriven());
