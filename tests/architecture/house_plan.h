@@ -111,6 +111,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/dynamics/motion",
     "core/control/device_frame",
     "core/control/force_limiter",
+    "core/control/stop_button",
     "core/control/guard",
     "core/control/motor_heat",
     "core/control/oscillation_detector",

@@ -230,7 +230,7 @@ void TestDevice::aFailingStepIsNamedAndTriedAgain() {
     const QString sentence = QStringLiteral("The grip did not move: pull it all the way out.");
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-failure"), sentence, kPatience);
     QCOMPARE(desk.steps(), QStringLiteral("Load the firmware done, Find home failed, Rest"));
-    QCOMPARE(desk.text("notice-text"), sentence);
+    QCOMPARE(desk.text("notice-text"), QStringLiteral("Fake arm, step \"Find home\": ") + sentence);
     QCOMPARE(desk.text("device-preparing"), QStringLiteral("Fake arm could not be made ready"));
     QVERIFY(desk.engine().running() && desk.link().current() == kSimulatedDevice);
     QCOMPARE(desk.desk->made.load(), 0); // nobody keeps it
@@ -418,6 +418,7 @@ void TestDevice::aButtonEndsAllForce() {
     QVERIFY(desk.desk->force > 0.1);
     // The servo has taken the force away before the window has seen anything: it does not run here.
     desk.desk->buttons = 0b010;
+    desk.engine().poll();
     const std::uint64_t ticks = desk.engine().servo().ticks;
     while (desk.engine().servo().ticks < ticks + 20) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
