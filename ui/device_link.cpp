@@ -255,11 +255,15 @@ void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> dev
 }
 
 void DeviceLink::fail(const QString& sentence) {
+    QString where = preparation_.name;
     for (Preparation::Step& step : preparation_.steps)
-        if (step.state == StepState::Doing) step.state = StepState::Failed;
+        if (step.state == StepState::Doing) {
+            step.state = StepState::Failed;
+            where = tr("%1, step \"%2\"").arg(preparation_.name, step.name);
+        }
     preparation_.failure = sentence;
     finish(Preparation::State::Failed);
-    emit failed(sentence);
+    emit failed(QStringLiteral("%1: %2").arg(where, sentence));
 }
 
 void DeviceLink::finish(Preparation::State state) {

@@ -159,7 +159,7 @@ void MainWindow::follow(const SceneChange& change) {
 void MainWindow::showOpened() {
     showFile();
     view_->setFocus();
-    hint_->offer();
+    if (!hand_->idle()) hint_->offer();
 }
 
 void MainWindow::hidePanels(bool hidden) {

@@ -14,6 +14,7 @@
 
 #include "core/recording/recording_file.h"
 #include "ui/guide_window.h"
+#include "ui/hand_link.h"
 #include "ui/held_key.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/panels/notice_bar.h"
@@ -168,7 +169,7 @@ void MainWindow::connectView() {
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
     connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
         hint_->hide();
-        if (on && !document_.empty()) hint_->offer();
+        if (on && !document_.empty() && !hand_->idle()) hint_->offer();
     });
     actions_["touch"].trigger();
     connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);

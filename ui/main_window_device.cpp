@@ -19,6 +19,7 @@
 #include "ui/panels/start_page.h"
 #include "ui/panels/workspace_fields.h"
 #include "ui/playback.h"
+#include "ui/touch_hint.h"
 #include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
 
@@ -120,6 +121,7 @@ void MainWindow::adoptDevice() {
     guard_->forget();
     showArmed(false);
     hand_->setIdle(link_->connected());
+    if (link_->connected()) hint_->hide(); // the mouse leads nothing
     riskAccepted_ = false;
     deviceSettings_ = link_->connected() ? rememberedSettings(link_->current()) : DeviceSettings{};
     setDeviceSettings(deviceSettings_);

@@ -113,6 +113,7 @@ inline const std::vector<std::string_view> kRealtimeFiles{
     "core/control/device_frame",
     "core/control/device_mailbox",
     "core/control/force_limiter",
+    "core/control/stop_button",
     "core/control/guard",
     "core/control/motor_heat",
     "core/control/oscillation_detector",

@@ -22,7 +22,7 @@ namespace tactum {
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
-constexpr int kListHeight = 22 * kRhythm;
+constexpr int kLowest = 8 * kRhythm, kHighest = 26 * kRhythm; // of the list
 
 /// One row of sentences for each device.
 class DeviceList final : public HintedTree {
@@ -32,9 +32,22 @@ public:
         setAccessibleName(DeviceConnect::tr("Haptic devices"));
         setRootIsDecorated(false);
         setWrapping();
-        setMinimumHeight(kListHeight);
+        fit();
     }
-    using HintedTree::wrapRows;
+    /// As high as its rows, so that the steps have room below.
+    void fit() {
+        wrapRows();
+        int height = kRhythm;
+        for (int i = 0; i < topLevelItemCount(); ++i)
+            height += topLevelItem(i)->sizeHint(0).height();
+        setFixedHeight(std::clamp(height, kLowest, kHighest));
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        HintedTree::resizeEvent(event);
+        fit();
+    }
 };
 
 QString lineOf(const DeviceLink& link, const DeviceListing& listing) {
@@ -143,7 +156,7 @@ void DeviceConnect::fill() {
             if (listing.id.empty()) row->setFlags(Qt::ItemIsEnabled); // a remark
             if (!listing.id.empty() && QString::fromStdString(listing.id) == kept) list_->setCurrentItem(row);
         }
-        static_cast<DeviceList*>(list_)->wrapRows();
+        static_cast<DeviceList*>(list_)->fit();
     }
     follow();
 }

@@ -136,7 +136,8 @@ void DeviceSteps::fillRows(const Preparation& preparation) {
     if (now == shown_) return;
     shown_ = now;
     while (auto* item = rows_->takeAt(0)) {
-        delete item->widget();
+        item->widget()->hide();
+        item->widget()->deleteLater(); // whoever tells of another theme goes through a list of all widgets
         delete item;
     }
     QStringList heard;

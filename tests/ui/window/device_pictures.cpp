@@ -19,8 +19,10 @@ namespace {
 
 struct DevicePictures {
     DevicePictures(QDir theFolder, QSize size)
-        : folder(std::move(theFolder)), program(size), desk(std::make_shared<FakeDesk>()),
-          catalogue(desk, program.hand) {}
+        : folder(std::move(theFolder)), desk(std::make_shared<FakeDesk>()),
+          catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)), program(size) {
+        catalogue->hand = program.hand;
+    }
 
     void save(const QString& name) {
         program.frames(40);
@@ -37,12 +39,12 @@ struct DevicePictures {
     }
     void chooseArm() {
         auto* list = program.window->findChild<QTreeWidget*>(QStringLiteral("device-list"));
-        const auto arm = [&] { return list->findItems(QStringLiteral("Fake arm"), Qt::MatchStartsWith); };
+        const auto arm = [&] { return list->findItems(QStringLiteral("Example arm"), Qt::MatchStartsWith); };
         until([&] { return !arm().isEmpty(); });
         list->setCurrentItem(arm().front());
     }
     void takeConnecting() {
-        program.window->setCatalogue(catalogue);
+        program.window->setCatalogue(*catalogue);
         program.command("device-panel").trigger();
         chooseArm();
         click("device-connect-button");
@@ -98,9 +100,9 @@ struct DevicePictures {
 
     QDir folder;
     QString suffix;
-    TouchedWindow program;
     std::shared_ptr<FakeDesk> desk;
-    FakeCatalogue catalogue;
+    std::unique_ptr<FakeCatalogue> catalogue; // outlives the window
+    TouchedWindow program;
 };
 
 } // namespace

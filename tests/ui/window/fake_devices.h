@@ -28,7 +28,6 @@ struct FakeDesk {
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
     std::atomic<double> force{0};         ///< N, of the last command
-    std::atomic<int> stops{0};            ///< exchanges without force since the button was pressed
 
     void place(double px, double py, double pz) {
         x = px;
@@ -44,7 +43,7 @@ public:
     ~FakeDevice() override { --desk_->made; }
 
     DeviceInfo info() const override {
-        return {.name = "Fake arm",
+        return {.name = "Example arm",
                 .maxForce = 6,
                 .continuousForce = 2,
                 .workspaceRadius = 0.05,
@@ -94,14 +93,15 @@ private:
 
 class FakeCatalogue final : public DeviceCatalogue {
 public:
-    FakeCatalogue(std::shared_ptr<FakeDesk> desk, std::shared_ptr<HandTarget> hand)
-        : desk_(std::move(desk)), hand_(std::move(hand)) {}
+    FakeCatalogue(std::shared_ptr<FakeDesk> desk, std::shared_ptr<HandTarget> theHand)
+        : hand(std::move(theHand)), desk_(std::move(desk)) {}
 
     std::vector<DeviceListing> list() override {
         std::vector<DeviceListing> found{
             {"simulated", "Simulated hand", true, "The mouse moves it in the window."}};
-        if (desk_->plugged)
-            found.push_back({"fake:1-2", "Fake arm", true, "At USB 1-2; 6 N, three buttons."});
+        if (desk_->plugged && !hidden)
+            found.push_back({"fake:1-2", "Example arm", true, "At USB 1-2; 6 N, three buttons."});
+        if (other) found.push_back({"fake:1-4", "Other arm", true, "At USB 1-4."});
         if (locked)
             found.push_back({"locked:1-3", "Locked arm", false,
                              "At USB 1-3; you have no permission to use it: install the udev rule."});
@@ -109,17 +109,19 @@ public:
         return found;
     }
     Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override {
-        if (id == "simulated") return std::make_unique<SimulatedHand>(hand_);
-        if (id == "fake:1-2" && desk_->plugged) return std::make_unique<FakeDevice>(desk_);
+        if (id == "simulated") return std::make_unique<SimulatedHand>(hand);
+        if (id.starts_with("fake:") && desk_->plugged) return std::make_unique<FakeDevice>(desk_);
         return inputError("There is no such device: plug it in.");
     }
 
+    std::shared_ptr<HandTarget> hand; ///< of the simulated one
     std::atomic<bool> locked{false};
+    std::atomic<bool> hidden{false}; ///< there, but not listed
+    std::atomic<bool> other{false};  ///< a second one of the kind is listed
     std::atomic<int> lists{0};
 
 private:
     std::shared_ptr<FakeDesk> desk_;
-    std::shared_ptr<HandTarget> hand_;
 };
 
 } // namespace tactum

@@ -40,8 +40,9 @@ const QString kFake = QStringLiteral("fake:1-2");
 
 /// The program with a catalogue, the dock Device in front.
 struct Desk {
-    Desk() : desk(std::make_shared<FakeDesk>()), catalogue(desk, program.hand) {
-        program.window->setCatalogue(catalogue);
+    Desk() : desk(std::make_shared<FakeDesk>()), catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)) {
+        catalogue->hand = program.hand;
+        program.window->setCatalogue(*catalogue);
         program.command("device-panel").trigger();
     }
 
@@ -73,7 +74,7 @@ struct Desk {
     }
     /// Chooses it in the list and presses Connect.
     void begin() {
-        chooseRow("Fake arm");
+        chooseRow("Example arm");
         click("device-connect-button");
     }
     bool ready() {
@@ -103,8 +104,8 @@ struct Desk {
     QString steps() { return widget("device-give-up").parentWidget()->accessibleName(); }
 
     std::shared_ptr<FakeDesk> desk;
+    std::unique_ptr<FakeCatalogue> catalogue; // outlives the window
     TouchedWindow program;
-    FakeCatalogue catalogue;
 };
 
 } // namespace
@@ -134,6 +135,8 @@ private slots:
     void disconnectingGivesItBack();
     void aLostDeviceIsSaidAndComesBackWithoutForce();
     void aLossIsNoticedWithForcesOffToo();
+    void aDeviceThatIsOnlyHiddenIsNotLost();
+    void anotherDeviceIsFreedFirst();
     void theChoiceIsRemembered();
     void liveFiguresFollowTheDevice();
     void aButtonEndsAllForce();
@@ -165,7 +168,7 @@ void TestDevice::withoutACatalogueAllIsAsBefore() {
 
 void TestDevice::theListSaysWhatIsThereAndWhyNot() {
     Desk desk;
-    desk.catalogue.locked = true;
+    desk.catalogue->locked = true;
     QVERIFY(desk.listed("Locked arm"));
     const QString all = desk.rows().join(u'\n');
     QVERIFY2(all.contains(QStringLiteral("Simulated hand \u00b7 in use")), qPrintable(all));
@@ -173,21 +176,21 @@ void TestDevice::theListSaysWhatIsThereAndWhyNot() {
     desk.chooseRow("Locked arm");
     QVERIFY(!desk.widget("device-connect-button").isEnabled());
     QVERIFY(!desk.program.command("device-connect").isEnabled());
-    desk.chooseRow("Fake arm");
+    desk.chooseRow("Example arm");
     QVERIFY(desk.widget("device-connect-button").isEnabled());
     QVERIFY(desk.program.command("device-connect").isEnabled());
 }
 
 void TestDevice::theListIsMadeAgainEverySecond() {
     Desk desk;
-    QVERIFY(desk.listed("Fake arm"));
-    desk.chooseRow("Fake arm");
+    QVERIFY(desk.listed("Example arm"));
+    desk.chooseRow("Example arm");
     desk.desk->plugged = false;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.rows().filter(QStringLiteral("Fake arm")).isEmpty(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rows().filter(QStringLiteral("Example arm")).isEmpty(), kPatience);
     desk.desk->plugged = true;
-    QVERIFY(desk.listed("Fake arm"));
-    const int lists = desk.catalogue.lists;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue.lists > lists + 1, kPatience);
+    QVERIFY(desk.listed("Example arm"));
+    const int lists = desk.catalogue->lists;
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 1, kPatience);
 }
 
 void TestDevice::everyStepIsShown() {
@@ -196,7 +199,7 @@ void TestDevice::everyStepIsShown() {
     desk.begin();
     const auto steps = [&] { return desk.steps(); };
     QTRY_COMPARE_WITH_TIMEOUT(steps(), QStringLiteral("Load the firmware now, Find home, Rest"), kPatience);
-    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Making Fake arm ready"));
+    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Making Example arm ready"));
     QTRY_COMPARE_WITH_TIMEOUT(static_cast<QProgressBar&>(desk.widget("device-progress")).value(), 500,
                               kPatience);
     QVERIFY(desk.widget("device-give-up").isVisible() && !desk.widget("device-again").isVisible());
@@ -209,12 +212,12 @@ void TestDevice::everyStepIsShown() {
     QVERIFY(desk.ready());
     QVERIFY(!desk.widget("device-give-up").isVisible() && !desk.widget("device-preparing").isVisible());
     // The forces are off until a person arms; the window offers it.
-    QCOMPARE(desk.engine().device().name, std::string("Fake arm"));
+    QCOMPARE(desk.engine().device().name, std::string("Example arm"));
     QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked());
-    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Fake arm is ready. The forces are off")),
+    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Example arm is ready. The forces are off")),
              qPrintable(desk.text("notice-text")));
-    QVERIFY(desk.rows().join(u'\n').contains(QStringLiteral("Fake arm \u00b7 in use")));
-    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-name"), QStringLiteral("Fake arm"), kPatience);
+    QVERIFY(desk.rows().join(u'\n').contains(QStringLiteral("Example arm \u00b7 in use")));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-name"), QStringLiteral("Example arm"), kPatience);
     desk.click("notice-act");
     QVERIFY(desk.engine().armed() && desk.program.command("armed").isChecked());
     QTRY_VERIFY_WITH_TIMEOUT(desk.text("device-state").startsWith(QStringLiteral("forces on")), kPatience);
@@ -230,13 +233,13 @@ void TestDevice::aFailingStepIsNamedAndTriedAgain() {
     const QString sentence = QStringLiteral("The grip did not move: pull it all the way out.");
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-failure"), sentence, kPatience);
     QCOMPARE(desk.steps(), QStringLiteral("Load the firmware done, Find home failed, Rest"));
-    QCOMPARE(desk.text("notice-text"), sentence);
-    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Fake arm could not be made ready"));
+    QCOMPARE(desk.text("notice-text"), QStringLiteral("Example arm, step \"Find home\": ") + sentence);
+    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Example arm could not be made ready"));
     QVERIFY(desk.engine().running() && desk.link().current() == kSimulatedDevice);
     QCOMPARE(desk.desk->made.load(), 0); // nobody keeps it
     // What failed is not tried without end, but when the person says so.
-    const int lists = desk.catalogue.lists;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue.lists > lists + 2, kPatience);
+    const int lists = desk.catalogue->lists;
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 2, kPatience);
     QVERIFY(!desk.link().preparing());
     desk.desk->failAt = -1;
     desk.desk->go = 3;
@@ -264,12 +267,12 @@ void TestDevice::givingUpLeavesTheSimulatedHand() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.desk->preparing, kPatience);
     desk.click("device-give-up");
     QTRY_VERIFY_WITH_TIMEOUT(desk.widget("device-again").isVisible(), kPatience);
-    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Fake arm: given up"));
+    QCOMPARE(desk.text("device-preparing"), QStringLiteral("Example arm: given up"));
     QVERIFY(!desk.desk->preparing && desk.desk->made == 0);
     QVERIFY(!desk.widget("device-failure").isVisible()); // nothing failed
     QCOMPARE(desk.link().current(), kSimulatedDevice);
-    const int lists = desk.catalogue.lists;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue.lists > lists + 1, kPatience);
+    const int lists = desk.catalogue->lists;
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 1, kPatience);
     QVERIFY(!desk.link().preparing());
 }
 
@@ -318,8 +321,8 @@ void TestDevice::disconnectingGivesItBack() {
     QVERIFY(desk.engine().running() && !desk.engine().armed());
     QVERIFY(!desk.program.command("armed").isChecked());
     // It does not come back by itself.
-    const int lists = desk.catalogue.lists;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue.lists > lists + 2, kPatience);
+    const int lists = desk.catalogue->lists;
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 2, kPatience);
     QCOMPARE(desk.link().current(), kSimulatedDevice);
     QVERIFY(desk.connectIt());
 }
@@ -333,7 +336,7 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     QVERIFY(desk.fullForce());
     desk.desk->plugged = false;
     QTRY_VERIFY_WITH_TIMEOUT(
-        desk.text("notice-text").startsWith(QStringLiteral("Fake arm is not there any more")), kPatience);
+        desk.text("notice-text").startsWith(QStringLiteral("Example arm is not there any more")), kPatience);
     QVERIFY(desk.link().lost() && !desk.engine().armed());
     QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
     QCOMPARE(desk.desk->made.load(), 0);
@@ -345,7 +348,7 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     QVERIFY(desk.ready());
     QCOMPARE(desk.desk->prepared.load(), 2);
     QVERIFY(!desk.link().lost() && !desk.engine().armed() && !desk.program.command("armed").isChecked());
-    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Fake arm is there and ready")),
+    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Example arm is there and ready")),
              qPrintable(desk.text("notice-text")));
     desk.program.frames(60);
     QVERIFY(!desk.engine().armed());
@@ -360,8 +363,38 @@ void TestDevice::aLossIsNoticedWithForcesOffToo() {
     QVERIFY(!desk.engine().armed());
     desk.desk->plugged = false;
     QTRY_VERIFY_WITH_TIMEOUT(
-        desk.text("notice-text").startsWith(QStringLiteral("Fake arm is not there any more")), kPatience);
+        desk.text("notice-text").startsWith(QStringLiteral("Example arm is not there any more")), kPatience);
     QCOMPARE(desk.link().current(), kSimulatedDevice);
+}
+
+void TestDevice::aDeviceThatIsOnlyHiddenIsNotLost() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.catalogue->hidden = true; // as a maker's library does with what it has opened
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rows().filter(QStringLiteral("Example arm")).isEmpty(), kPatience);
+    const int lists = desk.catalogue->lists;
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 2, kPatience);
+    QCOMPARE(desk.link().current(), kFake);
+    QVERIFY(!desk.link().lost());
+}
+
+void TestDevice::anotherDeviceIsFreedFirst() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.catalogue->other = true;
+    desk.desk->go = 0;
+    desk.chooseRow("Other arm");
+    desk.click("device-connect-button");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.desk->preparing, kPatience);
+    QCOMPARE(desk.desk->made.load(), 1); // the new one
+    QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
+    QVERIFY(!desk.engine().armed());
+    // Thinking better of it ends the one and begins the other.
+    desk.chooseRow("Example arm");
+    desk.link().choose(kFake);
+    desk.desk->go = 3;
+    QVERIFY(desk.ready());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.desk->made.load(), 1, kPatience);
 }
 
 void TestDevice::theChoiceIsRemembered() {
@@ -379,7 +412,7 @@ void TestDevice::theChoiceIsRemembered() {
     }
     Desk desk;
     desk.desk->go = 3;
-    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue.lists > 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > 2, kPatience);
     QCOMPARE(desk.link().current(), kSimulatedDevice);
     QVERIFY(!desk.link().preparing());
 }
@@ -418,6 +451,7 @@ void TestDevice::aButtonEndsAllForce() {
     QVERIFY(desk.desk->force > 0.1);
     // The servo has taken the force away before the window has seen anything: it does not run here.
     desk.desk->buttons = 0b010;
+    desk.engine().poll();
     const std::uint64_t ticks = desk.engine().servo().ticks;
     while (desk.engine().servo().ticks < ticks + 20) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -682,9 +716,9 @@ void TestDevice::theSpringDrawsBackToTheCentre() {
 
 void TestDevice::theRuleForUsbIsOffered() {
     Desk desk;
-    QVERIFY(desk.listed("Fake arm"));
+    QVERIFY(desk.listed("Example arm"));
     QVERIFY(!desk.widget("device-permit").isVisible());
-    desk.catalogue.locked = true;
+    desk.catalogue->locked = true;
     QTRY_VERIFY_WITH_TIMEOUT(desk.widget("device-permit").isVisible(), kPatience);
     const QDir share(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/tactum/udev"));
     QVERIFY(share.mkpath(QStringLiteral(".")));
@@ -726,14 +760,14 @@ void TestDevice::theRuleForUsbIsOffered() {
     QCOMPARE(QString::fromLocal8Bit(asked.readAll()).trimmed(), QFileInfo(rule).canonicalFilePath());
     qputenv("PATH", path);
     rule.remove();
-    desk.catalogue.locked = false;
+    desk.catalogue->locked = false;
     QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("device-permit").isVisible(), kPatience);
     QVERIFY(!desk.widget("device-permit-command").isVisible());
 }
 
 void TestDevice::everythingHasAName() {
     Desk desk;
-    desk.catalogue.locked = true;
+    desk.catalogue->locked = true;
     QVERIFY(desk.connectIt());
     for (int page = 0; page < 4; ++page) {
         desk.page(DevicePanel::Page(page));
