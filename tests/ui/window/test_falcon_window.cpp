@@ -1,0 +1,120 @@
+// A Falcon in the window, from the plug to the touch: the program's own registry and driver, the real libusb,
+// and an emulated device in an emulated hand.
+#include <QAction>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "core/control/guard.h"
+#include "device/registry.h"
+#include "tests/device/falcon/falcon_bench.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/device_link.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+const QString kFalcon = QStringLiteral("falcon:1-%1").arg(kSocket);
+
+/// The program beside a Falcon that was just plugged in, and a person who does what the window asks for.
+struct Desk {
+    Desk() {
+        qputenv("TACTUM_FALCON_FIRMWARE", QByteArray::fromStdString(bench.firmware()));
+        bench.device->leadGrip(kAbove);
+        program.window->setCatalogue(registry);
+        program.command("device-panel").trigger();
+        QObject::connect(&link(), &DeviceLink::preparationChanged, program.window.get(), [this] {
+            if (!link().preparation().todo.isEmpty()) bench.device->homeByHand();
+        });
+    }
+    ~Desk() { qunsetenv("TACTUM_FALCON_FIRMWARE"); }
+
+    DeviceLink& link() { return program.window->devices(); }
+    const ServoTelemetry& servo() { return program.engine.servo(); }
+    bool connected() {
+        return QTest::qWaitFor([this] { return link().current() == kFalcon; }, kPatience);
+    }
+    void arm() {
+        program.engine.setArmed(false);
+        program.frames(3);
+        program.engine.setArmed(true);
+    }
+    /// Leads the grip into the top of the cube until it pushes back; a machine that is busy with others is
+    /// late: then the person arms anew.
+    bool feels() {
+        bench.device->leadGrip(kInside);
+        return QTest::qWaitFor(
+            [this] {
+                if (isFault(servo().withheld)) arm();
+                return servo().gain == 1 && bench.device->force().y() > 1;
+            },
+            kPatience);
+    }
+
+    static const Vec3 kAbove, kInside;
+
+    FalconBench bench; // outlives the window
+    DeviceRegistry registry{{.hand = {}, .profiles = {}, .program = {}}};
+    TouchedWindow program;
+};
+
+/// The cube's top is 0.02 m above the workspace's centre.
+const Vec3 Desk::kAbove(0, 0.03, 0);
+const Vec3 Desk::kInside(0, 0.005, 0);
+
+} // namespace
+
+class TestFalconWindow : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { useSettingsIn(folder_.path()); }
+
+    void fromThePlugToTheTouch() {
+        Desk desk;
+        QVERIFY(desk.program.open(writeCube(folder_, 0.4)));
+        QVERIFY(QTest::qWaitFor([&] { return desk.link().find(kFalcon) != nullptr; }, kPatience));
+        desk.link().choose(kFalcon);
+        QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
+        for (const Preparation::Step& step : desk.link().preparation().steps)
+            QCOMPARE(step.state, StepState::Done);
+        QVERIFY(!desk.program.engine.armed());
+        QVERIFY(desk.program.engine.device().real);
+        QCOMPARE(desk.bench.device->motors(), FalconLegs{});
+        desk.arm();
+        QVERIFY(desk.feels());
+        if (const QString file = qEnvironmentVariable("TACTUM_PICTURE"); !file.isEmpty()) {
+            desk.program.frames(60);
+            desk.program.window->grab().save(file);
+        }
+    }
+
+    void pulledOutAndBackAgain() {
+        Desk desk;
+        desk.bench.device->startFirmware(true);
+        QVERIFY(desk.program.open(writeCube(folder_, 0.4)));
+        QVERIFY(QTest::qWaitFor([&] { return desk.link().find(kFalcon) != nullptr; }, kPatience));
+        desk.link().choose(kFalcon);
+        QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
+        desk.arm();
+        QVERIFY(desk.feels());
+        FalconBench::unplug();
+        QVERIFY(QTest::qWaitFor([&] { return desk.link().lost(); }, kPatience));
+        QVERIFY(!desk.program.engine.armed());
+        desk.bench.device->leadGrip(Desk::kAbove);
+        desk.bench.plug();
+        QVERIFY(desk.connected());
+        QVERIFY(!desk.link().lost() && !desk.program.engine.armed());
+        QCOMPARE(desk.bench.device->motors(), FalconLegs{});
+        QVERIFY(!desk.bench.device->firstHadTorque());
+        desk.arm();
+        QVERIFY(desk.feels());
+    }
+};
+
+QTEST_MAIN(TestFalconWindow)
+#include "test_falcon_window.moc"
