@@ -59,7 +59,8 @@ std::uint32_t buttonsOf(const Json& message) {
 }
 
 State stateOf(const Json& device) {
-    State state{.id = member(device, "device_id").get<std::string>()};
+    State state;
+    state.id = member(device, "device_id").get<std::string>();
     const Json& said = member(device, "state");
     const auto position = vector(member(said, "cursor_position"), kFarthest);
     const auto velocity = vector(member(said, "cursor_velocity"), kFastestSaid);

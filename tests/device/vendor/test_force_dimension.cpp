@@ -173,7 +173,19 @@ private slots:
         QVERIFY(device->trouble().empty());
     }
 
+    void whatBrokeIsBegunAnew() {
+        const auto device = opened();
+        fake_->readError = 2;
+        QVERIFY(!device->exchange({}, 1e-3).valid);
+        fake_->readError = 0;
+        QVERIFY(device->open());
+        QCOMPARE(fake_->opened.load(), 2);
+        QCOMPARE(fake_->closed.load(), 1);
+        QVERIFY(device->exchange({}, 1e-3).valid);
+    }
+
     void preparedItGivesNoForceYet() {
+        fake_->force = true; // as another program left it
         const auto made = device();
         Watcher watcher;
         QVERIFY(made->prepare(watcher));
