@@ -182,6 +182,7 @@ Result<void> Server::open() {
 }
 
 Result<void> Server::prepare(const Packet& request) {
+    endLoop();
     cancelled_ = request.value != 0;
     return device_.prepare(*this);
 }

@@ -242,6 +242,17 @@ private slots:
         QVERIFY(!listForceDimension().front().usable);
     }
 
+    void listingLeavesTheOpenOneAlone() {
+        fake_->devices = 2;
+        const auto device = opened();
+        QCOMPARE(listForceDimension().size(), std::size_t(2));
+        QCOMPARE(fake_->opened.load(), 1);
+        QCOMPARE(fake_->closed.load(), 0);
+        QVERIFY(listForceDimension().front().usable);
+        device->close();
+        QVERIFY(listForceDimension().front().name.find("omega.3") != std::string::npos);
+    }
+
     void whatIsNoIdIsRefused() {
         for (const char* id : {"forcedimension:", "forcedimension:x", "forcedimension:-1",
                                "forcedimension:400", "falcon:0", ""})
