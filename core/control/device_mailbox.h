@@ -38,7 +38,7 @@ public:
     DeviceSample newest(std::int64_t now) noexcept {
         const Reading& last = readings_.read();
         DeviceSample sample = last.sample;
-        sample.valid = sample.valid && last.at != 0 && now - last.at <= kOldestReading;
+        sample.valid = sample.valid && now - last.at <= kOldestReading;
         return sample;
     }
 

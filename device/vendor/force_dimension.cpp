@@ -34,6 +34,9 @@ Vec3 asTheirs(const Vec3& force_D) {
     return {force_D.z(), force_D.x(), force_D.y()};
 }
 
+/// Of this program. To open one of them again, only to ask for its name, would end in closing it.
+std::atomic<int> inUse{0};
+
 class ForceDimension final : public HapticDevice {
 public:
     ForceDimension(int index, DeviceInfo profile) : index_(char(index)), info_(std::move(profile)) {
@@ -133,6 +136,7 @@ Result<void> ForceDimension::connect(Opening& opening) {
     opening.begin(kConnect);
     id_ = api_.openId(index_);
     if (id_ < 0) return failure();
+    ++inUse;
     fault_ = dhd::kNoError;
     quiet_ = kQuiet;
     api_.enableForce(dhd::kOff, char(id_));
@@ -179,11 +183,15 @@ void ForceDimension::shutDown() {
     api_.enableForce(dhd::kOff, char(id_));
     api_.stop(char(id_));
     api_.close(char(id_));
+    --inUse;
     id_ = -1;
 }
 
 DeviceListing listed(const dhd::Api& api, int index) {
     const std::string id = std::string(kPrefix) + std::to_string(index);
+    if (inUse > 0)
+        return {id, "Force Dimension " + std::to_string(index), true,
+                "connected; another one is in use here"};
     const int opened = api.openId(char(index));
     if (opened < 0)
         return {"", "Force Dimension " + std::to_string(index), false, dhd::sentenceOf(api.errorGetLast())};

@@ -11,8 +11,8 @@
 namespace tactum {
 
 /// One for each that is connected, "forcedimension:INDEX"; one that is not usable and says what to install
-/// where the library is missing, or that nothing is connected. Thread: any but real time, and not while one
-/// is open.
+/// where the library is missing, or that nothing is connected. While one of them is open here the others are
+/// not asked for their names. Thread: any but real time.
 std::vector<DeviceListing> listForceDimension();
 
 /// The device with such an id. `profile`: its figures. Torques and the force of a gripper stay zero. The

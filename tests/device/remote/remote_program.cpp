@@ -16,12 +16,23 @@ int serve(Served& served, const char* way) {
         return refuseToServe({Error::Kind::Input, "There is no such device."}, kServeDescriptor);
     served.server = getpid();
     ServedDevice device(served, way);
-    return serveDevice(device, kServeDescriptor);
+    const int code = serveDevice(device, kServeDescriptor);
+    served.ended = true;
+    return code;
 }
 
-int push(const char* file) {
+/// Holds the program's sockets after its death, as a forked guardian does.
+void leaveAHolder(const Served& served) {
+    if (fork() != 0) return;
+    while (kill(served.server, 0) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    _exit(0);
+}
+
+int push(const Served& served, const char* file, const char* way) {
     auto device = makeRemoteDevice("/proc/self/exe", {"serve", file, ""});
     if (!device || !(*device)->open()) return 3;
+    if (std::strcmp(way, "held") == 0) leaveAHolder(served);
     while (true) {
         (*device)->exchange({{0, 0, 2}}, 1e-3);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -41,5 +52,5 @@ extern "C" const char* __tsan_default_options() {
 int main(int argc, char** argv) {
     Served* served = argc == 4 ? mapServed(argv[2]) : nullptr;
     if (!served) return 2;
-    return std::strcmp(argv[1], "serve") == 0 ? serve(*served, argv[3]) : push(argv[2]);
+    return std::strcmp(argv[1], "serve") == 0 ? serve(*served, argv[3]) : push(*served, argv[2], argv[3]);
 }

@@ -24,6 +24,9 @@ struct Served {
     std::atomic<int> stops{0}, opens{0}, closes{0}, prepares{0};
     std::atomic<pid_t> server{0};
     std::atomic<bool> troubled{false};
+    std::atomic<int> zeros{0}, zerosAtClose{0}; ///< commands of zero in a row, the last ones
+    std::atomic<int> between{0};                ///< commands of less than the 2 N that tests push with
+    std::atomic<bool> ended{false};             ///< serveDevice() came back
 
     void command(double z) noexcept {
         if (z != 0) zeroAt = 0;
@@ -76,7 +79,10 @@ public:
         ++served_.opens;
         return {};
     }
-    void close() override { ++served_.closes; }
+    void close() override {
+        ++served_.closes;
+        served_.zerosAtClose = served_.zeros.load();
+    }
     std::string trouble() const override { return served_.troubled ? "Its motors are warm." : std::string(); }
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         misbehave(command.force.x());
@@ -84,6 +90,8 @@ public:
         if (!command.force.allFinite()) ++served_.notFinite;
         if (strength > served_.strongest) served_.strongest = strength;
         served_.command(command.force.z());
+        if (strength > 0.2 && strength < 1.8) ++served_.between;
+        served_.zeros = strength == 0 ? served_.zeros + 1 : 0;
         const std::uint64_t number = ++served_.exchanges;
         return {
             .position = {0, 0.01, 0}, .velocity = {1e-6 * double(number), 0, 0}, .buttons = 2, .valid = true};

@@ -46,6 +46,7 @@ void run(const std::stop_token& stop) {
     bool goesOn = true;
     while (!stop.stop_requested()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (stop.stop_requested()) break; // at once: what was not sent yet never is
         if (!fake.frozen && goesOn && callback) goesOn = callback(callbackData) != kDone;
     }
 }

@@ -173,7 +173,19 @@ private slots:
         QVERIFY(device->trouble().empty());
     }
 
+    void whatBrokeIsBegunAnew() {
+        const auto device = opened();
+        fake_->readError = 2;
+        QVERIFY(!device->exchange({}, 1e-3).valid);
+        fake_->readError = 0;
+        QVERIFY(device->open());
+        QCOMPARE(fake_->opened.load(), 2);
+        QCOMPARE(fake_->closed.load(), 1);
+        QVERIFY(device->exchange({}, 1e-3).valid);
+    }
+
     void preparedItGivesNoForceYet() {
+        fake_->force = true; // as another program left it
         const auto made = device();
         Watcher watcher;
         QVERIFY(made->prepare(watcher));
@@ -228,6 +240,17 @@ private slots:
         QVERIFY(!listForceDimension().front().usable);
         fake_->devices = 0;
         QVERIFY(!listForceDimension().front().usable);
+    }
+
+    void listingLeavesTheOpenOneAlone() {
+        fake_->devices = 2;
+        const auto device = opened();
+        QCOMPARE(listForceDimension().size(), std::size_t(2));
+        QCOMPARE(fake_->opened.load(), 1);
+        QCOMPARE(fake_->closed.load(), 0);
+        QVERIFY(listForceDimension().front().usable);
+        device->close();
+        QVERIFY(listForceDimension().front().name.find("omega.3") != std::string::npos);
     }
 
     void whatIsNoIdIsRefused() {

@@ -133,6 +133,9 @@ private slots:
         QVERIFY(device->trouble().find("cable") != std::string::npos);
         QVERIFY(!device->open());
         service_->present = true;
+        Watcher watcher;
+        QVERIFY(device->prepare(watcher)); // begun anew
+        QVERIFY(device->trouble().empty());
         QVERIFY(device->open());
         QVERIFY(hand.until([&] { return hand.last.valid; }));
         QVERIFY(device->trouble().empty());

@@ -1,0 +1,66 @@
+// The proof that exchange() of a remote device and of the makers' drivers neither allocates nor locks nor
+// waits: no hit of the interposer.
+#include <QtTest>
+
+#include "core/base/realtime.h"
+#include "device/remote/remote_device.h"
+#include "device/vendor/force_dimension.h"
+#include "device/vendor/open_haptics.h"
+#include "tests/device/remote/served_device.h"
+#include "tests/realtime/interposer.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+class TestExchangeRealtime : public QObject {
+    Q_OBJECT
+
+    static void exchangeThousands(HapticDevice& device) {
+        const auto opened = device.open();
+        QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
+        QTest::qWait(50); // its first readings
+        interposer::reset();
+        int read = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            const RealtimeScope scope;
+            read += device.exchange({{0.1, 0, 0.1}}, 1e-3).valid;
+        }
+        QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
+        QVERIFY(read > 0);
+        device.emergencyStop();
+    }
+
+private slots:
+    void initTestCase() {
+        // It notices what is to be noticed.
+        interposer::reset();
+        {
+            const RealtimeScope scope;
+            void* volatile memory = std::malloc(1); // not to be optimised away
+            std::free(memory);
+        }
+        QVERIFY(interposer::hits() > 0);
+    }
+
+    void ofARemoteDevice() {
+        QTemporaryDir dir;
+        const std::string file = dir.filePath("served").toStdString();
+        QVERIFY(mapServed(file.c_str()));
+        const auto device = makeRemoteDevice(TACTUM_REMOTE_PROGRAM, {"serve", file, ""});
+        QVERIFY(device);
+        exchangeThousands(**device);
+    }
+
+    void ofOpenHaptics() {
+        qputenv("TACTUM_LIBHD", TACTUM_FAKE_HD);
+        exchangeThousands(**makeOpenHaptics("openhaptics:default", {.name = "Touch", .maxForce = 3}));
+    }
+
+    void ofForceDimension() {
+        qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD);
+        exchangeThousands(**makeForceDimension("forcedimension:0", {.name = "omega", .maxForce = 3}));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestExchangeRealtime)
+#include "test_exchange_realtime.moc"
