@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "core/base/result.h"
-#include "core/runtime/realtime_thread.h"
+#include "core/loop/realtime_thread.h"
 
 namespace tactum {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/realtime.h"
-#include "core/runtime/metronome.h"
+#include "core/loop/metronome.h"
 
 namespace tactum {
 namespace {

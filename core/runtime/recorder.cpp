@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/runtime/metronome.h"
+#include "core/loop/metronome.h"
 
 namespace tactum {
 namespace {

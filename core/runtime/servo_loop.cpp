@@ -5,7 +5,7 @@
 #include <sched.h>
 
 #include "core/base/realtime.h"
-#include "core/runtime/realtime_thread.h"
+#include "core/loop/realtime_thread.h"
 
 namespace tactum {
 namespace {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/control/haptic_device.h"
+#include "core/loop/guardian.h"
+#include "core/loop/metronome.h"
 #include "core/runtime/canary.h"
 #include "core/runtime/channels.h"
-#include "core/runtime/guardian.h"
-#include "core/runtime/metronome.h"
 
 namespace tactum {
 

@@ -1,22 +1,18 @@
 #include "device/remote/serve_device.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <csignal>
-#include <ctime>
 #include <poll.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
-#include <system_error>
-#include <thread>
 #include <unistd.h>
 
 #include "core/control/device_check.h"
 #include "core/control/force_limiter.h"
-#include "device/remote/keeper.h"
+#include "core/loop/guardian.h"
+#include "core/loop/metronome.h"
+#include "core/loop/realtime_thread.h"
 #include "device/remote/wire.h"
 
 namespace tactum {
@@ -61,22 +57,6 @@ void standOnTwoStacks(std::array<char, kSignalStack>& second) {
     sigaltstack(&stack, nullptr);
 }
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-
-/// To an absolute time, so that errors do not add up.
-void sleepUntil(std::int64_t nanoseconds) noexcept {
-    const timespec when{time_t(nanoseconds / kSecond), long(nanoseconds % kSecond)};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
-    }
-}
-
-/// Before all others and in memory, where that is allowed.
-void becomeRealtime() noexcept {
-    const sched_param parameters{.sched_priority = kPriority};
-    sched_setscheduler(0, SCHED_FIFO, &parameters); // this thread
-    mlockall(MCL_CURRENT | MCL_ONFAULT);
-}
-
 class Server final : public Opening {
 public:
     Server(HapticDevice& device, wire::Block& block, int talk)
@@ -114,8 +94,8 @@ private:
     wire::Block& block_;
     int talk_, program_; ///< descriptors; the second tells of the program's death, whoever holds its sockets
     mutable bool cancelled_ = false;
-    Keeper keeper_;
-    std::thread thread_;
+    Guardian guardian_;
+    RealtimeThread thread_;
     std::atomic<bool> stop_{false};
     bool runs_ = false;
     std::string trouble_;
@@ -126,46 +106,37 @@ private:
 void Server::loop() noexcept {
     static std::array<char, kSignalStack> second;
     standOnTwoStacks(second);
-    becomeRealtime();
     const DeviceInfo info = device_.info();
     ForceLimiter limiter{.maxForce = info.maxForce};
-    const auto period = std::int64_t(double(kSecond) / info.rate);
-    std::int64_t due = steadyNanoseconds(), last = due - period;
+    Metronome metronome(info.rate);
     while (!stop_.load(std::memory_order_relaxed)) {
-        due = std::max(due + period, steadyNanoseconds()); // no burst catches up what was missed
-        sleepUntil(due);
+        const Tick tick = metronome.wait();
+        const Vec3 force = limiter(block_.mailbox.force(steadyNanoseconds()));
+        const DeviceSample sample = device_.exchange({force}, tick.elapsed);
+        guardian_.beat();
         const std::int64_t now = steadyNanoseconds();
-        const Vec3 force = limiter(block_.mailbox.force(now));
-        const DeviceSample sample = device_.exchange({force}, double(now - last) / double(kSecond));
-        last = now;
-        const std::int64_t read = steadyNanoseconds();
-        keeper_.beat(read);
-        block_.mailbox.measured(sample, read);
-        block_.lastTick.store(read, std::memory_order_relaxed);
+        block_.mailbox.measured(sample, now);
+        block_.lastTick.store(now, std::memory_order_relaxed);
     }
-    keeper_.beat(0);
+    guardian_.rest();
     for (int i = 0; i < kFarewells; ++i)
-        device_.exchange({}, 1 / info.rate);
+        device_.exchange({}, metronome.period());
 }
 
 Result<void> Server::startLoop() {
+    lockPresentMemory();
     stop_ = false;
     block_.lastTick = steadyNanoseconds();
-    if (Result<void> kept = keeper_.start(device_); !kept) return kept;
-    try {
-        thread_ = std::thread([this] { loop(); });
-    } catch (const std::system_error& error) {
-        return machineError(std::string("The device's loop cannot be started (") + error.what() +
-                            "): close other programs and try again.");
-    }
-    return {};
+    // Before the thread: the guardian is a fork, which has only the thread that forks.
+    if (Result<void> guarded = guardian_.start(device_); !guarded) return guarded;
+    return thread_.start("tactum-device", kPriority, [this] { loop(); });
 }
 
 void Server::endLoop() {
     if (!runs_) return;
     stop_ = true;
     thread_.join();
-    keeper_.stop();
+    guardian_.stop();
     runs_ = false;
 }
 
@@ -175,7 +146,7 @@ Result<void> Server::open() {
     Result<void> started = checkDevice(device_.info()).and_then([this] { return startLoop(); });
     runs_ = started.has_value();
     if (!started) {
-        keeper_.stop();
+        guardian_.stop();
         device_.close();
     }
     return started;

@@ -5,13 +5,14 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
-#include <sched.h>
 #include <string_view>
 #include <thread>
 
 #include "core/base/text.h"
 #include "core/control/device_check.h"
 #include "core/control/force_limiter.h"
+#include "core/loop/metronome.h"
+#include "core/loop/realtime_thread.h"
 #include "device/vendor/haply_messages.h"
 #include "device/vendor/shared_mailbox.h"
 #include "device/vendor/web_socket.h"
@@ -96,7 +97,7 @@ private:
     std::string id_;
     DeviceInfo info_;
     SharedMailbox mailbox_;
-    std::thread thread_;
+    RealtimeThread thread_;
     std::atomic<bool> stop_{false}, open_{false};
     std::atomic<const char*> fault_{nullptr}; ///< a sentence
     std::atomic<std::int64_t> lastReading_{0};
@@ -137,13 +138,9 @@ void Haply::tick() {
 }
 
 void Haply::converse() {
-    const sched_param parameters{.sched_priority = kPriority};
-    sched_setscheduler(0, SCHED_FIFO, &parameters); // this thread, where that is allowed
-    using Clock = std::chrono::steady_clock;
-    const auto period =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / info_.rate));
-    for (auto due = Clock::now(); !stop_; due = std::max(due + period, Clock::now())) {
-        std::this_thread::sleep_until(due);
+    Metronome metronome(info_.rate);
+    while (!stop_) {
+        metronome.wait();
         tick();
     }
     haply::State state;
@@ -193,14 +190,13 @@ Result<void> Haply::open() {
     stop_ = false;
     open_ = true;
     lastReading_ = steadyNanoseconds();
-    thread_ = std::thread([this] { converse(); });
-    return {};
+    return thread_.start("tactum-haply", kPriority, [this] { converse(); });
 }
 
 void Haply::shutDown() {
     open_ = false;
     stop_ = true;
-    if (thread_.joinable()) thread_.join();
+    thread_.join();
     socket_.reset();
     fault_ = nullptr;
 }

@@ -5,10 +5,10 @@
 
 #include <QtTest>
 
+#include "core/loop/metronome.h"
+#include "core/loop/realtime_thread.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
-#include "core/runtime/metronome.h"
-#include "core/runtime/realtime_thread.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 

@@ -1,4 +1,4 @@
-#include "core/runtime/realtime_thread.h"
+#include "core/loop/realtime_thread.h"
 
 #include <cerrno>
 #include <cstring>

@@ -4,7 +4,7 @@
 
 #include <QtTest>
 
-#include "core/runtime/metronome.h"
+#include "core/loop/metronome.h"
 #include "core/runtime/period_histogram.h"
 
 using namespace tactum;

@@ -1,4 +1,4 @@
-#include "core/runtime/metronome.h"
+#include "core/loop/metronome.h"
 
 #include <algorithm>
 #include <cerrno>

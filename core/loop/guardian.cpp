@@ -1,4 +1,4 @@
-#include "core/runtime/guardian.h"
+#include "core/loop/guardian.h"
 
 #include <array>
 #include <cerrno>
