@@ -88,7 +88,7 @@ std::optional<Bytes> EmulatedFt232::toHost(std::int64_t now) {
     // The bus is looked at now and then; the host's reads waited all the while.
     constexpr int kReads = 3;
     const std::int64_t period = scaled(1e-3 * latency);
-    lastPacket_ = std::max(lastPacket_ + period, now - kReads * period);
+    lastPacket_ = std::clamp(lastPacket_ + period, now - kReads * period, now);
     return packet;
 }
 

@@ -39,6 +39,12 @@ Vec3 forceAtGrip(const Vec3& p, const Vec3& torques) {
 void FalconBody::put(const Vec3& p) {
     position_ = goal_ = led_ = p;
     velocity_ = Vec3::Zero();
+    homing_ = 0;
+}
+
+void FalconBody::leadTo(const Vec3& p) {
+    goal_ = p;
+    homing_ = 0;
 }
 
 void FalconBody::lead(double dt) {

@@ -29,7 +29,7 @@ public:
 
     /// Where the hand wants the grip, from the middle of the base; the grip itself is put there at once.
     void put(const Vec3& p);
-    void leadTo(const Vec3& p) { goal_ = p; }
+    void leadTo(const Vec3& p);
     /// All the way out, all the way in and to the middle, as a person homes it.
     void home() { homing_ = kStations; }
     /// So far on, with torques N m at the legs.

@@ -34,7 +34,7 @@ std::shared_ptr<const World> wall() {
 std::shared_ptr<const World> texturedBall(double height) {
     Pose pose;
     pose.translation = {0, 0, -kBallRadius};
-    Scene scene = sceneOf(ball(kBallRadius, 40), firm(), kRadius, pose);
+    Scene scene = sceneOf(ball(kBallRadius, 5), firm(), kRadius, pose);
     scene.objects[0].surfaces[0].layers = {
         heightLayer(TextureSource::Noise, TextureMapping::Triplanar, 0.01, height)};
     return compile(scene).value();
@@ -47,13 +47,18 @@ struct Touch {
     bool start() {
         auto falcon = bench.driver();
         Person person(bench.device);
-        if (!falcon->prepare(person)) return false;
-        bench.device->leadGrip({0, 0, 0.01});
-        if (!eventually([&] { return bench.device->gripArrived(); })) return false;
+        if (const auto ready = falcon->prepare(person); !ready) {
+            qWarning("%s", ready.error().text.c_str());
+            return false;
+        }
+        bench.device->putGrip({0, 0, 0.01});
         driver = falcon.get();
         engine = std::make_unique<Engine>(std::move(falcon));
         engine->publish(world);
-        if (!engine->start()) return false;
+        if (const auto started = engine->start(); !started) {
+            qWarning("%s", started.error().text.c_str());
+            return false;
+        }
         engine->setOverrideCeiling(true); // a busy machine shall not make the wall softer
         engine->setArmed(true);
         return true;
@@ -146,7 +151,7 @@ private slots:
 
     /// The answer is what a haptic step without any device says for a finger at that place.
     void feelsATexturedBall() {
-        const auto world = texturedBall(2e-4);
+        const auto world = texturedBall(1e-3);
         Touch touch(world);
         QVERIFY(touch.start());
         bool tilted = false;
@@ -255,7 +260,7 @@ private slots:
         QVERIFY(says(touch.driver->trouble(), "unplugged"));
         touch.engine->stop();
         touch.bench.plug();
-        touch.bench.device->leadGrip({0, 0, 0.01});
+        touch.bench.device->putGrip({0, 0, 0.01});
         QVERIFY(touch.engine->start()); // firmware and home were kept: nobody is needed
         QCOMPARE(touch.bench.device->motors(), FalconLegs{});
         QVERIFY(!touch.engine->armed() && !touch.bench.device->firstHadTorque());
