@@ -40,7 +40,7 @@ QWidget* scrolled(QWidget* page) {
 } // namespace
 
 DevicePanel::DevicePanel(DeviceLink& link, QWidget* parent)
-    : QWidget(parent), link_(link), name_(new QLabel), state_(new QLabel), arm_(new QPushButton),
+    : QWidget(parent), link_(link), name_(new QLabel), state_(new QLabel), arm_(new QPushButton(tr("Arm"))),
       pages_(new QStackedWidget), connect_(new DeviceConnect(link)), live_(new DeviceLive),
       workspace_(new WorkspaceFields), trial_(new DeviceTrialPage) {
     setObjectName(QStringLiteral("device-panel"));
