@@ -1,6 +1,7 @@
 #include "device/profile.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -56,6 +57,29 @@ std::vector<DeviceProfile> readBuiltIn() {
     return profiles;
 }
 
+/// In small letters, split at what is neither letter, digit nor point.
+std::vector<std::string> wordsOf(std::string_view name) {
+    std::vector<std::string> words(1);
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) || c == '.')
+            words.back() += char(std::tolower(byte));
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+/// How many words the key has, if each of them begins a word of the name; else 0.
+std::size_t fit(const std::string& key, const std::vector<std::string>& name) {
+    const std::vector<std::string> words = wordsOf(key);
+    const bool all = std::ranges::all_of(words, [&name](const std::string& word) {
+        return std::ranges::any_of(name, [&word](const std::string& has) { return has.starts_with(word); });
+    });
+    return all ? words.size() : 0;
+}
+
 } // namespace
 
 Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::path& file,
@@ -92,6 +116,18 @@ Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::pat
     const std::string text(std::istreambuf_iterator<char>(in), {});
     if (!in) return wrong(file, "cannot be read; check its permissions");
     return readProfile(text, file, *found);
+}
+
+std::string profileFor(std::string_view model) {
+    const std::vector<std::string> name = wordsOf(model);
+    std::size_t most = 0;
+    std::string best;
+    for (const DeviceProfile& profile : builtInProfiles())
+        if (const std::size_t words = fit(profile.key, name); words > most) {
+            most = words;
+            best = profile.key;
+        }
+    return best;
 }
 
 } // namespace tactum

@@ -27,4 +27,8 @@ const std::vector<DeviceProfile>& builtInProfiles();
 /// nothing. Errors: no such key, a file that cannot be read. Thread: any but real time.
 Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::path& folder);
 
+/// The built-in profile for what a device calls itself: the one most of whose words begin words of the name,
+/// and all of them; empty when there is none. "omega.3" is an omega. Thread: any but real time.
+std::string profileFor(std::string_view model);
+
 } // namespace tactum

@@ -53,13 +53,19 @@ constexpr std::array<UsbFamily, 2> kUsbFamilies{{
 struct MakersFamily {
     std::string_view prefix, profile;
     std::vector<DeviceListing> (*list)();
-    Made (*make)(const std::string& id, DeviceInfo profile);
+    Made (*make)(const std::string& id, FiguresOf figures);
 };
+
+Made makeOnlyHaply(const std::string& id, FiguresOf figures) {
+    const Result<DeviceInfo> known = figures("");
+    if (!known) return tl::unexpected<Error>(known.error());
+    return makeHaply(id, *known);
+}
 
 constexpr std::array<MakersFamily, 3> kMakersFamilies{{
     {"openhaptics", "phantom", listOpenHaptics, makeOpenHaptics},
     {"forcedimension", "omega", listForceDimension, makeForceDimension},
-    {"haply", "inverse3", listHaply, makeHaply},
+    {"haply", "inverse3", listHaply, makeOnlyHaply},
 }};
 
 std::string prefixOf(const std::string& id) {
@@ -69,6 +75,16 @@ std::string prefixOf(const std::string& id) {
 template <class Families> const auto* familyOf(const Families& families, const std::string& id) {
     const auto found = std::ranges::find(families, prefixOf(id), &Families::value_type::prefix);
     return found == families.end() ? nullptr : &*found;
+}
+
+/// Of the model, where there is a profile for it; else those of its family, under the model's own name.
+Result<DeviceInfo> figuresOf(std::string_view model, std::string_view family,
+                             const std::filesystem::path& folder) {
+    const std::string key = profileFor(model);
+    Result<DeviceProfile> profile = profileOf(key.empty() ? family : key, folder);
+    if (!profile) return tl::unexpected<Error>(profile.error());
+    if (key.empty() && !model.empty()) profile->info.name = model;
+    return profile->info;
 }
 
 std::vector<UsbId> wantedIds() {
@@ -166,9 +182,12 @@ Made DeviceRegistry::make(const std::string& id) {
     if (!own && !makers)
         return inputError("There is no device \"" + id + "\": tactum devices lists those that there are.");
     if (runsApart(id)) return makeRemoteDevice(settings_.program, {"device-server", id});
-    const auto profile = profileOf(own ? own->prefix : makers->profile, settings_.profiles);
+    if (makers)
+        return makers->make(id, [family = makers->profile, folder = settings_.profiles](
+                                    std::string_view model) { return figuresOf(model, family, folder); });
+    const auto profile = profileOf(own->prefix, settings_.profiles);
     if (!profile) return tl::unexpected<Error>(profile.error());
-    return own ? makeOwn(*own, id, profile->info) : makers->make(id, profile->info);
+    return makeOwn(*own, id, profile->info);
 }
 
 std::filesystem::path personsProfiles() {

@@ -1,8 +1,10 @@
 // What devices there are, for a window that must not know the drivers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/control/haptic_device.h"
@@ -15,6 +17,10 @@ struct DeviceListing {
     bool usable = false;
     std::string sentence; ///< what it is and can do, or why it is not usable and what to do
 };
+
+/// The figures of a device that a maker's library drives, by what it calls itself; while that is not known,
+/// "", those of its family. Thread: any but real time.
+using FiguresOf = std::function<Result<DeviceInfo>(std::string_view model)>;
 
 class DeviceCatalogue {
 public:

@@ -39,9 +39,9 @@ std::atomic<int> inUse{0};
 
 class ForceDimension final : public HapticDevice {
 public:
-    ForceDimension(int index, DeviceInfo profile) : index_(char(index)), info_(std::move(profile)) {
-        info_.real = true;
-        limiter_.maxForce = info_.maxForce;
+    ForceDimension(int index, FiguresOf figures, const DeviceInfo& ofFamily)
+        : index_(char(index)), figures_(std::move(figures)) {
+        take(ofFamily);
     }
     ~ForceDimension() override { shutDown(); }
 
@@ -65,6 +65,7 @@ private:
     Result<void> asksForCalibration(bool& asks) const;
     bool send(const Vec3& force_D) noexcept;
     bool read(DeviceSample& sample) noexcept;
+    void take(const DeviceInfo& figures);
     int lastError() const noexcept;
     tl::unexpected<Error> failure() const { return machineError(dhd::sentenceOf(lastError())); }
     void shutDown();
@@ -73,6 +74,7 @@ private:
     dhd::Api api_{};
     int id_ = -1; ///< below 0: not connected
     mutable std::mutex infoMutex_;
+    FiguresOf figures_;
     DeviceInfo info_;
     ForceLimiter limiter_;
     int quiet_ = kQuiet; ///< exchanges since the last error
@@ -140,10 +142,21 @@ Result<void> ForceDimension::connect(Opening& opening) {
     fault_ = dhd::kNoError;
     quiet_ = kQuiet;
     api_.enableForce(dhd::kOff, char(id_));
-    const std::lock_guard lock(infoMutex_);
-    if (const char* name = api_.getSystemName(char(id_)); name && info_.name.empty())
-        info_.name = printable(name);
+    const char* const name = api_.getSystemName(char(id_));
+    const Result<DeviceInfo> figures = figures_(name ? printable(name) : std::string());
+    if (!figures) {
+        shutDown();
+        return tl::unexpected(figures.error());
+    }
+    take(*figures);
     return {};
+}
+
+void ForceDimension::take(const DeviceInfo& figures) {
+    const std::lock_guard lock(infoMutex_);
+    info_ = figures;
+    info_.real = true;
+    limiter_.maxForce = info_.maxForce;
 }
 
 Result<void> ForceDimension::asksForCalibration(bool& asks) const {
@@ -216,13 +229,15 @@ std::vector<DeviceListing> listForceDimension() {
     return listings;
 }
 
-Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, DeviceInfo profile) {
+Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, FiguresOf figures) {
     std::int64_t index = -1;
     if (!id.starts_with(kPrefix) || !parseNumber(std::string_view(id).substr(kPrefix.size()), index) ||
         index < 0 || index >= kMostDevices)
         return inputError("There is no device " + inQuotes(id) + ": those of Force Dimension are called " +
                           std::string(kPrefix) + "0 and so on.");
-    return std::make_unique<ForceDimension>(int(index), std::move(profile));
+    const Result<DeviceInfo> ofFamily = figures("");
+    if (!ofFamily) return tl::unexpected(ofFamily.error());
+    return std::make_unique<ForceDimension>(int(index), std::move(figures), *ofFamily);
 }
 
 } // namespace tactum

@@ -15,9 +15,9 @@ namespace tactum {
 /// not asked for their names. Thread: any but real time.
 std::vector<DeviceListing> listForceDimension();
 
-/// The device with such an id. `profile`: its figures. Torques and the force of a gripper stay zero. The
+/// The device with such an id. Torques and the force of a gripper stay zero. The
 /// servo calls the library itself, which waits for the transfer. Error: no such id. Thread: any but real
 /// time.
-Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, DeviceInfo profile);
+Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, FiguresOf figures);
 
 } // namespace tactum

@@ -57,9 +57,9 @@ Vec3 inD(const Triple& values, double unit) {
 class OpenHaptics final : public HapticDevice {
 public:
     /// `name` empty: the maker's default device.
-    OpenHaptics(std::string name, DeviceInfo profile) : name_(std::move(name)), info_(std::move(profile)) {
-        info_.real = true;
-        info_.delay += 1;
+    OpenHaptics(std::string name, FiguresOf figures, const DeviceInfo& ofFamily)
+        : name_(std::move(name)), figures_(std::move(figures)) {
+        take(ofFamily);
     }
     ~OpenHaptics() override { shutDown(); }
 
@@ -85,7 +85,8 @@ private:
     Result<void> calibrate(Opening& opening);
     Result<void> calibrateByHand(Opening& opening);
     void shutDown();
-    void askItself();
+    void take(const DeviceInfo& figures);
+    Result<void> askItself();
     double ask(hd::Parameter parameter) const;
     hd::ErrorCode takeErrors() const;
 
@@ -107,6 +108,7 @@ private:
     bool running_ = false;
     SharedMailbox mailbox_;
     mutable std::mutex infoMutex_;
+    FiguresOf figures_;
     DeviceInfo info_;
 
     std::atomic<bool> open_{false}, calibrating_{false}, resetNow_{false};
@@ -211,7 +213,10 @@ Result<void> OpenHaptics::connect(Opening& opening) {
         return machineError(hd::sentenceOf(code ? code : hd::ErrorCode(hd::kBadHandle)));
     }
     api_.makeCurrentDevice(handle_);
-    askItself();
+    if (Result<void> known = askItself(); !known) {
+        shutDown();
+        return known;
+    }
     return startScheduler();
 }
 
@@ -221,11 +226,20 @@ double OpenHaptics::ask(hd::Parameter parameter) const {
     return value;
 }
 
-void OpenHaptics::askItself() {
+/// The scheduler talks to the device: a tick more.
+void OpenHaptics::take(const DeviceInfo& figures) {
+    info_ = figures;
+    info_.real = true;
+    info_.delay += 1;
+}
+
+Result<void> OpenHaptics::askItself() {
     constexpr double kPerMillimetre = 1e3;
+    const char* const model = api_.getString(hd::kDeviceModelType);
+    const Result<DeviceInfo> figures = figures_(model ? printable(model) : std::string());
+    if (!figures) return tl::unexpected(figures.error());
     const std::lock_guard lock(infoMutex_);
-    if (const char* model = api_.getString(hd::kDeviceModelType); model && info_.name.empty())
-        info_.name = printable(model);
+    take(*figures);
     lowerTo(info_.maxForce, ask(hd::kNominalMaxForce));
     if (info_.continuousForce > 0) lowerTo(info_.continuousForce, ask(hd::kNominalMaxContinuousForce));
     lowerTo(info_.maxStiffness, kPerMillimetre * ask(hd::kNominalMaxStiffness));
@@ -245,6 +259,7 @@ void OpenHaptics::askItself() {
     api_.enable(hd::kMaxForceClamping);
     limiter_ = {.maxForce = info_.maxForce};
     takeErrors(); // of questions that this device does not know
+    return {};
 }
 
 Result<void> OpenHaptics::startScheduler() {
@@ -347,12 +362,15 @@ std::vector<DeviceListing> listOpenHaptics() {
     return listings;
 }
 
-Result<std::unique_ptr<HapticDevice>> makeOpenHaptics(const std::string& id, DeviceInfo profile) {
+Result<std::unique_ptr<HapticDevice>> makeOpenHaptics(const std::string& id, FiguresOf figures) {
     if (!id.starts_with(kPrefix) || id.size() == kPrefix.size())
         return inputError("There is no device " + inQuotes(id) + ": those of 3D Systems are called " +
                           std::string(kPrefix) + "NAME.");
     const std::string name = id.substr(kPrefix.size());
-    return std::make_unique<OpenHaptics>(name == kDefault ? std::string() : name, std::move(profile));
+    const Result<DeviceInfo> ofFamily = figures("");
+    if (!ofFamily) return tl::unexpected(ofFamily.error());
+    return std::make_unique<OpenHaptics>(name == kDefault ? std::string() : name, std::move(figures),
+                                         *ofFamily);
 }
 
 } // namespace tactum

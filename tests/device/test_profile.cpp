@@ -96,6 +96,30 @@ private slots:
                  qPrintable(sentence));
     }
 
+    void aNameFindsItsProfile_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("key");
+        const std::pair<const char*, const char*> names[] = {
+            {"omega.3", "omega"},
+            {"OMEGA.7 haptic device", "omega"},
+            {"delta.3", "delta"},
+            {"Phantom Omni", "phantom-omni"},
+            {"PHANTOM Premium 1.5 High Force", "phantom-premium-1.5"},
+            {"Touch", "touch"},
+            {"Geomagic Touch", "touch"},
+            {"Touch X", "touch-x"},
+            {"PHANTOM of the opera", "phantom"},
+            {"alpha", ""},
+            {"", ""}};
+        for (const auto& [name, key] : names)
+            QTest::newRow(*name ? name : "nothing") << QString(name) << QString(key);
+    }
+    void aNameFindsItsProfile() {
+        QFETCH(QString, name);
+        QFETCH(QString, key);
+        QCOMPARE(QString::fromStdString(profileFor(name.toStdString())), key);
+    }
+
     void anUnknownDeviceIsRefused() { QVERIFY(!profileOf("../falcon", {})); }
 };
 

@@ -15,6 +15,10 @@ using namespace tactum::test;
 class TestExchangeRealtime : public QObject {
     Q_OBJECT
 
+    static Result<DeviceInfo> figures(std::string_view) {
+        return DeviceInfo{.name = "Example", .maxForce = 3};
+    }
+
     static void exchangeThousands(HapticDevice& device) {
         const auto opened = device.open();
         QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
@@ -55,12 +59,12 @@ private slots:
 
     void ofOpenHaptics() {
         qputenv("TACTUM_LIBHD", TACTUM_FAKE_HD);
-        exchangeThousands(**makeOpenHaptics("openhaptics:default", {.name = "Touch", .maxForce = 3}));
+        exchangeThousands(**makeOpenHaptics("openhaptics:default", figures));
     }
 
     void ofForceDimension() {
         qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD);
-        exchangeThousands(**makeForceDimension("forcedimension:0", {.name = "omega", .maxForce = 3}));
+        exchangeThousands(**makeForceDimension("forcedimension:0", figures));
     }
 };
 

@@ -210,7 +210,7 @@ private slots:
         hand.force.x() = how;
         QVERIFY(hand.until([&] { return !hand.last.valid; }));
         QVERIFY(comesToZero());
-        // Its handler at once, its keeper when it is gone.
+        // Its handler at once, its guardian when it is gone.
         QVERIFY(QTest::qWaitFor([&] { return served_->stops >= 2; }, kPatience));
         QVERIFY(hand.until([&] { return device->trouble().find("crashed") != std::string::npos; }));
         hand.forTicks(20);

@@ -18,8 +18,13 @@ class TestForceDimension : public QObject {
     FakeDhd* fake_ = nullptr;
 
     static DeviceInfo profile() { return {.name = "", .maxForce = 12, .buttons = 1}; }
+    static Result<DeviceInfo> figures(std::string_view model) {
+        DeviceInfo info = profile();
+        if (info.name.empty()) info.name = model;
+        return info;
+    }
     static std::unique_ptr<HapticDevice> device(const std::string& id = "forcedimension:0") {
-        auto made = makeForceDimension(id, profile());
+        auto made = makeForceDimension(id, figures);
         return made ? std::move(*made) : nullptr;
     }
     static std::unique_ptr<HapticDevice> opened() {
@@ -256,7 +261,7 @@ private slots:
     void whatIsNoIdIsRefused() {
         for (const char* id : {"forcedimension:", "forcedimension:x", "forcedimension:-1",
                                "forcedimension:400", "falcon:0", ""})
-            QVERIFY2(!makeForceDimension(id, {}), id);
+            QVERIFY2(!makeForceDimension(id, figures), id);
     }
 };
 

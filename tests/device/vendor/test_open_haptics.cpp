@@ -22,8 +22,13 @@ class TestOpenHaptics : public QObject {
     static DeviceInfo profile() {
         return {.name = "Touch", .maxForce = 3, .maxStiffness = 1000, .workspaceRadius = 0.075, .buttons = 2};
     }
+    static Result<DeviceInfo> figures(std::string_view model) {
+        DeviceInfo info = profile();
+        if (info.name.empty()) info.name = model;
+        return info;
+    }
     static std::unique_ptr<HapticDevice> device(const std::string& id = "openhaptics:default") {
-        auto made = makeOpenHaptics(id, profile());
+        auto made = makeOpenHaptics(id, figures);
         return made ? std::move(*made) : nullptr;
     }
     Vec3 motors() const { return {fake_->motors[0], fake_->motors[1], fake_->motors[2]}; }
@@ -248,8 +253,8 @@ private slots:
         QCOMPARE(std::string(fake_->name.data()), std::string("Left Device"));
         QVERIFY(device()->open());
         QCOMPARE(std::string(fake_->name.data()), std::string("(default)"));
-        QVERIFY(!makeOpenHaptics("falcon:1", {}));
-        QVERIFY(!makeOpenHaptics("openhaptics:", {}));
+        QVERIFY(!makeOpenHaptics("falcon:1", figures));
+        QVERIFY(!makeOpenHaptics("openhaptics:", figures));
     }
 
     void withoutTheLibraryThereIsASentence() {
