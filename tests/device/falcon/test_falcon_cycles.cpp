@@ -45,7 +45,8 @@ private slots:
             const int uploads = bench.device->uploads();
             bench.plug();
             // Whoever has no firmware is asked for 150 ms before he gets some.
-            const auto after = std::chrono::microseconds(random() % 40'000 + (cold ? 140'000 : 0));
+            const auto after =
+                std::chrono::microseconds(cold ? 140'000 + random() % 200'000 : random() % 40'000);
             std::jthread puller([after] {
                 std::this_thread::sleep_for(after);
                 FalconBench::unplug();
