@@ -50,9 +50,12 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     const auto started = engine.start();
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;
+    const QString apart = qEnvironmentVariable("TACTUM_DEVICES_APART");
+    const QString program = apart == u"none" ? QString() : QCoreApplication::applicationFilePath();
     DeviceRegistry devices({.hand = hand,
                             .profiles = personsProfiles(),
-                            .program = QCoreApplication::applicationFilePath().toStdString()});
+                            .program = program.toStdString(),
+                            .allApart = apart == u"all"});
     MainWindow window(document, engine, hand, sampleScenes());
     window.setCatalogue(devices);
     QApplication::setWindowIcon(logo(128));
