@@ -40,9 +40,12 @@ struct Desk {
         program.frames(3);
         program.engine.setArmed(true);
     }
-    /// Leads the grip into the top of the cube until it pushes back; a machine that is busy with others is
-    /// late: then the person arms anew.
+    /// Leads the grip from above into the top of the cube until it pushes back; a machine that is busy with
+    /// others is late: then the person arms anew.
     bool feels() {
+        bench.device->leadGrip(kAbove);
+        if (!QTest::qWaitFor([this] { return bench.device->gripArrived(); }, kPatience)) return false;
+        program.engine.restartProxy();
         bench.device->leadGrip(kInside);
         return QTest::qWaitFor(
             [this] {
