@@ -16,6 +16,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view kTorque = "counts_per_newton_metre";
+constexpr double kLeastCounts = 1e3, kMostCounts = 1e5;
+
 tl::unexpected<Error> wrong(const std::filesystem::path& file, const std::string& what) {
     return inputError(file.filename().string() + ": " + what);
 }
@@ -27,23 +30,27 @@ double DeviceInfo::*figureOf(std::string_view key) {
 }
 
 /// What is wrong with it; empty when nothing is.
-std::string take(const std::string& key, const Json& figure, DeviceInfo& info) {
+std::string take(const std::string& key, const Json& figure, DeviceProfile& profile) {
     double DeviceInfo::*const value = figureOf(key);
-    if (!value) return "\"" + key + "\" is no figure of a device; docs/devices.md lists them";
+    const bool torque = key == kTorque;
+    if (!value && !torque) return "\"" + key + "\" is no figure of a device; docs/devices.md lists them";
     const Json& number = figure.is_object() && figure.contains("value") ? figure["value"] : figure;
     if (!number.is_number()) return "\"" + key + "\" must be a number, or have a number as its value";
-    info.*value = number.get<double>();
+    (torque ? profile.countsPerTorque : profile.info.*value) = number.get<double>();
+    if (torque && !(profile.countsPerTorque >= kLeastCounts && profile.countsPerTorque <= kMostCounts))
+        return "\"" + key + "\" must be from 1000 to 100000";
     return {};
 }
 
-std::string take(const Json& json, DeviceInfo& info) {
+std::string take(const Json& json, DeviceProfile& profile) {
+    DeviceInfo& info = profile.info;
     info.name = json.value("name", info.name);
     info.buttons = json.value("buttons", info.buttons);
     info.measuresVelocity = json.value("measures_velocity", info.measuresVelocity);
     if (!json.contains("figures")) return {};
     if (!json["figures"].is_object()) return "\"figures\" must be a list with names";
     for (const auto& [key, figure] : json["figures"].items())
-        if (std::string fault = take(key, figure, info); !fault.empty()) return fault;
+        if (std::string fault = take(key, figure, profile); !fault.empty()) return fault;
     return {};
 }
 
@@ -89,7 +96,7 @@ Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::
         return wrong(file, "is no profile of a device: it must be JSON with \"format\": \"tactum-device\"");
     std::string fault;
     try {
-        fault = take(json, profile.info);
+        fault = take(json, profile);
     } catch (const Json::exception&) {
         fault = "\"name\" must be a text, \"buttons\" a whole number";
     }

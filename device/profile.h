@@ -11,12 +11,13 @@
 namespace tactum {
 
 struct DeviceProfile {
-    std::string key; ///< name of its file without the ending: "falcon"
-    DeviceInfo info; ///< a real device
+    std::string key;            ///< name of its file without the ending: "falcon"
+    DeviceInfo info;            ///< a real device
+    double countsPerTorque = 0; ///< motor command for 1 N m, where the driver asks for it; else 0
 };
 
 /// What the text says over what is in `profile`; a figure that it does not name stays. `file` is for
-/// messages. Refuses unknown figures and what checkDevice() does. Thread: any but real time.
+/// messages. Refuses unknown figures and those that no device has (checkDevice()). Thread: any but real time.
 Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::path& file,
                                   DeviceProfile profile);
 

@@ -35,17 +35,18 @@ struct UsbFamily {
     std::string_view prefix; ///< of its ids, and the key of its profile
     UsbId id;
     std::string_view name;
-    std::unique_ptr<HapticDevice> (*make)(const UsbPlace& place, const DeviceInfo& profile);
+    std::unique_ptr<HapticDevice> (*make)(const UsbPlace& place, const DeviceProfile& profile);
 };
 
 constexpr std::array<UsbFamily, 2> kUsbFamilies{{
     {"falcon", kFalconUsb, "Novint Falcon",
-     [](const UsbPlace& place, const DeviceInfo& profile) -> std::unique_ptr<HapticDevice> {
-         return std::make_unique<Falcon>(place, profile, FalconSettings{});
+     [](const UsbPlace& place, const DeviceProfile& profile) -> std::unique_ptr<HapticDevice> {
+         return std::make_unique<Falcon>(
+             place, profile.info, FalconSettings{.firmware = {}, .countsPerTorque = profile.countsPerTorque});
      }},
     {"wooden-haptics", kWoodenHapticsId, "WoodenHaptics",
-     [](const UsbPlace& place, const DeviceInfo& profile) -> std::unique_ptr<HapticDevice> {
-         return std::make_unique<WoodenHaptics>(place, profile);
+     [](const UsbPlace& place, const DeviceProfile& profile) -> std::unique_ptr<HapticDevice> {
+         return std::make_unique<WoodenHaptics>(place, profile.info);
      }},
 }};
 
@@ -126,7 +127,7 @@ std::vector<DeviceListing> listOwn() {
     return listings;
 }
 
-Made makeOwn(const UsbFamily& family, const std::string& id, const DeviceInfo& profile) {
+Made makeOwn(const UsbFamily& family, const std::string& id, const DeviceProfile& profile) {
     const Result<std::vector<UsbPlace>> places = listUsb(wantedIds());
     if (!places) return tl::unexpected<Error>(places.error());
     const auto place = std::ranges::find_if(*places, [&](const UsbPlace& found) {
@@ -187,7 +188,7 @@ Made DeviceRegistry::make(const std::string& id) {
                                     std::string_view model) { return figuresOf(model, family, folder); });
     const auto profile = profileOf(own->prefix, settings_.profiles);
     if (!profile) return tl::unexpected<Error>(profile.error());
-    return makeOwn(*own, id, profile->info);
+    return makeOwn(*own, id, *profile);
 }
 
 std::filesystem::path personsProfiles() {

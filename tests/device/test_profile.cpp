@@ -51,6 +51,8 @@ private slots:
         QCOMPARE(falcon->info.maxForce, 8.0);
         QCOMPARE(falcon->info.maxStiffness, 3000.0);
         QCOMPARE(falcon->info.buttons, 4);
+        QCOMPARE(falcon->countsPerTorque, 10000.0);
+        QCOMPARE(profileOf("touch", {})->countsPerTorque, 0.0);
     }
 
     void aPersonsFileChangesWhatItNames() {
@@ -78,6 +80,8 @@ private slots:
         QTest::newRow("a word") << edited(R"("max_force_N": "five")").c_str() << "must be a number";
         QTest::newRow("beyond belief") << edited(R"("max_force_N": 1e9)").c_str() << "largest force";
         QTest::newRow("negative") << edited(R"("damping_N_s_per_m": -1)").c_str() << "damping";
+        QTest::newRow("motors that roar")
+            << edited(R"("counts_per_newton_metre": 1e6)").c_str() << "from 1000 to 100000";
         QTest::newRow("no rate") << edited(R"("rate_Hz": 0)").c_str() << "rate";
         QTest::newRow("figures as a text") << R"({"format": "tactum-device", "figures": "many"})"
                                            << "figures";
