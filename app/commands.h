@@ -54,8 +54,8 @@ Result<int> runInfo(const std::filesystem::path& scene, bool json);
 Result<int> runConvert(const ConvertOptions& options);
 /// Every finding with object, sentence and remedy; 1 when there are errors.
 Result<int> runCheck(const std::filesystem::path& scene);
-/// What is connected, and why what is not usable is not. `makers`: only what a maker's library knows of.
-Result<int> runDevices(bool makers, bool json);
+/// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
+Result<int> runDevices(const std::optional<std::string>& makers, bool json);
 /// Drives a device for another process of this program, which started this one (device/remote).
 Result<int> runDeviceServer(const std::string& id);
 

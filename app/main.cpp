@@ -200,7 +200,7 @@ struct Request {
     std::filesystem::path scene;
     std::string device;
     bool json = false;
-    bool makers = false;
+    std::optional<std::string> makers;
 };
 
 void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
@@ -215,8 +215,8 @@ void addDevices(CLI::App& program, Request& request) {
     CLI::App* devices =
         program.add_subcommand("devices", "What is connected, and why what is not usable is not");
     devices->add_flag("--json", request.json, "As a JSON array");
-    devices->add_flag("--makers", request.makers, "Only what the makers' libraries know of");
     // For this program itself; an empty group is not listed.
+    devices->add_option("--makers", request.makers)->group("");
     CLI::App* server = program.add_subcommand("device-server", "Drive a device for another process");
     server->group("")->add_option("ID", request.device)->required();
 }

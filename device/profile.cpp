@@ -1,6 +1,7 @@
 #include "device/profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -16,11 +17,14 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr int kVersion = 1;
+constexpr std::array<std::string_view, 7> kMembers{"format",  "version",           "name",   "note",
+                                                   "buttons", "measures_velocity", "figures"};
 constexpr std::string_view kTorque = "counts_per_newton_metre";
 constexpr double kLeastCounts = 1e3, kMostCounts = 1e5;
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, const std::string& what) {
-    return inputError(file.filename().string() + ": " + what);
+    return inputError(file.string() + ": " + what);
 }
 
 double DeviceInfo::*figureOf(std::string_view key) {
@@ -45,8 +49,16 @@ std::string take(const std::string& key, const Json& figure, DeviceProfile& prof
 std::string take(const Json& json, DeviceProfile& profile) {
     DeviceInfo& info = profile.info;
     info.name = json.value("name", info.name);
+    if (const Json& buttons = json.value("buttons", Json(info.buttons)); !buttons.is_number_integer())
+        return "\"buttons\" must be a whole number";
+    else if (buttons < 0 || buttons > kMostButtons)
+        return "\"buttons\" must be from 0 to 31";
     info.buttons = json.value("buttons", info.buttons);
     info.measuresVelocity = json.value("measures_velocity", info.measuresVelocity);
+    if (json.value("version", kVersion) != kVersion) return "is of a version that this program does not know";
+    for (const auto& [key, value] : json.items())
+        if (std::ranges::find(kMembers, key) == kMembers.end())
+            return "\"" + key + "\" does not belong here; a figure belongs into \"figures\"";
     if (!json.contains("figures")) return {};
     if (!json["figures"].is_object()) return "\"figures\" must be a list with names";
     for (const auto& [key, figure] : json["figures"].items())
@@ -98,11 +110,10 @@ Result<DeviceProfile> readProfile(std::string_view text, const std::filesystem::
     try {
         fault = take(json, profile);
     } catch (const Json::exception&) {
-        fault = "\"name\" must be a text, \"buttons\" a whole number";
+        fault = "\"name\" must be a text, \"buttons\" and \"version\" whole numbers";
     }
     if (!fault.empty()) return wrong(file, fault);
-    if (const Result<void> possible = checkDevice(profile.info); !possible)
-        return wrong(file, possible.error().text);
+    if (fault = impossibleFigure(profile.info); !fault.empty()) return wrong(file, fault);
     return profile;
 }
 
@@ -119,9 +130,13 @@ Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::pat
     const std::filesystem::path file = folder / (std::string(key) + ".json");
     std::error_code error;
     if (folder.empty() || !std::filesystem::exists(file, error)) return *found;
+    if (!std::filesystem::is_regular_file(file, error)) return wrong(file, "is no file; remove it");
+    constexpr std::size_t kMost = 1 << 20;
+    std::string text(kMost, '\0');
     std::ifstream in(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (!in) return wrong(file, "cannot be read; check its permissions");
+    in.read(text.data(), std::streamsize(kMost));
+    if (in.bad() || (in.fail() && !in.eof())) return wrong(file, "cannot be read; check its permissions");
+    text.resize(std::size_t(in.gcount()));
     return readProfile(text, file, *found);
 }
 

@@ -52,7 +52,7 @@ constexpr std::array<UsbFamily, 2> kUsbFamilies{{
 
 /// Devices that a maker's library drives, where the person has it.
 struct MakersFamily {
-    std::string_view prefix, profile;
+    std::string_view prefix, profile, name;
     std::vector<DeviceListing> (*list)();
     Made (*make)(const std::string& id, FiguresOf figures);
 };
@@ -64,9 +64,9 @@ Made makeOnlyHaply(const std::string& id, FiguresOf figures) {
 }
 
 constexpr std::array<MakersFamily, 3> kMakersFamilies{{
-    {"openhaptics", "phantom", listOpenHaptics, makeOpenHaptics},
-    {"forcedimension", "omega", listForceDimension, makeForceDimension},
-    {"haply", "inverse3", listHaply, makeOnlyHaply},
+    {"openhaptics", "phantom", "OpenHaptics", listOpenHaptics, makeOpenHaptics},
+    {"forcedimension", "omega", "Force Dimension", listForceDimension, makeForceDimension},
+    {"haply", "inverse3", "Haply", listHaply, makeOnlyHaply},
 }};
 
 std::string prefixOf(const std::string& id) {
@@ -141,22 +141,32 @@ Made makeOwn(const UsbFamily& family, const std::string& id, const DeviceProfile
 
 } // namespace
 
-std::vector<DeviceListing> DeviceRegistry::listMakers() {
+std::vector<DeviceListing> DeviceRegistry::listMakers(std::string_view name) {
     std::vector<DeviceListing> listings;
     for (const MakersFamily& family : kMakersFamilies)
-        std::ranges::move(family.list(), std::back_inserter(listings));
+        if (name.empty() || name == family.prefix)
+            std::ranges::move(family.list(), std::back_inserter(listings));
     return listings;
 }
 
-/// A maker's library may take long to look, so it is not asked each time.
+/// A maker's library may take long to look, so it is not asked each time, and not at all while one of them
+/// drives a device of ours: it would be disturbed, or be called missing. Each is asked in a process of its
+/// own, which a broken one takes with it.
 std::vector<DeviceListing> DeviceRegistry::listMakersApart() {
     const auto now = std::chrono::steady_clock::now();
-    if (asked_ && now - *asked_ < kMakersEvery) return makers_;
+    if (asked_ && (countRemoteDevices() > 0 || now - *asked_ < kMakersEvery)) return makers_;
     asked_ = now;
-    makers_ = listingsOf(outputOf(settings_.program, {"devices", "--makers", "--json"}, kMakersPatience));
-    if (makers_.empty())
-        makers_.push_back({"", "Makers' libraries", false,
-                           "the process that asks them did not answer; one of them may be broken"});
+    makers_.clear();
+    for (const MakersFamily& family : kMakersFamilies) {
+        auto found = listingsOf(outputOf(settings_.program,
+                                         {"devices", "--json", "--makers", std::string(family.prefix)},
+                                         kMakersPatience));
+        if (found.empty())
+            found.push_back({"", std::string(family.name), false,
+                             "its library crashed or did not answer when it was asked what is connected; "
+                             "install it anew, or ask its maker"});
+        std::ranges::move(found, std::back_inserter(makers_));
+    }
     return makers_;
 }
 

@@ -28,8 +28,9 @@ public:
     /// Errors: no such device, or not there any more; a profile that is wrong.
     Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override;
 
-    /// Those with a maker's library, asked in this process. Thread: as list().
-    static std::vector<DeviceListing> listMakers();
+    /// Those of one maker's library, "openhaptics" for instance, asked in this process; all of them without a
+    /// name. Thread: as list().
+    static std::vector<DeviceListing> listMakers(std::string_view family = {});
 
 private:
     std::vector<DeviceListing> listMakersApart();

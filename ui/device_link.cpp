@@ -92,7 +92,9 @@ void DeviceLink::look() {
 void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
     listing_ = false;
     if (spare) spare_ = spare;
-    const bool changed = !std::ranges::equal(found, devices_, isSame);
+    const bool troubled = connected() && !engine_.trouble().empty();
+    const bool changed = !std::ranges::equal(found, devices_, isSame) || troubled != troubled_;
+    troubled_ = troubled;
     devices_ = std::move(found);
     if (connected() && !current_.isEmpty() && !find(current_) && unread()) lose();
     seenUnread_ = engine_.servo().invalidSamples;
@@ -105,8 +107,9 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
 // A device that is open may be hidden from a list, by its maker's library for instance: it is lost when its
 // readings do not come either.
 bool DeviceLink::unread() {
+    constexpr std::uint64_t kHiccup = 100; // readings
     return !engine_.running() || engine_.servo().withheld == Withheld::DeviceLost ||
-           engine_.servo().invalidSamples > seenUnread_;
+           engine_.servo().invalidSamples > seenUnread_ + kHiccup;
 }
 
 void DeviceLink::lose() {
@@ -124,14 +127,17 @@ void DeviceLink::bringBack() {
     wantedThere_ = there;
 }
 
-void DeviceLink::choose(const QString& id) {
+// By value: it may be the name of the current device, which changes on the way.
+void DeviceLink::choose(QString id) {
     if (!catalogue_ || id.isEmpty()) return;
     wanted_ = id;
     QSettings().setValue(chosenKey(), id);
     const DeviceListing* listing = find(id);
     wantedThere_ = listing && listing->usable;
-    if (id == current_) return;
-    if (id != kSimulatedDevice) return begin(id, false);
+    if (id != kSimulatedDevice) {
+        if (mayBegin(id) || id != current_) begin(id, false);
+        return;
+    }
     giveUp();
     next_.clear();
     lostName_.clear();
@@ -139,8 +145,12 @@ void DeviceLink::choose(const QString& id) {
     if (connected() || !engine_.running()) park();
 }
 
+bool DeviceLink::mayBegin(const QString& id) const {
+    return !id.isEmpty() && !preparing() && (id != current_ || (connected() && !engine_.trouble().empty()));
+}
+
 void DeviceLink::tryAgain() {
-    if (!preparing() && !preparation_.id.isEmpty()) begin(preparation_.id, false);
+    if (!preparing() && !preparation_.id.isEmpty()) choose(preparation_.id);
 }
 
 void DeviceLink::giveUp() {
@@ -149,7 +159,7 @@ void DeviceLink::giveUp() {
     next_.clear();
 }
 
-void DeviceLink::begin(const QString& id, bool back) {
+void DeviceLink::begin(QString id, bool back) {
     if (attempt_) {
         attempt_->cancelled = true;
         next_ = id;
@@ -227,7 +237,7 @@ void DeviceLink::frame() {
 
 void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure) {
     attempt_.reset();
-    if (attempt->cancelled)
+    if (attempt->cancelled || attempt->id != wanted_) // the person may want another one by now
         finish(wanted_ == kSimulatedDevice ? Preparation::State::None : Preparation::State::GivenUp);
     else if (device)
         adopt(*attempt, std::move(*device));
@@ -249,6 +259,7 @@ void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> dev
     seenUnread_ = 0;
     for (Preparation::Step& step : preparation_.steps)
         step.state = StepState::Done;
+    preparation_.name = QString::fromStdString(engine_.device().name); // which it knows only now
     finish(Preparation::State::Done);
     emit exchanged();
     emit ready(preparation_.name, attempt.back);
@@ -260,6 +271,7 @@ void DeviceLink::fail(const QString& sentence) {
         if (step.state == StepState::Doing) {
             step.state = StepState::Failed;
             where = tr("%1, step \"%2\"").arg(preparation_.name, step.name);
+            if (sentence.contains(step.name)) where = preparation_.name; // it says so itself
         }
     preparation_.failure = sentence;
     finish(Preparation::State::Failed);

@@ -65,8 +65,15 @@ public:
     bool preparing() const { return preparation_.state == Preparation::State::Running; }
     const Preparation& preparation() const { return preparation_; }
 
+    /// Whether choose() would make it ready: another one than the current, or the current one when it is in
+    /// trouble.
+    bool mayBegin(const QString& id) const;
+    /// Whether choosing the simulated device would change anything.
+    bool mayLetGo() const {
+        return catalogue_ && (connected() || preparing() || wanted_ != kSimulatedDevice);
+    }
     /// Makes it ready and gives it to the engine; the simulated one at once.
-    void choose(const QString& id);
+    void choose(QString id);
     /// The same once more, after it failed or was given up.
     void tryAgain();
     /// Ends the preparing soon.
@@ -104,7 +111,7 @@ private:
     bool unread();
     void lose();
     void bringBack();
-    void begin(const QString& id, bool back);
+    void begin(QString id, bool back);
     void prepare(const std::shared_ptr<Attempt>& attempt);
     void knowSteps(const QString& name, const std::vector<std::string>& steps);
     void beginStep(const QString& step, const QString& todo);
@@ -124,6 +131,7 @@ private:
     bool nextBack_ = false;
     bool wantedThere_ = false; ///< when it was last looked for
     bool listing_ = false, again_ = false;
+    bool troubled_ = false; ///< the current device, when it was last looked at
     std::uint64_t seenUnread_ = 0;
     Preparation preparation_;
     std::shared_ptr<Attempt> attempt_;

@@ -184,6 +184,7 @@ private:
     void restoreDeadMan();
     void setDeadMan(bool on);
     void offerToArm(const QString& more = {});
+    void withdrawArming();
     void askToOverride(bool on);
     // Of devices: main_window_device.cpp.
     void addDeviceDock();

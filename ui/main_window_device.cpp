@@ -118,6 +118,7 @@ void MainWindow::showDevicePage(int page) {
 /// Another device is in the engine, without force.
 void MainWindow::adoptDevice() {
     endTrial(); // it was laid out for the other one
+    withdrawArming();
     guard_->forget();
     showArmed(false);
     hand_->setIdle(link_->connected());
@@ -194,11 +195,9 @@ void MainWindow::sayAway(const QString& name, const QString& more) {
 }
 
 void MainWindow::showDeviceCommands() {
-    const QString chosen = devicePanel_->connecting().chosen();
     const bool connected = link_->connected();
-    actions_["device-connect"].setEnabled(!chosen.isEmpty() && chosen != link_->current() &&
-                                          !link_->preparing());
-    actions_["device-disconnect"].setEnabled(link_->hasCatalogue() && (connected || link_->preparing()));
+    actions_["device-connect"].setEnabled(link_->mayBegin(devicePanel_->connecting().chosen()));
+    actions_["device-disconnect"].setEnabled(link_->mayLetGo());
     for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
         actions_[id].setEnabled(connected && !playback_->active());
     showTrial();

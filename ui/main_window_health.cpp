@@ -17,6 +17,13 @@ namespace {
 
 constexpr int kFramesPerDisplay = 6; // more often nobody reads figures
 
+QString armAgain() {
+    return MainWindow::tr("Arm again");
+}
+QString openAgain() {
+    return MainWindow::tr("Open again");
+}
+
 QString deadManKey() {
     return QStringLiteral("device/deadMan");
 }
@@ -25,9 +32,8 @@ QString deadManKey() {
 
 void MainWindow::connectHealth() {
     connect(guard_, &GuardWatch::faulted, this, [this](Withheld why) {
-        if (why != Withheld::DeviceLost) return offerToArm();
-        offerToArm(QString::fromStdString(engine_.trouble()));
-        link_->look(); // whether it is there at all
+        offerToArm();
+        if (why == Withheld::DeviceLost) link_->look(); // whether it is there at all
     });
     connect(guard_, &GuardWatch::happened, this, [this] {
         if (!playback_->active()) docks_.health->setEvents(guard_->events());
@@ -104,8 +110,22 @@ void MainWindow::setDeadMan(bool on) {
 
 void MainWindow::offerToArm(const QString& more) {
     showArmed(false);
-    notice_->offer((guardSentences(*guard_->fault()) + u' ' + more).trimmed(), QStringLiteral("error"),
-                   tr("Arm again"), [this] { setArmed(true); });
+    const bool lost = *guard_->fault() == Withheld::DeviceLost;
+    const QString trouble = lost ? QString::fromStdString(engine_.trouble()) : QString();
+    const QString text =
+        QStringLiteral("%1 %2 %3").arg(guardSentences(*guard_->fault()), trouble, more).simplified();
+    // What its driver cannot get over by itself no arming brings back.
+    if (!trouble.isEmpty() && link_->connected())
+        notice_->offer(text, QStringLiteral("error"), openAgain(),
+                       [this] { link_->choose(link_->current()); });
+    else
+        notice_->offer(text, QStringLiteral("error"), armAgain(), [this] { setArmed(true); });
+}
+
+/// Another device came or went: what is offered is of the one before.
+void MainWindow::withdrawArming() {
+    for (const QString& button : {armAgain(), openAgain(), tr("Arm")})
+        notice_->withdraw(button);
 }
 
 void MainWindow::askToOverride(bool on) {

@@ -5,20 +5,35 @@
 #include "core/control/device_figures.h"
 
 namespace tactum {
-Result<void> checkDevice(const DeviceInfo& device) {
-    for (const DeviceFigure& figure : kDeviceFigures) {
-        const double value = device.*figure.value;
-        if (value >= figure.least && value <= figure.most) continue; // NaN is not
-        std::string text = "The device " + printable(device.name) +
-                           " cannot be used: its driver says that its " + figure.name + " is ";
-        appendNumber(text, value);
-        text += std::string(" ") + figure.unit + ", and it must be from ";
-        appendNumber(text, figure.least);
-        text += " to ";
-        appendNumber(text, figure.most);
-        return machineError(text + "; update the driver or choose another device.");
-    }
+namespace {
+
+std::string rangeFault(const char* name, double value, const char* unit, double least, double most) {
+    std::string text = std::string("its ") + name + " is ";
+    appendNumber(text, value);
+    text += std::string(" ") + unit + ", and it must be from ";
+    appendNumber(text, least);
+    text += " to ";
+    appendNumber(text, most);
+    return text;
+}
+
+} // namespace
+
+std::string impossibleFigure(const DeviceInfo& device) {
+    for (const DeviceFigure& figure : kDeviceFigures)
+        if (const double value = device.*figure.value;
+            !(value >= figure.least && value <= figure.most)) // NaN is not
+            return rangeFault(figure.name, value, figure.unit, figure.least, figure.most);
+    if (device.buttons < 0 || device.buttons > kMostButtons)
+        return rangeFault("number of buttons", device.buttons, "", 0, kMostButtons);
     return {};
+}
+
+Result<void> checkDevice(const DeviceInfo& device) {
+    const std::string fault = impossibleFigure(device);
+    if (fault.empty()) return {};
+    return machineError("The device " + printable(device.name) + " cannot be used: its driver says that " +
+                        fault + "; update the driver or choose another device.");
 }
 
 } // namespace tactum

@@ -90,7 +90,7 @@ Result<FalconFirmware> readFalconFirmware(const fs::path& file) {
     const std::string shown = inQuotes(file.string());
     std::error_code error;
     if (!fs::is_regular_file(file, error))
-        return inputError("There is no file " + shown + ": choose the Falcon's firmware anew.");
+        return inputError("There is no file " + shown + ": put your copy of the Falcon's firmware there.");
     std::ifstream in(file, std::ios::binary);
     std::vector<std::uint8_t> bytes(kLargest + 1);
     in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
@@ -129,7 +129,7 @@ Result<FalconFirmware> findFalconFirmware(const fs::path& chosen, const std::vec
     return inputError("The Falcon needs its firmware, which this program may not carry: put your copy of "
                       "nvent_firmware.bin (from libnifalcon's source, folder firmware, or Novint's driver) "
                       "into " +
-                      own + ", or choose the file.");
+                      own + ", or name it in TACTUM_FALCON_FIRMWARE.");
 }
 
 } // namespace tactum

@@ -15,16 +15,24 @@ using wire::Packet;
 
 constexpr int kMoment = 20;     ///< ms between two looks at whether the person gives up
 constexpr int kAnswer = 30'000; ///< ms, for what a person is not needed for
+constexpr int kOpening = 5000;  ///< ms, of what is prepared
 constexpr int kClosing = 2000;  ///< ms
 constexpr int kGivingUp = 5000; ///< ms, after a person did
 constexpr double kSilent = 0.1; ///< s without a tick
 constexpr std::size_t kLongestSentence = 500;
 
+std::atomic<int> remoteDevices{0};
+
 class RemoteDevice final : public HapticDevice {
 public:
     RemoteDevice(const std::filesystem::path& program, const std::vector<std::string>& arguments)
-        : process_(program, arguments) {}
-    ~RemoteDevice() override { close(); }
+        : process_(program, arguments) {
+        ++remoteDevices;
+    }
+    ~RemoteDevice() override {
+        close();
+        --remoteDevices;
+    }
 
     /// Starts the process and takes in what it says of the device.
     Result<void> start() {
@@ -53,6 +61,7 @@ public:
 
 private:
     Result<void> needProcess();
+    Result<void> openPrepared(int patience);
     Result<void> ask(Kind kind, int patience);
     Result<void> listen(int patience, Opening* opening = nullptr);
     tl::unexpected<Error> lost();
@@ -74,13 +83,20 @@ Result<void> RemoteDevice::prepare(Opening& opening) {
     if (Result<void> runs = needProcess(); !runs) return runs;
     const bool nobody = opening.cancelled();
     if (!process_.send({.kind = Kind::Prepare, .value = double(nobody)})) return lost();
-    return listen(nobody ? kAnswer : 0, &opening);
+    Result<void> prepared = listen(nobody ? kAnswer : 0, &opening);
+    // Here and not later, when the window would wait for a driver that hangs.
+    return prepared && !open_ ? openPrepared(kOpening) : prepared;
 }
 
 Result<void> RemoteDevice::open() {
+    if (open_ && process_.runs()) return {};
     if (Result<void> runs = needProcess(); !runs) return runs;
+    return openPrepared(kAnswer);
+}
+
+Result<void> RemoteDevice::openPrepared(int patience) {
     emergencyStop(); // what an earlier use left in the mailbox
-    Result<void> opened = ask(Kind::Open, kAnswer);
+    Result<void> opened = ask(Kind::Open, patience);
     open_ = opened.has_value();
     return opened;
 }
@@ -149,6 +165,10 @@ std::string RemoteDevice::trouble() const {
 }
 
 } // namespace
+
+int countRemoteDevices() {
+    return remoteDevices;
+}
 
 Result<std::unique_ptr<HapticDevice>> makeRemoteDevice(const std::filesystem::path& program,
                                                        const std::vector<std::string>& arguments) {

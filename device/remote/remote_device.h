@@ -17,4 +17,7 @@ namespace tactum {
 Result<std::unique_ptr<HapticDevice>> makeRemoteDevice(const std::filesystem::path& program,
                                                        const std::vector<std::string>& arguments);
 
+/// That this program has at the moment. Thread: any.
+int countRemoteDevices();
+
 } // namespace tactum

@@ -81,7 +81,7 @@ inline const std::vector<Library> kLibraries{
     {"unistd.h",
      {"core/base/atomic_file.cpp", "core/loop/", "core/runtime/", "core/import/", "device/", "app/"}},
     {"poll.h", {"core/loop/guardian.cpp", "core/import/worker_process.cpp", "device/"}},
-    {"fcntl.h", {"core/base/atomic_file.cpp", "core/loop/guardian.cpp", "core/import/", "device/"}},
+    {"fcntl.h", {"core/base/atomic_file.cpp", "core/loop/guardian.cpp", "core/import/", "device/", "app/"}},
     {"spawn.h", {"core/import/worker_process.cpp", "device/remote/"}},
     {"linux/", {"core/import/worker/sandbox.cpp", "device/usb/"}},
 };

@@ -80,6 +80,16 @@ private slots:
         QTest::newRow("a word") << edited(R"("max_force_N": "five")").c_str() << "must be a number";
         QTest::newRow("beyond belief") << edited(R"("max_force_N": 1e9)").c_str() << "largest force";
         QTest::newRow("negative") << edited(R"("damping_N_s_per_m": -1)").c_str() << "damping";
+        QTest::newRow("a figure at the wrong place") << R"({"format": "tactum-device", "max_force_N": 1})"
+                                                     << "belongs into";
+        QTest::newRow("a later version") << R"({"format": "tactum-device", "version": 2})"
+                                         << "version";
+        QTest::newRow("a thousand buttons") << R"({"format": "tactum-device", "buttons": 1000})"
+                                            << "from 0 to 31";
+        QTest::newRow("no button at all") << R"({"format": "tactum-device", "buttons": -1})"
+                                          << "from 0 to 31";
+        QTest::newRow("half a button") << R"({"format": "tactum-device", "buttons": 2.5})"
+                                       << "whole";
         QTest::newRow("motors that roar")
             << edited(R"("counts_per_newton_metre": 1e6)").c_str() << "from 1000 to 100000";
         QTest::newRow("no rate") << edited(R"("rate_Hz": 0)").c_str() << "rate";
@@ -122,6 +132,13 @@ private slots:
         QFETCH(QString, name);
         QFETCH(QString, key);
         QCOMPARE(QString::fromStdString(profileFor(name.toStdString())), key);
+    }
+
+    void aFolderIsNoProfile() {
+        const QTemporaryDir folder;
+        std::filesystem::create_directory(pathOf(folder) / "falcon.json");
+        const auto refused = profileOf("falcon", pathOf(folder));
+        QVERIFY(!refused && refused.error().text.find("no file") != std::string::npos);
     }
 
     void anUnknownDeviceIsRefused() { QVERIFY(!profileOf("../falcon", {})); }

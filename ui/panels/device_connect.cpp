@@ -166,8 +166,8 @@ void DeviceConnect::follow() {
     const bool wants = wantsPermission(link_);
     permit_->setVisible(wants);
     if (!wants) showCommand({}, {});
-    connect_->setEnabled(!chosen().isEmpty() && chosen() != link_.current() && !link_.preparing());
-    disconnect_->setEnabled(link_.hasCatalogue() && (link_.connected() || link_.preparing()));
+    connect_->setEnabled(link_.mayBegin(chosen()));
+    disconnect_->setEnabled(link_.mayLetGo());
     emit chosenChanged();
 }
 

@@ -99,6 +99,10 @@ void NoticeBar::offer(const QString& sentence, const QString& severity, const QS
     act_->show();
 }
 
+void NoticeBar::withdraw(const QString& button) {
+    if (!act_->isHidden() && act_->text() == button) hide();
+}
+
 void NoticeBar::showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable) {
     text_->setText(secondsLeft < 0 ? what : tr("%1 - about %2 left").arg(what, durationText(secondsLeft)));
     bar_->setValue(int(1000 * fraction));

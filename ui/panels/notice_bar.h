@@ -24,6 +24,8 @@ public:
     /// With a button that does something about it; pressing it closes the message first.
     void offer(const QString& sentence, const QString& severity, const QString& button,
                std::function<void()> action);
+    /// Takes back what was offered with that button, if it is still shown.
+    void withdraw(const QString& button);
     /// secondsLeft < 0: not known yet.
     void showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable);
     /// Ends the progress, if that is what is shown; a message stays.

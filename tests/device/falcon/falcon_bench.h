@@ -1,6 +1,7 @@
 // What the tests of the Falcon share: one in a socket, a firmware of no meaning, and a person at hand.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <memory>
@@ -37,7 +38,8 @@ public:
     std::vector<std::string> steps;
     std::string asked, givesUpAt;
     double most = 0;
-    bool homes = true, gaveUp = false;
+    bool homes = true;
+    std::atomic<bool> gaveUp{false};
 
 private:
     std::shared_ptr<EmulatedFalcon> device_;

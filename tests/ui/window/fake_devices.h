@@ -22,8 +22,9 @@ struct FakeDesk {
     std::atomic<int> go{0};      ///< steps that prepare() may end
     std::atomic<int> failAt{-1}; ///< the step that fails
     std::atomic<bool> failOpen{false};
-    std::atomic<int> made{0};     ///< devices that exist
-    std::atomic<int> prepared{0}; ///< times that it was prepared to the end
+    std::atomic<bool> broken{false}; ///< its driver: only preparing it anew helps
+    std::atomic<int> made{0};        ///< devices that exist
+    std::atomic<int> prepared{0};    ///< times that it was prepared to the end
     std::atomic<bool> preparing{false};
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
@@ -64,11 +65,14 @@ public:
         return {};
     }
     void close() override { desk_->force = 0; }
-    std::string trouble() const override { return desk_->plugged ? "" : "The arm does not answer."; }
+    std::string trouble() const override {
+        return desk_->broken ? "The driver crashed." : desk_->plugged ? "" : "The arm does not answer.";
+    }
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         desk_->force = command.force.norm();
-        return {
-            .position = {desk_->x, desk_->y, desk_->z}, .buttons = desk_->buttons, .valid = desk_->plugged};
+        return {.position = {desk_->x, desk_->y, desk_->z},
+                .buttons = desk_->buttons,
+                .valid = desk_->plugged && !desk_->broken};
     }
 
 private:
@@ -85,6 +89,7 @@ private:
             }
         }
         ++desk_->prepared;
+        desk_->broken = false;
         return {};
     }
 

@@ -53,7 +53,9 @@ struct Desk {
     }
     QString text(const char* name) {
         QWidget& label = widget(name);
-        return label.isVisible() ? static_cast<QLabel&>(label).text() : QString();
+        if (!label.isVisible()) return {};
+        auto* button = qobject_cast<QPushButton*>(&label);
+        return button ? button->text() : static_cast<QLabel&>(label).text();
     }
     void click(const char* name) { QTest::mouseClick(&widget(name), Qt::LeftButton); }
     QTreeWidget& list() { return static_cast<QTreeWidget&>(widget("device-list")); }
@@ -130,6 +132,8 @@ private slots:
     void aFailingStepIsNamedAndTriedAgain();
     void aDeviceThatDoesNotOpenLeavesTheSimulatedHand();
     void givingUpLeavesTheSimulatedHand();
+    void disconnectingWhileItIsMadeReadyGivesUp();
+    void aBrokenDriverIsOpenedAgain();
     void closingTheWindowGivesUp();
     void theMouseDoesNotLeadARealDevice();
     void disconnectingGivesItBack();
@@ -274,6 +278,39 @@ void TestDevice::givingUpLeavesTheSimulatedHand() {
     const int lists = desk.catalogue->lists;
     QTRY_VERIFY_WITH_TIMEOUT(desk.catalogue->lists > lists + 1, kPatience);
     QVERIFY(!desk.link().preparing());
+}
+
+void TestDevice::disconnectingWhileItIsMadeReadyGivesUp() {
+    Desk desk;
+    desk.begin();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.desk->preparing, kPatience);
+    desk.click("device-disconnect-button");
+    desk.desk->go = 3; // all goes well, too late
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.link().preparing() && !desk.desk->preparing, kPatience);
+    desk.program.frames(10);
+    QCOMPARE(desk.link().current(), kSimulatedDevice);
+    QCOMPARE(desk.link().wanted(), kSimulatedDevice);
+    QCOMPARE(int(desk.desk->made), 0);
+}
+
+/// No arming helps there: the message offers what does.
+void TestDevice::aBrokenDriverIsOpenedAgain() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    desk.desk->place(0, 0, 0.08);
+    QVERIFY(desk.connectIt());
+    desk.click("notice-act");
+    QVERIFY(desk.fullForce());
+    desk.desk->broken = true;
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("notice-act"), QStringLiteral("Open again"), kPatience);
+    QVERIFY(!desk.engine().armed());
+    QVERIFY(desk.text("notice-text").contains(QStringLiteral("The driver crashed.")));
+    desk.click("notice-act");
+    QTRY_COMPARE_WITH_TIMEOUT(int(desk.desk->prepared), 2, kPatience);
+    QVERIFY(desk.ready());
+    QVERIFY(!desk.engine().armed());
+    desk.click("notice-act");
+    QVERIFY(desk.fullForce());
 }
 
 void TestDevice::closingTheWindowGivesUp() {
