@@ -289,7 +289,14 @@ private slots:
         QVERIFY(!check.out.isEmpty());
         const Ended devices = tactum({"devices"});
         QCOMPARE(devices.code, 0);
-        QVERIFY(devices.out.contains("Simulated hand: ready"));
+        QVERIFY(devices.out.contains("Simulated hand (simulated): ready"));
+        // A maker's library that is none, or missing, is one sentence and takes nothing else with it.
+        QVERIFY(devices.out.contains("OpenHaptics") && devices.out.contains("Force Dimension"));
+        const Ended json = tactum({"devices", "--json"});
+        QCOMPARE(json.code, 0);
+        QVERIFY(QJsonDocument::fromJson(json.out).isArray());
+        const Ended none = tactum({"device-server", "no such"});
+        QVERIFY(none.code != 0 && none.error.contains("no such"));
     }
 
     void helpIsZero() {
