@@ -26,13 +26,13 @@ class DeviceLink::Watch final : public Opening {
 public:
     Watch(DeviceLink& link, std::shared_ptr<Attempt> attempt) : link_(link), attempt_(std::move(attempt)) {}
 
-    void begin(std::string_view step, std::string_view todo) override {
+    void begin(std::string_view step, std::string_view request) override {
         attempt_->progress = 0;
         QMetaObject::invokeMethod(
             &link_,
             [&link = link_, attempt = attempt_, step = QString::fromUtf8(step.data(), qsizetype(step.size())),
-             todo = QString::fromUtf8(todo.data(), qsizetype(todo.size()))] {
-                if (attempt == link.attempt_) link.beginStep(step, todo);
+             request = QString::fromUtf8(request.data(), qsizetype(request.size()))] {
+                if (attempt == link.attempt_) link.beginStep(step, request);
             },
             Qt::QueuedConnection);
     }
@@ -173,7 +173,7 @@ void DeviceLink::begin(QString id, bool back) {
                     .id = id,
                     .name = listing ? QString::fromStdString(listing->name) : id,
                     .steps = {},
-                    .todo = {},
+                    .request = {},
                     .progress = 0,
                     .failure = {}};
     attempt_ = std::make_shared<Attempt>();
@@ -217,14 +217,14 @@ void DeviceLink::knowSteps(const QString& name, const std::vector<std::string>& 
 }
 
 /// A step that was not announced is shown all the same.
-void DeviceLink::beginStep(const QString& step, const QString& todo) {
+void DeviceLink::beginStep(const QString& step, const QString& request) {
     auto& steps = preparation_.steps;
     auto at = std::ranges::find(steps, step, &Preparation::Step::name);
     if (at == steps.end()) at = steps.insert(steps.end(), {step, StepState::Waiting});
     for (auto before = steps.begin(); before != at; ++before)
         before->state = StepState::Done;
     at->state = StepState::Doing;
-    preparation_.todo = todo;
+    preparation_.request = request;
     preparation_.progress = 0;
     emit preparationChanged();
 }
@@ -280,7 +280,7 @@ void DeviceLink::fail(const QString& sentence) {
 
 void DeviceLink::finish(Preparation::State state) {
     preparation_.state = state;
-    preparation_.todo.clear();
+    preparation_.request.clear();
     emit preparationChanged();
 }
 

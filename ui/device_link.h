@@ -32,7 +32,7 @@ struct Preparation {
     State state = State::None;
     QString id, name;
     std::vector<Step> steps;
-    QString todo;        ///< what the person has to do now
+    QString request;     ///< what the person has to do now
     double progress = 0; ///< of the step that is being done, 0 to 1
     QString failure;     ///< the device's sentence
 };
@@ -114,7 +114,7 @@ private:
     void begin(QString id, bool back);
     void prepare(const std::shared_ptr<Attempt>& attempt);
     void knowSteps(const QString& name, const std::vector<std::string>& steps);
-    void beginStep(const QString& step, const QString& todo);
+    void beginStep(const QString& step, const QString& request);
     void ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure);
     void adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device);
     void fail(const QString& sentence);

@@ -10,9 +10,9 @@ class Opening {
 public:
     virtual ~Opening() = default;
 
-    /// The next step begins, one of HapticDevice::steps(). `todo`: what the person has to do now, a sentence;
-    /// empty when only to wait. May be called again for the same step with another `todo`.
-    virtual void begin(std::string_view step, std::string_view todo = {}) = 0;
+    /// The next step begins, one of HapticDevice::steps(). `request`: what the person has to do now, a
+    /// sentence; empty when only to wait. May be called again for the same step with another `request`.
+    virtual void begin(std::string_view step, std::string_view request = {}) = 0;
     /// How much of the step is done, 0 to 1.
     virtual void progress(double part) = 0;
     /// The person gives up: end soon, with zero force.

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -16,6 +15,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "core/base/child_program.h"
 #include "core/base/numbers.h"
 #include "core/import/wire.h"
 
@@ -41,36 +41,18 @@ std::vector<char*> smallEnvironment() {
     for (char** entry = environ; *entry; ++entry)
         for (const char* name : {"LD_LIBRARY_PATH=", "ASAN_OPTIONS=", "UBSAN_OPTIONS=", "TSAN_OPTIONS="})
             if (std::strncmp(*entry, name, std::strlen(name)) == 0) kept.push_back(*entry);
-    kept.push_back(nullptr);
     return kept;
 }
 
-/// posix_spawn shares the memory until the other program begins: a fork would make every page of the force
-/// loops fault once.
 int spawn(pid_t& child, const std::filesystem::path& worker, const std::filesystem::path& file, int talk,
           int memory) {
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    for (int standard = 0; standard < (kSanitized ? 2 : 3); ++standard)
-        posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0);
-    posix_spawn_file_actions_adddup2(&files, talk, wire::kTalk);
-    posix_spawn_file_actions_adddup2(&files, memory, wire::kSceneMemory);
-    posix_spawn_file_actions_addclosefrom_np(&files, wire::kSceneMemory + 1);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t signals;
-    sigemptyset(&signals);
-    posix_spawnattr_setsigmask(&attributes, &signals);
-    sigfillset(&signals);
-    posix_spawnattr_setsigdefault(&attributes, &signals);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    std::string program = worker.string(), model = file.string();
-    const std::array<char*, 3> arguments{program.data(), model.data(), nullptr};
-    const int fault = posix_spawn(&child, program.c_str(), &files, &attributes, arguments.data(),
-                                  smallEnvironment().data());
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-    return fault;
+    ChildProgram program{.program = worker,
+                         .arguments = {file.string()},
+                         .silent = {0, 1},
+                         .descriptors = {{talk, wire::kTalk}, {memory, wire::kSceneMemory}},
+                         .environment = smallEnvironment()};
+    if (!kSanitized) program.silent.push_back(2);
+    return startChild(std::move(program), child);
 }
 
 void limit(pid_t child, const ImportLimits& limits) {

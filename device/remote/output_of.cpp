@@ -5,9 +5,10 @@
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "core/base/child_program.h"
 
 namespace tactum {
 namespace {
@@ -31,33 +32,23 @@ bool readAll(int from, int patience, std::string& text) {
     return false;
 }
 
-/// 0 when it did not start.
-pid_t start(const std::string& program, std::vector<std::string>& arguments, int to) {
-    std::vector<char*> words{const_cast<char*>(program.c_str())};
-    for (std::string& argument : arguments)
-        words.push_back(argument.data());
-    words.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, to, STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    const int refused = posix_spawn(&child, program.c_str(), &actions, nullptr, words.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    return refused ? 0 : child;
-}
-
 } // namespace
 
 std::string outputOf(const std::string& program, std::vector<std::string> arguments, int patience) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
-    const pid_t child = start(program, arguments, ends[1]);
+    pid_t child = 0;
+    const bool started = startChild({.program = program,
+                                     .arguments = std::move(arguments),
+                                     .silent = {STDIN_FILENO, STDERR_FILENO},
+                                     .descriptors = {{ends[1], STDOUT_FILENO}},
+                                     .environment = {}},
+                                    child) == 0;
     close(ends[1]);
     std::string text;
-    const bool whole = child > 0 && readAll(ends[0], patience, text);
+    const bool whole = started && readAll(ends[0], patience, text);
     close(ends[0]);
-    if (child == 0) return {};
+    if (!started) return {};
     if (!whole) kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);

@@ -73,8 +73,8 @@ public:
     void serve();
 
     // What a device that is made ready says to the person.
-    void begin(std::string_view step, std::string_view todo) override {
-        wire::send(talk_, {.kind = Kind::Begin, .text = wire::textOf(step), .more = wire::textOf(todo)});
+    void begin(std::string_view step, std::string_view request) override {
+        wire::send(talk_, {.kind = Kind::Begin, .text = wire::textOf(step), .more = wire::textOf(request)});
     }
     void progress(double part) override { wire::send(talk_, {.kind = Kind::Progress, .value = part}); }
     bool cancelled() const override;

@@ -6,13 +6,14 @@
 #include <cstring>
 #include <fcntl.h>
 #include <new>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
+
+#include "core/base/child_program.h"
 
 namespace tactum {
 namespace {
@@ -73,37 +74,21 @@ Result<void> ServerProcess::start() {
     return {};
 }
 
-/// posix_spawn shares the memory until the other program begins: a fork would make every page of the force
-/// loops fault once.
+/// The terminal's signals are for the program, which then ends this one in order.
 int ServerProcess::spawn(int talk) {
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO); // makers' libraries chat
-    posix_spawn_file_actions_adddup2(&files, talk, wire::kTalk);
-    posix_spawn_file_actions_adddup2(&files, memory_, wire::kBlock);
-    posix_spawn_file_actions_addclosefrom_np(&files, wire::kBlock + 1);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t signals;
-    sigemptyset(&signals);
-    posix_spawnattr_setsigmask(&attributes, &signals);
-    sigfillset(&signals);
-    posix_spawnattr_setsigdefault(&attributes, &signals);
-    // A session of its own: the terminal's signals are for the program, which then ends this one in order.
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
-    std::string name = program_.string();
-    std::vector<char*> arguments{name.data()};
-    for (std::string& argument : arguments_)
-        arguments.push_back(argument.data());
-    arguments.push_back(nullptr);
+    constexpr int kIn = STDIN_FILENO, kOut = STDOUT_FILENO, kError = STDERR_FILENO;
     const std::lock_guard lock(mutex_);
-    const int fault = posix_spawn(&pid_, name.c_str(), &files, &attributes, arguments.data(), environ);
+    const int fault = startChild({.program = program_,
+                                  .arguments = arguments_,
+                                  .silent = {kIn},
+                                  .descriptors = {{kError, kOut}, // makers' libraries chat
+                                                  {talk, wire::kTalk},
+                                                  {memory_, wire::kBlock}},
+                                  .environment = {},
+                                  .apart = true},
+                                 pid_);
     if (fault) pid_ = -1;
     status_ = 0;
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
     return fault;
 }
 

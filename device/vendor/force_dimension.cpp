@@ -167,14 +167,16 @@ Result<void> ForceDimension::asksForCalibration(bool& asks) const {
 }
 
 Result<void> ForceDimension::calibrate(Opening& opening) {
-    constexpr const char* kTodo = "Calibrate the device as its manual says: most do it by themselves after "
-                                  "they are switched on, some when the handle is led to its rest.";
+    constexpr const char* kRequest =
+        "Calibrate the device as its manual says: most do it by themselves after "
+        "they are switched on, some when the handle is led to its rest.";
     bool asks = false, said = false;
     while (true) {
         if (Result<void> known = asksForCalibration(asks); !known || !asks) return known;
-        if (!said) opening.begin(kCalibrate, kTodo);
+        if (!said) opening.begin(kCalibrate, kRequest);
         said = true;
-        if (opening.cancelled()) return machineError(std::string("The device is not calibrated. ") + kTodo);
+        if (opening.cancelled())
+            return machineError(std::string("The device is not calibrated. ") + kRequest);
         std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
     }
 }

@@ -161,13 +161,15 @@ Result<void> Haply::connect() {
 }
 
 Result<void> Haply::calibrate(Opening& opening) {
-    constexpr const char* kTodo = "Calibrate the device as its light asks: put the handle into its inkwell.";
+    constexpr const char* kRequest =
+        "Calibrate the device as its light asks: put the handle into its inkwell.";
     haply::State state;
     for (bool said = false;; said = true) {
         if (!talk(Vec3::Zero(), state)) return machineError(fault_.load());
         if (state.calibrated) return {};
-        if (!said) opening.begin(kCalibrate, kTodo);
-        if (opening.cancelled()) return machineError(std::string("The device is not calibrated. ") + kTodo);
+        if (!said) opening.begin(kCalibrate, kRequest);
+        if (opening.cancelled())
+            return machineError(std::string("The device is not calibrated. ") + kRequest);
         std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
     }
 }

@@ -293,12 +293,12 @@ Result<void> OpenHaptics::calibrate(Opening& opening) {
 
 Result<void> OpenHaptics::calibrateByHand(Opening& opening) {
     const bool reset = calibrationStyle_ == hd::kEncoderReset;
-    const std::string todo =
+    const std::string request =
         reset ? "Hold the arms of the device at right angles to each other, and keep still."
               : "Put the stylus into its inkwell.";
-    opening.begin(kCalibrate, todo);
+    opening.begin(kCalibrate, request);
     for (int waited = 0; calibration_ != hd::kCalibrated && fault_ == hd::kSuccess; waited += kMoment) {
-        if (opening.cancelled()) return machineError("The device is not calibrated. " + todo);
+        if (opening.cancelled()) return machineError("The device is not calibrated. " + request);
         if (reset) opening.progress(std::min(1.0, double(waited) / kHold));
         if (reset && waited % kHold == kHold - kMoment) resetNow_ = true;
         pause();

@@ -18,7 +18,7 @@ constexpr UsbEndpoints kEndpoints{.interface = 0, .in = 0x81, .out = 0x01, .inte
 
 const char kConnect[] = "Connect";
 const char kRest[] = "Rest position";
-const char kRestTodo[] =
+const char kRestRequest[] =
     "Move the arm, then put it into its rest position, the upper arm upright and the forearm "
     "hanging straight down, and hold it there for two seconds.";
 
@@ -122,7 +122,7 @@ Result<void> WoodenHaptics::connect(Opening& opening) {
 }
 
 Result<void> WoodenHaptics::findRest(Opening& opening) {
-    opening.begin(kRest, kRestTodo);
+    opening.begin(kRest, kRestRequest);
     if (auto started = link_->startStream(); !started) return started;
     Result<WoodenReport> report = waitForReport(opening);
     if (report) {

@@ -77,12 +77,17 @@ inline const std::vector<Library> kLibraries{
     // The operating system: threads, clocks, memory and files.
     {"pthread.h", {"core/loop/", "core/runtime/"}},
     {"sched.h", {"core/loop/", "core/runtime/", "core/import/worker/", "device/remote/"}},
-    {"sys/", {"core/base/atomic_file.cpp", "core/loop/", "core/runtime/", "core/import/", "device/", "app/"}},
+    {"sys/",
+     {"core/base/atomic_file.cpp", "core/base/child_program.h", "core/loop/", "core/runtime/", "core/import/",
+      "device/", "app/"}},
     {"unistd.h",
-     {"core/base/atomic_file.cpp", "core/loop/", "core/runtime/", "core/import/", "device/", "app/"}},
+     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/", "core/runtime/",
+      "core/import/", "device/", "app/"}},
     {"poll.h", {"core/loop/guardian.cpp", "core/import/worker_process.cpp", "device/"}},
-    {"fcntl.h", {"core/base/atomic_file.cpp", "core/loop/guardian.cpp", "core/import/", "device/", "app/"}},
-    {"spawn.h", {"core/import/worker_process.cpp", "device/remote/"}},
+    {"fcntl.h",
+     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/guardian.cpp", "core/import/",
+      "device/", "app/"}},
+    {"spawn.h", {"core/base/child_program.cpp"}},
     {"linux/", {"core/import/worker/sandbox.cpp", "device/usb/"}},
 };
 

@@ -86,7 +86,7 @@ QLabel* words(const char* name) {
 } // namespace
 
 DeviceSteps::DeviceSteps(QWidget* parent)
-    : QWidget(parent), heading_(words("device-preparing")), todo_(words("device-todo")),
+    : QWidget(parent), heading_(words("device-preparing")), todo_(words("device-request")),
       bar_(new QProgressBar), failure_(words("device-failure")), giveUp_(new QPushButton(tr("Give up"))),
       again_(new QPushButton(tr("Try again"))) {
     heading_->setProperty("heading", true);
@@ -120,8 +120,8 @@ void DeviceSteps::show(const Preparation& preparation) {
     const bool running = state == State::Running;
     heading_->setText(headingOf(preparation));
     fillRows(preparation);
-    todo_->setText(preparation.todo);
-    todo_->setVisible(running && !preparation.todo.isEmpty());
+    todo_->setText(preparation.request);
+    todo_->setVisible(running && !preparation.request.isEmpty());
     bar_->setValue(int(1000 * preparation.progress));
     bar_->setVisible(running);
     failure_->setText(preparation.failure);

@@ -25,11 +25,11 @@ class Person final : public Opening {
 public:
     explicit Person(std::shared_ptr<EmulatedFalcon> device) : device_(std::move(device)) {}
 
-    void begin(std::string_view step, std::string_view todo) override {
+    void begin(std::string_view step, std::string_view request) override {
         if (steps.empty() || steps.back() != step) steps.emplace_back(step);
         if (step == givesUpAt) gaveUp = true;
-        if (todo.empty()) return;
-        asked = todo;
+        if (request.empty()) return;
+        asked = request;
         if (homes) device_->homeByHand();
     }
     void progress(double part) override { most = std::max(most, part); }

@@ -134,7 +134,7 @@ private slots:
         Watcher watcher;
         QVERIFY((*device)->prepare(watcher));
         QVERIFY((watcher.steps == std::vector<std::string>{"Wake", "Home"}));
-        QCOMPARE(watcher.todo, std::string("Pull the handle."));
+        QCOMPARE(watcher.request, std::string("Pull the handle."));
         QCOMPARE(watcher.parts, std::vector<double>{0.5});
         QCOMPARE(served_->exchanges.load(), std::uint64_t(0)); // no loop yet
     }
@@ -142,7 +142,7 @@ private slots:
     void aPersonMayGiveUp() {
         const auto device = make("homes");
         Watcher watcher;
-        watcher.onTodo = [&](std::string_view) { watcher.givesUp = true; };
+        watcher.onRequest = [&](std::string_view) { watcher.givesUp = true; };
         const auto result = (*device)->prepare(watcher);
         QVERIFY(!result);
         QCOMPARE(result.error().text, std::string("The device is not homed. Pull the handle."));
@@ -155,7 +155,7 @@ private slots:
         QVERIFY(!result);
         QCOMPARE(result.error().text, std::string("The device is not homed. Pull the handle."));
         Watcher watcher;
-        watcher.onTodo = [&](std::string_view) { watcher.givesUp = true; };
+        watcher.onRequest = [&](std::string_view) { watcher.givesUp = true; };
         QVERIFY(!(*device)->prepare(watcher)); // and it can still be asked again
         QCOMPARE(served_->prepares.load(), 2);
     }

@@ -41,16 +41,16 @@ struct Hand {
 struct Watcher final : Opening {
     void begin(std::string_view step, std::string_view what) override {
         if (steps.empty() || steps.back() != step) steps.emplace_back(step);
-        todo = what;
-        if (onTodo && !what.empty()) onTodo(what);
+        request = what;
+        if (onRequest && !what.empty()) onRequest(what);
     }
     void progress(double part) override { parts.push_back(part); }
     bool cancelled() const override { return givesUp; }
 
     std::vector<std::string> steps;
-    std::string todo;
+    std::string request;
     std::vector<double> parts;
-    std::function<void(std::string_view)> onTodo;
+    std::function<void(std::string_view)> onRequest;
     bool givesUp = false;
 };
 

@@ -198,7 +198,7 @@ private slots:
         QVERIFY(!made->exchange({{1, 0, 0}}, 1e-3).valid);
         QVERIFY(motors().isZero());
         QVERIFY(watcher.steps == made->steps());
-        QVERIFY(watcher.todo.empty());
+        QVERIFY(watcher.request.empty());
     }
 
     void calibrationIsAskedForAndWaitedFor() {
@@ -207,7 +207,7 @@ private slots:
         const auto made = device();
         Watcher watcher;
         QVERIFY(made->prepare(watcher));
-        QVERIFY(!watcher.todo.empty());
+        QVERIFY(!watcher.request.empty());
         QCOMPARE(fake_->looks.load(), 3);
     }
 

@@ -205,9 +205,9 @@ private slots:
         const auto made = device();
         QVERIFY(!made->open()); // nobody is at hand
         Watcher watcher;
-        watcher.onTodo = [&](std::string_view) { service_->calibrated = true; };
+        watcher.onRequest = [&](std::string_view) { service_->calibrated = true; };
         QVERIFY(made->prepare(watcher));
-        QVERIFY(!watcher.todo.empty());
+        QVERIFY(!watcher.request.empty());
     }
 
     void withoutTheServiceThereIsASentence() {

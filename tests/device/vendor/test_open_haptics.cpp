@@ -218,9 +218,9 @@ private slots:
         fake_->calibration = 0x5002;
         const auto made = device();
         Watcher watcher;
-        watcher.onTodo = [&](std::string_view) { fake_->calibration = 0x5001; }; // the person does so
+        watcher.onRequest = [&](std::string_view) { fake_->calibration = 0x5001; }; // the person does so
         QVERIFY(made->prepare(watcher));
-        QVERIFY(watcher.todo.find("inkwell") != std::string::npos);
+        QVERIFY(watcher.request.find("inkwell") != std::string::npos);
         QCOMPARE(fake_->calibrated.load(), 1);
     }
 
@@ -228,7 +228,7 @@ private slots:
         fake_->calibration = 0x5002;
         const auto made = device();
         Watcher watcher;
-        watcher.onTodo = [&](std::string_view) { watcher.givesUp = true; };
+        watcher.onRequest = [&](std::string_view) { watcher.givesUp = true; };
         const auto result = made->prepare(watcher);
         QVERIFY(!result && result.error().text.find("inkwell") != std::string::npos);
     }

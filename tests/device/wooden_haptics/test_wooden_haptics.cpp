@@ -24,9 +24,9 @@ class Person final : public Opening {
 public:
     explicit Person(EmulatedWoodenHaptics& arm) : arm_(arm) {}
 
-    void begin(std::string_view step, std::string_view todo) override {
+    void begin(std::string_view step, std::string_view request) override {
         begun.emplace_back(step);
-        asked = asked || !todo.empty();
+        asked = asked || !request.empty();
     }
     void progress(double part) override { done = std::max(done, part); }
     bool cancelled() const override {

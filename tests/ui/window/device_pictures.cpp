@@ -50,7 +50,7 @@ struct DevicePictures {
         click("device-connect-button");
         desk->go = 1;
         const DeviceLink& link = program.window->devices();
-        until([&] { return !link.preparation().todo.isEmpty(); });
+        until([&] { return !link.preparation().request.isEmpty(); });
         save(QStringLiteral("device"));
     }
     void takeFailure() {

@@ -207,9 +207,9 @@ void TestDevice::everyStepIsShown() {
     QTRY_COMPARE_WITH_TIMEOUT(static_cast<QProgressBar&>(desk.widget("device-progress")).value(), 500,
                               kPatience);
     QVERIFY(desk.widget("device-give-up").isVisible() && !desk.widget("device-again").isVisible());
-    QCOMPARE(desk.text("device-todo"), QString());
+    QCOMPARE(desk.text("device-request"), QString());
     desk.desk->go = 1;
-    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-todo"), QStringLiteral("Push the grip in and out."),
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-request"), QStringLiteral("Push the grip in and out."),
                               kPatience);
     QCOMPARE(steps(), QStringLiteral("Load the firmware done, Find home now, Rest"));
     desk.desk->go = 3;

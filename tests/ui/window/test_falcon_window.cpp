@@ -25,7 +25,7 @@ struct Desk {
         program.window->setCatalogue(registry);
         program.command("device-panel").trigger();
         QObject::connect(&link(), &DeviceLink::preparationChanged, program.window.get(), [this] {
-            if (!link().preparation().todo.isEmpty()) bench.device->homeByHand();
+            if (!link().preparation().request.isEmpty()) bench.device->homeByHand();
         });
     }
     ~Desk() { qunsetenv("TACTUM_FALCON_FIRMWARE"); }
