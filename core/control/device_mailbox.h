@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 
+#include "core/base/clock.h"
 #include "core/base/wait_free.h"
 #include "core/control/haptic_device.h"
 
 namespace tactum {
-
-/// Nanoseconds of CLOCK_MONOTONIC, the same in every process. Thread: any, also a signal handler.
-inline std::int64_t steadyNanoseconds() noexcept {
-    return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
 
 /// A reading that is older is none: the other side does not tick. Younger ones may be taken twice, for two
 /// clocks of the same rate beat against each other. Unit: ns.
@@ -27,7 +22,7 @@ inline double partLeft(std::int64_t age) noexcept {
 }
 
 /// The newest command one way, the newest reading the other, each with its time; wait-free, and fit for
-/// memory that processes share. `now` is of steadyNanoseconds(). Thread: real time; the servo's members on
+/// memory that processes share. `now` is of monotonicNanoseconds(). Thread: real time; the servo's members on
 /// one thread, the driver's on one other.
 class DeviceMailbox {
 public:

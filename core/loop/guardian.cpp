@@ -12,11 +12,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/base/clock.h"
+
 namespace tactum {
 namespace {
 
-constexpr int kPriority = 85; ///< above the loops
-constexpr int kLook = 4;      ///< ms between two looks at the pulse
+constexpr int kPriority = 85;                                     ///< above the loops
+constexpr int kLook = 4;                                          ///< ms between two looks at the pulse
+constexpr std::int64_t kPatience = 1'000'000 * kGuardianPatience; ///< ns
 constexpr char kFarewell = 'f';
 
 // From here on in the child: nothing but async-signal-safe calls.
@@ -29,12 +32,6 @@ void standApart() {
     prctl(PR_SET_NAME, "tactum-guardian");
     const sched_param parameters{.sched_priority = kPriority};
     sched_setscheduler(0, SCHED_FIFO, &parameters); // where that is allowed
-}
-
-std::int64_t now() noexcept {
-    timespec time{};
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return std::int64_t(time.tv_sec) * 1000 + time.tv_nsec / 1'000'000;
 }
 
 /// Whether the program said farewell; nothing when there was no news before the next look.
@@ -51,7 +48,7 @@ News listen(int lifeline) noexcept {
 [[noreturn]] void watch(int lifeline, Guardian::Shared& shared, HapticDevice& device) noexcept {
     standApart();
     std::uint64_t last = 0;
-    std::int64_t since = now();
+    std::int64_t since = monotonicNanoseconds();
     bool stopped = false;
     while (true) {
         Guardian::raise(shared.looks);
@@ -64,9 +61,9 @@ News listen(int lifeline) noexcept {
         const std::uint64_t beat = shared.beats.load(std::memory_order_relaxed);
         if (beat != last || beat == 0) {
             last = beat;
-            since = now();
+            since = monotonicNanoseconds();
             stopped = false;
-        } else if (!stopped && now() - since > kGuardianPatience) {
+        } else if (!stopped && monotonicNanoseconds() - since > kPatience) {
             device.emergencyStop();
             stopped = true;
         }

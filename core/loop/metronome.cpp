@@ -18,20 +18,7 @@ void sleepUntil(std::int64_t nanoseconds) noexcept {
     }
 }
 
-std::int64_t nanosecondsOf(clockid_t clock) noexcept {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return std::int64_t(now.tv_sec) * kSecond + now.tv_nsec;
-}
-
 } // namespace
-
-std::int64_t monotonicNanoseconds() noexcept {
-    return nanosecondsOf(CLOCK_MONOTONIC);
-}
-std::int64_t bootNanoseconds() noexcept {
-    return nanosecondsOf(CLOCK_BOOTTIME);
-}
 
 Metronome::Metronome(double rate, double rest, Clock sinceBoot) noexcept
     : period_(std::int64_t(double(kSecond) / rate)), start_(monotonicNanoseconds()), last_(start_),

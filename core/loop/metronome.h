@@ -4,13 +4,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace tactum {
+#include "core/base/clock.h"
 
-/// Nanoseconds of CLOCK_MONOTONIC, which no one sets and which stands still only while the machine sleeps.
-/// Thread: real time.
-std::int64_t monotonicNanoseconds() noexcept;
-/// The same of CLOCK_BOOTTIME, which goes on while the machine sleeps. Thread: real time.
-std::int64_t bootNanoseconds() noexcept;
+namespace tactum {
 
 /// Nanoseconds of a clock. Thread: real time.
 using Clock = std::int64_t (*)() noexcept;

@@ -52,12 +52,12 @@ public:
     void close() override;
     std::string trouble() const override;
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
-        const std::int64_t now = steadyNanoseconds();
+        const std::int64_t now = monotonicNanoseconds();
         DeviceMailbox& mailbox = process_.block()->mailbox;
         mailbox.command(command.force, now);
         return mailbox.newest(now);
     }
-    void emergencyStop() noexcept override { process_.block()->mailbox.stop(steadyNanoseconds()); }
+    void emergencyStop() noexcept override { process_.block()->mailbox.stop(monotonicNanoseconds()); }
 
 private:
     Result<void> needProcess();
@@ -159,7 +159,7 @@ std::string RemoteDevice::trouble() const {
     if (!process_.runs()) return process_.howItEnded();
     const std::lock_guard lock(troubleMutex_);
     wire::Block& block = *process_.block();
-    if (open_ && 1e-9 * double(steadyNanoseconds() - block.lastTick) > kSilent)
+    if (open_ && 1e-9 * double(monotonicNanoseconds() - block.lastTick) > kSilent)
         return "The driver of the device stands still, and its force was taken away: open the device again.";
     return printable(wire::stringOf(block.trouble.read()), kLongestSentence);
 }

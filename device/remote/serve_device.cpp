@@ -111,10 +111,10 @@ void Server::loop() noexcept {
     Metronome metronome(info.rate);
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
-        const Vec3 force = limiter(block_.mailbox.force(steadyNanoseconds()));
+        const Vec3 force = limiter(block_.mailbox.force(monotonicNanoseconds()));
         const DeviceSample sample = device_.exchange({force}, tick.elapsed);
         guardian_.beat();
-        const std::int64_t now = steadyNanoseconds();
+        const std::int64_t now = monotonicNanoseconds();
         block_.mailbox.measured(sample, now);
         block_.lastTick.store(now, std::memory_order_relaxed);
     }
@@ -126,7 +126,7 @@ void Server::loop() noexcept {
 Result<void> Server::startLoop() {
     lockPresentMemory();
     stop_ = false;
-    block_.lastTick = steadyNanoseconds();
+    block_.lastTick = monotonicNanoseconds();
     // Before the thread: the guardian is a fork, which has only the thread that forks.
     if (Result<void> guarded = guardian_.start(device_); !guarded) return guarded;
     return thread_.start("tactum-device", kPriority, [this] { loop(); });
@@ -213,7 +213,7 @@ void Server::serve() {
         }
         tellTrouble();
     }
-    block_.mailbox.stop(steadyNanoseconds()); // the next tick commands zero
+    block_.mailbox.stop(monotonicNanoseconds()); // the next tick commands zero
 }
 
 wire::Block* mapBlock(int descriptor) {

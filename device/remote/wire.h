@@ -28,7 +28,7 @@ struct Block {
     pid_t program = 0;
     DeviceMailbox mailbox;
     TripleBuffer<Text> trouble;            ///< of the device, in its own words
-    std::atomic<std::int64_t> lastTick{0}; ///< of the server's loop, steadyNanoseconds()
+    std::atomic<std::int64_t> lastTick{0}; ///< of the server's loop, monotonicNanoseconds()
 };
 static_assert(std::atomic<std::int64_t>::is_always_lock_free &&
                   std::atomic<std::uint8_t>::is_always_lock_free,

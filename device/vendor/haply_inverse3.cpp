@@ -80,11 +80,11 @@ public:
     void close() override { shutDown(); }
     std::string trouble() const override;
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
-        const std::int64_t now = steadyNanoseconds();
+        const std::int64_t now = monotonicNanoseconds();
         mailbox_->command(command.force, now);
         return mailbox_->newest(now);
     }
-    void emergencyStop() noexcept override { mailbox_->stop(steadyNanoseconds()); }
+    void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 
 private:
     Result<void> connect();
@@ -128,11 +128,11 @@ bool Haply::talk(const Vec3& force, haply::State& state) {
 
 void Haply::tick() {
     haply::State state;
-    if (!talk(limiter_(mailbox_->force(steadyNanoseconds())), state)) {
+    if (!talk(limiter_(mailbox_->force(monotonicNanoseconds())), state)) {
         stop_ = true;
         return;
     }
-    const std::int64_t now = steadyNanoseconds();
+    const std::int64_t now = monotonicNanoseconds();
     mailbox_->measured(state.sample, now);
     if (state.sample.valid) lastReading_ = now;
 }
@@ -191,7 +191,7 @@ Result<void> Haply::open() {
     emergencyStop(); // what an earlier use left in the mailbox
     stop_ = false;
     open_ = true;
-    lastReading_ = steadyNanoseconds();
+    lastReading_ = monotonicNanoseconds();
     return thread_.start("tactum-haply", kPriority, [this] { converse(); });
 }
 
@@ -205,7 +205,7 @@ void Haply::shutDown() {
 
 std::string Haply::trouble() const {
     if (const char* fault = fault_) return fault;
-    if (open_ && 1e-9 * double(steadyNanoseconds() - lastReading_) > kSilent)
+    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastReading_) > kSilent)
         return "The Inverse Service tells no position: see in its own program that the device works.";
     return {};
 }

@@ -73,11 +73,11 @@ public:
     void close() override { shutDown(); }
     std::string trouble() const override;
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
-        const std::int64_t now = steadyNanoseconds();
+        const std::int64_t now = monotonicNanoseconds();
         mailbox_->command(command.force, now);
         return mailbox_->newest(now);
     }
-    void emergencyStop() noexcept override { mailbox_->stop(steadyNanoseconds()); }
+    void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 
 private:
     Result<void> connect(Opening& opening);
@@ -128,12 +128,12 @@ private:
 
 void OpenHaptics::frame() {
     followSwitches();
-    const std::int64_t now = steadyNanoseconds();
+    const std::int64_t now = monotonicNanoseconds();
     const bool fit = open_ && quiet_ >= kQuiet;
     DeviceSample sample = haptics(fit ? limiter_(mailbox_->force(now)) : Vec3::Zero());
     noteErrors();
     sample.valid = open_ && quiet_ >= kQuiet && sample.position.allFinite() && sample.velocity.allFinite();
-    mailbox_->measured(sample, steadyNanoseconds());
+    mailbox_->measured(sample, monotonicNanoseconds());
     lastFrame_ = now;
     ++frames_;
 }
@@ -330,7 +330,7 @@ void OpenHaptics::shutDown() {
 
 std::string OpenHaptics::trouble() const {
     if (const hd::ErrorCode code = fault_) return hd::sentenceOf(code);
-    if (open_ && 1e-9 * double(steadyNanoseconds() - lastFrame_) > kSilent)
+    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastFrame_) > kSilent)
         return "The maker's driver stands still: check the cable of the device, then open it again.";
     return {};
 }

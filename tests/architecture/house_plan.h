@@ -94,6 +94,7 @@ inline const std::vector<Library> kLibraries{
 /// What runs inside a RealtimeScope, header and source: "Thread: real time" holds for all of it.
 inline const std::vector<std::string_view> kRealtimeFiles{
     "core/base/realtime",
+    "core/base/clock",
     "core/base/wait_free",
     "core/base/byte_archive",
     "core/base/record_ring",

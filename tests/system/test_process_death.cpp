@@ -79,7 +79,7 @@ private slots:
             Program program("wait");
             QVERIFY(program.presses());
             QTest::qWait(i * 7 % 20); // at different moments of the servo's tick
-            const std::int64_t killed = nanoseconds();
+            const std::int64_t killed = tactum::monotonicNanoseconds();
             QCOMPARE(kill(program.pid, signal), 0);
             QVERIFY(program.isStopped());
             QCOMPARE(program.motors->push.load(), 0.0);
@@ -111,7 +111,7 @@ private slots:
         for (int i = 0; i < deaths(); ++i) {
             Program program("wait");
             QVERIFY(program.presses());
-            const std::int64_t begun = nanoseconds();
+            const std::int64_t begun = tactum::monotonicNanoseconds();
             QCOMPARE(kill(program.pid, SIGSTOP), 0);
             QVERIFY(program.isStopped());
             QCOMPARE(program.motors->push.load(), 0.0);

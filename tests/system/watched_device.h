@@ -2,20 +2,14 @@
 #pragma once
 
 #include <atomic>
-#include <ctime>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "core/base/clock.h"
 #include "core/control/haptic_device.h"
 
 namespace tactum::test {
-
-inline std::int64_t nanoseconds() noexcept {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return std::int64_t(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
-}
 
 /// What the motors of the watched device do.
 struct Motors {
@@ -52,7 +46,7 @@ public:
     }
     void emergencyStop() noexcept override {
         motors_.push = 0;
-        if (motors_.stops.fetch_add(1) == 0) motors_.stoppedAt = nanoseconds();
+        if (motors_.stops.fetch_add(1) == 0) motors_.stoppedAt = monotonicNanoseconds();
     }
 
 private:

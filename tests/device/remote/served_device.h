@@ -31,7 +31,7 @@ struct Served {
     void command(double z) noexcept {
         if (z != 0) zeroAt = 0;
         push = z;
-        if (z == 0 && zeroAt == 0) zeroAt = steadyNanoseconds();
+        if (z == 0 && zeroAt == 0) zeroAt = monotonicNanoseconds();
     }
 };
 

@@ -136,7 +136,19 @@ private slots:
         QVERIFY((watcher.steps == std::vector<std::string>{"Wake", "Home"}));
         QCOMPARE(watcher.request, std::string("Pull the handle."));
         QCOMPARE(watcher.parts, std::vector<double>{0.5});
-        QCOMPARE(served_->exchanges.load(), std::uint64_t(0)); // no loop yet
+        // The driver is open by then: who opens the device later does not wait for it.
+        QCOMPARE(served_->opens.load(), 1);
+        QVERIFY((*device)->open());
+        QCOMPARE(served_->opens.load(), 1);
+        QCOMPARE(served_->strongest.load(), 0.0);
+    }
+
+    /// On the worker that prepares, not where the window opens it.
+    void aDriverThatHangsAtOpeningFailsWhilePreparing() {
+        const auto device = make("sleeps");
+        Watcher watcher;
+        const auto prepared = (*device)->prepare(watcher);
+        QVERIFY(!prepared && prepared.error().text.find("did not answer") != std::string::npos);
     }
 
     void aPersonMayGiveUp() {
@@ -240,7 +252,7 @@ private slots:
             Hand hand(*device, {0, 0, 2});
             QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
             anInstant(i);
-            const std::int64_t killed = steadyNanoseconds();
+            const std::int64_t killed = monotonicNanoseconds();
             QCOMPARE(kill(served_->server, SIGKILL), 0);
             QVERIFY(hand.until([&] { return !hand.last.valid; }));
             QVERIFY(comesToZero());
@@ -260,7 +272,7 @@ private slots:
             Hand hand(*device, {0, 0, 2});
             QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
             anInstant(i);
-            const std::int64_t frozen = steadyNanoseconds();
+            const std::int64_t frozen = monotonicNanoseconds();
             QCOMPARE(kill(served_->server, SIGSTOP), 0);
             QVERIFY(hand.until([&] { return !hand.last.valid; }));
             QVERIFY(comesToZero());
@@ -280,7 +292,7 @@ private slots:
             Program program(file_, i % 2 == 0 ? "held" : "");
             QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
             anInstant(i);
-            const std::int64_t killed = steadyNanoseconds();
+            const std::int64_t killed = monotonicNanoseconds();
             QCOMPARE(kill(program.pid, SIGKILL), 0);
             QVERIFY(comesToZero());
             delays.push_back(served_->zeroAt - killed);
@@ -299,7 +311,7 @@ private slots:
         for (int i = 0; i < deaths(); ++i) {
             QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
             anInstant(i);
-            const std::int64_t frozen = steadyNanoseconds();
+            const std::int64_t frozen = monotonicNanoseconds();
             QCOMPARE(kill(program.pid, SIGSTOP), 0);
             QVERIFY(fades());
             served_->between = 0;

@@ -55,6 +55,8 @@ void FakeHaply::stop() {
         if (impl_->visitor >= 0) shutdown(impl_->visitor, SHUT_RDWR);
     }
     if (thread_.joinable()) thread_.join();
+    boost::system::error_code ignored; // here: one thread has the acceptor at a time
+    impl_->acceptor.close(ignored);
 }
 
 void FakeHaply::setAnswer(std::string text) {
@@ -116,8 +118,6 @@ void FakeHaply::serve() {
         }
         impl_->setVisitor(-1);
     }
-    boost::system::error_code ignored;
-    impl_->acceptor.close(ignored);
 }
 
 } // namespace tactum::test
