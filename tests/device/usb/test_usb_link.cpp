@@ -1,19 +1,13 @@
-// The link against devices that answer, that do not, and that are pulled out: the real libusb on an emulated
-// bus.
+// The link against devices that answer and that do not: the real libusb on an emulated bus.
 #include <atomic>
 #include <cstdlib>
 #include <new>
-#include <random>
-#include <thread>
 
 #include <QtTest>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "device/usb/usb_link.h"
+#include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
-#include "tests/device/usb/emulated_usb.h"
-#include "tests/device/usb/shared_value.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -37,98 +31,6 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
-
-namespace {
-
-constexpr UsbId kId{0x1209, 0x0001};
-constexpr int kSocket = 3;
-
-/// Says numbers, one a packet, and remembers what it was told.
-class Counter final : public EmulatedUsbDevice {
-public:
-    explicit Counter(bool interrupt = false) : interrupt_(interrupt) {}
-
-    UsbDescription describe() const override {
-        UsbDescription about{kId.vendor, kId.product, 0x0100, "Tactum", "Counter"};
-        about.interrupt = interrupt_;
-        if (interrupt_) about.interfaceClass = 3;
-        return about;
-    }
-    std::optional<Bytes> control(const UsbSetup& setup, std::span<const std::uint8_t>,
-                                 std::int64_t) override {
-        if (setup.request != 7) return std::nullopt;
-        told = setup.value;
-        return Bytes{};
-    }
-    void out(std::span<const std::uint8_t> bytes, std::int64_t) override {
-        heard.assign(bytes.begin(), bytes.end());
-        ++(*commands);
-        *lastByte = bytes.empty() ? 0 : bytes.back();
-    }
-    std::optional<Bytes> in(std::int64_t) override {
-        if (left == 0) return std::nullopt;
-        --left;
-        ++said;
-        Bytes packet(length, 0);
-        packet[0] = static_cast<std::uint8_t>(said);
-        packet[1] = static_cast<std::uint8_t>(said >> 8);
-        return packet;
-    }
-    std::int64_t nextIn(std::int64_t now) const override { return now + 1'000'000; }
-
-    int left = 0; ///< packets that it still has to say
-    std::size_t length = 8;
-    int said = 0;
-    int told = -1;
-    Bytes heard;
-    SharedValue<std::atomic<int>> commands, lastByte;
-
-private:
-    bool interrupt_;
-};
-
-int numberIn(std::span<const std::uint8_t> packet) {
-    return packet[0] | packet[1] << 8;
-}
-
-std::shared_ptr<Counter> plugCounter(bool interrupt = false) {
-    auto device = std::make_shared<Counter>(interrupt);
-    EmulatedBus::the().plug(kSocket, device);
-    return device;
-}
-
-std::vector<UsbPlace> places() {
-    const UsbId wanted[] = {kId};
-    return listUsb(wanted).value();
-}
-
-Result<std::unique_ptr<UsbLink>> open(bool interrupt = false) {
-    UsbEndpoints endpoints;
-    endpoints.interrupt = interrupt;
-    return UsbLink::open(places().at(0), endpoints);
-}
-
-void setFaults(const UsbFaults& faults) {
-    EmulatedBus::the().setFaults(kSocket, faults);
-}
-
-bool isClean() {
-    return EmulatedBus::the().openDescriptors() == 0 && EmulatedBus::the().pendingTransfers() == 0;
-}
-
-/// Until `wanted` holds: for what needs libusb's time-outs, which go by the real clock.
-template <class Wanted> bool pollUntil(UsbLink& link, Wanted wanted) {
-    for (int i = 0; i < 5000; ++i) {
-        if (wanted()) return true;
-        link.poll();
-        QTest::qSleep(1);
-    }
-    return false;
-}
-
-const Bytes kHello{'h', 'e', 'l', 'l', 'o'};
-
-} // namespace
 
 class TestUsbLink : public QObject {
     Q_OBJECT
@@ -433,46 +335,6 @@ private slots:
         QVERIFY(link->gone());
     }
 
-    void noticesTheUnpluggingAtTheNextPoll() {
-        const auto device = plugCounter();
-        const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
-        device->left = 3;
-        link->poll();
-        EmulatedBus::the().unplug(kSocket);
-        link->poll();
-        QVERIFY(link->gone());
-        QVERIFY(link->take().empty()); // not even what came before
-        QVERIFY(!link->send(kHello));
-        link->sendNow(kHello);
-        link->poll();
-        QVERIFY(link->take().empty());
-    }
-
-    void noticesItWhileAnotherThreadPulls() {
-        for (int i = 0; i < 20; ++i) {
-            const auto device = plugCounter();
-            const auto link = open().value();
-            QVERIFY(link->startStream().has_value());
-            std::thread person([] { EmulatedBus::the().unplug(kSocket); });
-            while (!link->gone()) {
-                link->send(kHello);
-                link->poll();
-            }
-            person.join();
-            QVERIFY(link->take().empty());
-        }
-    }
-
-    void noticesItWhenSendingToo() {
-        plugCounter();
-        const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
-        EmulatedBus::the().unplug(kSocket);
-        QVERIFY(!link->send(kHello));
-        QVERIFY(link->gone());
-    }
-
     void streamsStopAndStartAgain() {
         const auto device = plugCounter();
         const auto link = open().value();
@@ -487,104 +349,6 @@ private slots:
             QVERIFY(!link->send(kHello));
             QVERIFY(link->write(kHello).has_value());
         }
-    }
-
-    void leavesNothingBehindInAnyState() {
-        // cleanup() looks at the bus.
-        const auto device = plugCounter();
-        open().value();
-        const auto stream = [&](const UsbFaults& faults, int polls) {
-            const auto link = open().value();
-            QVERIFY(link->startStream().has_value());
-            setFaults(faults);
-            device->left = 5;
-            for (int i = 0; i < polls; ++i) {
-                link->send(kHello);
-                link->poll();
-            }
-        };
-        UsbFaults mute, delayed, stalled, failing, broken;
-        mute.mute = true;
-        delayed.delay = 50'000'000;
-        stalled.stallIn = stalled.stallOut = true;
-        failing.failSubmits = 1000;
-        broken.errors = 1000;
-        for (const UsbFaults& faults : {UsbFaults{}, mute, delayed, stalled, failing, broken})
-            for (const int polls : {0, 1, 2, 20}) {
-                stream(faults, polls);
-                setFaults({});
-                QVERIFY(isClean());
-            }
-    }
-
-    void aThousandPluggings() {
-        std::mt19937 random(20);
-        const auto upTo = [&](int most) {
-            return static_cast<int>(random() % static_cast<unsigned>(most + 1));
-        };
-        for (int cycle = 0; cycle < 1000; ++cycle) {
-            const auto device = plugCounter(cycle % 2);
-            device->left = upTo(10);
-            std::unique_ptr<UsbLink> link;
-            const int state = upTo(4);
-            if (state > 0) link = open(cycle % 2).value();
-            if (state > 1) QVERIFY(link->startStream(1 + upTo(3)).has_value());
-            UsbFaults faults;
-            faults.delay = upTo(1) * 1'000'000;
-            faults.stallIn = upTo(9) == 0;
-            faults.errors = upTo(4);
-            setFaults(faults);
-            for (int i = upTo(5); state > 2 && i > 0; --i) {
-                link->send(kHello);
-                link->poll();
-                while (upTo(3) && !link->take().empty()) {
-                }
-            }
-            if (upTo(1)) link.reset(); // before the unplugging, or after it
-            EmulatedBus::the().unplug(kSocket);
-            if (link && state > 1) {
-                link->poll();
-                QVERIFY(link->take().empty());
-            }
-            link.reset();
-            QVERIFY2(isClean(), qPrintable(QString("cycle %1, state %2").arg(cycle).arg(state)));
-        }
-    }
-
-    void sendsNowFromAForkedChild() {
-        const auto device = plugCounter();
-        const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
-        link->send(kHello);
-        link->poll();
-        QCOMPARE(device->lastByte->load(), int('o'));
-        const pid_t child = fork();
-        if (child == 0) {
-            const std::uint8_t stop[] = {'<', '0'};
-            link->sendNow(stop);
-            _exit(0);
-        }
-        int status = 0;
-        QCOMPARE(waitpid(child, &status, 0), child);
-        QCOMPARE(status, 0);
-        QCOMPARE(device->lastByte->load(), int('0'));
-        QVERIFY(link->send(kHello)); // and the stream goes on
-        device->left = 1;
-        link->poll();
-        QCOMPARE(device->lastByte->load(), int('o'));
-        QVERIFY(!link->take().empty());
-    }
-
-    void sendNowEndsWhenNobodyListens() {
-        const auto device = plugCounter();
-        const auto link = open().value();
-        UsbFaults faults;
-        faults.mute = true;
-        setFaults(faults);
-        errno = 17;
-        link->sendNow(kHello);
-        QCOMPARE(errno, 17);
-        QCOMPARE(device->commands->load(), 0);
     }
 };
 
