@@ -159,12 +159,12 @@ void TestPlayback::healthIsTheRecordings() {
     const double length = player.run().end() - player.run().begin();
     for (const double part : {0.3, 0.95}) {
         playbackOf(program).seek(part * length, true);
-        program.frames(20);
-        QCOMPARE(textOf(program, "health-stiffest"), QStringLiteral("800 N/m"));
-        QVERIFY(
+        // The panel is drawn anew a few times a second: on a busy machine it may show the moment before.
+        QTRY_VERIFY(
             textOf(program, "health-servo").startsWith(QString::number(std::lround(player.servo().rate))));
+        QTRY_COMPARE(textOf(program, "health-stiffest"), QStringLiteral("800 N/m"));
         QVERIFY(textOf(program, "health-late").endsWith(QStringLiteral("so far")));
-        QCOMPARE(events->topLevelItemCount(), int(playbackOf(program).eventsSoFar().size()));
+        QTRY_COMPARE(events->topLevelItemCount(), int(playbackOf(program).eventsSoFar().size()));
     }
     const QString edited = QStringLiteral("the scene was edited");
     QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty() && !override->isEnabled());
