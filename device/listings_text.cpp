@@ -14,7 +14,8 @@ std::string toJson(const std::vector<DeviceListing>& listings) {
         json.push_back({{"id", listing.id},
                         {"name", listing.name},
                         {"usable", listing.usable},
-                        {"sentence", listing.sentence}});
+                        {"sentence", listing.sentence},
+                        {"forbidden", listing.forbidden}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -26,7 +27,8 @@ std::vector<DeviceListing> listingsOf(std::string_view text) {
         for (const Json& entry : json)
             listings.push_back(
                 {printable(entry.at("id").get<std::string>()), printable(entry.at("name").get<std::string>()),
-                 entry.at("usable").get<bool>(), printable(entry.at("sentence").get<std::string>(), 400)});
+                 entry.at("usable").get<bool>(), printable(entry.at("sentence").get<std::string>(), 400),
+                 entry.value("forbidden", false)});
     } catch (const Json::exception&) {
         return {};
     }

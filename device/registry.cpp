@@ -108,6 +108,7 @@ DeviceListing listingOf(const UsbFamily& family, const UsbPlace& place) {
                           "connected at USB " + place.port};
     if (mayOpen(place)) return listing;
     listing.usable = false;
+    listing.forbidden = true;
     listing.sentence += ", but you have no permission to use it: install the rule "
                         "resources/udev/70-tactum.rules in /etc/udev/rules.d and plug it in again";
     return listing;
@@ -177,6 +178,8 @@ std::vector<DeviceListing> DeviceRegistry::list() {
     std::ranges::move(listOwn(), std::back_inserter(listings));
     std::ranges::move(settings_.program.empty() ? listMakers() : listMakersApart(),
                       std::back_inserter(listings));
+    std::ranges::stable_partition(
+        listings, [](const DeviceListing& listing) { return listing.usable && !listing.id.empty(); });
     return listings;
 }
 

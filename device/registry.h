@@ -24,6 +24,7 @@ class DeviceRegistry final : public DeviceCatalogue {
 public:
     explicit DeviceRegistry(RegistrySettings settings) : settings_(std::move(settings)) {}
 
+    /// What can be used comes first.
     std::vector<DeviceListing> list() override;
     /// Errors: no such device, or not there any more; a profile that is wrong.
     Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override;

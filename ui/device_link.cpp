@@ -15,10 +15,6 @@ QString chosenKey() {
     return QStringLiteral("device/chosen");
 }
 
-bool isSame(const DeviceListing& a, const DeviceListing& b) {
-    return a.id == b.id && a.name == b.name && a.usable == b.usable && a.sentence == b.sentence;
-}
-
 } // namespace
 
 /// Passes on from the worker what the device says while it is made ready.
@@ -93,7 +89,7 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
     listing_ = false;
     if (spare) spare_ = spare;
     const bool troubled = connected() && !engine_.trouble().empty();
-    const bool changed = !std::ranges::equal(found, devices_, isSame) || troubled != troubled_;
+    const bool changed = found != devices_ || troubled != troubled_;
     troubled_ = troubled;
     devices_ = std::move(found);
     if (connected() && !current_.isEmpty() && !find(current_) && unread()) lose();
@@ -157,6 +153,8 @@ void DeviceLink::giveUp() {
     if (!attempt_) return;
     attempt_->cancelled = true;
     next_.clear();
+    preparation_.givingUp = true;
+    emit preparationChanged();
 }
 
 void DeviceLink::begin(QString id, bool back) {
@@ -175,6 +173,7 @@ void DeviceLink::begin(QString id, bool back) {
                     .steps = {},
                     .request = {},
                     .progress = 0,
+                    .givingUp = false,
                     .failure = {}};
     attempt_ = std::make_shared<Attempt>();
     attempt_->id = id;
@@ -281,6 +280,9 @@ void DeviceLink::fail(const QString& sentence) {
 void DeviceLink::finish(Preparation::State state) {
     preparation_.state = state;
     preparation_.request.clear();
+    preparation_.givingUp = false;
+    for (Preparation::Step& step : preparation_.steps)
+        if (step.state == StepState::Doing) step.state = StepState::Waiting;
     emit preparationChanged();
 }
 

@@ -32,9 +32,10 @@ struct Preparation {
     State state = State::None;
     QString id, name;
     std::vector<Step> steps;
-    QString request;     ///< what the person has to do now
-    double progress = 0; ///< of the step that is being done, 0 to 1
-    QString failure;     ///< the device's sentence
+    QString request;       ///< what the person has to do now
+    double progress = 0;   ///< of the step that is being done, 0 to 1
+    bool givingUp = false; ///< the person gave up, and the device has not ended yet
+    QString failure;       ///< the device's sentence
 };
 
 /// The engine always has a device that works: a simulated one stands in while the chosen one is made ready,

@@ -197,6 +197,7 @@ private:
     void centreWorkspace(bool fit);
     void watchDevice();
     void offerReady(const QString& name, bool back);
+    void sayRequest();
     void sayAway(const QString& name, const QString& more = {});
     void showDeviceCommands();
     void switchOff();

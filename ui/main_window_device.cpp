@@ -78,6 +78,7 @@ void MainWindow::connectDevices() {
     connect(link_, &DeviceLink::failed, notice_, &NoticeBar::showError);
     connect(link_, &DeviceLink::wentAway, this, [this](const QString& name) { sayAway(name); });
     connect(link_, &DeviceLink::preparationChanged, this, &MainWindow::showDeviceCommands);
+    connect(link_, &DeviceLink::preparationChanged, this, &MainWindow::sayRequest);
     connect(devicePanel_, &DevicePanel::armPressed, this, &MainWindow::setArmed);
     DeviceConnect& connecting = devicePanel_->connecting();
     connect(&connecting, &DeviceConnect::connectPressed, this, choose);
@@ -163,9 +164,7 @@ void MainWindow::centreWorkspace(bool fit) {
     next.offset = model.empty() ? Vec3(Vec3::Zero()) : model.centre();
     if (fit && model.diagonal() > 0)
         next.scale = kWorkspaceScale.clamped(0.5 * model.diagonal() / radiusOf(engine_.device()));
-    // Where clutch and bump have taken the workspace is kept as long as the offset is the same number.
-    if (next.offset == deviceSettings_.workspace.offset)
-        next.offset.x() = std::nextafter(next.offset.x(), std::numeric_limits<double>::infinity());
+    ++next.centring;
     setWorkspace(next);
 }
 
@@ -184,6 +183,16 @@ void MainWindow::offerReady(const QString& name, bool back) {
                          : tr("%1 is ready. The forces are off: hold the handle, then arm."))
                        .arg(name),
                    QStringLiteral("note"), tr("Arm"), [this] { setArmed(true); });
+}
+
+/// A device that was remembered is made ready by itself, and waits for a person who may look elsewhere.
+void MainWindow::sayRequest() {
+    const Preparation& preparation = link_->preparation();
+    if (preparation.request.isEmpty()) return notice_->withdraw(tr("Show"));
+    const QString text = QStringLiteral("%1: %2").arg(preparation.name, preparation.request);
+    if (!devicePanel_->visibleRegion().isEmpty() || notice_->text() == text) return;
+    notice_->offer(text, QStringLiteral("note"), tr("Show"),
+                   [this] { showDevicePage(int(DevicePanel::Page::Connect)); });
 }
 
 void MainWindow::sayAway(const QString& name, const QString& more) {

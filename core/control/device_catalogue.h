@@ -15,7 +15,10 @@ struct DeviceListing {
     std::string id; ///< names it in settings and on the command line: "falcon:1-4.2"; empty: only a remark
     std::string name;
     bool usable = false;
-    std::string sentence; ///< what it is and can do, or why it is not usable and what to do
+    std::string sentence;   ///< what it is and can do, or why it is not usable and what to do
+    bool forbidden = false; ///< not usable because the system does not let this person use it
+
+    bool operator==(const DeviceListing&) const = default;
 };
 
 /// The figures of a device that a maker's library drives, by what it calls itself; while that is not known,

@@ -23,7 +23,8 @@ Result<void> checkWorkspace(const Workspace& workspace) {
 
 void WorkspaceTracker::decide(const Workspace& workspace) noexcept {
     const DeviceFrame before = frame_;
-    if (workspace.offset != workspace_.offset) frame_.offset = workspace.offset;
+    if (workspace.offset != workspace_.offset || workspace.centring != workspace_.centring)
+        frame_.offset = workspace.offset;
     frame_.scale = workspace.scale;
     frame_.axes = workspace.axes;
     workspace_ = workspace;

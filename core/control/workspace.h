@@ -17,6 +17,7 @@ struct Workspace {
     Vec3 offset = Vec3::Zero(); ///< world, m: where the device's centre is before clutch and bump move it
     std::uint32_t clutch = 0;   ///< buttons: while one is held the device moves and the finger stays
     bool bump = false;          ///< a finger at the edge of the workspace takes it along
+    std::uint32_t centring = 0; ///< another number than before: what clutch and bump moved is forgotten
 
     bool operator==(const Workspace&) const = default;
 };
@@ -34,8 +35,8 @@ public:
     /// `radius` of the device's workspace, m; 0: not known, it never bumps.
     explicit WorkspaceTracker(double radius) noexcept : radius_(radius) {}
 
-    /// Clutch and bump hold on to what they moved, unless the offset is a new one. Call it when there is a
-    /// new decision, else not.
+    /// Clutch and bump hold on to what they moved, unless offset or centring are new ones. Call it when there
+    /// is a new decision, else not.
     void decide(const Workspace& workspace) noexcept;
     /// The frame of this reading. `pushing`: the last command was not zero; nothing is taken along then, or a
     /// wall would be pushed against a resting hand.

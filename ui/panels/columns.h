@@ -1,7 +1,10 @@
 // How panels stack what they hold.
 #pragma once
 
+#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include "ui/style.h"
 
 namespace tactum {
 
@@ -11,6 +14,17 @@ inline QVBoxLayout* columnIn(QWidget* of, int spacing) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(spacing);
     return layout;
+}
+
+/// A page of a dock that is scrolled up and down, and wide enough for a field with its unit.
+inline QScrollArea* scrolled(QWidget* page) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(31 * kRhythm);
+    return scroll;
 }
 
 } // namespace tactum

@@ -71,13 +71,8 @@ QIcon iconOf(const DeviceLink& link, const DeviceListing& listing) {
 
 } // namespace
 
-// The sentence of a listing is all that the window knows of a driver.
 bool wantsPermission(const DeviceLink& link) {
-    return std::ranges::any_of(link.devices(), [](const DeviceListing& listing) {
-        const QString sentence = QString::fromStdString(listing.sentence);
-        return !listing.usable && (sentence.contains(QLatin1String("permission"), Qt::CaseInsensitive) ||
-                                   sentence.contains(QLatin1String("udev"), Qt::CaseInsensitive));
-    });
+    return std::ranges::any_of(link.devices(), &DeviceListing::forbidden);
 }
 
 DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
@@ -153,7 +148,6 @@ void DeviceConnect::fill() {
             row->setIcon(0, iconOf(link_, listing));
             row->setToolTip(0, QString::fromStdString(listing.sentence));
             row->setData(0, kIdRole, QString::fromStdString(listing.id));
-            if (listing.id.empty()) row->setFlags(Qt::ItemIsEnabled); // a remark
             if (!listing.id.empty() && QString::fromStdString(listing.id) == kept) list_->setCurrentItem(row);
         }
         static_cast<DeviceList*>(list_)->fit();

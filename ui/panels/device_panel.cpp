@@ -21,20 +21,12 @@ namespace tactum {
 
 namespace {
 
-constexpr int kLeastWidth = 31 * kRhythm;
-
-QWidget* scrolled(QWidget* page) {
+QWidget* paged(QWidget* page) {
     auto* body = new QWidget;
     auto* column = columnIn(body, 0);
     column->setContentsMargins(12, kRhythm, 12, kRhythm);
     column->addWidget(page);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(body);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(kLeastWidth);
-    return scroll;
+    return scrolled(body);
 }
 
 } // namespace
@@ -50,7 +42,7 @@ DevicePanel::DevicePanel(DeviceLink& link, QWidget* parent)
     column->addWidget(makePages());
     column->addWidget(pages_, 1);
     for (QWidget* page : std::initializer_list<QWidget*>{connect_, live_, workspace_, trial_})
-        pages_->addWidget(scrolled(page));
+        pages_->addWidget(paged(page));
     showPage(Page::Connect);
 }
 

@@ -86,7 +86,7 @@ QLabel* words(const char* name) {
 } // namespace
 
 DeviceSteps::DeviceSteps(QWidget* parent)
-    : QWidget(parent), heading_(words("device-preparing")), todo_(words("device-request")),
+    : QWidget(parent), heading_(words("device-preparing")), request_(words("device-request")),
       bar_(new QProgressBar), failure_(words("device-failure")), giveUp_(new QPushButton(tr("Give up"))),
       again_(new QPushButton(tr("Try again"))) {
     heading_->setProperty("heading", true);
@@ -102,7 +102,7 @@ DeviceSteps::DeviceSteps(QWidget* parent)
     rows_ = new QVBoxLayout;
     rows_->setSpacing(kRhythm / 2);
     column->addLayout(rows_);
-    for (QWidget* each : std::initializer_list<QWidget*>{todo_, bar_, failure_})
+    for (QWidget* each : std::initializer_list<QWidget*>{request_, bar_, failure_})
         column->addWidget(each);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(giveUp_);
@@ -120,13 +120,15 @@ void DeviceSteps::show(const Preparation& preparation) {
     const bool running = state == State::Running;
     heading_->setText(headingOf(preparation));
     fillRows(preparation);
-    todo_->setText(preparation.request);
-    todo_->setVisible(running && !preparation.request.isEmpty());
+    request_->setText(preparation.request);
+    request_->setVisible(running && !preparation.request.isEmpty());
     bar_->setValue(int(1000 * preparation.progress));
     bar_->setVisible(running);
     failure_->setText(preparation.failure);
     failure_->setVisible(state == State::Failed);
     giveUp_->setVisible(running);
+    giveUp_->setEnabled(!preparation.givingUp);
+    giveUp_->setText(preparation.givingUp ? tr("Giving up") : tr("Give up"));
     again_->setVisible(state == State::Failed || state == State::GivenUp);
     setVisible(running || state == State::Failed || state == State::GivenUp);
 }

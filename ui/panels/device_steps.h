@@ -33,7 +33,7 @@ private:
 
     QLabel* heading_;
     QVBoxLayout* rows_;
-    QLabel* todo_;
+    QLabel* request_;
     QProgressBar* bar_;
     QLabel* failure_;
     QPushButton *giveUp_, *again_;

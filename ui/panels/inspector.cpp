@@ -18,8 +18,6 @@ namespace tactum {
 
 namespace {
 
-constexpr int kLeastWidth = 31 * kRhythm; ///< a field with its unit
-
 QLabel* dimmed(const QString& text) {
     auto* label = new QLabel(text);
     label->setProperty("dimmed", true);
@@ -56,13 +54,7 @@ Inspector::Inspector(Document& document, QWidget* parent) : QWidget(parent), doc
     sections->addWidget(makeSurfaceSection());
     sections->addWidget(makeSceneSection());
     sections->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(body);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus); // it follows the field that has the keys
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(kLeastWidth);
-    columnIn(this, 0)->addWidget(scroll);
+    columnIn(this, 0)->addWidget(scrolled(body));
     connect(&document_, &Document::changed, this, &Inspector::refresh);
     refresh({});
 }

@@ -166,8 +166,12 @@ private slots:
         QVERIFY(differenceOf(hand.finger(kCentre), {0.05, 0, 0}) < 1e-15);
         hand.tracker.decide({.clutch = kClutch, .bump = true});
         QVERIFY(differenceOf(hand.finger(kCentre), {0.05, 0, 0}) < 1e-15);
-        hand.tracker.decide({.offset = {0, 1e-9, 0}, .clutch = kClutch, .bump = true});
-        QVERIFY(differenceOf(hand.finger(kCentre), {0, 1e-9, 0}) < 1e-15);
+        hand.tracker.decide({.clutch = kClutch, .bump = true, .centring = 1});
+        QVERIFY(differenceOf(hand.finger(kCentre), kCentre) < 1e-15);
+        hand.finger({0, 0, 0}, kClutch);
+        hand.finger({-0.05, 0, 0}, kClutch);
+        hand.tracker.decide({.offset = {0, 1e-3, 0}, .clutch = kClutch, .centring = 1});
+        QVERIFY(differenceOf(hand.finger(kCentre), {0, 1e-3, 0}) < 1e-15);
     }
 };
 

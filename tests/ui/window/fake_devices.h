@@ -22,9 +22,10 @@ struct FakeDesk {
     std::atomic<int> go{0};      ///< steps that prepare() may end
     std::atomic<int> failAt{-1}; ///< the step that fails
     std::atomic<bool> failOpen{false};
-    std::atomic<bool> broken{false}; ///< its driver: only preparing it anew helps
-    std::atomic<int> made{0};        ///< devices that exist
-    std::atomic<int> prepared{0};    ///< times that it was prepared to the end
+    std::atomic<bool> stubborn{false}; ///< it goes on although it was given up
+    std::atomic<bool> broken{false};   ///< its driver: only preparing it anew helps
+    std::atomic<int> made{0};          ///< devices that exist
+    std::atomic<int> prepared{0};      ///< times that it was prepared to the end
     std::atomic<bool> preparing{false};
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<double> x{0}, y{0}, z{0}; ///< where the handle is held, frame D, m
@@ -82,7 +83,7 @@ private:
             opening.begin(names[std::size_t(i)], i == 1 ? "Push the grip in and out." : "");
             opening.progress(0.5);
             while (desk_->go <= i) {
-                if (opening.cancelled()) return machineError("It was given up.");
+                if (opening.cancelled() && !desk_->stubborn) return machineError("It was given up.");
                 if (desk_->failAt == i)
                     return machineError("The grip did not move: pull it all the way out.");
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -109,7 +110,7 @@ public:
         if (other) found.push_back({"fake:1-4", "Other arm", true, "At USB 1-4."});
         if (locked)
             found.push_back({"locked:1-3", "Locked arm", false,
-                             "At USB 1-3; you have no permission to use it: install the udev rule."});
+                             "At USB 1-3; you have no permission to use it: install the udev rule.", true});
         ++lists;
         return found;
     }

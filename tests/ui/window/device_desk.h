@@ -1,0 +1,104 @@
+// The program with a catalogue of devices whose plugging and making ready the test decides.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "tests/ui/window/fake_devices.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/device_link.h"
+#include "ui/panels/device_panel.h"
+
+namespace tactum {
+
+inline const QString kFake = QStringLiteral("fake:1-2");
+
+/// The program with a catalogue, the dock Device in front.
+struct Desk {
+    Desk() : desk(std::make_shared<FakeDesk>()), catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)) {
+        catalogue->hand = program.hand;
+        program.window->setCatalogue(*catalogue);
+        program.command("device-panel").trigger();
+    }
+
+    QWidget& widget(const char* name) {
+        auto* found = program.window->findChild<QWidget*>(QString::fromLatin1(name));
+        if (!found) qFatal("no widget %s", name);
+        return *found;
+    }
+    QString text(const char* name) {
+        QWidget& label = widget(name);
+        if (!label.isVisible()) return {};
+        auto* button = qobject_cast<QPushButton*>(&label);
+        return button ? button->text() : static_cast<QLabel&>(label).text();
+    }
+    void click(const char* name) { QTest::mouseClick(&widget(name), Qt::LeftButton); }
+    QTreeWidget& list() { return static_cast<QTreeWidget&>(widget("device-list")); }
+    QStringList rows() {
+        QStringList texts;
+        for (int i = 0; i < list().topLevelItemCount(); ++i)
+            texts << list().topLevelItem(i)->text(0);
+        return texts;
+    }
+    bool listed(const char* name) {
+        return QTest::qWaitFor([&] { return !rows().filter(QString::fromLatin1(name)).isEmpty(); },
+                               kPatience);
+    }
+    void chooseRow(const char* name) {
+        if (!listed(name)) qFatal("%s is not listed", name);
+        const auto found = list().findItems(QString::fromLatin1(name), Qt::MatchStartsWith);
+        list().setCurrentItem(found.front());
+    }
+    /// Chooses it in the list and presses Connect.
+    void begin() {
+        chooseRow("Example arm");
+        click("device-connect-button");
+    }
+    bool ready() {
+        return QTest::qWaitFor([this] { return link().current() == kFake && !link().preparing(); },
+                               kPatience);
+    }
+    bool connectIt() {
+        desk->go = 3;
+        begin();
+        return ready();
+    }
+    void page(DevicePanel::Page page) {
+        QTest::mouseClick(&widget(qPrintable(QStringLiteral("device-page-%1").arg(int(page)))),
+                          Qt::LeftButton);
+        program.frames(10);
+    }
+    void pick(const char* name, int row) {
+        auto& box = static_cast<QComboBox&>(widget(name));
+        box.setCurrentIndex(row);
+        emit box.activated(row);
+    }
+    DeviceLink& link() { return program.window->devices(); }
+    Engine& engine() { return program.engine; }
+    bool fullForce() {
+        return QTest::qWaitFor([this] { return engine().servo().gain == 1; }, kPatience);
+    }
+    QString steps() { return widget("device-give-up").parentWidget()->accessibleName(); }
+
+    std::shared_ptr<FakeDesk> desk;
+    std::unique_ptr<FakeCatalogue> catalogue; // outlives the window
+    TouchedWindow program;
+};
+
+/// Settings of their own for each test.
+inline void beginDeviceTest(const QTemporaryDir& folder) {
+    useSettingsIn(folder.path());
+    QSettings().clear();
+    QStandardPaths::setTestModeEnabled(true); // every fault is saved as a recording
+}
+
+} // namespace tactum

@@ -1,0 +1,343 @@
+// A connected device in the window: its figures and buttons, its workspace, scenes to try it with.
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QTest>
+#include <cmath>
+
+#include "tests/ui/window/device_desk.h"
+#include "ui/axis_capture.h"
+#include "ui/device_link.h"
+#include "ui/device_settings.h"
+#include "ui/device_trial.h"
+#include "ui/health_words.h"
+#include "ui/panels/device_panel.h"
+#include "ui/usb_permission.h"
+#include "ui/view/scene_view.h"
+
+using namespace tactum;
+
+class TestDeviceUse : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { beginDeviceTest(folder_); }
+
+    void liveFiguresFollowTheDevice();
+    void aButtonEndsAllForce();
+    void aButtonDoesOneThing();
+    void theScaleIsTypedAndRemembered();
+    void noImpossibleMappingCanBeChosen();
+    void motionsSetTheAxes();
+    void motionsThatAreNotClearDoNot();
+    void reCentringTakesBackWhatTheClutchMoved();
+    void theCeilingFallsWithTheScale();
+    void undoDoesNotTouchTheDevice();
+    void trialsAreFeltInsteadOfTheScene();
+    void anEditEndsATrial();
+    void theSpringDrawsBackToTheCentre();
+};
+
+void TestDeviceUse::liveFiguresFollowTheDevice() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Live);
+    desk.desk->place(0.012, -0.003, 0.0405);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-position"), QStringLiteral("12.0, -3.0, 40.5 mm"), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("device-rate").endsWith(QStringLiteral("of 1000 Hz")), kPatience);
+    QCOMPARE(desk.text("device-heat"), QStringLiteral("0 % warm"));
+    const auto heard = [&](const char* name) { return desk.widget(name).accessibleName(); };
+    QCOMPARE(heard("device-force"), QStringLiteral("Force 0.00 N of 6.0 N"));
+    QTRY_COMPARE_WITH_TIMEOUT(
+        heard("workspace-picture"),
+        QStringLiteral("Handle at 12, -3, 41 mm in a workspace of 50 mm about the centre"), kPatience);
+    QCOMPARE(heard("device-buttons"), QStringLiteral("No button is held"));
+    desk.desk->buttons = 0b101;
+    QTRY_COMPARE_WITH_TIMEOUT(heard("device-buttons"), QStringLiteral("Held buttons: 1, 3"), kPatience);
+}
+
+void TestDeviceUse::aButtonEndsAllForce() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    desk.desk->place(0, 0, 0.08);
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Live);
+    desk.pick("device-stop-button", 2);
+    desk.click("notice-act");
+    QVERIFY(desk.fullForce());
+    desk.desk->place(0, 0, 0.0495);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.desk->force > 0.1, kPatience);
+    desk.desk->buttons = 0b101; // others do not
+    desk.program.frames(20);
+    QVERIFY(desk.desk->force > 0.1);
+    // The servo has taken the force away before the window has seen anything: it does not run here.
+    desk.desk->buttons = 0b010;
+    desk.engine().poll();
+    const std::uint64_t ticks = desk.engine().servo().ticks;
+    while (desk.engine().servo().ticks < ticks + 20) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        desk.engine().poll();
+    }
+    QVERIFY(desk.engine().armed());
+    QCOMPARE(desk.desk->force.load(), 0.0);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.engine().armed(), kPatience);
+    QVERIFY(!desk.program.command("armed").isChecked());
+    QVERIFY(desk.text("notice-text").startsWith(QStringLiteral("Stopped by the button of the device")));
+    // It latches: letting go brings nothing back, arming does; not while it is still held.
+    desk.desk->buttons = 0;
+    desk.program.frames(30);
+    QVERIFY(!desk.engine().armed() && desk.desk->force == 0.0);
+    desk.desk->buttons = 0b010;
+    desk.program.command("armed").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.engine().armed(), kPatience);
+    QCOMPARE(desk.desk->force.load(), 0.0);
+    desk.desk->buttons = 0;
+    desk.desk->place(0, 0, 0.08);
+    desk.program.frames(10);
+    desk.program.command("armed").trigger();
+    QVERIFY(desk.fullForce());
+    // It is remembered with the device.
+    QCOMPARE(rememberedSettings(kFake).stopButton, 0b010u);
+}
+
+void TestDeviceUse::aButtonDoesOneThing() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.pick("device-stop-button", 1);
+    desk.pick("workspace-clutch", 1);
+    QCOMPARE(desk.engine().workspace().clutch, 1u);
+    QCOMPARE(desk.link().stop().buttons.load(), 0u);
+    desk.pick("device-stop-button", 1);
+    QCOMPARE(desk.engine().workspace().clutch, 0u);
+    QCOMPARE(desk.link().stop().buttons.load(), 1u);
+    QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-clutch")).currentIndex(), 0);
+}
+
+void TestDeviceUse::theScaleIsTypedAndRemembered() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    desk.program.type(QStringLiteral("workspace-scale"), QStringLiteral("2.5"));
+    QCOMPARE(desk.engine().workspace().scale, 2.5);
+    desk.desk->place(0.02, 0, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(desk.program.finger().x() - 0.05) < 1e-12, kPatience);
+    desk.click("workspace-bump");
+    QVERIFY(desk.engine().workspace().bump);
+    // The simulated hand keeps none of it.
+    desk.program.command("device-disconnect").trigger();
+    QCOMPARE(desk.engine().workspace(), Workspace{});
+    QVERIFY(!desk.widget("workspace-scale").isVisible());
+    QVERIFY(desk.connectIt());
+    QCOMPARE(desk.engine().workspace().scale, 2.5);
+    QVERIFY(desk.engine().workspace().bump);
+    QCOMPARE(desk.program.box(QStringLiteral("workspace-scale")).value(), 2.5);
+}
+
+void TestDeviceUse::noImpossibleMappingCanBeChosen() {
+    QCOMPARE(withAxis(kSameAxes, 0, -3), (AxisMap{-3, 2, 1}));
+    QCOMPARE(withAxis({-3, 2, 1}, 1, 3), (AxisMap{2, 3, 1}));
+    QCOMPARE(withAxis(kSameAxes, 2, -3), (AxisMap{1, 2, -3}));
+    for (int first : {1, -1, 2, -2, 3, -3})
+        for (std::size_t which = 0; which < 3; ++which)
+            for (int axis : {1, -1, 2, -2, 3, -3}) {
+                const AxisMap axes = withAxis(withAxis(kSameAxes, 1, first), which, axis);
+                QVERIFY(checkWorkspace({.axes = axes}) && axes[which] == axis);
+            }
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    desk.pick("workspace-axis-1", 5); // the device's -z
+    QCOMPARE(desk.engine().workspace().axes, (AxisMap{-3, 2, 1}));
+    QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-axis-3")).currentIndex(), 0);
+    desk.desk->place(0, 0, -0.03);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(desk.program.finger().x() - 0.03) < 1e-12, kPatience);
+}
+
+void TestDeviceUse::motionsSetTheAxes() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.click("notice-act");
+    QVERIFY(desk.engine().armed());
+    desk.program.command("workspace-axes").trigger();
+    QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked()); // nothing pushes now
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("to the right")), kPatience);
+    desk.program.frames(10);
+    desk.desk->place(0.002, -0.03, 0.003);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("up")), kPatience);
+    desk.program.frames(10);
+    desk.desk->place(0.04, 0.03, 0.003); // y is taken: however far it goes, it is not meant
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("toward you")), kPatience);
+    QCOMPARE(desk.engine().workspace().axes, kSameAxes);
+    desk.program.frames(10);
+    desk.desk->place(0, 0, -0.03);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.engine().workspace().axes, (AxisMap{-2, 1, -3}), kPatience);
+    QVERIFY(!desk.widget("workspace-task").isVisible());
+    QCOMPARE(rememberedSettings(kFake).workspace.axes, (AxisMap{-2, 1, -3}));
+    // Left in the middle, the axes stay.
+    desk.program.command("workspace-axes").trigger();
+    desk.program.frames(10);
+    desk.desk->place(0.03, 0, -0.03);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("up")), kPatience);
+    desk.click("workspace-capture");
+    QVERIFY(!desk.widget("workspace-task").isVisible());
+    QCOMPARE(desk.engine().workspace().axes, (AxisMap{-2, 1, -3}));
+}
+
+void TestDeviceUse::motionsThatAreNotClearDoNot() {
+    AxisCapture capture(0.02);
+    QVERIFY(!capture.add({0.5, 0, 0})); // where it is does not matter
+    QVERIFY(!capture.add({0.515, 0, 0}));
+    QCOMPARE(std::round(100 * capture.progress()), 75.0);
+    QVERIFY(!capture.add({0.53, 0.03, 0})); // askew
+    QVERIFY(!capture.add(Vec3::Constant(std::nan(""))));
+    QVERIFY(capture.add({0.53, 0.01, 0}));
+    QCOMPARE(capture.step(), std::size_t(1));
+}
+
+void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    QVERIFY(desk.connectIt());
+    desk.pick("workspace-clutch", 3);
+    const auto offset = [&] { return desk.engine().servo().frame.offset; };
+    desk.program.frames(10);
+    desk.desk->buttons = 0b100;
+    desk.program.frames(10);
+    desk.desk->place(0.03, 0, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(offset().x() + 0.03) < 1e-9, kPatience);
+    desk.desk->buttons = 0;
+    desk.program.frames(10);
+    QVERIFY(std::abs(offset().x() + 0.03) < 1e-9);
+    for (int twice = 0; twice < 2; ++twice) {
+        desk.program.command("workspace-centre").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(offset().norm() < 1e-9, kPatience);
+        desk.desk->buttons = 0b100;
+        desk.program.frames(10);
+        desk.desk->place(twice ? 0.03 : 0, 0, 0);
+        QTRY_VERIFY_WITH_TIMEOUT(offset().norm() > 0.02, kPatience);
+        desk.desk->buttons = 0;
+        desk.program.frames(10);
+    }
+    // The cube has a diagonal of 0.1732 m, the arm reaches 0.05 m.
+    desk.program.command("workspace-fit").trigger();
+    QVERIFY(std::abs(desk.engine().workspace().scale - std::sqrt(3.0)) < 1e-9);
+}
+
+void TestDeviceUse::theCeilingFallsWithTheScale() {
+    DeviceInfo device;
+    device.damping = 4;
+    ServoTelemetry servo;
+    const CeilingNow one = ceilingNow(servo, device);
+    servo.frame.scale = 4;
+    QCOMPARE(ceilingNow(servo, device).value, one.value / 4);
+    // What the servo says is of the scene already, and no reason to speak of a late one.
+    servo.ceiling = {one.value / 4, CeilingReason::Damping};
+    QCOMPARE(ceilingNow(servo, device).value, one.value / 4);
+    QCOMPARE(ceilingNow(servo, device).reason, one.reason);
+}
+
+void TestDeviceUse::undoDoesNotTouchTheDevice() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Workspace);
+    desk.program.type(QStringLiteral("workspace-scale"), QStringLiteral("3"));
+    QVERIFY(!desk.program.document.history().canUndo() && !desk.program.document.modified());
+    QCOMPARE(desk.engine().workspace().scale, 3.0);
+}
+
+void TestDeviceUse::trialsAreFeltInsteadOfTheScene() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    const Scene before = desk.program.document.scene();
+    const auto own = desk.program.window->publisher().world();
+    QVERIFY(desk.connectIt());
+    desk.click("notice-act");
+    desk.page(DevicePanel::Page::Trial);
+    const auto felt = [&] { return desk.program.window->publisher().world(); };
+    const std::pair<const char*, const char*> trials[] = {{"trial-wall-button", "trial-wall"},
+                                                          {"trial-friction-button", "trial-friction"},
+                                                          {"trial-spring-button", "trial-spring"}};
+    for (const auto& [button, id] : trials) {
+        desk.click("device-arm");
+        desk.click(button);
+        QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked());
+        QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp() && felt()->bodies.size() == 1 && felt() != own,
+                                 kPatience);
+        QVERIFY(felt()->bodies[0].object != before.objects[0].id);
+        QVERIFY(desk.program.command(id).isChecked());
+        QVERIFY(desk.text("trial-limits")
+                    .startsWith(QStringLiteral("At most 6.0 N, 2.0 N for ever. Stiffness up to")));
+        QCOMPARE(desk.program.document.scene(), before);
+    }
+    // The wall pushes, once the person has armed.
+    desk.click("trial-wall-button");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
+    desk.desk->place(0.0165, 0, 0);
+    desk.program.frames(20);
+    QCOMPARE(desk.desk->force.load(), 0.0);
+    desk.desk->place(0, 0, 0);
+    desk.program.frames(20);
+    desk.click("device-arm");
+    QVERIFY(desk.fullForce());
+    desk.desk->place(0.0165, 0, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.desk->force > 0.3, kPatience);
+    QVERIFY(desk.text("trial-state").contains(QStringLiteral("on")));
+    desk.click("trial-end-button");
+    QVERIFY(!desk.engine().armed());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp() && felt()->bodies[0].object == before.objects[0].id,
+                             kPatience);
+    QVERIFY(felt()->bodies[0].mesh == own->bodies[0].mesh); // nothing was built anew
+    QCOMPARE(desk.program.document.scene(), before);
+    QVERIFY(!desk.program.document.modified() && !desk.program.command("trial-end").isEnabled());
+}
+
+void TestDeviceUse::anEditEndsATrial() {
+    Desk desk;
+    QVERIFY(desk.program.open(writeCube(folder_)));
+    desk.program.command("trial-wall").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
+    desk.program.type(QStringLiteral("stiffness"), QStringLiteral("345"));
+    QVERIFY(!desk.program.command("trial-wall").isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
+    const auto& world = *desk.program.window->publisher().world();
+    QCOMPARE(world.bodies.at(0).object, desk.program.document.scene().objects[0].id);
+    QCOMPARE(world.bodies.at(0).materials.at(0).stiffness, 345.0);
+}
+
+void TestDeviceUse::theSpringDrawsBackToTheCentre() {
+    Desk desk;
+    desk.desk->place(0.03, 0.01, 0);
+    QVERIFY(desk.connectIt());
+    desk.program.command("trial-spring").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp(), kPatience);
+    desk.program.command("armed").trigger();
+    QVERIFY(desk.fullForce());
+    // From outside nothing is felt.
+    desk.program.frames(20);
+    QCOMPARE(desk.desk->force.load(), 0.0);
+    for (int i = 30; i >= 0; --i) {
+        desk.desk->place(0.001 * i, i / 3000.0, 0);
+        desk.program.frames(1);
+    }
+    for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(-0.6, 0, 0.8)}) {
+        for (int i = 0; i <= 40; ++i) {
+            desk.desk->place(1e-3 * i * way.x(), 1e-3 * i * way.y(), 1e-3 * i * way.z());
+            desk.program.frames(1);
+        }
+        // 40 mm of 50 at 6 N times 0.4 / 50 mm: 1.92 N, less what the ball leaves free.
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(desk.desk->force - 1.9) < 0.15, kPatience);
+        QVERIFY(desk.engine().servo().force.dot(way) < -1.5);
+        for (int i = 40; i >= 0; --i) {
+            desk.desk->place(1e-3 * i * way.x(), 1e-3 * i * way.y(), 1e-3 * i * way.z());
+            desk.program.frames(1);
+        }
+    }
+}
+QTEST_MAIN(TestDeviceUse)
+#include "test_device_use.moc"
