@@ -15,7 +15,8 @@ std::string toJson(const std::vector<DeviceListing>& listings) {
                         {"name", listing.name},
                         {"usable", listing.usable},
                         {"sentence", listing.sentence},
-                        {"forbidden", listing.forbidden}});
+                        {"forbidden", listing.forbidden},
+                        {"lacks", listing.lacks}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -28,7 +29,7 @@ std::vector<DeviceListing> listingsOf(std::string_view text) {
             listings.push_back(
                 {printable(entry.at("id").get<std::string>()), printable(entry.at("name").get<std::string>()),
                  entry.at("usable").get<bool>(), printable(entry.at("sentence").get<std::string>(), 400),
-                 entry.value("forbidden", false)});
+                 entry.value("forbidden", false), printable(entry.value("lacks", std::string()))});
     } catch (const Json::exception&) {
         return {};
     }

@@ -8,7 +8,9 @@
 
 #include <unistd.h>
 
+#include "core/base/text.h"
 #include "device/falcon/falcon.h"
+#include "device/falcon/falcon_firmware.h"
 #include "device/falcon/falcon_line.h"
 #include "device/listings_text.h"
 #include "device/profile.h"
@@ -36,14 +38,29 @@ struct UsbFamily {
     UsbId id;
     std::string_view name;
     std::unique_ptr<HapticDevice> (*make)(const UsbPlace& place, const DeviceProfile& profile);
+    /// Of a file that the person has to have: which, while there is none; and keeping theirs.
+    std::string (*lacks)() = [] { return std::string(); };
+    Result<std::string> (*supply)(const std::filesystem::path& file) = nullptr;
 };
+
+std::string lackOfFalcon() {
+    return findFalconFirmware({}) ? std::string() : std::string("firmware (*.bin)");
+}
+
+Result<std::string> supplyFalcon(const std::filesystem::path& file) {
+    const auto kept = keepFalconFirmware(file);
+    if (!kept) return tl::unexpected<Error>(kept.error());
+    return "The Falcon's firmware (" + (kept->name.empty() ? std::string("not a known one") : kept->name) +
+           ") was copied to " + inQuotes(kept->file.string()) + ".";
+}
 
 constexpr std::array<UsbFamily, 2> kUsbFamilies{{
     {"falcon", kFalconUsb, "Novint Falcon",
      [](const UsbPlace& place, const DeviceProfile& profile) -> std::unique_ptr<HapticDevice> {
          return std::make_unique<Falcon>(
              place, profile.info, FalconSettings{.firmware = {}, .countsPerTorque = profile.countsPerTorque});
-     }},
+     },
+     lackOfFalcon, supplyFalcon},
     {"wooden-haptics", kWoodenHapticsId, "WoodenHaptics",
      [](const UsbPlace& place, const DeviceProfile& profile) -> std::unique_ptr<HapticDevice> {
          return std::make_unique<WoodenHaptics>(place, profile.info);
@@ -106,6 +123,7 @@ bool mayOpen(const UsbPlace& place) {
 DeviceListing listingOf(const UsbFamily& family, const UsbPlace& place) {
     DeviceListing listing{std::string(family.prefix) + ':' + place.port, std::string(family.name), true,
                           "connected at USB " + place.port};
+    listing.lacks = family.lacks();
     if (mayOpen(place)) return listing;
     listing.usable = false;
     listing.forbidden = true;
@@ -202,6 +220,12 @@ Made DeviceRegistry::make(const std::string& id) {
     const auto profile = profileOf(own->prefix, settings_.profiles);
     if (!profile) return tl::unexpected<Error>(profile.error());
     return makeOwn(*own, id, *profile);
+}
+
+Result<std::string> DeviceRegistry::supply(const std::string& id, const std::filesystem::path& file) {
+    const UsbFamily* const own = familyOf(kUsbFamilies, id);
+    if (!own || !own->supply) return inputError("The device \"" + id + "\" lacks no file.");
+    return own->supply(file);
 }
 
 std::filesystem::path personsProfiles() {

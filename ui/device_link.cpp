@@ -149,6 +149,24 @@ void DeviceLink::tryAgain() {
     if (!preparing() && !preparation_.id.isEmpty()) choose(preparation_.id);
 }
 
+void DeviceLink::supply(const QString& id, const QString& file) {
+    pool_.start([this, id, file] {
+        const auto kept = [&] {
+            const std::lock_guard alone(asking_);
+            return catalogue_->supply(id.toStdString(), file.toStdString());
+        }();
+        QMetaObject::invokeMethod(
+            this,
+            [this, id, kept] {
+                if (!kept) return emit failed(QString::fromStdString(kept.error().text));
+                emit supplied(QString::fromStdString(*kept));
+                look();
+                if (preparation_.state == Preparation::State::Failed && preparation_.id == id) tryAgain();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
 void DeviceLink::giveUp() {
     if (!attempt_) return;
     attempt_->cancelled = true;

@@ -77,6 +77,8 @@ public:
     void choose(QString id);
     /// The same once more, after it failed or was given up.
     void tryAgain();
+    /// Gives a device the file that it lacks, and makes it ready where that was what failed.
+    void supply(const QString& id, const QString& file);
     /// Ends the preparing soon.
     void giveUp();
     /// Lists now instead of within the next second.
@@ -95,6 +97,7 @@ signals:
     /// The chosen device runs. `back`: nobody asked for it just now.
     void ready(const QString& name, bool back);
     void failed(const QString& sentence);
+    void supplied(const QString& sentence);
     void wentAway(const QString& name);
 
 private:

@@ -76,6 +76,7 @@ void MainWindow::connectDevices() {
     connect(link_, &DeviceLink::exchanged, this, &MainWindow::adoptDevice);
     connect(link_, &DeviceLink::ready, this, &MainWindow::offerReady);
     connect(link_, &DeviceLink::failed, notice_, &NoticeBar::showError);
+    connect(link_, &DeviceLink::supplied, notice_, &NoticeBar::showNote);
     connect(link_, &DeviceLink::wentAway, this, [this](const QString& name) { sayAway(name); });
     connect(link_, &DeviceLink::preparationChanged, this, &MainWindow::showDeviceCommands);
     connect(link_, &DeviceLink::preparationChanged, this, &MainWindow::sayRequest);

@@ -1,6 +1,7 @@
 // What devices there are, for a window that must not know the drivers.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ struct DeviceListing {
     bool usable = false;
     std::string sentence;   ///< what it is and can do, or why it is not usable and what to do
     bool forbidden = false; ///< not usable because the system does not let this person use it
+    std::string lacks{};    ///< a file of the person's own that it wants and has not: "firmware (*.bin)"
 
     bool operator==(const DeviceListing&) const = default;
 };
@@ -34,6 +36,9 @@ public:
     virtual std::vector<DeviceListing> list() = 0;
     /// Not yet prepared. Thread: as list().
     virtual Result<std::unique_ptr<HapticDevice>> make(const std::string& id) = 0;
+    /// Keeps a copy of the file that a device lacks where its driver finds it. The answer is a sentence of
+    /// what it was and where it is now. Errors: another file than it wants. Thread: as list().
+    virtual Result<std::string> supply(const std::string& id, const std::filesystem::path& file) = 0;
 };
 
 } // namespace tactum

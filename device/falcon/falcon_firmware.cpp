@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/archive/sha256.h"
+#include "core/base/atomic_file.h"
 #include "core/base/realtime.h"
 #include "core/base/text.h"
 
@@ -129,7 +130,24 @@ Result<FalconFirmware> findFalconFirmware(const fs::path& chosen, const std::vec
     return inputError("The Falcon needs its firmware, which this program may not carry: put your copy of "
                       "nvent_firmware.bin (from libnifalcon's source, folder firmware, or Novint's driver) "
                       "into " +
-                      own + ", or name it in TACTUM_FALCON_FIRMWARE.");
+                      own + ", choose it in the dock Device, or name it in TACTUM_FALCON_FIRMWARE.");
+}
+
+Result<FalconFirmware> keepFalconFirmware(const fs::path& file) {
+    auto firmware = readFalconFirmware(file);
+    if (!firmware) return firmware;
+    const fs::path folder = falconFirmwarePlaces().front();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return machineError("The folder " + inQuotes(folder.string()) +
+                            " cannot be made: " + error.message() + ".");
+    firmware->file = folder / file.filename().replace_extension(".bin"); // only those are looked at
+    const std::string_view bytes(reinterpret_cast<const char*>(firmware->bytes.data()),
+                                 firmware->bytes.size());
+    if (const auto written = writeFileAtomically(firmware->file, bytes, 0); !written)
+        return tl::unexpected<Error>(written.error());
+    return firmware;
 }
 
 } // namespace tactum

@@ -35,4 +35,8 @@ Result<FalconFirmware>
 findFalconFirmware(const std::filesystem::path& chosen,
                    const std::vector<std::filesystem::path>& places = falconFirmwarePlaces());
 
+/// Copies a person's file to the first of the places, if it is firmware of a Falcon. The answer names the
+/// copy. Thread: any but real time.
+Result<FalconFirmware> keepFalconFirmware(const std::filesystem::path& file);
+
 } // namespace tactum

@@ -4,6 +4,7 @@
 
 #include <QClipboard>
 #include <QEvent>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -69,6 +70,18 @@ QIcon iconOf(const DeviceLink& link, const DeviceListing& listing) {
                           : icon(QStringLiteral("warning"), theme().stick);
 }
 
+/// The first device that lacks a file.
+const DeviceListing* lackingOne(const DeviceLink& link) {
+    const auto found =
+        std::ranges::find_if(link.devices(), [](const auto& each) { return !each.lacks.empty(); });
+    return found == link.devices().end() ? nullptr : &*found;
+}
+
+/// What it lacks, without how such files are called.
+QString wordOf(const DeviceListing& listing) {
+    return QString::fromStdString(listing.lacks).section(QStringLiteral(" ("), 0, 0);
+}
+
 } // namespace
 
 bool wantsPermission(const DeviceLink& link) {
@@ -78,14 +91,16 @@ bool wantsPermission(const DeviceLink& link) {
 DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     : QWidget(parent), link_(link), list_(new DeviceList), connect_(new QPushButton(tr("Connect"))),
       disconnect_(new QPushButton(tr("Disconnect"))), permit_(new QPushButton(tr("Let me use USB devices"))),
-      sentence_(new QLabel), command_(new QLineEdit), copy_(new QPushButton(tr("Copy"))),
-      steps_(new DeviceSteps) {
+      supply_(new QPushButton), sentence_(new QLabel), command_(new QLineEdit),
+      copy_(new QPushButton(tr("Copy"))), steps_(new DeviceSteps) {
     connect_->setObjectName(QStringLiteral("device-connect-button"));
     connect_->setToolTip(tr("Make the chosen device ready, step by step"));
     disconnect_->setObjectName(QStringLiteral("device-disconnect-button"));
     disconnect_->setToolTip(tr("Give the device back; the mouse leads a simulated hand"));
     permit_->setObjectName(QStringLiteral("device-permit"));
     permit_->setToolTip(tr("Puts a rule where udev looks for it, after an administrator's consent"));
+    supply_->setObjectName(QStringLiteral("device-supply"));
+    supply_->setToolTip(tr("Your copy is checked, and kept where the device's driver finds it"));
     sentence_->setObjectName(QStringLiteral("device-permit-sentence"));
     sentence_->setWordWrap(true);
     command_->setObjectName(QStringLiteral("device-permit-command"));
@@ -99,6 +114,7 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     buttons->addWidget(disconnect_, 1);
     column->addLayout(buttons);
     column->addWidget(permit_);
+    column->addWidget(supply_);
     column->addWidget(sentence_);
     auto* line = new QHBoxLayout;
     line->addWidget(command_, 1);
@@ -110,6 +126,7 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     connect(connect_, &QPushButton::clicked, this, &DeviceConnect::connectPressed);
     connect(disconnect_, &QPushButton::clicked, this, &DeviceConnect::disconnectPressed);
     connect(permit_, &QPushButton::clicked, this, &DeviceConnect::permissionPressed);
+    connect(supply_, &QPushButton::clicked, this, &DeviceConnect::askForFile);
     connect(copy_, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(command_->text()); });
     connect(steps_, &DeviceSteps::giveUpPressed, &link_, &DeviceLink::giveUp);
@@ -120,6 +137,15 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     connect(&link_, &DeviceLink::exchanged, this, &DeviceConnect::fill);
     connect(&link_, &DeviceLink::preparationChanged, this, &DeviceConnect::follow);
     fill();
+}
+
+void DeviceConnect::askForFile() {
+    const DeviceListing* lacking = lackingOne(link_);
+    if (!lacking) return;
+    const QString id = QString::fromStdString(lacking->id); // the list goes on while the dialog is open
+    const QString file =
+        QFileDialog::getOpenFileName(this, supply_->text(), {}, QString::fromStdString(lacking->lacks));
+    if (!file.isEmpty()) link_.supply(id, file);
 }
 
 QString DeviceConnect::chosen() const {
@@ -160,6 +186,11 @@ void DeviceConnect::follow() {
     const bool wants = wantsPermission(link_);
     permit_->setVisible(wants);
     if (!wants) showCommand({}, {});
+    const DeviceListing* lacking = lackingOne(link_);
+    supply_->setVisible(lacking != nullptr);
+    if (lacking)
+        supply_->setText(
+            tr("Choose the %1 of the %2...").arg(wordOf(*lacking), QString::fromStdString(lacking->name)));
     connect_->setEnabled(link_.mayBegin(chosen()));
     disconnect_->setEnabled(link_.mayLetGo());
     emit chosenChanged();

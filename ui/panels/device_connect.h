@@ -37,10 +37,11 @@ protected:
 private:
     void fill();
     void follow();
+    void askForFile();
 
     DeviceLink& link_;
     QTreeWidget* list_;
-    QPushButton *connect_, *disconnect_, *permit_;
+    QPushButton *connect_, *disconnect_, *permit_, *supply_;
     QLabel* sentence_;
     QLineEdit* command_;
     QPushButton* copy_;

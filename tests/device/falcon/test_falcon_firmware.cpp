@@ -115,6 +115,27 @@ private slots:
         QCOMPARE(none.error().kind, Error::Kind::Input);
     }
 
+    void aFileThatIsGivenIsKept() {
+        const Folder folder;
+        qputenv("XDG_CONFIG_HOME", folder.path.c_str());
+        const Bytes bytes = makeBootStream({7});
+        const auto kept = keepFalconFirmware(folder.put("from elsewhere/novint.fw", bytes));
+        QVERIFY(kept && kept->file == folder.path / "Tactum/falcon/novint.bin");
+        fs::remove_all(folder.path / "from elsewhere");
+        const auto found = findFalconFirmware({});
+        QVERIFY(found && found->file == kept->file && found->bytes == bytes);
+        // What is none replaces nothing.
+        QVERIFY(says(keepFalconFirmware(folder.put("novint.bin", Bytes(50, 1))), "no firmware of a Falcon"));
+        QVERIFY(findFalconFirmware({})->bytes == bytes);
+        // Chosen where it is already.
+        QVERIFY(keepFalconFirmware(kept->file) && findFalconFirmware({})->bytes == bytes);
+        // A file where the folder should be.
+        fs::remove_all(folder.path / "Tactum");
+        folder.put("Tactum", {1});
+        QVERIFY(says(keepFalconFirmware(folder.put("novint.bin", bytes)), "cannot be made"));
+        qunsetenv("XDG_CONFIG_HOME");
+    }
+
     void thePersonsOwnFolderIsFirst() {
         qputenv("XDG_CONFIG_HOME", "/somewhere");
         QCOMPARE(falconFirmwarePlaces().front(), fs::path("/somewhere/Tactum/falcon"));

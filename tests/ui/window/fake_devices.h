@@ -106,7 +106,11 @@ public:
         std::vector<DeviceListing> found{
             {"simulated", "Simulated hand", true, "The mouse moves it in the window."}};
         if (desk_->plugged && !hidden)
-            found.push_back({"fake:1-2", "Example arm", true, "At USB 1-2; 6 N, three buttons."});
+            found.push_back({.id = "fake:1-2",
+                             .name = "Example arm",
+                             .usable = true,
+                             .sentence = "At USB 1-2; 6 N, three buttons.",
+                             .lacks = lacking ? "firmware (*.bin)" : ""});
         if (other) found.push_back({"fake:1-4", "Other arm", true, "At USB 1-4."});
         if (locked)
             found.push_back({"locked:1-3", "Locked arm", false,
@@ -120,10 +124,17 @@ public:
         return inputError("There is no such device: plug it in.");
     }
 
+    Result<std::string> supply(const std::string&, const std::filesystem::path& file) override {
+        if (file.extension() != ".bin") return inputError("The file is no firmware.");
+        lacking = false;
+        return "The firmware " + file.string() + " is kept.";
+    }
+
     std::shared_ptr<HandTarget> hand; ///< of the simulated one
     std::atomic<bool> locked{false};
-    std::atomic<bool> hidden{false}; ///< there, but not listed
-    std::atomic<bool> other{false};  ///< a second one of the kind is listed
+    std::atomic<bool> hidden{false};  ///< there, but not listed
+    std::atomic<bool> other{false};   ///< a second one of the kind is listed
+    std::atomic<bool> lacking{false}; ///< the arm has no firmware
     std::atomic<int> lists{0};
 
 private:

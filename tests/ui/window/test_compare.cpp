@@ -2,14 +2,13 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 
 #include "core/runtime/compile.h"
+#include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/comparison.h"
 
@@ -201,16 +200,8 @@ void TestCompare::theFileHasAPointInEveryLocale() {
     comparison.markA();
     QVERIFY(isCompared(comparison));
     const QString file = folder_.filePath(QStringLiteral("both.csv"));
-    QTimer answer;
-    connect(&answer, &QTimer::timeout, &answer, [&] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        dialog->selectFile(file);
-        QMetaObject::invokeMethod(dialog, "accept");
-    });
-    answer.start(20);
+    answerFileDialog(file);
     QVERIFY(isCalled(program, "compare-export"));
-    answer.stop();
     QLocale::setDefault(QLocale::c());
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));

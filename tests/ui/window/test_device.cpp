@@ -8,10 +8,12 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QSignalSpy>
 #include <QTest>
 #include <cmath>
 
 #include "tests/ui/window/device_desk.h"
+#include "tests/ui/window/file_dialogs.h"
 #include "ui/axis_capture.h"
 #include "ui/device_link.h"
 #include "ui/device_settings.h"
@@ -52,6 +54,7 @@ private slots:
     void anotherDeviceIsFreedFirst();
     void theChoiceIsRemembered();
     void theRuleForUsbIsOffered();
+    void aFileThatADeviceLacksIsChosen();
     void everythingHasAName();
 };
 
@@ -428,6 +431,33 @@ void TestDevice::theRuleForUsbIsOffered() {
     desk.catalogue->locked = false;
     QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("device-permit").isVisible(), kPatience);
     QVERIFY(!desk.widget("device-permit-command").isVisible());
+}
+
+void TestDevice::aFileThatADeviceLacksIsChosen() {
+    Desk desk;
+    QVERIFY(desk.listed("Example arm"));
+    QVERIFY(!desk.widget("device-supply").isVisible());
+    desk.catalogue->lacking = true;
+    QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-supply"),
+                              QStringLiteral("Choose the firmware of the Example arm..."), kPatience);
+    desk.desk->failAt = 0; // without it
+    desk.begin();
+    QTRY_COMPARE_WITH_TIMEOUT(desk.link().preparation().state, Preparation::State::Failed, kPatience);
+    const auto answer = [&](const char* name) {
+        answerFileDialog(writeFile(folder_, QString::fromLatin1(name), "bytes"));
+        desk.click("device-supply");
+    };
+    answer("readme.txt");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("notice-text").contains(QStringLiteral("no firmware")), kPatience);
+    QVERIFY(desk.widget("device-supply").isVisible());
+    desk.desk->failAt = -1;
+    desk.desk->go = 3;
+    QSignalSpy kept(&desk.link(), &DeviceLink::supplied);
+    answer("nvent.bin");
+    QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, kPatience);
+    QVERIFY(kept.front().front().toString().contains(QStringLiteral("nvent.bin is kept")));
+    QVERIFY(desk.ready()); // by itself: the file was what failed
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("device-supply").isVisible(), kPatience);
 }
 
 void TestDevice::everythingHasAName() {

@@ -96,6 +96,28 @@ private slots:
         }
     }
 
+    void itsFirmwareIsChosenInTheWindow() {
+        const QTemporaryDir settings;
+        const QByteArray home = qgetenv("HOME");
+        qputenv("XDG_CONFIG_HOME", settings.path().toLocal8Bit());
+        qputenv("HOME", settings.path().toLocal8Bit());
+        Desk desk;
+        qunsetenv("TACTUM_FALCON_FIRMWARE");
+        const auto lacks = [&] {
+            const DeviceListing* listing = desk.link().find(kFalcon);
+            return listing && !listing->lacks.empty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(lacks(), kPatience);
+        desk.link().choose(kFalcon);
+        QTRY_COMPARE_WITH_TIMEOUT(desk.link().preparation().state, Preparation::State::Failed, kPatience);
+        QVERIFY(desk.link().preparation().failure.contains(QStringLiteral("firmware")));
+        desk.link().supply(kFalcon, QString::fromStdString(desk.bench.firmware()));
+        QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
+        QTRY_VERIFY_WITH_TIMEOUT(!lacks(), kPatience);
+        qputenv("HOME", home);
+        qunsetenv("XDG_CONFIG_HOME");
+    }
+
     void pulledOutAndBackAgain() {
         Desk desk;
         desk.bench.device->startFirmware(true);

@@ -1,32 +1,17 @@
 // Saving a scene from the window, and not losing it by closing or opening.
 #include <QAbstractButton>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 
+#include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 
 using namespace tactum;
 
 namespace {
-
-/// Answers the next file dialog as a person does; `offered`: the folder in which it began.
-void answerFileDialog(const QString& file, QString* offered = nullptr) {
-    auto* timer = new QTimer;
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, file, offered] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (!dialog) return;
-        if (offered) *offered = dialog->directory().path();
-        dialog->selectFile(file);
-        QMetaObject::invokeMethod(dialog, "accept");
-        timer->deleteLater();
-    });
-    timer->start(20);
-}
 
 void setStiffness(TouchedWindow& program, double stiffness) {
     const SurfaceRef first{program.document.scene().objects.front().id, 0};
