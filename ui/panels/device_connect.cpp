@@ -100,7 +100,6 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     permit_->setObjectName(QStringLiteral("device-permit"));
     permit_->setToolTip(tr("Puts a rule where udev looks for it, after an administrator's consent"));
     supply_->setObjectName(QStringLiteral("device-supply"));
-    supply_->setToolTip(tr("Your copy is checked, and kept where the device's driver finds it"));
     sentence_->setObjectName(QStringLiteral("device-permit-sentence"));
     sentence_->setWordWrap(true);
     command_->setObjectName(QStringLiteral("device-permit-command"));
@@ -188,9 +187,11 @@ void DeviceConnect::follow() {
     if (!wants) showCommand({}, {});
     const DeviceListing* lacking = lackingOne(link_);
     supply_->setVisible(lacking != nullptr);
-    if (lacking)
-        supply_->setText(
-            tr("Choose the %1 of the %2...").arg(wordOf(*lacking), QString::fromStdString(lacking->name)));
+    if (lacking) {
+        supply_->setText(tr("Choose %1...").arg(wordOf(*lacking)));
+        supply_->setToolTip(tr("For the %1. Your copy is checked, and kept where the driver finds it")
+                                .arg(QString::fromStdString(lacking->name)));
+    }
     connect_->setEnabled(link_.mayBegin(chosen()));
     disconnect_->setEnabled(link_.mayLetGo());
     emit chosenChanged();
