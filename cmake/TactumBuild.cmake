@@ -103,10 +103,10 @@ function(tactum_install)
     "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" DESTINATION lib/cmake/Tactum)
 endfunction()
 
-# tactum_test(NAME SOURCES ... USES room ... [GUI])
-# One Qt Test program. GUI tests need a display, which ./check gives them.
+# tactum_test(NAME SOURCES ... USES room ... [GUI] [UNDER program])
+# One Qt Test program. GUI tests need a display, which ./check gives them. UNDER: what starts it.
 function(tactum_test name)
-  cmake_parse_arguments(TEST "GUI" "" "SOURCES;USES;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "GUI" "UNDER" "SOURCES;USES;LABELS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
@@ -114,7 +114,7 @@ function(tactum_test name)
   foreach(room IN LISTS TEST_USES)
     target_link_libraries(${name} PRIVATE tactum_${room})
   endforeach()
-  add_test(NAME ${name} COMMAND ${name})
+  add_test(NAME ${name} COMMAND ${TEST_UNDER} $<TARGET_FILE:${name}>)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${TEST_LABELS}")
   if(TEST_GUI)
     # Settings of their own: a test neither reads nor changes the person's.

@@ -34,6 +34,7 @@ struct State {
     std::vector<std::shared_ptr<kernel::UdevMonitor>> monitors;
     int lastAddress = 1; ///< 1 is the hub's
     int abandoned = 0;   ///< transfers of files that were closed without fetching them
+    std::function<void()> listener = [] {};
 };
 
 State& state() {
@@ -97,6 +98,17 @@ void unplugSocket(int socket) {
     announce("remove", *plugged);
 }
 
+void plugInto(int socket, std::shared_ptr<EmulatedUsbDevice> device) {
+    auto plugged = std::make_shared<PluggedDevice>();
+    plugged->description = device->describe();
+    plugged->device = std::move(device);
+    plugged->socket = socket;
+    plugged->address = freeAddress();
+    plugged->kernelDriver = plugged->description.interfaceClass == 3;
+    state().sockets[socket] = plugged;
+    announce("add", *plugged);
+}
+
 std::shared_ptr<PluggedDevice> atSocket(int socket) {
     const auto found = state().sockets.find(socket);
     return found == state().sockets.end() ? nullptr : found->second;
@@ -116,27 +128,29 @@ EmulatedBus& EmulatedBus::the() {
 }
 
 void EmulatedBus::plug(int socket, std::shared_ptr<EmulatedUsbDevice> device) {
-    const kernel::Inside inside;
-    unplugSocket(socket);
-    auto plugged = std::make_shared<PluggedDevice>();
-    plugged->description = device->describe();
-    plugged->device = std::move(device);
-    plugged->socket = socket;
-    plugged->address = freeAddress();
-    plugged->kernelDriver = plugged->description.interfaceClass == 3;
-    state().sockets[socket] = plugged;
-    announce("add", *plugged);
+    {
+        const kernel::Inside inside;
+        unplugSocket(socket);
+        plugInto(socket, std::move(device));
+    }
+    state().listener();
 }
 
 void EmulatedBus::unplug(int socket) {
-    const kernel::Inside inside;
-    unplugSocket(socket);
+    {
+        const kernel::Inside inside;
+        unplugSocket(socket);
+    }
+    state().listener();
 }
 
 void EmulatedBus::unplugAll() {
-    const kernel::Inside inside;
-    while (!state().sockets.empty())
-        unplugSocket(state().sockets.begin()->first);
+    {
+        const kernel::Inside inside;
+        while (!state().sockets.empty())
+            unplugSocket(state().sockets.begin()->first);
+    }
+    state().listener();
 }
 
 void EmulatedBus::setFaults(int socket, const UsbFaults& faults) {
@@ -188,6 +202,11 @@ Inside::~Inside() {
 
 bool isInside() {
     return insideNow;
+}
+
+void setListener(std::function<void()> changed) {
+    const Inside inside;
+    state().listener = std::move(changed);
 }
 
 std::optional<int> openNode(const char* path) {

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,11 @@ public:
 private:
     sigset_t before_;
 };
+
+/// `changed` is called after every plugging and unplugging, by the thread that did it, outside the kernel:
+/// for who shows the bus to libusb in another way than by defining its calls. Before the first plugging, and
+/// once.
+void setListener(std::function<void()> changed);
 
 /// Whether this thread is in the emulated kernel: what it allocates there is no program's doing.
 bool isInside();

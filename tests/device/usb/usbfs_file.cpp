@@ -236,6 +236,9 @@ bool UsbfsFile::controlTransfer(Urb& urb, std::int64_t now) {
     if (setup.type & 0x80) {
         urb.length = static_cast<int>(std::min<std::size_t>(answer->size(), setup.length));
         urb.data = std::move(*answer);
+    } else {
+        urb.length = static_cast<int>(data.size());
+        urb.data.erase(urb.data.begin(), urb.data.begin() + kSetupLength);
     }
     return true;
 }

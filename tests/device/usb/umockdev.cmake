@@ -1,0 +1,32 @@
+# The cross-check: the same bus shown to libusb by umockdev, which emulates sysfs, udev and the device node
+# independently of us. It goes without: where umockdev is missing, nothing but the second look is.
+pkg_check_modules(UMOCKDEV QUIET IMPORTED_TARGET umockdev-1.0)
+find_program(UMOCKDEV_WRAPPER umockdev-wrapper)
+set(umockdev_missing "")
+if(NOT UMOCKDEV_FOUND OR NOT UMOCKDEV_WRAPPER)
+  set(umockdev_missing "libumockdev-dev and umockdev are not installed")
+elseif(TACTUM_SANITIZE MATCHES "address|thread")
+  set(umockdev_missing "this sanitizer has to be loaded before anything else, and so has umockdev")
+endif()
+if(umockdev_missing)
+  message(STATUS "The USB cross-check by umockdev is left out: ${umockdev_missing}")
+else()
+  add_library(umockdev_usb OBJECT pty_node.cpp umockdev_bus.cpp umockdev_file.cpp)
+  target_include_directories(umockdev_usb PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(umockdev_usb PRIVATE tactum_options PUBLIC PkgConfig::UMOCKDEV)
+endif()
+
+# cross_checked_usb_test(NAME SOURCES ... USES room ... LIBRARIES target ...): as emulated_usb_test, and the same
+# once more over umockdev, as NAME_umockdev. A socket's path has room for some hundred letters: the short TMPDIR.
+function(cross_checked_usb_test name)
+  cmake_parse_arguments(CROSS "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  emulated_usb_test(${name} SOURCES ${CROSS_SOURCES} USES ${CROSS_USES})
+  target_link_libraries(${name} PRIVATE ${CROSS_LIBRARIES})
+  if(NOT TARGET umockdev_usb)
+    return()
+  endif()
+  set(second ${name}_umockdev)
+  tactum_test(${second} SOURCES ${CROSS_SOURCES} USES ${CROSS_USES} UNDER "${UMOCKDEV_WRAPPER}")
+  target_link_libraries(${second} PRIVATE emulated_usb umockdev_usb ${CROSS_LIBRARIES})
+  set_tests_properties(${second} PROPERTIES ENVIRONMENT "TMPDIR=/tmp")
+endfunction()
