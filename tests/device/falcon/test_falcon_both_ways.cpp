@@ -59,7 +59,9 @@ private slots:
         QCOMPARE(bench.device->latency(), 1);
         QVERIFY(falcon->open());
         QVERIFY(isFelt(*falcon));
-        QCOMPARE(falcon->trouble(), std::string());
+        // The hand went on while the device was opened, which may be told as a jump for two seconds.
+        QVERIFY(exchangeUntil(*falcon, Vec3::Zero(),
+                              [&](const DeviceSample&) { return falcon->trouble().empty(); }));
         QCOMPARE(bench.device->malformed(), 0);
     }
 
