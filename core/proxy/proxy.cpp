@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/inplace_vector.h"
 #include "core/proxy/carry.h"

@@ -84,6 +84,8 @@ private slots:
     void insideOfABall();
     void outsideOfABall();
     void eggCrateHoldsLocalMinima();
+    void eggCrateIsFollowedWhileMoving_data();
+    void eggCrateIsFollowedWhileMoving();
     void cracksCarryAtTheExactHeight();
     void channelAsWideAsTheProxyLetsItGo();
     void sheetHoldsFromBothSides();
@@ -194,6 +196,46 @@ void ProxyShapesTest::eggCrateHoldsLocalMinima() {
         const Vec3 resting = rig.position();
         rig.step(finger);
         QCOMPARE(rig.position(), resting);
+    }
+}
+
+void ProxyShapesTest::eggCrateIsFollowedWhileMoving_data() {
+    QTest::addColumn<double>("half");
+    QTest::addColumn<int>("cells");
+    QTest::addColumn<double>("amplitude");
+    QTest::addColumn<double>("period");
+    QTest::newRow("shallow") << 0.02 << 40 << 0.002 << 0.01;
+    QTest::newRow("steep") << 0.02 << 40 << 0.004 << 0.01;
+    QTest::newRow("small") << 0.012 << 40 << 0.0015 << 0.006;
+    QTest::newRow("coarse") << 0.012 << 30 << 0.0015 << 0.006;
+    QTest::newRow("finer than the proxy") << 0.012 << 60 << 0.0004 << 0.0011;
+}
+
+// At every step: from crest to crest the proxy falls over dozens of facets within one.
+void ProxyShapesTest::eggCrateIsFollowedWhileMoving() {
+    QFETCH(const double, half);
+    QFETCH(const int, cells);
+    QFETCH(const double, amplitude);
+    QFETCH(const double, period);
+    const Soup soup = eggCrate(half, cells, amplitude, period);
+    ProxyRig rig(soup, kRadius), rested(soup, kRadius);
+    Vec3 finger(0, 0, 0.01);
+    rig.startAt(finger);
+    Rng rng(100);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 from = finger, target(uniform(rng, -0.8, 0.8) * half, uniform(rng, -0.8, 0.8) * half,
+                                         uniform(rng, -2 * amplitude, 0));
+        const int steps = std::max(1, int(std::ceil((target - from).norm() / kStride)));
+        for (int k = 1; k <= steps; ++k) {
+            finger = from + (target - from) * (double(k) / steps);
+            rig.step(finger);
+            rested.state = rig.state;
+            for (SweepMemory& memory : rested.state.memories)
+                memory.mesh = nullptr; // the other rig's
+            rested.walk(finger, finger, kStride, 20);
+            const double error = (rested.position() - rig.position()).norm();
+            QVERIFY2(error <= kMoving, qPrintable(micrometres("moving", error)));
+        }
     }
 }
 

@@ -16,6 +16,8 @@ constexpr int kSteps = 120;
 // between tilted planes; a micrometre of a proxy of a millimetre is what may be inside or out of reach.
 constexpr double kPushOut = 2 * kSkin;
 constexpr double kTolerance = 1e-3;
+// Steps in which a proxy under a still finger comes to where it can come.
+constexpr int kRest = 20;
 
 Soup crumpled(Rng& rng, double half) {
     const double height = half * uniform(rng, 0.02, 0.6);
@@ -142,7 +144,7 @@ QString faultOf(const Trial& trial, const Hand& hand, const Vec3& before) {
     const Vec3 proxy = hand.state.proxy.position, finger = hand.finger();
     if (!proxy.allFinite() || !hand.output().force.allFinite()) return "is not finite";
     const double inside = trial.radius - clearance(*trial.soup, proxy);
-    if (inside > kTolerance * trial.radius) return QString("is %1 r inside").arg(inside / trial.radius);
+    if (inside > kPushOut * trial.radius) return QString("is %1 r inside").arg(inside / trial.radius);
     const double growth = (proxy - finger).norm() - (before - finger).norm();
     if (trial.isPlain() && growth > kPushOut * trial.radius)
         return QString("retreats by %1 r").arg(growth / trial.radius);
@@ -162,10 +164,11 @@ QString faultIn(Trial& trial) {
             fault = "differs the second time";
         if (fault.isEmpty() && step % 10 == 9 && trial.isPlain() && trial.isFrictionless() &&
             couldComeNearer(trial, hand.state.proxy.position, finger, rng)) {
-            const Vec3 rested = hand.state.proxy.position;
-            hand.to(finger);
-            again.to(finger);
-            if (hand.state.proxy.position == rested) fault = "freezes";
+            for (int i = 0; i < kRest; ++i) {
+                hand.to(finger);
+                again.to(finger);
+            }
+            if (couldComeNearer(trial, hand.state.proxy.position, finger, rng)) fault = "freezes";
         }
         if (!fault.isEmpty()) return QString("the proxy %1 at step %2").arg(fault).arg(step);
         ++step;
@@ -186,11 +189,13 @@ class RandomSoupsTest : public QObject {
 
 private slots:
     void everyStepKeepsTheInvariants();
+    void whatFrozeOnceDoesNot_data();
+    void whatFrozeOnceDoesNot();
 };
 
 void RandomSoupsTest::everyStepKeepsTheInvariants() {
     const std::uint64_t first = fromEnvironment("TACTUM_FIRST_SOUP", 0);
-    const std::uint64_t count = fromEnvironment("TACTUM_SOUPS", 3000);
+    const std::uint64_t count = fromEnvironment("TACTUM_SOUPS", 20'000);
     std::uint64_t failed = 0;
     for (std::uint64_t number = first; number < first + count; ++number) {
         Trial trial(number);
@@ -200,6 +205,19 @@ void RandomSoupsTest::everyStepKeepsTheInvariants() {
             qWarning("soup %llu: %s", static_cast<unsigned long long>(number), qPrintable(fault));
     }
     QVERIFY2(failed == 0, qPrintable(QString("%1 of %2 soups").arg(failed).arg(count)));
+}
+
+// Curved guesses that led from corner to corner of a spike until no round was left, in each step anew.
+void RandomSoupsTest::whatFrozeOnceDoesNot_data() {
+    QTest::addColumn<quint64>("number");
+    for (const quint64 number : {213217, 336887})
+        QTest::addRow("soup %llu", number) << number;
+}
+
+void RandomSoupsTest::whatFrozeOnceDoesNot() {
+    QFETCH(const quint64, number);
+    Trial trial(number);
+    QCOMPARE(faultIn(trial), QString());
 }
 
 QTEST_APPLESS_MAIN(RandomSoupsTest)
