@@ -99,7 +99,10 @@ Result<void> Falcon::open() {
     unheard_ = 0;
     pushing_ = true; // for all that is known: the first zero does not wait
     trouble_ = FalconTrouble::None;
-    if (startsToReport()) return {};
+    if (startsToReport()) {
+        readings_.pause(); // until the servo begins
+        return {};
+    }
     close();
     return machineError("The Falcon answered and fell silent: connect it anew.");
 }

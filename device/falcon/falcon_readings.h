@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "core/control/haptic_device.h"
@@ -25,6 +26,8 @@ public:
     /// not valid, nor are those of the next kDistrust exchanges.
     DeviceSample operator()(const std::optional<FalconReport>& report, double dt) noexcept;
     void restart() noexcept { *this = {}; }
+    /// Nobody knows how long it is until the next exchange: the hand may be anywhere by then.
+    void pause() noexcept { spans_.fill(std::numeric_limits<double>::infinity()); }
 
     /// d angles / d position where the grip is, for a force; nullptr: none, because nobody knows where it is.
     const Mat3* whereToPush() const noexcept { return mayPush() ? &arm_.jacobian : nullptr; }

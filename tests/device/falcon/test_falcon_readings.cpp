@@ -113,6 +113,16 @@ private slots:
         QVERIFY(readings(at({0.02, 0, 0}), kTick).valid);
     }
 
+    /// Between opening and the servo's first tick; it is over with the second report.
+    void afterAPauseOfUnknownLengthItIsTheSame() {
+        FalconReadings readings;
+        valid(readings, 10, kHere);
+        readings.pause();
+        QVERIFY(readings(kHere, kTick).valid);
+        QVERIFY(readings(at({0.02, 0, 0}), kTick).valid);
+        QVERIFY(!readings(at({-0.02, 0, 0}), kTick).valid);
+    }
+
     void anArmThatCannotBeIsNotBelieved() {
         FalconReadings readings;
         valid(readings, 10, kHere);
