@@ -79,7 +79,7 @@ Triangle pieceOf(const Triangle& triangle, std::uint32_t piece) {
     return halves(pieceOf(triangle, piece / 2))[piece % 2];
 }
 
-std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup) {
+std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup, const Vec3& origin) {
     const std::size_t count = soup.triangles.size();
     std::vector<std::vector<LeafSphere>> parts(parallelParts(count));
     parallelFor(count, [&](std::size_t part, std::size_t begin, std::size_t end) {
@@ -87,7 +87,8 @@ std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup) {
         out.reserve(end - begin);
         for (std::size_t i = begin; i < end; ++i) {
             const auto& corner = soup.triangles[i];
-            const Triangle t{soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
+            const Triangle t{soup.positions[corner[0]] - origin, soup.positions[corner[1]] - origin,
+                             soup.positions[corner[2]] - origin};
             // An equilateral triangle of area A fits a circle of radius 0.877 sqrt(A).
             const double area = 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
             cover(t, Index(i), area > 0 ? 0.877 * std::sqrt(area) : 1e300, 1, out);

@@ -20,8 +20,8 @@ struct LeafSphere {
 /// The part of a triangle that a piece number names. Thread: any.
 Triangle pieceOf(const Triangle& triangle, std::uint32_t piece);
 
-/// Leaf spheres whose union holds every triangle of the soup, in the order of the triangles.
-/// Thread: any but real time; uses all cores.
-std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup);
+/// Leaf spheres whose union holds every triangle of the soup, in the order of the triangles; their centres as
+/// seen from `origin`. Thread: any but real time; uses all cores.
+std::vector<LeafSphere> coverWithSpheres(const TriangleSoup& soup, const Vec3& origin = Vec3::Zero());
 
 } // namespace tactum

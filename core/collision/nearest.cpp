@@ -42,7 +42,8 @@ void Search::open(const SphereTree::Node& node) noexcept {
     const int first = count;
     for (int i = 0; i < SphereTree::kWidth; ++i) {
         if (node.radius[i] < 0) continue;
-        const double distance = (p - Vec3(node.x[i], node.y[i], node.z[i])).norm() - double(node.radius[i]);
+        const Vec3 centre = mesh.tree.origin() + Vec3(node.x[i], node.y[i], node.z[i]);
+        const double distance = (p - centre).norm() - double(node.radius[i]);
         if (distance <= best.distance * kSame) stack[std::size_t(count++)] = {distance, node.child[i]};
     }
     std::sort(stack.begin() + first, stack.begin() + count,

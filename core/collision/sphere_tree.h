@@ -87,6 +87,9 @@ public:
     /// frame, metre. Thread: real time.
     bool isBeyond(const Vec3& p, double reach) const noexcept;
 
+    /// What nodes and leaves are seen from: single precision has its digits there. Zero for a mesh that is
+    /// not far from zero. Body frame, metre.
+    const Vec3& origin() const { return origin_; }
     const std::vector<Node>& nodes() const { return nodes_; }
     const std::vector<Leaf>& leaves() const { return leaves_; }
     std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
@@ -94,6 +97,7 @@ public:
     std::vector<BoundingSphere> spheresAt(int depth) const;
 
 private:
+    Vec3 origin_ = Vec3::Zero();
     std::vector<Node> nodes_; ///< the root is the first; empty when there are no triangles
     std::vector<Leaf> leaves_;
 };

@@ -146,8 +146,9 @@ using ChildRanges = std::vector<std::array<Range, SphereTree::kWidth>>;
 // Folds the binary tree into wide nodes: the child with the largest sphere is opened until eight are there.
 class Folder {
 public:
-    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup)
-        : tree_(tree), leafSpheres_(leafSpheres), soup_(soup) {
+    Folder(const Builder& tree, const std::vector<LeafSphere>& leafSpheres, const TriangleSoup& soup,
+           const Vec3& origin)
+        : tree_(tree), leafSpheres_(leafSpheres), soup_(soup), origin_(origin) {
         // The binary tree's leaves hold more than half of what fits on average.
         leaves.reserve(leafSpheres.size() / 4);
         nodes.reserve(leafSpheres.size() / 16);
@@ -204,7 +205,8 @@ private:
             const LeafSphere& sphere = leafSpheres_[k];
             const auto& corner = soup_.triangles[sphere.triangle];
             const Triangle part =
-                pieceOf({soup_.positions[corner[0]], soup_.positions[corner[1]], soup_.positions[corner[2]]},
+                pieceOf({soup_.positions[corner[0]] - origin_, soup_.positions[corner[1]] - origin_,
+                         soup_.positions[corner[2]] - origin_},
                         sphere.piece);
             set(leaf.ax, leaf.ay, leaf.az, i, part.a);
             set(leaf.bx, leaf.by, leaf.bz, i, part.b);
@@ -236,13 +238,14 @@ private:
     const Builder& tree_;
     const std::vector<LeafSphere>& leafSpheres_;
     const TriangleSoup& soup_;
+    Vec3 origin_;
 };
 
 // The pair of planes around what a child holds, where that is flat.
 class Flattener {
 public:
-    Flattener(const TriangleSoup& soup, const std::vector<LeafSphere>& leafSpheres)
-        : soup_(soup), leafSpheres_(leafSpheres) {}
+    Flattener(const TriangleSoup& soup, const std::vector<LeafSphere>& leafSpheres, const Vec3& origin)
+        : soup_(soup), leafSpheres_(leafSpheres), origin_(origin) {}
 
     void flatten(std::vector<SphereTree::Node>& nodes, const ChildRanges& ranges) const {
         parallelFor(nodes.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -274,7 +277,7 @@ private:
         // The planes are exact for the rounded normal: that it is not quite of unit length is covered by the
         // query's own margin.
         const Vec3f normal = sum.normalized().cast<float>();
-        const Vec3 centre(node.x[i], node.y[i], node.z[i]);
+        const Vec3 centre = origin_ + Vec3(node.x[i], node.y[i], node.z[i]);
         double low = 1e300, high = -1e300;
         for (std::uint32_t k = range.begin; k < range.end; ++k)
             for (const Vec3* corner : corners(k)) {
@@ -293,18 +296,32 @@ private:
 
     const TriangleSoup& soup_;
     const std::vector<LeafSphere>& leafSpheres_;
+    Vec3 origin_;
 };
+
+// Zero where single precision does as well with it.
+Vec3 originFor(const TriangleSoup& soup) {
+    constexpr double kFar = 4; // times as far away as large
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Vec3& p : soup.positions) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const Vec3 centre = 0.5 * (low + high);
+    return centre.norm() > kFar * (high - low).norm() ? centre : Vec3(Vec3::Zero());
+}
 
 } // namespace
 
 SphereTree::SphereTree(const TriangleSoup& soup) {
     if (soup.triangles.empty()) return;
-    std::vector<LeafSphere> leafSpheres = coverWithSpheres(soup);
+    origin_ = originFor(soup);
+    std::vector<LeafSphere> leafSpheres = coverWithSpheres(soup, origin_);
     Builder builder(leafSpheres);
     const std::int32_t root = builder.build(0, leafSpheres.size());
-    Folder folder(builder, leafSpheres, soup);
+    Folder folder(builder, leafSpheres, soup, origin_);
     folder.fold(root);
-    Flattener(soup, leafSpheres).flatten(folder.nodes, folder.ranges);
+    Flattener(soup, leafSpheres, origin_).flatten(folder.nodes, folder.ranges);
     nodes_ = std::move(folder.nodes);
     leaves_ = std::move(folder.leaves);
     nodes_.shrink_to_fit();
@@ -324,7 +341,8 @@ std::vector<BoundingSphere> SphereTree::spheresAt(int depth) const {
             if (level < depth && node.child[i] >= 0)
                 open.emplace_back(node.child[i], level + 1);
             else
-                spheres.push_back({{node.x[i], node.y[i], node.z[i]}, node.radius[i]});
+                spheres.push_back(
+                    {origin_.cast<float>() + Vec3f(node.x[i], node.y[i], node.z[i]), node.radius[i]});
         }
     }
     return spheres;

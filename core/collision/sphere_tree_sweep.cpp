@@ -62,7 +62,7 @@ bool SphereTree::isBeyond(const Vec3& p, double reach) const noexcept {
     const Node& root = nodes_.front();
     for (int i = 0; i < kWidth; ++i) {
         const double room = reach + double(root.radius[i]);
-        if (room > 0 && (p - Vec3(root.x[i], root.y[i], root.z[i])).squaredNorm() <= room * room)
+        if (room > 0 && (p - origin_ - Vec3(root.x[i], root.y[i], root.z[i])).squaredNorm() <= room * room)
             return false;
     }
     return true;
@@ -73,7 +73,7 @@ void SphereTree::gather(const Vec3& centre, double radius, Neighbourhood& near) 
     near.radius = radius;
     near.blocks = 0;
     near.crowded = false;
-    if (!nodes_.empty()) gatherNear(*this, centre, radius, near);
+    if (!nodes_.empty()) gatherNear(*this, centre - origin_, radius, near);
 }
 
 } // namespace tactum

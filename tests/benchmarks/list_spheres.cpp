@@ -13,24 +13,29 @@ namespace {
 
 using Node = SphereTree::Node;
 
-std::string rowOf(const Node& node, int i, int depth, int branch) {
+std::string rowOf(const Node& node, const Vec3& origin, int i, int depth, int branch) {
     std::string row =
         std::to_string(depth) + ',' + std::to_string(branch) + ',' + (node.child[i] < 0 ? '1' : '0');
-    for (const LaneArray* lane : {&node.x, &node.y, &node.z, &node.radius, &node.nx, &node.ny, &node.nz,
-                                  &node.offset, &node.thickness}) {
+    const Vec3 centre = origin + Vec3(node.x[i], node.y[i], node.z[i]);
+    for (const double coordinate : centre) {
+        row += ',';
+        appendNumber(row, coordinate);
+    }
+    for (const LaneArray* lane :
+         {&node.radius, &node.nx, &node.ny, &node.nz, &node.offset, &node.thickness}) {
         row += ',';
         appendNumber(row, double((*lane)[i]));
     }
     return row;
 }
 
-void list(const std::vector<Node>& nodes, std::size_t index, int depth, int branch) {
-    const Node& node = nodes[index];
+void list(const SphereTree& tree, std::size_t index, int depth, int branch) {
+    const Node& node = tree.nodes()[index];
     for (int i = 0; i < SphereTree::kWidth; ++i) {
         if (node.radius[i] < 0) continue;
         const int below = depth == 0 ? i : branch;
-        std::cout << rowOf(node, i, depth, below) << '\n';
-        if (node.child[i] >= 0) list(nodes, std::size_t(node.child[i]), depth + 1, below);
+        std::cout << rowOf(node, tree.origin(), i, depth, below) << '\n';
+        if (node.child[i] >= 0) list(tree, std::size_t(node.child[i]), depth + 1, below);
     }
 }
 
@@ -43,7 +48,7 @@ int run(const std::filesystem::path& file) {
     std::cout << "depth,branch,leaf,x,y,z,radius,nx,ny,nz,offset,thickness\n";
     if (loaded->scene.objects.empty()) return 0;
     const SphereTree tree(*loaded->scene.objects.front().geometry);
-    if (!tree.nodes().empty()) list(tree.nodes(), 0, 0, 0);
+    if (!tree.nodes().empty()) list(tree, 0, 0, 0);
     return std::cout.flush() ? 0 : 1;
 }
 

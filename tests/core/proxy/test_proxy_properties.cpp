@@ -71,6 +71,7 @@ private slots:
     void staysOutside();
     void neverRetreatsFromTheFinger();
     void neverLocksUp();
+    void farFromTheOriginItComesToRest();
     void givesTheSameBits();
     void doesNotDependOnScale();
     void frictionKeepsOutsideToo();
@@ -121,6 +122,30 @@ void ProxyPropertiesTest::neverLocksUp() {
             rig.step(finger);
             QVERIFY2(rig.position() != before, qPrintable(QString("%1 freezes at step %2").arg(name).arg(i)));
         }
+    }
+}
+
+// Where a double does not tell a picometre apart rounds must not go on for one.
+void ProxyPropertiesTest::farFromTheOriginItComesToRest() {
+    for (const double far : {1e4, 1e5}) {
+        const Vec3 offset(far, -far, far);
+        const Soup soup = transformed(*eggCrate(0.02, 40, 0.002, 0.01), {Quat::Identity(), offset});
+        ProxyRig rig(soup, kRadius);
+        Vec3 finger = offset + Vec3(0, 0, 0.01);
+        rig.startAt(finger);
+        Rng rng(76);
+        int spent = 0, steps = 0;
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 from = finger,
+                       target = offset + Vec3(uniform(rng, -0.015, 0.015), uniform(rng, -0.015, 0.015),
+                                              uniform(rng, -0.004, 0));
+            for (int k = 1; k <= 100; ++k, ++steps) {
+                finger = from + 0.01 * k * (target - from);
+                spent += rig.step(finger).boundHit;
+                QVERIFY(clearance(*soup, rig.position()) >= kRadius - kMicrometre);
+            }
+        }
+        QVERIFY2(spent <= steps / 1000, qPrintable(QString("%1 of %2").arg(spent).arg(steps)));
     }
 }
 
