@@ -13,6 +13,16 @@ constexpr double kCredit = 0.75;
 constexpr double kMostDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
 constexpr double kSlowest = 1e-3;  ///< m/s; a finger at rest takes no energy out
 constexpr double kRest = 0.01;     ///< s; at the turn of a swing it is shorter
+
+/// From a command to its force. The amplifier's time constant answers a ramp by just so much later, so it is
+/// a delay like the other: left out, what is given at each turn of a swing is not seen, and what nobody holds
+/// swings for ever. Rounded up, because it is the delay that is taken too short that hides a swing. Unit:
+/// ticks.
+int ticksUntilFelt(const DeviceInfo& device, int most) noexcept {
+    constexpr double kRounding = 1e-6; // 0.0005 s at 2000 Hz are one tick and not two
+    const double late = device.delay + device.amplifierLag * device.rate;
+    return int(std::ceil(std::max(0.0, std::min(double(most), late)) - kRounding));
+}
 } // namespace
 
 double RenderedSpring::stored() const noexcept {
@@ -22,7 +32,7 @@ double RenderedSpring::stored() const noexcept {
 
 Passivity::Passivity(const DeviceInfo& device) noexcept
     : ownDamping_(device.damping), friction_(device.dryFriction), resolution_(device.positionResolution),
-      delay_(std::clamp(int(std::lround(device.delay)), 0, kLongestDelay)) {}
+      delay_(ticksUntilFelt(device, kLongestDelay)) {}
 
 void Passivity::notice(const Vec3& position, double dt) noexcept {
     const bool left = (position - rest_).cwiseAbs().maxCoeff() > 1.5 * resolution_;
