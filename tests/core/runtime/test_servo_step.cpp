@@ -80,6 +80,11 @@ struct Held {
         for (int i = 0; i < ticks; ++i)
             tick(finger);
     }
+    /// As slowly as a hand does.
+    void go(double from, double to) {
+        for (int i = 0; i <= 200; ++i)
+            tick({0, 0, from + (to - from) * i / 200});
+    }
 
     ServoState state;
     ServoSettings settings;
@@ -126,6 +131,56 @@ private slots:
                      qPrintable(QString("tick %1: %2 N/m").arg(i).arg(held.state.ease.rendered().stiffness)));
         }
     }
+    /// A finger that is shaken while it presses: noticed within a tenth of a second, and over the next 50 ms
+    /// the surface is half as stiff, in the force as well.
+    void aLimitCycleHalvesTheStiffness() {
+        constexpr double kDepth = 3e-3, kStiffness = 1000;
+        Held held;
+        held.model = wall(kStiffness);
+        held.rest({0, 0, 0.01}); // until the forces have come back
+        held.go(0.01, -kDepth);
+        held.rest({0, 0, -kDepth});
+        QCOMPARE(held.state.calm, 1.0);
+        const double before = held.output.force.z();
+        QVERIFY(std::abs(before - kStiffness * kDepth) < 1e-6);
+
+        int shaken = 0;
+        for (; shaken < 100 && held.state.oscillations == 0; ++shaken)
+            held.tick({0, 0, -kDepth + 5e-4 * std::sin(2 * M_PI * 50 * shaken * kTick)});
+        QCOMPARE(held.state.oscillations, std::uint64_t(1));
+        held.rest({0, 0, -kDepth}, 51);
+        QVERIFY2(held.state.calm <= 0.5 + 1e-9, qPrintable(QString::number(held.state.calm)));
+        QVERIFY2(held.output.force.z() <= 0.5 * before + 1e-6,
+                 qPrintable(QString::number(held.output.force.z())));
+
+        held.rest({0, 0, -kDepth}, 5000); // under load it does not come back
+        QCOMPARE(held.state.calm, 0.5);
+        held.go(-kDepth, 0.01);
+        held.rest({0, 0, 0.01}, 3000); // in free motion it does
+        QCOMPARE(held.state.calm, 1.0);
+    }
+
+    /// Ten minutes: the motors warm, and the force comes down to what they bear for ever.
+    void aPressThatNeverEndsSparesTheMotors() {
+        Held held;
+        DeviceInfo info = Held::info();
+        info.continuousForce = 5;
+        held.state = ServoState(info);
+        held.model = wall(1000);
+        held.rest({0, 0, 0.01});
+        held.go(0.01, -0.03);
+        QCOMPARE(held.output.force.z(), info.maxForce); // what they bear for a while
+        double highest = 0;
+        for (int i = 0; i < 600'000; ++i) {
+            held.tick({0, 0, -0.03});
+            highest = std::max(highest, held.state.heat.heat());
+        }
+        qInfo("%.3f N, heat up to %.3f", held.output.force.z(), highest);
+        QVERIFY(std::abs(held.output.force.z() - info.continuousForce) <= 0.01 * info.continuousForce);
+        QVERIFY(highest <= 1.01);
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
     void aModelWithoutASpeedIsAFault() {
         Held held;
         held.model = wall(800);
