@@ -58,14 +58,16 @@ private slots:
         }
     }
 
-    /// Rule 4's figures: a pinch on a Touch-like device with a 300 Hz amplifier.
-    void figuresAreThoseThatWereMeasured() {
-        const double measured[3][3] = {{2996, 1518, 1080}, {4209, 2388, 1700}, {4714, 3356, 2675}};
+    /// Rule 4: a pinch on a Touch-like device with a 300 Hz amplifier, beside what an earlier sketch of the
+    /// loop gave, which was 3 to 23 % less. To be read, and not judged: the baseline above is what must not
+    /// change.
+    void figuresOfAPinchAreListed() {
+        const double sketched[3][3] = {{2996, 1518, 1080}, {4209, 2388, 1700}, {4714, 3356, 2675}};
         for (int i = 0; i < 3; ++i)
             for (int delay = 0; delay < 3; ++delay) {
                 const Bench bench{lagging(kTouch), kPinch, {.rate = 1000.0 * (1 << i), .delay = delay}};
-                qInfo("%g Hz, %d late: %.0f N/m, was %.0f", bench.timing.rate, delay, firstFailure(bench),
-                      measured[i][delay]);
+                qInfo("%g Hz, %d late: %.0f N/m, sketch %.0f", bench.timing.rate, delay, firstFailure(bench),
+                      sketched[i][delay]);
             }
     }
 };
