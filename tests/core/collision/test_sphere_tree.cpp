@@ -209,7 +209,6 @@ void SphereTreeTest::sweepFindsTheFirstContact() {
     QVERIFY2(hits > 5000, "the paths are to touch something");
 }
 
-// At 1000 m a float resolves 0.06 mm: pruning has to let through what it cannot tell.
 // A sphere passes a point at the height h < r and has left it where its path, shorter than r, ends: it is
 // touched sqrt(r^2 - h^2) before the foot.
 void SphereTreeTest::aShortPathPastSomethingThinTouchesIt() {
@@ -226,6 +225,7 @@ void SphereTreeTest::aShortPathPastSomethingThinTouchesIt() {
     }
 }
 
+// At 1000 m a float resolves 0.06 mm: pruning has to let through what it cannot tell.
 void SphereTreeTest::sweepIsSafeFarFromTheOrigin() {
     Rng rng(13);
     int hits = 0;

@@ -239,7 +239,6 @@ void TextureStepTest::stiffnessFollowsItsMap() {
     QVERIFY(std::abs(hand.output().contact[0].normalForce - hand.output().force.z()) < 1e-9);
 }
 
-// Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there.
 // The factor rises from 1 to 2 across the sheet: so does what holds at rest.
 void TextureStepTest::paintedFrictionRampsOverThePlane() {
     const Soup soup = sheet(0.05, 20);
@@ -294,6 +293,7 @@ void TextureStepTest::paintedMaskFadesABump() {
     QVERIFY2((ratio(hand) - expected).norm() < 0.01 * expected.norm(), qPrintable(text(ratio(hand))));
 }
 
+// Steep, coarse, fine and own planes, slow and fast: the proxy stays on the surface that is there.
 void TextureStepTest::nothingIsLifted() {
     for (TextureSource source : {TextureSource::Noise, TextureSource::Dots, TextureSource::Grooves})
         for (double size : {5e-4, 5e-3})
