@@ -9,6 +9,7 @@
 #include "core/base/realtime.h"
 #include "core/base/text.h"
 #include "core/control/device_figures.h"
+#include "core/files/source.h"
 #include "core/import/import_scene.h"
 #include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
@@ -82,6 +83,22 @@ std::string headerOf(const Recording& recording, std::size_t sceneBytes) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
+[[noreturn]] void failFor(const std::filesystem::path& file, const std::string& text) {
+    throw ByteFault{{Error::Kind::Input, printable(file.filename().string()) + ": " + text}};
+}
+
+/// Whether it begins as a recording that can be read: what is none is not read any further.
+void demandStart(std::string_view bytes, const std::filesystem::path& file) {
+    if (bytes.size() < kStart || !bytes.starts_with(kMagic))
+        failFor(file,
+                "is no recording of Tactum; choose a file that ends in ." + std::string(kRecordingEnding));
+    std::uint32_t version = 0;
+    std::memcpy(&version, bytes.data() + kMagic.size(), sizeof version);
+    if (version != kVersion)
+        failFor(file, "was written by another version of Tactum (format " + std::to_string(version) +
+                          ", this one reads " + std::to_string(kVersion) + "); open it with that one");
+}
+
 /// The parts of a file in the order in which they come.
 class Reader {
 public:
@@ -109,25 +126,19 @@ public:
         }
         if (at_ != bytes_.size() - kSeal)
             fail("is longer than it says; the recording is damaged, use another one");
-        if (const char* fault = faultIn(run))
-            fail(std::string(fault) + "; the recording is damaged, use another one");
+        if (const std::string fault = faultIn(run); !fault.empty())
+            fail(fault + "; the recording is damaged, use another one");
         return recording;
     }
 
 private:
-    [[noreturn]] void fail(const std::string& text) const {
-        throw ByteFault{{Error::Kind::Input, name_ + ": " + text}};
-    }
+    [[noreturn]] void fail(const std::string& text) const { failFor(file_, text); }
 
     void readHeader() {
-        if (bytes_.size() < kStart + kSeal || !bytes_.starts_with(kMagic))
-            fail("is no recording of Tactum; choose a file that ends in ." + std::string(kRecordingEnding));
-        std::uint32_t version = 0, length = 0;
-        std::memcpy(&version, bytes_.data() + 8, 4);
+        demandStart(bytes_, file_);
+        std::uint32_t length = 0;
         std::memcpy(&length, bytes_.data() + 12, 4);
-        if (version != kVersion)
-            fail("was written by another version of Tactum (format " + std::to_string(version) +
-                 ", this one reads " + std::to_string(kVersion) + "); open it with that one");
+        if (bytes_.size() < kStart + kSeal) fail("was cut off; copy it again");
         std::uint64_t seal = 0;
         std::memcpy(&seal, bytes_.data() + bytes_.size() - kSeal, kSeal);
         if (seal != fingerprintOf(bytes_.substr(0, bytes_.size() - kSeal)))
@@ -200,27 +211,18 @@ private:
     std::size_t at_ = 0;
 };
 
-std::string bytesOf(const std::filesystem::path& file) {
-    const std::string name = printable((file.has_filename() ? file.filename() : file).string());
-    std::error_code error;
-    const auto size =
-        std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
-    if (std::filesystem::is_directory(file, error))
-        throw ByteFault{{Error::Kind::Input, name + ": is a folder; name a file in it that ends in ." +
-                                                 std::string(kRecordingEnding)}};
-    if (error || !std::filesystem::is_regular_file(file, error))
-        throw ByteFault{
-            {Error::Kind::Input, name + ": there is no such file; check the name and the folder"}};
-    if (size > kLargestFile)
-        throw ByteFault{
-            {Error::Kind::Input, name + ": is larger than 4 GB, as no recording is; use another one"}};
-    std::string bytes(size, '\0');
+/// Of a file that can be read at all: whether it begins as a recording and is no longer than one.
+void demandRecording(const std::filesystem::path& file) {
+    std::error_code unknown; // then whoever reads it says more
+    if (!std::filesystem::is_regular_file(file, unknown)) return;
     std::ifstream in(file, std::ios::binary);
-    in.read(bytes.data(), std::streamsize(size));
-    if (!in || std::uint64_t(in.gcount()) != size)
-        throw ByteFault{
-            {Error::Kind::Machine, name + ": cannot be read; check its permissions and the disk"}};
-    return bytes;
+    if (!in) return;
+    std::string start(kStart, '\0');
+    in.read(start.data(), std::streamsize(start.size()));
+    start.resize(std::size_t(in.gcount()));
+    demandStart(start, file);
+    if (const auto size = std::filesystem::file_size(file, unknown); !unknown && size > kLargestFile)
+        failFor(file, "is larger than 4 GB, as no recording is; use another one");
 }
 
 } // namespace
@@ -262,8 +264,11 @@ Result<Recording> parseRecording(std::string_view bytes, const std::filesystem::
 
 Result<Recording> readRecording(const std::filesystem::path& file) {
     try {
-        return parseRecording(bytesOf(file), file);
+        demandRecording(file);
+        return parseRecording(Source::open(file, kLargestFile).bytes(), file);
     } catch (const ByteFault& fault) {
+        return tl::unexpected<Error>(fault.error);
+    } catch (const ReadFault& fault) {
         return tl::unexpected<Error>(fault.error);
     } catch (const std::bad_alloc&) {
         return machineError(printable(file.filename().string()) +

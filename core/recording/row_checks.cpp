@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
+#include <utility>
 
 #include "core/control/device_check.h"
 #include "core/control/workspace.h"
@@ -12,16 +13,19 @@ namespace tactum {
 namespace {
 
 constexpr double kLongestDt = 1; ///< s
-constexpr double kEver = -std::numeric_limits<double>::infinity();
+/// s. The rings hold a minute, and a live recording is cut to it; inside that minute rows may be any time
+/// apart: a device that gives no readings has no haptic steps, and a program that was stopped has no rows at
+/// all.
+constexpr double kLongestRun = 2 * kRecorded;
+/// s. A clock that began with the loops; far beyond it a second more would be the same number.
+constexpr double kLatest = 1e9;
+
+bool isTime(double time) {
+    return std::abs(time) <= kLatest;
+}
 
 bool isPlace(const Triple& v) {
     return std::ranges::all_of(v, isCoordinate);
-}
-
-bool canBe(const ProxyRow& row, double before) {
-    return std::isfinite(row.time) && row.time >= before && row.dt > 0 && row.dt <= kLongestDt &&
-           (row.flags & ~std::uint32_t(ProxyRow::kAllFlags)) == 0 && isPlace(row.finger) &&
-           isPlace(row.velocity);
 }
 
 bool isFrame(const ServoRow& row) {
@@ -30,29 +34,63 @@ bool isFrame(const ServoRow& row) {
     return none && checkWorkspace({.scale = frame.scale, .axes = frame.axes, .offset = frame.offset});
 }
 
-bool canBe(const ServoRow& row, double before, std::uint64_t model) {
-    return std::isfinite(row.time) && row.time >= before && row.model >= model &&
-           (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row);
+/// What is wrong with a row's time; nullptr when nothing is. `begin`: of the whole run.
+const char* faultIn(double time, double before, double begin) {
+    if (!isTime(time)) return "has a time that cannot be";
+    if (time < before) return "is earlier than the one before it";
+    if (time - begin > kLongestRun) return "is minutes after the beginning, longer than a recording is";
+    return nullptr;
+}
+
+const char* faultIn(const ProxyRow& row) {
+    const bool possible = row.dt > 0 && row.dt <= kLongestDt &&
+                          (row.flags & ~std::uint32_t(ProxyRow::kAllFlags)) == 0 && isPlace(row.finger) &&
+                          isPlace(row.velocity);
+    return possible ? nullptr : "has a length, a place or a flag that cannot be";
+}
+
+const char* faultIn(const ServoRow& row, std::uint64_t model, std::uint64_t models) {
+    if (row.model < model || row.model > models) return "has a model that cannot be";
+    const bool possible = (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row);
+    return possible ? nullptr : "has a frame or a flag that cannot be";
+}
+
+/// Of what has a time at all.
+double beginOf(const RecordedRun& run) {
+    double begin = kLatest;
+    if (!run.proxy.rows.empty() && isTime(run.proxy.rows.front().time))
+        begin = std::min(begin, run.proxy.rows.front().time);
+    if (!run.servo.rows.empty() && isTime(run.servo.rows.front().time))
+        begin = std::min(begin, run.servo.rows.front().time);
+    return begin;
+}
+
+/// Of the first row that something is wrong with: which it is, and what. `faultOf` looks at all but times.
+template <class Row, class Check>
+std::string faultIn(const char* what, const NumberedRows<Row>& rows, double begin, const Check& faultOf) {
+    double before = begin;
+    for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+        const Row& row = rows.rows[i];
+        const char* fault = faultIn(row.time, before, begin);
+        if (!fault) fault = faultOf(row);
+        if (fault) return what + std::to_string(rows.first + i) + ' ' + fault;
+        before = row.time;
+    }
+    return {};
 }
 
 } // namespace
 
-const char* faultIn(const RecordedRun& run) {
+std::string faultIn(const RecordedRun& run) {
     if (!checkDevice(run.device)) return "its device has figures that cannot be";
-    double before = kEver;
-    for (const ProxyRow& row : run.proxy.rows) {
-        if (!canBe(row, before)) return "a haptic step has times or places that cannot be";
-        before = row.time;
-    }
-    before = kEver;
+    const double begin = beginOf(run);
+    std::string fault =
+        faultIn("haptic step ", run.proxy, begin, [](const ProxyRow& row) { return faultIn(row); });
+    if (!fault.empty()) return fault;
     std::uint64_t model = 0;
-    for (const ServoRow& row : run.servo.rows) {
-        if (!canBe(row, before, model) || row.model > run.proxy.end())
-            return "a servo tick has times or models that cannot be";
-        before = row.time;
-        model = row.model;
-    }
-    return nullptr;
+    return faultIn("servo tick ", run.servo, begin, [&](const ServoRow& row) {
+        return faultIn(row, std::exchange(model, row.model), run.proxy.end());
+    });
 }
 
 } // namespace tactum

@@ -1,5 +1,6 @@
 // The file of a recording: what is written is read back and replays; what is damaged is refused in a
 // sentence.
+#include <cmath>
 #include <fstream>
 #include <random>
 
@@ -139,6 +140,74 @@ private slots:
         QVERIFY2(isSentence(text) && text.find("was changed") != std::string::npos, text.c_str());
         std::filesystem::remove(model);
         QVERIFY(isSentence(refusal(bytes)));
+    }
+
+    void timesThatNoRunCanHaveAreRefused_data() {
+        QTest::addColumn<bool>("servo");
+        QTest::addColumn<std::size_t>("row");
+        QTest::addColumn<double>("time");
+        QTest::addColumn<QString>("sentence");
+        const std::size_t last = 1199, first = 0, middle = 600;
+        QTest::newRow("for ever") << true << last << 1e300 << "servo tick 1199 has a time";
+        QTest::newRow("nearly") << true << last << 9e8 << "servo tick 1199 is minutes after";
+        QTest::newRow("three minutes") << true << last << 180.0 << "servo tick 1199 is minutes after";
+        QTest::newRow("long before") << true << first << -1e300 << "has a time";
+        QTest::newRow("minutes before") << true << first << -180.0 << "0 is minutes after";
+        QTest::newRow("falling") << true << middle << 0.1 << "servo tick 600 is earlier";
+        QTest::newRow("no number") << true << middle << std::nan("") << "servo tick 600 has a time";
+        QTest::newRow("proxy") << false << middle << 180.0 << "haptic step 600 is minutes after";
+        QTest::newRow("proxy, falling") << false << middle << 0.1 << "haptic step 600 is earlier";
+        QTest::newRow("proxy, for ever") << false << last << 1e300 << "haptic step 1199 has a time";
+    }
+    /// A player goes through a run by its times.
+    void timesThatNoRunCanHaveAreRefused() {
+        QFETCH(bool, servo);
+        QFETCH(std::size_t, row);
+        QFETCH(double, time);
+        QFETCH(QString, sentence);
+        Recording forged = shortRecording();
+        (servo ? forged.run.servo.rows[row].time : forged.run.proxy.rows[row].time) = time;
+        const auto read = parseRecording(recordingBytes(forged), "forged.tactum-recording");
+        QVERIFY(!read);
+        const std::string& text = read.error().text;
+        QVERIFY2(isSentence(text) && text.find(sentence.toStdString()) != std::string::npos, text.c_str());
+    }
+
+    /// A device that gives no readings for most of the minute, or a program that was stopped.
+    void aLongPauseIsPlayed() {
+        Recording paused = shortRecording();
+        for (std::size_t i = 600; i < paused.run.servo.rows.size(); ++i)
+            paused.run.servo.rows[i].time += 55;
+        for (std::size_t i = 1200; i < paused.run.proxy.rows.size(); ++i)
+            paused.run.proxy.rows[i].time += 55;
+        QCOMPARE(refusal(recordingBytes(paused)), std::string());
+    }
+
+    /// Its beginning says that it is none: nobody reads the gigabytes behind it.
+    void aHugeFileIsJudgedByItsBeginning() {
+        QTemporaryDir folder;
+        const std::filesystem::path huge = folder.filePath("huge.bin").toStdString();
+        std::ofstream(huge) << "a model, say";
+        std::filesystem::resize_file(huge, std::uintmax_t(5) << 30); // a hole
+        const auto model = readRecording(huge);
+        QVERIFY(!model);
+        QVERIFY2(model.error().text.find("is no recording") != std::string::npos, model.error().text.c_str());
+
+        std::ofstream(huge) << bytes_;
+        std::filesystem::resize_file(huge, std::uintmax_t(5) << 30);
+        const auto recording = readRecording(huge);
+        QVERIFY(!recording);
+        QVERIFY2(recording.error().text.find("is larger than") != std::string::npos,
+                 recording.error().text.c_str());
+    }
+
+    void whatIsNoFileIsNotMissing() {
+        const auto device = readRecording("/dev/zero");
+        QVERIFY(!device && isSentence(device.error().text));
+        QVERIFY2(device.error().text.find("cannot be read as a file") != std::string::npos,
+                 device.error().text.c_str());
+        const auto missing = readRecording("/nowhere/at-all.tactum-recording");
+        QVERIFY(!missing && missing.error().text.find("no such file") != std::string::npos);
     }
 
     void otherFilesAreRefused() {
