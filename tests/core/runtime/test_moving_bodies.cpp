@@ -175,13 +175,13 @@ void MovingBodiesTest::plateOscillatesUnderARestingFinger() {
 // Held on a plate that goes sideways the proxy goes with it, to the last nanometre, until the spring's pull
 // leaves the static cone; then it is dragged at the dynamic one.
 void MovingBodiesTest::staticFrictionCarriesUpToTheCone() {
-    constexpr double mu = 0.6, speed = 0.01;
+    constexpr double mu = 0.6, speed = 0.001; // 0.17 % of the cone in a step
     Hand hand = pressedOn(sliding({0.6 * speed, 0.8 * speed, 0}), rough(mu, 0.5 * mu));
     const Vec3 held = hand.state.movers[0].now.applyInverse(hand.output().proxy);
     const Vec3 finger = hand.output().proxy - Vec3(0, 0, kDepth); // from here on the hand stands still
     double largest = 0;
     int carried = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         hand.to(finger);
         const bool slips = hand.output().contact[0].slipping;
         if (!slips) {
@@ -191,9 +191,9 @@ void MovingBodiesTest::staticFrictionCarriesUpToTheCone() {
             ++carried;
         }
     }
-    QVERIFY2(about(largest, mu, 0.02), qPrintable(QString::number(largest))); // 1.7 % of the cone in a step
+    QVERIFY2(about(largest, mu), qPrintable(QString::number(largest)));
     QVERIFY(largest <= mu * (1 + 1e-6));
-    QVERIFY(carried > 40);
+    QVERIFY(carried > 400);
     QVERIFY2(about(tangential(hand) / hand.output().force.z(), 0.5 * mu),
              qPrintable(QString::number(tangential(hand) / hand.output().force.z())));
     QVERIFY(about(hand.output().force.x() / tangential(hand), 0.6)); // the way the plate goes
@@ -240,7 +240,7 @@ void MovingBodiesTest::turntableDragsByTheSpeedAtTheContact() {
             // Where the proxy is, a little downstream and inward of the finger.
             const double speed = std::abs(turns) * hand.output().proxy.head<2>().norm();
             const double expected = 0.3 * 800 * kDepth + viscosity * speed;
-            QVERIFY2(about(tangential(hand), expected, 0.01),
+            QVERIFY2(about(tangential(hand), expected),
                      qPrintable(QString("%1 N instead of %2 N").arg(tangential(hand)).arg(expected)));
             QVERIFY(hand.output().force.y() * turns > 0);
         }
