@@ -20,6 +20,7 @@ namespace tactum {
 namespace {
 
 constexpr int kUsage = 2;
+constexpr const char* kEmptyName = "is an empty name; name a file";
 
 int fail(const std::string& sentence, int code) {
     std::cerr << "tactum: " << sentence << '\n';
@@ -36,7 +37,8 @@ std::string readNumberOption(const std::string& text, const Parameter& range, do
     std::string low, high;
     appendNumber(low, range.minimum);
     appendNumber(high, range.maximum);
-    return "'" + text + "' is not a number from " + low + " to " + high + " " + std::string(range.unit);
+    return "'" + text + "' is not a number from " + low + " to " + high + (range.unit.empty() ? "" : " ") +
+           std::string(range.unit);
 }
 
 void addNumber(CLI::App& command, const Parameter& parameter, std::function<void(double)> take) {
@@ -64,11 +66,17 @@ inline constexpr Parameter kFitDiagonal{
     3,
     "Scale the scene about its bounding-box centre to this diagonal and move the centre to the origin."};
 
-template <class Path> void addFile(CLI::App& command, const char* name, Path& file, const char* help) {
-    command
-        .add_option_function<std::string>(
-            name, [&file](const std::string& text) { file = text; }, help)
-        ->type_name("FILE");
+/// Every file that a person names, with a dash before the name or by its place alone.
+template <class Path>
+CLI::Option* addFile(CLI::App& command, const char* name, Path& file, const char* help) {
+    CLI::Option* option = command.add_option_function<std::string>(
+        name,
+        [&file, name](const std::string& text) {
+            if (text.empty()) throw CLI::ValidationError(name, kEmptyName);
+            file = text;
+        },
+        help);
+    return name[0] == '-' ? option->type_name("FILE") : option;
 }
 
 // One of a few words; `take` says whether it knows the word.
@@ -114,17 +122,9 @@ void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Output
 
 void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
-    touch
-        ->add_option_function<std::string>(
-            "SCENE", [&](const std::string& text) { options.scene = text; },
-            "Any file that the program opens")
+    addFile(*touch, "SCENE", options.scene, "Any file that the program opens")->required();
+    addFile(*touch, "--path", options.path, "The finger: CSV with the header t,x,y,z in seconds and metres")
         ->required();
-    touch
-        ->add_option_function<std::string>(
-            "--path", [&](const std::string& text) { options.path = text; },
-            "The finger: CSV with the header t,x,y,z in seconds and metres")
-        ->required()
-        ->type_name("FILE");
     addFile(*touch, "--out", options.out,
             "Write the touch as CSV, one row for each update; - is standard output");
     addFile(*touch, "--summary", options.summary, "Write the summary as JSON");
@@ -157,10 +157,7 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     CLI::App* play =
         program.add_subcommand("play", "Step through a recording again and compare every bit; exit 1 when "
                                        "anything differs");
-    play->add_option_function<std::string>(
-            "RECORDING", [&](const std::string& text) { options.recording = text; },
-            "A file that ends in .tactum-recording")
-        ->required();
+    addFile(*play, "RECORDING", options.recording, "A file that ends in .tactum-recording")->required();
     addFile(*play, "--out", options.out,
             "Write the touch as CSV, one row for each haptic step; - is standard output");
     addFile(*play, "--summary", options.summary, "Write the summary as JSON");
@@ -170,13 +167,8 @@ void addPlay(CLI::App& program, PlayOptions& options) {
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
-    convert
-        ->add_option_function<std::string>(
-            "IN", [&](const std::string& text) { options.in = text; }, "Any file that the program opens")
-        ->required();
-    convert
-        ->add_option_function<std::string>(
-            "OUT", [&](const std::string& text) { options.out = text; },
+    addFile(*convert, "IN", options.in, "Any file that the program opens")->required();
+    addFile(*convert, "OUT", options.out,
             "Ends in .glb (everything), .zip (a bundle for others), .x3d (for H3D), .obj, .ply, .stl or .off")
         ->required();
     addFile(*convert, "--report", options.report, "Write what is kept, degraded and lost as JSON");
@@ -204,10 +196,7 @@ struct Request {
 };
 
 void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
-    program.add_subcommand(name, help)
-        ->add_option_function<std::string>(
-            "SCENE", [&](const std::string& text) { request.scene = text; },
-            "Any file that the program opens")
+    addFile(*program.add_subcommand(name, help), "SCENE", request.scene, "Any file that the program opens")
         ->required();
 }
 
@@ -231,6 +220,12 @@ Result<int> run(const CLI::App& program, const Request& request) {
     return runDevices(request.makers, request.json);
 }
 
+bool isVerb(std::string_view word) {
+    constexpr std::array<std::string_view, 7> verbs{"touch", "convert", "play",         "info",
+                                                    "check", "devices", "device-server"};
+    return std::ranges::find(verbs, word) != verbs.end();
+}
+
 int runVerb(int argc, char** argv) {
     CLI::App program{"Tactum: author haptic scenes. Without a verb it opens the window.", "tactum"};
     Request request;
@@ -249,7 +244,8 @@ int runVerb(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         std::string sentence = error.what();
         std::ranges::replace(sentence, '\n', ' ');
-        return fail(sentence + "; see tactum " + (argc > 1 ? argv[1] : "") + " --help", kUsage);
+        const std::string verb = argc > 1 && isVerb(argv[1]) ? argv[1] + std::string(" ") : "";
+        return fail(sentence + "; see tactum " + verb + "--help", kUsage);
     }
     const Result<int> code = run(program, request);
     if (!code) return fail(code.error().text, int(code.error().kind));
@@ -258,15 +254,10 @@ int runVerb(int argc, char** argv) {
     return *code;
 }
 
-bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 7> verbs{"touch", "convert", "play",         "info",
-                                                    "check", "devices", "device-server"};
-    return std::ranges::find(verbs, word) != verbs.end();
-}
-
 // What is not there and does not look like a file was meant to be a verb.
 int failMissing(const std::filesystem::path& scene) {
     const std::string name = scene.string();
+    if (name.empty()) return fail(std::string("SCENE: ") + kEmptyName + "; see tactum --help", kUsage);
     if (scene.has_extension() || scene.has_parent_path())
         return fail(name + ": no such file; check the path", int(Error::Kind::Input));
     return fail("'" + name + "' is no verb, and there is no such file; see tactum --help", kUsage);

@@ -36,6 +36,39 @@ private slots:
         QVERIFY(ended.out.isEmpty());
     }
 
+    void anEmptyNameIsWrongUsage_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("which");
+        const QString recording = TACTUM_REPLAYS "/few-bumps.tactum-recording";
+        QTest::newRow("window") << QStringList{""} << "SCENE";
+        QTest::newRow("info") << QStringList{"info", ""} << "SCENE";
+        QTest::newRow("check") << QStringList{"check", ""} << "SCENE";
+        QTest::newRow("touch") << QStringList{"touch", "", "--path", "x.csv"} << "SCENE";
+        QTest::newRow("path") << QStringList{"touch", "x.obj", "--path", ""} << "--path";
+        QTest::newRow("play") << QStringList{"play", ""} << "RECORDING";
+        QTest::newRow("out") << QStringList{"play", recording, "--out", ""} << "--out";
+        QTest::newRow("summary") << QStringList{"play", recording, "--summary", ""} << "--summary";
+        QTest::newRow("from nothing") << QStringList{"convert", "", "x.glb"} << "IN";
+        QTest::newRow("to nothing") << QStringList{"convert", "x.obj", ""} << "OUT";
+    }
+    void anEmptyNameIsWrongUsage() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, which);
+        const Ended ended = tactum(arguments);
+        QCOMPARE(ended.code, 2);
+        QVERIFY2(
+            oneLine(ended.error).startsWith("tactum: " + which.toUtf8() + ": is an empty name; name a file;"),
+            ended.error);
+    }
+
+    void theRemedyIsACommandThatThereIs() {
+        QVERIFY(oneLine(tactum({"--nonsense"}).error).endsWith("; see tactum --help"));
+        QVERIFY(
+            oneLine(tactum({"check", "x.obj", "--nonsense"}).error).endsWith("; see tactum check --help"));
+        const QByteArray ratio = tactum({"touch", "x", "--path", "y", "--static-friction", ""}).error;
+        QVERIFY2(oneLine(ratio).contains("from 0 to 2; see tactum touch --help"), ratio);
+    }
+
     void badInputIsOne() {
         const QString path = pressAndSlide(0.002, 0);
         const QString broken = write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
@@ -141,6 +174,18 @@ private slots:
             QCOMPARE(ended.code, 1);
             QVERIFY2(oneLine(ended.error).contains("is a folder; name a file in it"), ended.error);
         }
+    }
+
+    void whatIsThereButNoFileIsNotMissing() {
+        const QString pipe = file("no-file");
+        QCOMPARE(QProcess::execute("mkfifo", {pipe}), 0);
+        for (const QString& name : {QString("/dev/zero"), pipe})
+            for (const char* verb : {"play", "info"}) {
+                const Ended ended = tactum({verb, name});
+                QCOMPARE(ended.code, 1);
+                QVERIFY2(oneLine(ended.error).contains(name.toUtf8() + ": cannot be read as a file"),
+                         ended.error);
+            }
     }
 
     // A new file would take the place of a pipe; or of the file with everything else that we say.
