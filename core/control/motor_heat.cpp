@@ -4,17 +4,17 @@
 #include <cmath>
 
 namespace tactum {
-namespace {
-constexpr double kTimeConstant = 40; ///< s; small desktop motors lie between 30 and 60
-} // namespace
-
 MotorHeat::MotorHeat(double maxForce, double continuousForce) noexcept
     : max_(maxForce), continuous_(continuousForce > 0 ? std::min(continuousForce, maxForce) : maxForce) {}
 
 void MotorHeat::add(double force, double dt) noexcept {
     if (!(continuous_ > 0)) return;
     const double ratio = force / continuous_;
-    heat_ += (ratio * ratio - heat_) * -std::expm1(-dt / kTimeConstant);
+    heat_ += (ratio * ratio - heat_) * -std::expm1(-dt / kMotorTime);
+}
+
+void MotorHeat::resume(double heat, double seconds) noexcept {
+    heat_ = heat * std::exp(-std::max(seconds, 0.0) / kMotorTime);
 }
 
 double MotorHeat::limit() const noexcept {

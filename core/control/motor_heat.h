@@ -5,6 +5,8 @@ namespace tactum {
 
 /// Of the heat that motors bear, from where the limit falls.
 inline constexpr double kWarmMotors = 0.7;
+/// s, in which motors take on or lose heat; of small desktop devices it lies between 30 and 60.
+inline constexpr double kMotorTime = 40;
 
 /// The heat of motors whose windings warm with the square of the force, tau h' = (F / F_continuous)^2 - h:
 /// 1 is what they bear for ever. From seven tenths on the limit falls from the peak to the continuous force,
@@ -15,6 +17,8 @@ public:
 
     /// `force` in N, commanded during the last dt seconds.
     void add(double force, double dt) noexcept;
+    /// Goes on from the heat that the same motors had `seconds` ago, without force since.
+    void resume(double heat, double seconds) noexcept;
     double heat() const noexcept { return heat_; } ///< 0 cold, 1 as warm as it may be
     double limit() const noexcept;                 ///< N, at most maxForce
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct Engine::Impl {
     Canary canary;
     std::deque<FeltScene> felt; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
+    /// By the device's name: who pulls a hot device out and puts it back has a hot device.
+    std::map<std::string, LeftHeat> heat;
     Workspace workspace;
     bool deadMan = false;
     bool running = false;
@@ -97,10 +100,11 @@ Result<void> Engine::Impl::startLoops() {
     if (info.real)
         if (Result<void> guarded = guardian.start(*device); !guarded) return guarded;
     if (Result<void> watched = canary.start(); !watched) return watched;
+    LeftHeat& motors = heat[info.name];
     return servoThread
         .start("tactum-servo", kServoPriority,
-               [this] {
-                   servoLoop(*channels, *device, info, {guardian, canary});
+               [this, &motors] {
+                   servoLoop(*channels, *device, info, motors, {guardian, canary});
                })
         .and_then([this] {
             return proxyThread.start("tactum-proxy", kProxyPriority, [this] {

@@ -42,8 +42,8 @@ private:
     RecordRing<SimStateBytes> proxyStates_;
     RecordRing<ServoStateBytes> servoStates_;
     std::uint64_t proxyCount_ = 0, servoCount_ = 0;
-    double proxyStateDue_ = kStateEvery,
-           servoStateDue_ = kStateEvery; ///< s; the first state is the empty one
+    /// s. The proxy's first state is the empty one; the servo's has the heat that the motors had already.
+    double proxyStateDue_ = kStateEvery, servoStateDue_ = 0;
 };
 
 } // namespace tactum

@@ -106,11 +106,12 @@ void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept 
 
 } // namespace
 
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, const Watchers& watchers,
-               Clock sinceBoot) noexcept {
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
+               const Watchers& watchers, Clock sinceBoot) noexcept {
     stayHere();
     watchers.canary.follow(sched_getcpu());
     Servo servo(channels, info);
+    servo.state.heat.resume(motors.heat, 1e-9 * double(monotonicNanoseconds() - motors.at));
     servo.begun = channels.recorder.now();
     Metronome metronome(info.rate, 0, sinceBoot);
     DeviceCommand command;
@@ -132,6 +133,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
     }
     watchers.guardian.rest();
     device.exchange(DeviceCommand{}, metronome.period());
+    motors = {servo.state.heat.heat(), monotonicNanoseconds()};
 }
 
 } // namespace tactum

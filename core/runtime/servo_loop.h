@@ -15,10 +15,17 @@ struct Watchers {
     Canary& canary;
 };
 
+/// The heat that a device's motors were left with, and when: ns of monotonicNanoseconds().
+struct LeftHeat {
+    double heat = 0;
+    std::int64_t at = 0;
+};
+
 /// Runs until channels.stop at the device's rate. The last command is zero. Every tick is a beat for the
 /// guardian. A machine that slept stood still: the old force does not go out. `sinceBoot`: as of Metronome.
+/// Motors do not cool because a loop ends: it begins with what is left of `motors`, and leaves its own there.
 /// Thread: servo. Clock and device lie outside the RealtimeScope, all else inside it.
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, const Watchers& watchers,
-               Clock sinceBoot = bootNanoseconds) noexcept;
+void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
+               const Watchers& watchers, Clock sinceBoot = bootNanoseconds) noexcept;
 
 } // namespace tactum

@@ -134,6 +134,20 @@ private slots:
         QVERIFY(last >= kContinuous && last < 1.05 * kContinuous);
     }
 
+    /// However the time without force is cut into pieces.
+    void motorsCoolAlsoWhileNobodyCounts() {
+        MotorHeat counted(3.3, 0.88), resumed(3.3, 0.88), back(3.3, 0.88);
+        counted.resume(0.9, 0);
+        QCOMPARE(counted.heat(), 0.9);
+        for (int i = 0; i < 20'000; ++i)
+            counted.add(0, kTick);
+        resumed.resume(0.9, 20'000 * kTick);
+        QVERIFY(std::abs(resumed.heat() - counted.heat()) < 1e-9);
+        QVERIFY(std::abs(resumed.heat() - 0.9 * std::exp(-0.5)) < 1e-9);
+        back.resume(0.9, -5); // no clock goes back, and none makes motors hotter
+        QCOMPARE(back.heat(), 0.9);
+    }
+
     void ceilingIsThatOfTheRule() {
         // Touch-like in a pinch, 1 kHz, one tick late, 300 Hz: 0.7 * 2.1 / (0.5 + 1 + 0.53 ms).
         LoopFigures loop{.period = 1e-3,

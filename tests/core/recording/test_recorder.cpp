@@ -197,6 +197,40 @@ private slots:
         QVERIFY(std::ranges::any_of(events, &RecordedEvent::fault));
     }
 
+    /// The motors were hot before the first row, and the limit is lower from the first force on.
+    void aRunThatBeganHotGivesTheSameBits() {
+        const auto probe = std::make_shared<Probe>();
+        probe->continuousForce = 0.05;
+        Engine engine(std::make_unique<ProbeDevice>(probe));
+        engine.publish(compile(bumpyScene(bumpyPlate(1), 3)).value());
+        QVERIFY(engine.start().has_value());
+        const auto polled = [&] {
+            engine.poll();
+            return engine.servo();
+        };
+        engine.setArmed(true);
+        QVERIFY(eventually([&] { return polled().ticks > 300 && engine.proxy().updates > 10; }));
+        probe->height = 0;
+        QVERIFY(eventually([&] { return polled().heat > 0.9; }));
+        engine.stop();
+        probe->height = 0.01;
+        QVERIFY(engine.start().has_value());
+        engine.setArmed(true);
+        QVERIFY(eventually([&] { return polled().ticks > 300 && engine.proxy().updates > 10; }));
+        probe->height = 0;
+        QVERIFY(eventually([&] { return polled().force.norm() > 0; }));
+        const std::uint64_t after = polled().ticks + 300;
+        QVERIFY(eventually([&] { return polled().ticks > after; }));
+        engine.stop();
+        const RecordedRun run = engine.recorded();
+        QCOMPARE(run.servo.first, 0u);
+        auto player = Player::open(shared(run));
+        QVERIFY(player.has_value());
+        player->advanceTo(kForEver);
+        QVERIFY2(player->check().differ == 0, player->check().first.c_str());
+        QCOMPARE(player->servo().heat, polled().heat);
+    }
+
     void aWriterThatOvertakesTheReaderLosesNoSense() {
         struct Pair {
             std::uint64_t number = 0, twice = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -26,9 +27,11 @@ struct Probe {
     std::atomic<bool> nonsense{false}; ///< the finger's position is no number
     std::atomic<bool> refusesToOpen{false};
     std::atomic<bool> isOpen{false};
-    std::atomic<double> rate{1000}; ///< Hz, that the driver names
-    std::atomic<int> pause{0};      ///< ms, that the next exchange stands still
-    std::atomic<double> push{0};    ///< newest command along z, N
+    std::atomic<double> rate{1000};         ///< Hz, that the driver names
+    std::atomic<int> pause{0};              ///< ms, that the next exchange stands still
+    std::atomic<double> push{0};            ///< newest command along z, N
+    std::atomic<double> continuousForce{0}; ///< N, 0: the largest
+    std::string name = "Probe";
     std::vector<Exchange> log;
     int exchangesWhileClosed = 0;
 
@@ -44,7 +47,11 @@ public:
     explicit ProbeDevice(std::shared_ptr<Probe> probe) : probe_(std::move(probe)) {}
 
     DeviceInfo info() const override {
-        return {.name = "Probe", .maxForce = kMaxForce, .rate = probe_->rate, .damping = kGrip};
+        return {.name = probe_->name,
+                .maxForce = kMaxForce,
+                .continuousForce = probe_->continuousForce,
+                .rate = probe_->rate,
+                .damping = kGrip};
     }
     Result<void> open() override {
         if (probe_->refusesToOpen) return machineError("The probe is not plugged in: plug it in.");

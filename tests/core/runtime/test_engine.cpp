@@ -268,6 +268,40 @@ private slots:
         QVERIFY(plate.engine.armed());
     }
 
+    // A device that was pulled out and put back, or another one in between: no peak force for hot motors.
+    void hotMotorsStayHotOverAStop() {
+        TouchedPlate plate(500);
+        plate.probe->continuousForce = 0.1; // 1 N heats it to the brim within half a second
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setArmed(true);
+        QVERIFY(eventually([&] { return plate.polled().servo().heat > 0.5; }));
+        const std::int64_t begun = monotonicNanoseconds();
+        plate.engine.stop();
+        const double left = plate.engine.servo().heat;
+        const auto isWarm = [&] {
+            const double heat = plate.engine.servo().heat; // seen before the clock is
+            const double past = 1e-9 * double(monotonicNanoseconds() - begun) + 0.01; // and a tick or two
+            return heat <= left && heat >= left * std::exp(-past / kMotorTime);
+        };
+        QVERIFY(plate.engine.start().has_value()); // forces off: it can only cool
+        QVERIFY(eventually([&] { return plate.polled().servo().ticks > 20; }));
+        QVERIFY2(isWarm(), qPrintable(QString::number(plate.engine.servo().heat)));
+
+        const auto other = std::make_shared<Probe>();
+        other->name = "Another";
+        other->continuousForce = 0.1;
+        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(other)).has_value());
+        QVERIFY(eventually([&] { return plate.polled().servo().ticks > 20; }));
+        QCOMPARE(plate.engine.servo().heat, 0.0);
+
+        plate.probe->refusesToOpen = true;
+        QVERIFY(!plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
+        plate.probe->refusesToOpen = false;
+        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)).has_value());
+        QVERIFY(eventually([&] { return plate.polled().servo().ticks > 20; }));
+        QVERIFY2(isWarm(), qPrintable(QString::number(plate.engine.servo().heat)));
+    }
+
     void deviceThatDoesNotOpenIsReported() {
         const auto probe = std::make_shared<Probe>();
         probe->refusesToOpen = true;

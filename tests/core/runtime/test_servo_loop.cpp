@@ -31,7 +31,7 @@ struct RunningServo {
 
     void start() {
         thread = std::thread([this] {
-            servoLoop(*channels, device, device.info(), {guardian, canary}, sleepersClock);
+            servoLoop(*channels, device, device.info(), motors, {guardian, canary}, sleepersClock);
         });
     }
     void stop() {
@@ -59,6 +59,7 @@ struct RunningServo {
     ProbeDevice device{probe};
     Guardian guardian; // of nothing
     Canary canary;     // asleep
+    LeftHeat motors;
     std::unique_ptr<Channels> channels = std::make_unique<Channels>();
     std::thread thread;
 };
@@ -171,6 +172,20 @@ private slots:
         servo.stop();
         QVERIFY(isZero(servo.probe->log.back()));
         QVERIFY(!isZero(servo.probe->log[servo.probe->log.size() - 2]));
+    }
+
+    void whoEndsLeavesTheHeatOfTheMotors() {
+        RunningServo servo;
+        servo.probe->continuousForce = 0.1; // a hundredth of what it heats by: warm within a moment
+        servo.channels->armed = true;
+        servo.start();
+        QVERIFY(eventually([&] {
+            servo.publishModel();
+            return servo.channels->servoTelemetry.read().heat > 0.3;
+        }));
+        servo.stop();
+        QCOMPARE(servo.motors.heat, servo.channels->servoTelemetry.read().heat);
+        QVERIFY(servo.motors.at > 0 && servo.motors.at <= monotonicNanoseconds());
     }
 
     void everyTickIsTraced() {
