@@ -89,7 +89,9 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// distance to the finger has grown only where a moving body pushed, and `contacts` holds what is touched.
 /// `movers`: what the obstacles' `mover` names, how each of them moved in this step.
 /// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there.
-/// Thread: real time; at most as many sweeps of each obstacle.
+/// Thread: real time; at most as many sweeps of each obstacle, and before them, where `movers` move, those of
+/// carry(): kMaxPieces x kMaxCarryRounds of each, and as many again for every body that passes over the
+/// proxy.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
                           int mostRounds = kMaxRounds) noexcept;
