@@ -31,6 +31,8 @@ QDockWidget* addDock(QMainWindow& window, const QString& name, const QString& ti
 void followTabs(QMainWindow& window, QDockWidget& dock) {
     auto* bare = new QWidget(&dock);
     const auto follow = [&window, &dock, bare] {
+        // One that is destroyed while it is shown hides its docks when it is a main window no longer.
+        if (!qobject_cast<QMainWindow*>(static_cast<QObject*>(&window))) return;
         for (auto* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
             bar->setDrawBase(false); // the window switches it on whenever it makes one
         dock.setTitleBarWidget(window.tabifiedDockWidgets(&dock).isEmpty() ? nullptr : bare);
