@@ -46,6 +46,7 @@ struct Desk {
         bench.device->leadGrip(kAbove);
         if (!QTest::qWaitFor([this] { return bench.device->gripArrived(); }, kPatience)) return false;
         program.engine.restartProxy();
+        program.frames(10); // or a proxy loop that is late would begin inside, and feel nothing
         bench.device->leadGrip(kInside);
         return QTest::qWaitFor(
             [this] {
