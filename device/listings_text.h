@@ -9,7 +9,7 @@
 
 namespace tactum {
 
-/// A JSON array of objects with id, name, usable, sentence and forbidden. Thread: any but real time.
+/// A JSON array of objects with id, name, usable, sentence, forbidden and lacks. Thread: any but real time.
 std::string toJson(const std::vector<DeviceListing>& listings);
 /// Nothing where the text is no such array. Thread: any but real time.
 std::vector<DeviceListing> listingsOf(std::string_view json);

@@ -302,13 +302,8 @@ private:
 // Zero where single precision does as well with it.
 Vec3 originFor(const TriangleSoup& soup) {
     constexpr double kFar = 4; // times as far away as large
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Vec3& p : soup.positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    const Vec3 centre = 0.5 * (low + high);
-    return centre.norm() > kFar * (high - low).norm() ? centre : Vec3(Vec3::Zero());
+    const Bounds box = boundsOf(soup);
+    return box.centre().norm() > kFar * box.diagonal() ? box.centre() : Vec3(Vec3::Zero());
 }
 
 } // namespace

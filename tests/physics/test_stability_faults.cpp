@@ -9,9 +9,9 @@
 
 #include "tests/physics/event.h"
 #include "tests/physics/hand_script.h"
-#include "tests/physics/seeds.h"
 #include "tests/physics/servo.h"
 #include "tests/support/hand.h"
+#include "tests/support/repeats.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -272,8 +272,7 @@ private slots:
         QFETCH(bool, gentle);
         int bad = 0, faults = 0;
         long ticks = 0, pushing = 0;
-        const int all = seeds(400), count = gentle ? (all + 1) / 2 : all;
-        QVERIFY2(count > 0, kNoSeeds);
+        const int all = repeats("TACTUM_SEEDS", 400), count = gentle ? (all + 1) / 2 : all;
         for (int seed = 0; seed < count; ++seed) {
             Schedule schedule(std::uint64_t(seed), gentle);
             schedule.run();

@@ -5,10 +5,10 @@
 
 #include <QtTest>
 
-#include "tests/physics/seeds.h"
 #include "tests/physics/servo.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/repeats.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -18,9 +18,8 @@ namespace {
 constexpr double kRadius = 1e-3, kReach = 0.03, kThin = 0.5e-3;
 constexpr int kSteps = 20; ///< of each path, one tick each
 
-/// None: see seeds().
-int paths(int ordinary) {
-    return qEnvironmentVariableIsSet("TACTUM_SEEDS") ? 100 * seeds(0) : ordinary;
+int paths() {
+    return 100 * repeats("TACTUM_SEEDS", 100);
 }
 
 constexpr double kFastest = 1.4; ///< m/s, just below the speed at which a device is taken to be let go
@@ -68,7 +67,6 @@ Soup hills() {
 
 /// Leads the finger along random ways, as fast as it may go; the proxy stays above `bottom(x, y)`.
 template <class Bottom> void wander(Led& led, int ways, Bottom&& bottom) {
-    QVERIFY2(ways > 0, kNoSeeds);
     led.rest({0, 0, 0.01});
     Rng random(11);
     for (int i = 0; i < ways; ++i) {
@@ -113,19 +111,18 @@ private slots:
         const Soup soup = shape == 0 ? plate(0.1, kThin) : ridges();
         const double top = shape == 0 ? kThin / 2 : -0.006;
         Led led(worldOf(soup, rough(0.6, 0.4), kRadius), rate);
-        wander(led, paths(10'000) / 4, [top](double, double) { return top; });
+        wander(led, paths() / 4, [top](double, double) { return top; });
     }
 
     void nothingPopsThroughALargeMesh() {
         Led led(worldOf(hills(), rough(0.6, 0.4), kRadius));
-        wander(led, paths(10'000) / 4, hillsAt);
+        wander(led, paths() / 4, hillsAt);
     }
 
     /// Triangles of every kind, through each other: they have no inside, and a proxy may go around each of
     /// them, so that nobody can say what it is behind of. But its sphere is never in one.
     void soupsAreSound() {
-        const int ways = paths(10'000) / 40;
-        QVERIFY2(ways > 0, kNoSeeds);
+        const int ways = paths() / 40;
         Rng random(12);
         long ticks = 0, pushing = 0;
         for (int mesh = 0; mesh < 20; ++mesh) {

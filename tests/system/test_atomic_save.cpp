@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/repeats.h"
 #include "tests/system/failing_disk.h"
 
 using namespace tactum;
@@ -263,8 +264,7 @@ void TestAtomicSave::aKillBeforeAnyCallLeavesTheOldOrTheNew() {
 }
 
 void TestAtomicSave::aKillAtAnyMomentLeavesTheOldOrTheNew() {
-    const int wanted = qEnvironmentVariableIntValue("TACTUM_KILLS");
-    const int kills = wanted > 0 ? wanted : 200;
+    const int kills = test::repeats("TACTUM_KILLS", 200);
     const std::string versions[] = {version(0, 3'000'000), version(1, 2'000'000)};
     QTemporaryDir root;
     const fs::path folder = root.path().toStdString(), file = folder / "scene.glb";

@@ -15,6 +15,7 @@
 #include "core/files/load_scene.h"
 #include "tests/support/hand.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/repeats.h"
 #include "tests/system/failing_disk.h"
 
 using namespace tactum;
@@ -185,8 +186,7 @@ void TestJournal::aPowerCutLeavesTheOldOrTheNew() {
 }
 
 void TestJournal::aKillAtAnyMomentLeavesTheOldOrTheNew() {
-    const int wanted = qEnvironmentVariableIntValue("TACTUM_KILLS");
-    const int kills = wanted > 0 ? wanted : 200;
+    const int kills = test::repeats("TACTUM_KILLS", 200);
     Desk desk(otherShapes());
     QElapsedTimer timer;
     timer.start();

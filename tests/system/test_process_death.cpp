@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "tests/support/repeats.h"
 #include "tests/system/watched_device.h"
 
 using namespace tactum::test;
@@ -15,8 +16,7 @@ constexpr std::int64_t kMillisecond = 1'000'000;
 
 /// How often each way of dying is tried; more on demand: TACTUM_DEATHS=1000.
 int deaths() {
-    const int wanted = qEnvironmentVariableIntValue("TACTUM_DEATHS");
-    return wanted > 0 ? wanted : 5;
+    return repeats("TACTUM_DEATHS", 5);
 }
 
 /// The program, pressing with more than a newton.

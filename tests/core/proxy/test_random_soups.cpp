@@ -5,6 +5,7 @@
 
 #include "tests/core/proxy/felt_rig.h"
 #include "tests/support/reference.h"
+#include "tests/support/repeats.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -176,12 +177,6 @@ QString faultIn(Trial& trial) {
     return {};
 }
 
-std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
-    bool isNumber = false;
-    const auto value = qEnvironmentVariable(name).toULongLong(&isNumber);
-    return isNumber ? value : otherwise;
-}
-
 } // namespace
 
 class RandomSoupsTest : public QObject {
@@ -194,8 +189,8 @@ private slots:
 };
 
 void RandomSoupsTest::everyStepKeepsTheInvariants() {
-    const std::uint64_t first = fromEnvironment("TACTUM_FIRST_SOUP", 0);
-    const std::uint64_t count = fromEnvironment("TACTUM_SOUPS", 20'000);
+    const std::uint64_t first = qEnvironmentVariable("TACTUM_FIRST_SOUP").toULongLong();
+    const auto count = std::uint64_t(repeats("TACTUM_SOUPS", 20'000));
     std::uint64_t failed = 0;
     for (std::uint64_t number = first; number < first + count; ++number) {
         Trial trial(number);

@@ -9,6 +9,7 @@
 #include "device/remote/remote_device.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/repeats.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -19,8 +20,7 @@ constexpr int kPatience = 20'000; // ms
 
 /// How often each way of dying is tried; more on demand: TACTUM_DEATHS=1000.
 int deaths() {
-    const int wanted = qEnvironmentVariableIntValue("TACTUM_DEATHS");
-    return wanted > 0 ? wanted : 12;
+    return repeats("TACTUM_DEATHS", 12);
 }
 
 void say(const char* what, std::vector<std::int64_t> times) {

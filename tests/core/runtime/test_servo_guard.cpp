@@ -1,0 +1,217 @@
+// What a servo tick takes for a fault, what for none, and what it holds back.
+#include <cmath>
+
+#include <QtTest>
+
+#include "tests/core/runtime/held_servo.h"
+
+using namespace tactum;
+using namespace tactum::test;
+
+class TestServoGuard : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// A finger that is shaken while it presses: noticed within a tenth of a second, and over the next 50 ms
+    /// the surface is half as stiff, in the force as well.
+    void aLimitCycleHalvesTheStiffness() {
+        constexpr double kDepth = 3e-3, kStiffness = 1000;
+        Held held;
+        held.model = wall(kStiffness);
+        held.rest({0, 0, 0.01}); // until the forces have come back
+        held.go(0.01, -kDepth);
+        held.rest({0, 0, -kDepth});
+        QCOMPARE(held.state.calm, 1.0);
+        const double before = held.output.force.z();
+        QVERIFY(std::abs(before - kStiffness * kDepth) < 1e-6);
+
+        int shaken = 0;
+        for (; shaken < 100 && held.state.oscillations == 0; ++shaken)
+            held.tick({0, 0, -kDepth + 5e-4 * std::sin(2 * M_PI * 50 * shaken * kTick)});
+        QCOMPARE(held.state.oscillations, std::uint64_t(1));
+        held.rest({0, 0, -kDepth}, 51);
+        QVERIFY2(held.state.calm <= 0.5 + 1e-9, qPrintable(QString::number(held.state.calm)));
+        QVERIFY2(held.output.force.z() <= 0.5 * before + 1e-6,
+                 qPrintable(QString::number(held.output.force.z())));
+
+        held.rest({0, 0, -kDepth}, 5000); // under load it does not come back
+        QCOMPARE(held.state.calm, 0.5);
+        held.go(-kDepth, 0.01);
+        held.rest({0, 0, 0.01}, 3000); // in free motion it does
+        QCOMPARE(held.state.calm, 1.0);
+    }
+
+    /// Ten minutes: the motors warm, and the force comes down to what they bear for ever.
+    void aPressThatNeverEndsSparesTheMotors() {
+        Held held;
+        DeviceInfo info = Held::info();
+        info.continuousForce = 5;
+        held.state = ServoState(info);
+        held.model = wall(1000);
+        held.rest({0, 0, 0.01});
+        held.go(0.01, -0.03);
+        QCOMPARE(held.output.force.z(), info.maxForce); // what they bear for a while
+        double highest = 0;
+        for (int i = 0; i < 600'000; ++i) {
+            held.tick({0, 0, -0.03});
+            highest = std::max(highest, held.state.heat.heat());
+        }
+        qInfo("%.3f N, heat up to %.3f", held.output.force.z(), highest);
+        QVERIFY(std::abs(held.output.force.z() - info.continuousForce) <= 0.01 * info.continuousForce);
+        QVERIFY(highest <= 1.01);
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
+    void aModelWithoutASpeedIsAFault() {
+        Held held;
+        held.model = wall(800);
+        held.rest({0, 0, -0.001});
+        held.model.velocity = Vec3::Constant(std::nan(""));
+        const Vec3 force = held.tick({0, 0, -0.001});
+        QVERIFY(force.isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::NotFinite);
+    }
+
+    void deadManSwitch() {
+        Held held;
+        held.settings.deadMan = 2;
+        held.model = wall(1000);
+        held.buttons = 2; // stuck since the device came: nobody holds it
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 0;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 2;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        held.buttons = 1;
+        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+    }
+
+    /// A button that is held while the cable goes in and out may be stuck by now.
+    void aDeviceThatComesBackMustLetItsButtonGo() {
+        Held held;
+        held.settings.deadMan = 1;
+        held.model = wall(1000);
+        held.rest({0, 0, -0.001}, 10);
+        held.buttons = 1;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        for (int i = 0; i < kBadSamplesToLoss; ++i)
+            held.tick(Vec3::Constant(std::nan("")));
+        held.settings.armed = false;
+        held.rest({0, 0, -0.001}, 10);
+        held.settings.armed = true;
+        held.rest({0, 0, -0.001});
+        QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
+        held.buttons = 0;
+        held.tick({0, 0, -0.001});
+        held.buttons = 1;
+        held.rest({0, 0, -0.001});
+        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+    }
+
+    /// The servo loop sends nothing but zero after a stall: the force of before it has done no work.
+    void whatAStallKeptBackIsNoEnergy() {
+        Held held;
+        held.model = wall(10000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 180; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(held.tick({0, 0, -0.0018}).z() > 17);
+        held.tick({0, 0, -0.0018}, 0.05);
+        held.tick({0, 0, 0.0007});
+        QVERIFY2(held.state.passivity.energy() <= 0,
+                 qPrintable(QString::number(held.state.passivity.energy())));
+    }
+
+    /// Sharp edges and hard hits are no fault.
+    void hardHitIsNoFault() {
+        for (const double speed : {0.3, 1.0, 1.4}) {
+            Held held;
+            held.model = wall(3000);
+            held.model.damping = 20;
+            held.rest({0, 0, 0.02});
+            for (double z = 0.02; z > -0.006; z -= speed * kTick)
+                held.tick({0, 0, z});
+            QCOMPARE(held.state.guard.faults(), 0u);
+            QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
+        }
+    }
+
+    /// An anchor that jumps to the other side of the finger: as far as before, the other way.
+    void aForceThatTurnsAroundIsAFault() {
+        Held held;
+        held.model = wall(2000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 400; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(std::abs(held.tick({0, 0, -0.004}).z() - 8) < 1e-9);
+        held.model.plane[0] = {-Vec3::UnitZ(), 0.008};
+        QVERIFY(held.tick({0, 0, -0.004}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
+    }
+
+    /// The finger goes in at 0.8 m/s when what it is in begins to brake it.
+    void aDampingThatJumpsIsAFault() {
+        Held held;
+        held.model = wall(200);
+        held.rest({0, 0, 0.01});
+        double z = 0.01;
+        for (; z > -0.01; z -= 0.8 * kTick)
+            held.tick({0, 0, z});
+        QCOMPARE(held.state.guard.faults(), 0u);
+        held.model.damping = 20;
+        QVERIFY(held.tick({0, 0, z}).isZero(0));
+        QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
+    }
+
+    /// Off an edge: what pushed is not there any more.
+    void aForceThatIsGoneIsNoFault() {
+        Held held;
+        held.model = wall(2000);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 900; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        QVERIFY(held.tick({0, 0, -0.009}).z() > 17);
+        held.model.planes = 0;
+        QVERIFY(held.tick({0, 0, -0.009}).isZero(0));
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
+    /// The proxy finds a surface only once the finger is in it.
+    void hitThatIsFoundLateIsNoFault() {
+        Held held;
+        held.model = wall(3000);
+        held.model.damping = 20;
+        held.model.planes = 0;
+        held.rest({0, 0, 0.0207}); // 0.3 mm deep when it is found
+        for (double z = 0.0207; z > -0.006; z -= 1.4 * kTick) {
+            held.model.planes = z < 0;
+            held.tick({0, 0, z});
+        }
+        QCOMPARE(held.state.guard.faults(), 0u);
+        QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
+    }
+
+    /// From a soft surface onto a stiff one, deep in.
+    void nextSurfaceIsNoFault() {
+        Held held;
+        held.model = wall(200);
+        held.rest({0, 0, 0});
+        for (int i = 0; i <= 600; ++i)
+            held.tick({0, 0, -1e-5 * i});
+        const Vec3 before = held.tick({0, 0, -0.006});
+        held.model.stiffness = 3000;
+        const double change = largestChange(held, {0, 0, -0.006}, before);
+        QCOMPARE(held.state.guard.faults(), 0u);
+        QVERIFY2(change <= kSurfaceRate * kTick * 1.01, qPrintable(QString::number(change)));
+        QVERIFY(held.tick({0, 0, -0.006}).z() > 17.9);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestServoGuard)
+#include "test_servo_guard.moc"
