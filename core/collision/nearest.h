@@ -21,7 +21,8 @@ struct Nearest {
 
 /// `p_B` in the body frame, `within` in metres: what is farther away is not found; nor are surfaces that are
 /// felt from no side. `sides`: one for each surface, or none when all are felt.
-/// Thread: real time; fixed stack. Meant for changes of the scene, not for every step.
+/// Thread: real time; fixed stack. For changes of the scene, and for each move over what is felt from one
+/// side alone; anything else sweeps.
 Nearest nearestOn(const CollisionMesh& mesh, const Vec3& p_B,
                   double within = std::numeric_limits<double>::infinity(),
                   std::span<const Sides> sides = {}) noexcept;

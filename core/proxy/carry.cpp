@@ -44,6 +44,7 @@ public:
             state_.finger = ride_->carried(state_.finger);
         }
         const int pieces = look();
+        if (pieces == 0) followSides(state_.position);
         for (int i = 0; i < pieces; ++i)
             goTogether(double(i) / pieces, double(i + 1) / pieces);
         followPassed(state_, obstacles_, movers_, kWayBack * radius_);
@@ -121,10 +122,20 @@ private:
         return int(std::ceil(std::min(pieces, double(kMaxPieces))));
     }
 
-    // One piece of the step: a goal, and rounds of sweeping to it and keeping out of what was met.
     void goTogether(double from, double to) noexcept {
         from_ = from, to_ = to;
-        const Vec3 start = state_.position;
+        const Vec3 before_W = state_.position;
+        makeRoom(before_W);
+        followSides(before_W);
+    }
+
+    void followSides(const Vec3& before_W) noexcept {
+        if (anyOneSided(obstacles_))
+            followCarried(state_, obstacles_, movers_, radius_, before_W, from_, to_);
+    }
+
+    // One piece of the step: a goal, and rounds of sweeping to it and keeping out of what was met.
+    void makeRoom(const Vec3& start) noexcept {
         startBounds();
         for (int round = 0; true; ++round) {
             const auto place = bounds_.nearestTo(rideFrom(start), radius_);

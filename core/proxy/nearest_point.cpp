@@ -9,6 +9,7 @@
 #include "core/proxy/nearest_point.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +37,7 @@ struct ActiveSet {
         lambda[size++] = value;
     }
     void drop(int k) {
+        assert(k >= 0 && k < size);
         for (; k + 1 < size; ++k) {
             plane[k] = plane[k + 1];
             lambda[k] = lambda[k + 1];
@@ -105,12 +107,12 @@ private:
             const double full = curvature > 1e-24 ? std::max(violation, 0.0) / curvature : kInfinity;
             const auto [partial, blocking] = firstToVanish(split.r);
             const double step = std::min(full, partial);
-            if (step == kInfinity) return false;
+            if (!(step < kInfinity)) return false; // nor one that is no number
             for (int k = 0; k < active_.size; ++k)
                 active_.lambda[k] -= step * split.r[k];
             lambda += step;
             if (full < kInfinity) x_ += step * split.z;
-            if (full <= partial) break;
+            if (blocking < 0 || full <= partial) break;
             active_.drop(blocking);
         }
         active_.add(j, lambda);

@@ -37,11 +37,9 @@ namespace {
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers,
                           int mostRounds) noexcept {
-    const Vec3 before_W = state.position;
     const CarryReport carried = carry(state, obstacles, movers, radius);
     ProxyReport report =
         Step(state, obstacles, movers, radius, finger_W, dt, carried.start, mostRounds).run();
-    followStraddled(state, obstacles, movers, radius, before_W);
     report.squeezed |= carried.squeezed;
     report.passed = carried.passed;
     return report;

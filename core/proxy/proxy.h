@@ -41,7 +41,9 @@ struct PassedBody {
 inline constexpr int kMostStraddled = 8;
 
 /// A body with such surfaces that the proxy overlaps: it goes on passing through what it came to from the
-/// wrong side, however far its centre is, until it was clear of the body once.
+/// wrong side, however far its centre is, until it was clear of the body once. The side of every surface is
+/// that of one place: who goes half through a wall far around a bend is held by what he comes to from the
+/// other side of its plane.
 struct StraddledBody {
     std::uint32_t body = 0;     ///< index of the obstacle
     Vec3 from_B = Vec3::Zero(); ///< where the proxy last was clear of it, body frame
@@ -85,13 +87,14 @@ struct ProxyReport {
 void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 
 /// Moves and updates the proxy toward the finger for one step of dt seconds, r = `radius` in metres.
-/// After it the clearance is at least r (1 - kSkin) to everything that the proxy was clear of before, the
-/// distance to the finger has grown only where a moving body pushed, and `contacts` holds what is touched.
-/// `movers`: what the obstacles' `mover` names, how each of them moved in this step.
+/// After it the clearance is at least r (1 - kSkin) to everything that the proxy was clear of before and that
+/// is felt from where it came. The distance to the finger has grown only where a moving body pushed or
+/// carried the proxy, where it came out of a squeeze, and on shaded or textured surfaces. `contacts` holds
+/// what is touched. `movers`: what the obstacles' `mover` names, how each of them moved in this step.
 /// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there.
 /// Thread: real time; at most as many sweeps of each obstacle, and before them, where `movers` move, those of
 /// carry(): kMaxPieces x kMaxCarryRounds of each, and as many again for every body that passes over the
-/// proxy.
+/// proxy. With every move one nearestOn() of each body in reach that is felt from one side alone.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
                           int mostRounds = kMaxRounds) noexcept;

@@ -13,27 +13,47 @@ bool overlaps(const Obstacle& obstacle, const Vec3& at_B, double radius) noexcep
            nearestOn(*obstacle.mesh, at_B, reach, obstacle.sides).distance < reach;
 }
 
-Vec3 placeBefore(const Obstacle& obstacle, std::span<const BodyMotion> movers, const Vec3& p_W) noexcept {
-    return (obstacle.mover < 0 ? obstacle.pose : movers[std::size_t(obstacle.mover)].before)
-        .applyInverse(p_W);
+// What jumps farther than the proxy is wide is put there; a lesser jump is swept like a motion.
+bool isPut(const Obstacle& obstacle, std::span<const BodyMotion> movers, double radius,
+           const Vec3& at_W) noexcept {
+    if (obstacle.mover < 0 || !movers[std::size_t(obstacle.mover)].jumped) return false;
+    return (movers[std::size_t(obstacle.mover)].carried(at_W) - at_W).norm() > 2 * radius;
 }
 
-} // namespace
+Pose poseAt(const Obstacle& obstacle, std::span<const BodyMotion> movers, double part) noexcept {
+    if (obstacle.mover < 0) return obstacle.pose;
+    const BodyMotion& motion = movers[std::size_t(obstacle.mover)];
+    return part >= 1 || motion.before == motion.now ? motion.now : motion.between(part);
+}
 
-void followStraddled(ProxyState& state, std::span<const Obstacle> obstacles,
-                     std::span<const BodyMotion> movers, double radius, const Vec3& before_W) noexcept {
+template <class Unwanted>
+void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+            double radius, const Vec3& before_W, double from, double to, Unwanted&& unwanted) noexcept {
     int count = 0;
     std::array<StraddledBody, kMostStraddled> now;
     for (std::uint32_t body = 0; body < obstacles.size() && count < kMostStraddled; ++body) {
         const Obstacle& obstacle = obstacles[body];
-        if (obstacle.sides.empty()) continue;
-        if (obstacle.mover >= 0 && movers[std::size_t(obstacle.mover)].jumped) continue;
-        const Vec3 at_B = poseNow(obstacle, movers).applyInverse(state.position);
+        if (obstacle.sides.empty() || unwanted(obstacle)) continue;
+        const Vec3 at_B = poseAt(obstacle, movers, to).applyInverse(state.position);
         if (!overlaps(obstacle, at_B, radius)) continue;
-        now[std::size_t(count++)] = {body, cameFrom(state, body, placeBefore(obstacle, movers, before_W))};
+        const Vec3 before_B = poseAt(obstacle, movers, from).applyInverse(before_W);
+        now[std::size_t(count++)] = {body, cameFrom(state, body, before_B)};
     }
     std::copy_n(now.begin(), count, state.straddled.begin());
     state.straddledCount = count;
+}
+
+} // namespace
+
+void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+                   double radius, const Vec3& before_W, double from, double to) noexcept {
+    follow(state, obstacles, movers, radius, before_W, from, to,
+           [&](const Obstacle& obstacle) { return isPut(obstacle, movers, radius, before_W); });
+}
+
+void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+                 double radius, const Vec3& before_W) noexcept {
+    follow(state, obstacles, movers, radius, before_W, 1, 1, [](const Obstacle&) { return false; });
 }
 
 } // namespace tactum

@@ -18,10 +18,23 @@ inline Vec3 cameFrom(const ProxyState& state, std::uint32_t body, const Vec3& at
     return found == end ? at_B : found->from_B;
 }
 
-/// After a step that began at `before_W`: what the proxy overlaps now, of all that is felt from one side
-/// alone, and from where it came. What it is clear of is forgotten, and what jumped into it, which it did not
-/// come to. World frame, metre. Thread: real time; one nearestOn() of each such obstacle within the radius.
-void followStraddled(ProxyState& state, std::span<const Obstacle> obstacles,
-                     std::span<const BodyMotion> movers, double radius, const Vec3& before_W) noexcept;
+/// Whether anything has such surfaces: else there is nothing to follow. Thread: real time.
+inline bool anyOneSided(std::span<const Obstacle> obstacles) noexcept {
+    return std::any_of(obstacles.begin(), obstacles.end(),
+                       [](const Obstacle& o) { return !o.sides.empty(); });
+}
+
+/// After the bodies went on by a piece of their way, from one part of it to another (0 before the step, 1
+/// after): the proxy was at `before_W` then. What it overlaps now of all that is felt from one side alone,
+/// and from where it came, is in the state. Forgotten is what it is clear of, and what was put into it from
+/// farther away than it is wide, which it did not come to. World frame, metre. Thread: real time; one
+/// nearestOn() of each such obstacle within the radius.
+void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+                   double radius, const Vec3& before_W, double from, double to) noexcept;
+
+/// The same after a move of the proxy alone: the side counts that it was on when the move began, or before it
+/// began to overlap.
+void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+                 double radius, const Vec3& before_W) noexcept;
 
 } // namespace tactum

@@ -24,6 +24,12 @@ public:
     }
     void addStatic(Soup soup, const Pose& pose = {}) { add(std::move(soup), pose); }
 
+    /// From which side all of the body is felt, in the order in which bodies were added.
+    void feelFrom(std::size_t body, Sides sides) {
+        sides_.push_back(std::make_unique<const Sides>(sides));
+        obstacles_[body].sides = {sides_.back().get(), 1};
+    }
+
     void put(int mover, const Pose& pose, bool jumped = false) {
         movers_[std::size_t(mover)].now = pose;
         movers_[std::size_t(mover)].jumped = jumped;
@@ -57,6 +63,7 @@ private:
 
     std::vector<std::unique_ptr<CollisionMesh>> meshes_;
     std::vector<Material> materials_;
+    std::vector<std::unique_ptr<const Sides>> sides_;
     std::vector<Obstacle> obstacles_;
     std::vector<BodyMotion> movers_;
 };

@@ -28,6 +28,9 @@ private slots:
     void doesNotRideWithoutFriction();
     void bodiesOutOfReachChangeNoBit();
     void givesTheSameBits();
+    void halfThroughItGoesOnPassing_data();
+    void halfThroughItGoesOnPassing();
+    void whatTurnsOverItFromBehindIsNotFelt();
 };
 
 void CarryTest::aRisingPlatePushes_data() {
@@ -317,6 +320,45 @@ void CarryTest::givesTheSameBits() {
             else
                 QCOMPARE(stage.state.position, places[std::size_t(i)]);
         }
+    }
+}
+
+void CarryTest::halfThroughItGoesOnPassing_data() {
+    QTest::addColumn<bool>("jumped");
+    QTest::newRow("a plate that moves") << false;
+    QTest::newRow("a plate that jumps") << true;
+}
+
+// From behind, half through a plate that goes a hundredth of a radius meanwhile.
+void CarryTest::halfThroughItGoesOnPassing() {
+    QFETCH(bool, jumped);
+    Stage stage;
+    stage.addMover(sheet(0.02));
+    stage.feelFrom(0, Sides::Front);
+    stage.startAt({0, 0, -2 * kRadius});
+    for (int i = 0; i <= 23; ++i)
+        stage.step({0, 0, (0.1 * i - 2) * kRadius});
+    stage.put(0, at({0.01 * kRadius, 0, 0}), jumped);
+    for (const Vec3& finger : {Vec3(0, 0, 0.3 * kRadius), Vec3(0.1 * kRadius, 0, 0.2 * kRadius)}) {
+        stage.step(finger);
+        QVERIFY((stage.state.position - finger).norm() <= 1e-12);
+    }
+}
+
+// A plate that is felt from above alone comes down over the proxy while it turns, in many pieces; then
+// another pushes: there is nothing beneath.
+void CarryTest::whatTurnsOverItFromBehindIsNotFelt() {
+    for (const double turn : {0.0, 0.1, 0.3}) {
+        Stage stage;
+        stage.addMover(sheet(0.04), at({0.01, 0, 1.05 * kRadius}));
+        stage.addMover(sheet(0.04), at({0, 0, 2.5 * kRadius}));
+        stage.feelFrom(0, Sides::Front);
+        stage.startAt(Vec3::Zero());
+        stage.put(0, turned(turn, Vec3::UnitZ(), {0.01, 0, -0.7 * kRadius}));
+        stage.put(1, at({0, 0, 0.5 * kRadius}));
+        const ProxyReport report = stage.step(Vec3::Zero());
+        QVERIFY(!report.squeezed && !report.passed);
+        QVERIFY(std::abs(stage.state.position.z() + 0.5 * kRadius) <= kMicrometre);
     }
 }
 

@@ -75,6 +75,7 @@ private slots:
     void isFreeAboveAllPlanes();
     void doesNotDependOnScale();
     void doesNotDependOnOrder();
+    void whatIsNoNumberEndsTheSearch();
 };
 
 void NearestPointTest::agreesWithEverySubset() {
@@ -189,6 +190,20 @@ void NearestPointTest::doesNotDependOnOrder() {
         const Vec3 u = direction(rng), first = nearestPoint(u, planes).x;
         std::reverse(planes.begin(), planes.end());
         QVERIFY((nearestPoint(u, planes).x - first).norm() < 1e-12);
+    }
+}
+
+// A plane was dropped once that the set did not have: an assertion says so.
+void NearestPointTest::whatIsNoNumberEndsTheSearch() {
+    Rng rng(37);
+    const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    for (int i = 0; i < 20000; ++i) {
+        Planes planes = randomPlanes(rng, 1 + int(rng() % 12), false);
+        for (ConstraintPlane& plane : planes)
+            for (double* value : {&plane.normal.x(), &plane.normal.y(), &plane.normal.z(), &plane.offset})
+                if (rng() % 4 == 0) *value = std::array{infinity, -infinity, nan, 1e200, -1e300}[rng() % 5];
+        const NearestPoint nearest = nearestPoint(direction(rng), planes);
+        QVERIFY(nearest.active >= 0 && nearest.active <= 3);
     }
 }
 
