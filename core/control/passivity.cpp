@@ -56,10 +56,9 @@ void Passivity::observe(const Vec3& position, const Vec3& velocity, double dt) n
     const RenderedSpring& felt = commanded_[std::size_t(delay_)];
     const Vec3 way = position - last_ - felt.velocity * dt;
     notice(position, dt);
+    if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
     const double work = felt.force.dot(way) - taken - noise();
     if (known_ && std::isfinite(work)) given_ += work; // what is no number would stay for ever
-    given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMost - stored_);
-    if (energy() > 0) given_ -= std::min(energy(), kForgotten * dt);
     last_ = position;
     known_ = true;
 }
@@ -81,9 +80,12 @@ double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, do
     return damping_;
 }
 
+// Only with the spring that answers the reading is the balance one: before, it is short of what the spring
+// took up on the way in, which at speed is more than it may remember at all.
 void Passivity::commanded(const RenderedSpring& spring) noexcept {
     given_ -= granted(spring);
     stored_ = spring.stored();
+    given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMost - stored_);
     std::copy_backward(commanded_.begin(), commanded_.end() - 1, commanded_.end());
     commanded_[0] = spring;
 }

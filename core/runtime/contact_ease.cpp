@@ -16,6 +16,10 @@ Vec3 shortened(const Vec3& v, double by) noexcept {
     return length <= by ? Vec3::Zero() : Vec3(v * (1 - by / length));
 }
 
+Vec3 atMost(const Vec3& v, double most) noexcept {
+    return shortened(v, std::max(0.0, v.norm() - most));
+}
+
 /// N/s, that the force may change by.
 double editRate(double stiffness) noexcept {
     return std::min(kEditRate, kReturnSpeed * stiffness);
@@ -43,12 +47,18 @@ LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept
 
 } // namespace
 
+double ContactEase::since(double dt) const noexcept {
+    return std::min(age_ + dt, kOldest);
+}
+
 // A proxy that was put elsewhere begins at the finger, without force.
-void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, double ceiling) noexcept {
-    const Anchor before = begun_ ? anchorOf(rendered_, finger) : Anchor{finger, false};
+void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, const EaseBounds& bounds,
+                       double dt) noexcept {
+    const Anchor before = begun_ ? anchorOf(rendered_, finger, since(dt)) : Anchor{finger, false};
+    age_ = 0;
     if (!before.touching) { // nothing is under load: no value needs a ramp
         rendered_ = newest;
-        rendered_.stiffness = std::min(newest.stiffness, ceiling);
+        rendered_.stiffness = std::min(newest.stiffness, bounds.ceiling);
     }
     const bool edited = newest.revision != revision_;
     if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
@@ -56,22 +66,23 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, doub
         editing_ = false;
         hold_ = 0;
     } else if (edited) {
-        edit(newest, finger);
+        edit(newest, before.position, finger);
     } else {
-        handOver(newest, before.position, finger);
+        handOver(newest, before.position, finger, dt);
+        if (before.touching) turn(newest, before.position, finger, bounds, dt);
     }
     begun_ = true;
     restarts_ = newest.restarts;
     revision_ = newest.revision;
-    age_ = 0;
 }
 
 // The surroundings stay with the anchor as far as the energy that they add to the spring is not paid for.
 // Planes that meet at an angle take more than one correction.
-void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept {
+void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+                           double dt) noexcept {
     const double stiffness = std::max(rendered_.stiffness, newest.stiffness);
     for (int i = 0;; ++i) {
-        const Vec3 after = anchorOf(moved(newest, offset_), finger).position;
+        const Vec3 after = anchorOf(moved(newest, offset_), finger, since(dt)).position;
         const double gained =
             0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm());
         if (gained <= credit_ || i == kCorrections) {
@@ -80,6 +91,22 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
         }
         offset_ += before - after;
     }
+}
+
+// Off the rim of a sheet, or out of one pocket into the next, the proxy comes nearer to the finger and may
+// yet push it the other way: no energy is brought, and still it would be a kick. What surroundings that are
+// left were off by is none of the new ones' either.
+void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+                       const EaseBounds& bounds, double dt) noexcept {
+    const double felt =
+        bounds.force / std::max(rendered_.stiffness, std::min(newest.stiffness, bounds.ceiling));
+    const Vec3 was = atMost(before - finger, felt);
+    const Vec3 now = atMost(anchorOf(moved(newest, offset_), finger, since(dt)).position - finger, felt);
+    if (!(rise(now, was) > kMostTurn * felt)) return;
+    const Vec3 stretch = anchorOf(newest, finger, since(dt)).position - finger;
+    const double length2 = stretch.squaredNorm();
+    const double kept = length2 > 0 ? std::clamp(was.dot(stretch) / length2, 0.0, 1.0) : 0;
+    offset_ = (kept - 1) * stretch;
 }
 
 /// Whether what is rendered under load is not there any more.
@@ -92,7 +119,7 @@ bool ContactEase::lost(const LocalContactModel& newest, const Vec3& finger) cons
 // It becomes softer as it does in an edit, until next to nothing is left; what the device does not bear goes
 // as it does in any other contact.
 void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept {
-    const double depth = (anchorOf(rendered_, finger).position - finger).norm();
+    const double depth = (anchorOf(rendered_, finger, since(dt)).position - finger).norm();
     const auto softer = [&](double rate) {
         return rendered_.stiffness - rate * dt / std::max(depth, kThinnest);
     };
@@ -103,8 +130,8 @@ void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept 
     begun_ = leaving_;
 }
 
-void ContactEase::edit(const LocalContactModel& newest, const Vec3& finger) noexcept {
-    offset_ = anchorOf(rendered_, finger).position - newest.proxy;
+void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept {
+    offset_ = anchor - newest.proxy;
     editing_ = true;
     hold_ = gripNeeded(moved(newest, offset_), finger);
 }
@@ -122,7 +149,7 @@ void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, 
                            double ceiling, double dt) noexcept {
     const LocalContactModel wanted = rendered_;
     const double stiffness = std::min(wanted.stiffness, ceiling);
-    const double depth = (anchorOf(rendered_, finger).position - finger).norm();
+    const double depth = (anchorOf(rendered_, finger, since(dt)).position - finger).norm();
     const double change = (editing_ ? editRate(before.stiffness) : kSurfaceRate) * dt;
     rendered_.stiffness = towards(before.stiffness, stiffness, change / std::max(depth, kThinnest));
     if (!editing_) return;
@@ -133,20 +160,20 @@ void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, 
 }
 
 const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest, bool fresh,
-                                                 const Vec3& finger, const Vec3& velocity, double ceiling,
-                                                 double leaving, double dt) noexcept {
+                                                 const Vec3& finger, const Vec3& velocity,
+                                                 const EaseBounds& bounds, double dt) noexcept {
     age_ += dt;
     credit_ = std::min(kHandOverEnergy, credit_ + kHandOverPower * dt);
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_;
     offset_ = left;
     leaving_ = begun_ && (leaving_ || lost(newest, finger));
-    if (leaving_) leave(finger, leaving, dt);
+    if (leaving_) leave(finger, bounds.leaving, dt);
     if (leaving_) return rendered_;
-    if (fresh || !begun_) meet(newest, finger, ceiling);
+    if (fresh || !begun_) meet(newest, finger, bounds, dt);
     const LocalContactModel before = rendered_;
     goOn(newest);
-    approach(before, finger, velocity, ceiling, dt);
+    approach(before, finger, velocity, bounds.ceiling, dt);
     // Nothing is touched: nothing is left to come back.
     if (newest.planes == 0) {
         offset_ = Vec3::Zero();

@@ -20,24 +20,36 @@ inline constexpr double kSurfaceRate = 300;
 /// Units: W, J.
 inline constexpr double kHandOverPower = 1e-3, kHandOverEnergy = 5e-4;
 
+/// A newer model may turn the force by this part of the device's limit at once, measured as rise(): half of
+/// what the guard takes for a fault.
+inline constexpr double kMostTurn = 0.3;
+
+/// What is rendered at most.
+struct EaseBounds {
+    double ceiling = 0; ///< N/m: nothing is met stiffer; what is under load when it falls comes down by
+                        ///< kSurfaceRate, in an edit by kEditRate: faster, a resting hand would be thrown
+    double leaving = 0; ///< N/m, the ceiling of what was touched and is not there any more
+    double force = 0;   ///< N, of the device
+};
+
 /// What the servo renders instead of the newest model. When the proxy was put elsewhere, what was touched
 /// before fades away first; then the proxy's new surroundings are
 /// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
 /// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
 /// then go to their new values. A late model that finds the finger deep in something is met as a restart is.
+/// Where the proxy fell from one side of the finger to another, the new surroundings begin with no more push
+/// than there was along theirs, and come back as well.
 /// World frame, SI. Thread: real time.
 class ContactEase {
 public:
     /// Call at every servo tick. `fresh`: `newest` is another one than at the last call.
-    /// `ceiling` in N/m: nothing is met stiffer; what is under load when it falls comes down by kSurfaceRate,
-    /// and in an edit by kEditRate: faster, a resting hand would be thrown. `leaving`: the ceiling of what
-    /// was touched and is not there any more.
     const LocalContactModel& operator()(const LocalContactModel& newest, bool fresh, const Vec3& finger,
-                                        const Vec3& velocity, double ceiling, double leaving,
-                                        double dt) noexcept;
+                                        const Vec3& velocity, const EaseBounds& bounds, double dt) noexcept;
     /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
     void restart() noexcept { begun_ = false; }
     const LocalContactModel& rendered() const noexcept { return rendered_; }
+    /// s since the finger that it answers was read, at least, in a tick of `dt`: for anchorOf().
+    double since(double dt) const noexcept;
     /// Whether the surroundings are still on their way.
     bool easing() const noexcept { return editing_ || leaving_ || !offset_.isZero(0); }
 
@@ -48,11 +60,15 @@ public:
     }
 
 private:
-    void meet(const LocalContactModel& newest, const Vec3& finger, double ceiling) noexcept;
-    void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger) noexcept;
+    void meet(const LocalContactModel& newest, const Vec3& finger, const EaseBounds& bounds,
+              double dt) noexcept;
+    void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+                  double dt) noexcept;
+    void turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+              const EaseBounds& bounds, double dt) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
     void leave(const Vec3& finger, double ceiling, double dt) noexcept;
-    void edit(const LocalContactModel& newest, const Vec3& finger) noexcept;
+    void edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept;
     void goOn(const LocalContactModel& newest) noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,
                   double dt) noexcept;

@@ -38,13 +38,18 @@ struct Anchor {
     bool touching = false;
 };
 
+/// `since`: s since the finger that the model answers was read; for so long a viscous contact has slid on.
 /// Thread: real time.
-Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W) noexcept;
+Anchor anchorOf(const LocalContactModel& model, const Vec3& finger_W, double since = 0) noexcept;
 
 /// The force of the model's spring and damper on the finger for a proxy at `anchor_W`: N, world frame, before
 /// the device's limit (equation 24). Damping only ever adds to the push. Thread: real time.
 Vec3 springForce(const LocalContactModel& model, const Vec3& anchor_W, const Vec3& finger_W,
                  const Vec3& velocity_W) noexcept;
+
+/// How much more `now` pushes along its own direction than `before` did. A reversal counts at most twice, a
+/// push that only becomes weaker not at all: what is lost is no kick. Any unit. Thread: real time.
+double rise(const Vec3& now, const Vec3& before) noexcept;
 
 /// The same surroundings as the hand meets them: frame D, with the stiffness and damping that they have
 /// there. Thread: real time.

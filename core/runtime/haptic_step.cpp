@@ -36,7 +36,9 @@ void mixMaterials(const World& world, SimState& state, double dt) {
 void addPlane(LocalContactModel& model, const Contact& contact, const Vec3& normal) {
     if (model.planes == kMaxModelPlanes) return;
     model.plane[model.planes] = {normal, -contact.gap * normal.dot(contact.normal)};
-    model.friction[model.planes++] = frictionLimit(contact.material, contact.slipping);
+    FrictionLimit& friction = model.friction[model.planes++];
+    friction = frictionLimit(contact.material, contact.slipping);
+    friction.lag = frictionLimit(contact.material, true).lag; // the servo sees first when it begins to slip
 }
 
 // Of shaded and textured surfaces the servo gets the planes that are felt.

@@ -6,8 +6,10 @@
 namespace tactum {
 namespace {
 
-/// After a limit cycle the stiffness falls to its half over the first time; it doubles again over the second,
-/// while nothing is touched: a spring that stiffens under load gives energy. Unit: s.
+/// After a limit cycle the stiffness falls to its half over the first time, and so it does for as long as the
+/// surface has made too much and is damped: who bounces more slowly than any limit cycle would else be thrown
+/// farther each time. It doubles again over the second, while nothing is touched: a spring that stiffens
+/// under load gives energy. Unit: s.
 constexpr double kFade = 0.05, kRecovery = 2;
 constexpr double kLeastCalm = 1.0 / 32;
 
@@ -33,7 +35,11 @@ bool isHeld(ServoState& state, const DeviceSample& seen, std::uint32_t deadMan) 
 }
 
 void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
-    if (!state.touching) state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
+    if (!state.touching)
+        state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
+    else if (state.guard.gain() > 0 && state.passivity.lastDamping() > 0 &&
+             state.passivity.energy() > kPassivityThreshold)
+        state.calmGoal = std::max(kLeastCalm, state.calmGoal * std::exp2(-dt / kFade));
     state.calm = std::min(1.0, state.calm + std::clamp(state.calmGoal - state.calm, -0.5 * dt / kFade, 1.0));
     if (seen.jumped) state.oscillation.forget();
     if (!state.oscillation(seen.position, dt) || state.guard.gain() == 0) return;
@@ -67,20 +73,13 @@ struct Wanted {
     double sudden = 0;           ///< N, that the finger does not explain
 };
 
-/// N: how much more `now` pushes along its own direction than `before` did. A reversal counts twice, a push
-/// that only becomes weaker not at all.
-double rise(const Vec3& now, const Vec3& before) noexcept {
-    const double length = now.norm();
-    return length > 0 ? length - now.dot(before) / length : 0;
-}
-
 /// N, that neither the finger's way nor a hit explains: what this tick's surroundings push more than those of
 /// the last tick would, met by the same finger. A step of the force is judged whole, in N and not in N/s: an
 /// anchor or a damping that jumps does so within one tick, however long that is.
 double suddenOf(const ServoState& state, const LocalContactModel& before, const DeviceSample& finger,
-                const LocalContactModel& now, const Vec3& force) noexcept {
+                const LocalContactModel& now, const Vec3& force, double since) noexcept {
     ForceLimiter limited{state.limiter.maxForce};
-    const Anchor last = anchorOf(before, finger.position);
+    const Anchor last = anchorOf(before, finger.position, since);
     const Vec3 expected =
         last.touching ? springForce(before, last.position, finger.position, finger.velocity) : Vec3::Zero();
     const double way = (finger.position - state.finger).norm();
@@ -95,8 +94,10 @@ Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSam
     LocalContactModel bounded = model;
     bounded.damping = bounds.damping;
     const LocalContactModel& eased =
-        state.ease(bounded, fresh, finger.position, finger.velocity, bounds.stiffness, bounds.leaving, dt);
-    const Anchor anchor = anchorOf(eased, finger.position);
+        state.ease(bounded, fresh, finger.position, finger.velocity,
+                   {bounds.stiffness, bounds.leaving, state.limiter.maxForce}, dt);
+    const double since = state.ease.since(dt);
+    const Anchor anchor = anchorOf(eased, finger.position, since);
     state.anchor = anchor.position;
     state.touching = anchor.touching;
     Wanted wanted;
@@ -105,7 +106,7 @@ Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSam
         wanted = {{force, eased.stiffness, (anchor.position - finger.position).norm(), state.limiter.maxForce,
                    eased.velocity},
                   finger.velocity - eased.velocity,
-                  suddenOf(state, before, finger, eased, force)};
+                  suddenOf(state, before, finger, eased, force, since)};
     }
     state.finger = finger.position;
     return wanted;
@@ -139,9 +140,9 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     state.check(input.sample, dt);
     const DeviceSample& seen = state.check.believed();
     if (seen.jumped) state.guard.begin();
+    calmDown(state, seen, dt); // by the balance of the last tick: with a way, but no spring yet, it is none
     state.passivity.observe(seen.position, seen.velocity, dt);
     if (dt > kStall) state.passivity.notSent();
-    calmDown(state, seen, dt);
     state.limiter.maxForce = state.heat.limit();
 
     const Bounds bounds = boundsOf(state, settings, model);

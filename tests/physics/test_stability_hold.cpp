@@ -31,6 +31,35 @@ QString told(const Bench& bench, const Press& press, const Rest& rest) {
         .arg(rest.given);
 }
 
+/// A loop without its device, and a wall that may be too stiff for it.
+struct Swing {
+    HandProfile hand;
+    double rate; ///< Hz
+    int delay;
+    double stiffness; ///< N/m
+    Press press;
+};
+
+/// All with TACTUM_SEEDS, else every thirteenth, which meets each hand, press and stiffness at each rate and
+/// delay of some device, and those that were the hardest: nobody holds, and the force comes late.
+std::vector<Swing> swings() {
+    const bool all = qEnvironmentVariableIsSet("TACTUM_SEEDS");
+    std::vector<Swing> some;
+    int count = 0;
+    for (const double rate : {1000.0, 2000.0, 4000.0})
+        for (const int delay : {0, 1, 2})
+            for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
+                for (const double stiffness : {1000.0, 2000.0, 3000.0})
+                    for (const Press& press : kPresses) {
+                        const bool hardest =
+                            rate == 1000 && delay == 2 && hand.mass == 0 && stiffness == 3000;
+                        if (all || hardest || count % 13 == 0)
+                            some.push_back({hand, rate, delay, stiffness, press});
+                        ++count;
+                    }
+    return some;
+}
+
 } // namespace
 
 class TestStabilityHold : public QObject {
@@ -95,41 +124,36 @@ private slots:
         QCOMPARE(bad, 0);
     }
 
-    void whatSwingsIsStilled_data() {
-        QTest::addColumn<int>("device");
-        for (int i = 0; i < int(kDevices.size()); ++i)
-            QTest::addRow("%s", kDevices[std::size_t(i)].name) << i;
-    }
+    void whatSwingsIsStilled_data() { belowTheCeilingItHoldsStill_data(); }
 
     /// T5: what is stiffer than the ceiling, and what the person let go.
     void whatSwingsIsStilled() {
         QFETCH(int, device);
-        const DeviceProfile profile = kDevices[std::size_t(device)];
+        QFETCH(bool, lag);
+        const DeviceProfile profile =
+            lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
         int swinging = 0, bad = 0;
         double worstGift = 0, worstExtra = 0;
-        for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
-            for (const double stiffness : {1000.0, 2000.0, 3000.0})
-                for (const int delay : {0, 1})
-                    for (const Press& press : kPresses) {
-                        const Bench bench{profile, hand, {.delay = delay}};
-                        const Rest plain = pressPlain(bench, press, stiffness, 4);
-                        if (plain.still(profile.resolution)) continue;
-                        ++swinging;
-                        const Rest rest = pressServo(bench, press, stiffness, kLetSwing, [](Servo& servo) {
-                            servo.settings.overrideCeiling = true;
-                        });
-                        worstGift = std::max(worstGift, rest.given);
-                        worstExtra = std::max(worstExtra, rest.peak / plain.peak - 1);
-                        // Force at rest: no chatter.
-                        if (rest.motion <= 2 * profile.resolution &&
-                            rest.force <= 2 * rest.stiffness * profile.resolution * (1 + 1e-9))
-                            continue;
-                        if (++bad < 20) qWarning("%s", qPrintable(told(bench, press, rest)));
-                    }
+        for (const Swing& swing : swings()) {
+            const Bench bench{profile, swing.hand, {.rate = swing.rate, .delay = swing.delay}};
+            const Rest plain = pressPlain(bench, swing.press, swing.stiffness, 4);
+            if (plain.still(profile.resolution)) continue;
+            ++swinging;
+            const Rest rest = pressServo(bench, swing.press, swing.stiffness, kLetSwing,
+                                         [](Servo& servo) { servo.settings.overrideCeiling = true; });
+            const double extra = rest.peak / plain.peak - 1;
+            worstGift = std::max(worstGift, rest.given);
+            worstExtra = std::max(worstExtra, extra);
+            // Force at rest: no chatter.
+            if (rest.motion <= 2 * profile.resolution &&
+                rest.force <= 2 * rest.stiffness * profile.resolution * (1 + 1e-9) && extra <= 0.2)
+                continue;
+            if (++bad < 20) qWarning("%s", qPrintable(told(bench, swing.press, rest)));
+        }
         qInfo("%d of %d, W up to %.2g mJ, force up to %.0f %% more", bad, swinging, 1e3 * worstGift,
               100 * worstExtra);
+        QVERIFY(swinging > 0);
         QCOMPARE(bad, 0);
-        QVERIFY(worstExtra <= 0.2);
     }
 };
 

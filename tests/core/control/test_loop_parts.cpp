@@ -226,6 +226,36 @@ private slots:
         QVERIFY(std::isfinite(passivity.damping({}, Vec3::UnitZ(), kTick)));
     }
 
+    /// A sampled spring makes K / 2 (v T)^2 in each tick, in and out; of which the device's damping takes a
+    /// part. At this speed a tick's work is more than the balance may remember, either way.
+    void energyOfAFastFingerIsNeitherMadeUpNorHidden() {
+        constexpr double kStiff = 3000, kStep = 5e-4, kCredit = 0.75;
+        constexpr int kDeep = 10; // steps
+        constexpr double kMade = 0.5 * kStiff * kStep * kStep;
+        for (const double part : {1.0, 0.75}) {
+            DeviceInfo info;
+            info.delay = 0;
+            info.damping = part * 0.5 * kStiff * kTick / kCredit;
+            Passivity passivity(info);
+            double most = 0;
+            for (int i = 0; i <= 2 * kDeep; ++i) {
+                const double depth = kStep * std::min(i, 2 * kDeep - i);
+                const double speed = i == 0 ? 0 : kStep / kTick * (i <= kDeep ? -1 : 1);
+                passivity.observe({0, 0, -depth}, {0, 0, speed}, kTick);
+                passivity.commanded({.force = kStiff * depth * Vec3::UnitZ(),
+                                     .stiffness = kStiff,
+                                     .stretch = depth,
+                                     .limit = 100});
+                most = std::max(most, passivity.energy());
+            }
+            constexpr double kForgotten = 2e-4 * 2 * kDeep * kTick;
+            const double expected = (1 - part) * kMade * 2 * kDeep;
+            QVERIFY2(std::abs(passivity.energy() - expected) <= kForgotten,
+                     qPrintable(QString("%1 J, not %2").arg(passivity.energy()).arg(expected)));
+            QVERIFY2(most <= expected + kForgotten, qPrintable(QString("up to %1 J").arg(most)));
+        }
+    }
+
     void swingsAreSeenAfterWhatIsNoNumber() {
         OscillationDetector detector;
         QVERIFY(!detector(Vec3::Constant(kNan), kTick));

@@ -35,7 +35,7 @@ struct Held {
         sample.buttons = buttons;
         model.anchoring = state.guard.anchoring();
         output = servoStep(state, settings,
-                           {.sample = sample, .frame = frame, .dt = dt, .fresh = true, .clutched = clutched},
+                           {.sample = sample, .frame = frame, .dt = dt, .fresh = fresh, .clutched = clutched},
                            model);
         return output.force;
     }
@@ -55,6 +55,7 @@ struct Held {
     std::uint32_t buttons = 0;
     DeviceFrame frame;
     bool clutched = false;
+    bool fresh = true; ///< the model is a newer one at every tick
     ServoOutput output;
 };
 
