@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
     }
     std::printf("%s\n", soak.engine.priorityNote().c_str());
     ServoTelemetry begin;
+    auto begun = std::chrono::steady_clock::now();
     long servoFaults = 0, proxyFaults = 0, touching = 0;
     const auto start = std::chrono::steady_clock::now();
     for (int count = 0; kFrame * count < kWarmUp + seconds; ++count) {
@@ -100,6 +101,7 @@ int main(int argc, char** argv) {
         touching += soak.engine.proxy().output.contacts > 0;
         if (count == int(kWarmUp / kFrame)) {
             begin = soak.engine.servo();
+            begun = std::chrono::steady_clock::now();
             servoFaults = faultsOf("tactum-servo");
             proxyFaults = faultsOf("tactum-proxy");
         }
@@ -108,11 +110,13 @@ int main(int argc, char** argv) {
     servoFaults = faultsOf("tactum-servo") - servoFaults;
     proxyFaults = faultsOf("tactum-proxy") - proxyFaults;
     const ServoTelemetry& end = soak.engine.servo();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const ProxyTelemetry& proxy = soak.engine.proxy();
     const auto own = (end.misses - begin.misses) - (end.machineMisses - begin.machineMisses);
     std::printf(
-        "%llu servo ticks, %llu missed, of which the machine took %llu; page faults %ld servo, %ld proxy\n",
-        static_cast<unsigned long long>(end.ticks - begin.ticks),
+        "%llu servo ticks in %.1f s, %llu missed, of which the machine took %llu; page faults %ld servo, %ld "
+        "proxy\n",
+        static_cast<unsigned long long>(end.ticks - begin.ticks), took.count(),
         static_cast<unsigned long long>(end.misses - begin.misses),
         static_cast<unsigned long long>(end.machineMisses - begin.machineMisses), servoFaults, proxyFaults);
     std::printf("proxy %.0f Hz, %.1f us mean; fidelity lowered %llu times; faults of the guard %llu; "

@@ -287,7 +287,7 @@ void TestDeviceUse::trialsAreFeltInsteadOfTheScene() {
     QVERIFY(desk.fullForce());
     desk.desk->place(0.0165, 0, 0);
     QTRY_VERIFY_WITH_TIMEOUT(desk.desk->force > 0.3, kPatience);
-    QVERIFY(desk.text("trial-state").contains(QStringLiteral("on")));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.text("trial-state").contains(QStringLiteral("on")), kPatience);
     desk.click("trial-end-button");
     QVERIFY(!desk.engine().armed());
     QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp() && felt()->bodies[0].object == before.objects[0].id,
