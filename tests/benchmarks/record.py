@@ -13,16 +13,13 @@ def row(cells):
     return "| " + " | ".join(cells) + " |\n"
 
 
-def beside(figures, peer):
-    """Ours and a peer's on the same meshes and fingers."""
-    ours = {f["mesh"]: f for f in figures if f["feel"] == "smooth"}
+def beside(peer):
+    """Ours and a peer's on the same meshes and fingers, measured by turns in the same hour."""
     table = row(["mesh", "ours: mean", "median", "p99.9", "max us", "theirs: mean", "median", "p99.9", "max us",
                  "times faster: mean", "median"])
     table += row([":--"] + ["--:"] * 10)
     for theirs in peer["figures"]:
-        own = ours.get(theirs["mesh"])
-        if not own:
-            continue
+        own = theirs["ours"]
         cells = [f"{f[key]:.2f}" if f[key] < 100 else f"{f[key]:,.0f}" for f in (own, theirs)
                  for key in ("mean_us", "median_us", "p999_us", "max_us")]
         cells += [f"{theirs[key] / own[key]:.1f}" for key in ("mean_us", "median_us")]
@@ -54,7 +51,7 @@ def blocks(results, peers):
         found["where"] = (results / "where.md").read_text()
     for peer in peers:
         if peer["same"]:
-            found["beside " + peer["name"]] = beside(figures, peer) + "\n" + peer["circumstances"]
+            found["beside " + peer["name"]] = beside(peer) + "\n" + peer["circumstances"]
     return found
 
 
