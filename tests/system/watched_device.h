@@ -14,8 +14,8 @@ namespace tactum::test {
 /// What the motors of the watched device do.
 struct Motors {
     std::atomic<double> push{0};            ///< N, along z: holds until the next command, as a real one does
-    std::atomic<std::int64_t> stoppedAt{0}; ///< when an emergency stop came, ns; 0: none
-    std::atomic<int> stops{0};
+    std::atomic<std::int64_t> stoppedAt{0}; ///< when an emergency stop last took a force away, ns
+    std::atomic<int> stops{0}; ///< emergency stops: on a busy machine also of a servo that stood still
     std::atomic<std::uint64_t> exchanges{0};
 };
 
@@ -45,8 +45,9 @@ public:
         return {.position = {0, 0, height_}, .valid = true};
     }
     void emergencyStop() noexcept override {
+        if (motors_.push != 0) motors_.stoppedAt = monotonicNanoseconds();
         motors_.push = 0;
-        if (motors_.stops.fetch_add(1) == 0) motors_.stoppedAt = monotonicNanoseconds();
+        ++motors_.stops;
     }
 
 private:
