@@ -46,7 +46,9 @@ Tick Metronome::wait() noexcept {
     Tick tick;
     tick.time = double(woke - start_) / double(kSecond);
     tick.elapsed = last_ == start_ ? period() : double(woke - last_ + slept) / double(kSecond);
-    tick.missed = woke + slept - due > period_;
+    const std::int64_t late = woke + slept - due;
+    tick.late = double(late) / double(kSecond);
+    tick.missed = late > period_;
     scheduled_ = tick.missed ? woke : due;
     last_ = woke;
     return tick;

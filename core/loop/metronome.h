@@ -15,6 +15,7 @@ using Clock = std::int64_t (*)() noexcept;
 struct Tick {
     double time = 0;     ///< since the metronome was made, without the time that the machine slept
     double elapsed = 0;  ///< since the waking before, asleep or not; the nominal period at the first
+    double late = 0;     ///< since it was due
     bool missed = false; ///< more than one period late
 };
 

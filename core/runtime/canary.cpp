@@ -7,23 +7,20 @@
 namespace tactum {
 namespace {
 
-constexpr int kPriority = 90;           ///< above the guardian and the loops
-constexpr double kRate = 1000;          ///< Hz
-constexpr std::int64_t kLate = 200'000; ///< ns; a wake-up takes some tens of microseconds
+constexpr int kPriority = 90; ///< above the guardian and the loops
 
 } // namespace
 
-void Canary::sing() noexcept {
-    Metronome metronome(kRate);
+void Canary::sing(double servoRate) noexcept {
+    Metronome metronome(kBeats * servoRate);
     int at = -1;
     std::size_t next = 0;
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
         const std::int64_t woke = monotonicNanoseconds();
-        const auto late = std::int64_t(1e9 * (tick.elapsed - metronome.period()));
-        if (late > kLate) {
+        if (tick.late * servoRate > kLate) {
             Delay& delay = delays_[next++ % delays_.size()];
-            delay.from.store(woke - late, std::memory_order_relaxed);
+            delay.from.store(woke - std::int64_t(1e9 * tick.late), std::memory_order_relaxed);
             delay.until.store(woke, std::memory_order_relaxed);
         }
         const int processor = processor_.load(std::memory_order_relaxed);
@@ -38,10 +35,10 @@ bool Canary::wasLate(std::int64_t begin, std::int64_t end) const noexcept {
     });
 }
 
-Result<void> Canary::start() {
+Result<void> Canary::start(double servoRate) {
     stop();
     stop_ = false;
-    return thread_.start("tactum-canary", kPriority, [this] { sing(); });
+    return thread_.start("tactum-canary", kPriority, [this, servoRate] { sing(servoRate); });
 }
 
 void Canary::stop() {

@@ -10,18 +10,26 @@
 
 namespace tactum {
 
-/// Sleeps and wakes at 1 kHz with a higher priority than the loops, on the processor of the servo. When it
-/// wakes late too, the kernel, the hypervisor or the firmware had the processor, and no program could have
-/// been in time. Without SCHED_FIFO it is an ordinary thread like the servo, and as often late.
+/// Sleeps and wakes more often than the servo, with a higher priority, on the same processor. When it wakes
+/// late too, the kernel, the hypervisor or the firmware had the processor, and no program could have been in
+/// time. Without SCHED_FIFO it is an ordinary thread like the servo, and as often late.
 /// Thread of start() and stop(): any but real time.
 class Canary {
 public:
+    /// In each period of the servo.
+    static constexpr double kBeats = 2;
+    /// A beat that is so much later than due counts, in periods of the servo.
+    static constexpr double kLate = 0.4;
+    static_assert(kLate < 1 - 1 / kBeats,
+                  "who takes the processor for a period between two beats goes unseen");
+
     Canary() = default;
     ~Canary() { stop(); }
     Canary(const Canary&) = delete;
     Canary& operator=(const Canary&) = delete;
 
-    Result<void> start();
+    /// `servoRate` in Hz, > 0.
+    Result<void> start(double servoRate);
     void stop();
 
     /// The servo runs here. Thread: the servo's.
@@ -31,7 +39,7 @@ public:
     bool wasLate(std::int64_t begin, std::int64_t end) const noexcept;
 
 private:
-    void sing() noexcept;
+    void sing(double servoRate) noexcept;
 
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};

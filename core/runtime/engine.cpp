@@ -99,7 +99,7 @@ void Engine::Impl::remember(const World& world) {
 Result<void> Engine::Impl::startLoops() {
     if (info.real)
         if (Result<void> guarded = guardian.start(*device); !guarded) return guarded;
-    if (Result<void> watched = canary.start(); !watched) return watched;
+    if (Result<void> watched = canary.start(info.rate); !watched) return watched;
     LeftHeat& motors = heat[info.name];
     return servoThread
         .start("tactum-servo", kServoPriority,
