@@ -38,6 +38,11 @@ public:
     /// The damping that the balance asks for if `spring` is rendered, N s/m; `velocity` is relative to the
     /// surface.
     double damping(const RenderedSpring& spring, const Vec3& velocity, double dt) noexcept;
+    /// Instead: nothing is rendered.
+    void rest() noexcept {
+        damping_ = 0;
+        taking_ = false;
+    }
     void commanded(const RenderedSpring& spring) noexcept;
     /// The newest command never reached the device: nothing acted in its place.
     void notSent() noexcept { commanded_[0] = {}; }

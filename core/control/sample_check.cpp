@@ -8,17 +8,17 @@ namespace {
 constexpr double kShortestTime = 1e-3;
 } // namespace
 
-bool SampleCheck::canBeTrue(const DeviceSample& sample) const noexcept {
+bool SampleCheck::canBeTrue(const DeviceSample& sample, double since) const noexcept {
     if (!sample.valid || !sample.position.allFinite() || !sample.velocity.allFinite()) return false;
     if (good_ == 0 && !believed_.valid) return true;
     if (sample.jumped) return true;
     const double way = (sample.position - believed_.position).norm();
-    return way <= fastest_ * std::max(since_, kShortestTime);
+    return way <= fastest_ * std::max(since, kShortestTime);
 }
 
 bool SampleCheck::operator()(const DeviceSample& sample, double dt) noexcept {
     since_ += dt;
-    if (!canBeTrue(sample)) {
+    if (!canBeTrue(sample, since_)) {
         ++refused_;
         good_ = 0;
         if (++bad_ >= kBadSamplesToLoss) lost_ = true;

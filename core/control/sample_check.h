@@ -22,6 +22,11 @@ public:
     /// `dt`: s since the last reading. Returns whether the reading was believed.
     bool operator()(const DeviceSample& sample, double dt) noexcept;
 
+    /// Whether it would be. Thread: real time.
+    bool believes(const DeviceSample& sample, double dt) const noexcept {
+        return canBeTrue(sample, since_ + dt);
+    }
+
     bool lost() const noexcept { return lost_; }
     /// The newest that was believed, with its velocity; not valid before the first, nor while the device is
     /// lost. The first after a loss says that it jumped.
@@ -35,7 +40,7 @@ public:
     }
 
 private:
-    bool canBeTrue(const DeviceSample& sample) const noexcept;
+    bool canBeTrue(const DeviceSample& sample, double since) const noexcept;
 
     double fastest_; ///< m/s
     bool measuresVelocity_;

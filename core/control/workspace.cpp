@@ -21,14 +21,16 @@ Result<void> checkWorkspace(const Workspace& workspace) {
     return {};
 }
 
-void WorkspaceTracker::decide(const Workspace& workspace) noexcept {
+/// Whether that moves the finger.
+bool WorkspaceTracker::obey() noexcept {
+    if (!std::exchange(decided_, false)) return false;
     const DeviceFrame before = frame_;
-    if (workspace.offset != workspace_.offset || workspace.centring != workspace_.centring)
-        frame_.offset = workspace.offset;
-    frame_.scale = workspace.scale;
-    frame_.axes = workspace.axes;
-    workspace_ = workspace;
-    moved_ = moved_ || frame_ != before;
+    if (decision_.offset != workspace_.offset || decision_.centring != workspace_.centring)
+        frame_.offset = decision_.offset;
+    frame_.scale = decision_.scale;
+    frame_.axes = decision_.axes;
+    workspace_ = decision_;
+    return frame_ != before;
 }
 
 /// Between kBumpFrom and the edge ever faster: a finger that crosses the border feels no step.
@@ -40,11 +42,9 @@ void WorkspaceTracker::bump(const Vec3& position, double dt) noexcept {
 }
 
 const DeviceFrame& WorkspaceTracker::follow(const DeviceSample& sample, bool pushing, double dt) noexcept {
-    jumped_ = std::exchange(moved_, false);
-    if (!sample.valid || !sample.position.allFinite()) {
-        known_ = false;
-        return frame_;
-    }
+    jumped_ = false;
+    if (!sample.valid || !sample.position.allFinite()) return frame_;
+    jumped_ = obey();
     clutched_ = (sample.buttons & workspace_.clutch) != 0;
     if (clutched_ && known_ && !sample.jumped)
         frame_.offset -= frame_.wayInWorld(sample.position - last_);

@@ -36,23 +36,27 @@ public:
     explicit WorkspaceTracker(double radius) noexcept : radius_(radius) {}
 
     /// Clutch and bump hold on to what they moved, unless offset or centring are new ones. Call it when there
-    /// is a new decision, else not.
-    void decide(const Workspace& workspace) noexcept;
-    /// The frame of this reading. `pushing`: the last command was not zero; nothing is taken along then, or a
-    /// wall would be pushed against a resting hand.
+    /// is a new decision, else not. It counts from the next reading that is valid.
+    void decide(const Workspace& workspace) noexcept {
+        decision_ = workspace;
+        decided_ = true;
+    }
+    /// The frame of this reading, which is not valid if it cannot be true (SampleCheck). `pushing`: the last
+    /// command was not zero; nothing is taken along then, or a wall would be pushed against a resting hand.
     const DeviceFrame& follow(const DeviceSample& sample, bool pushing, double dt) noexcept;
 
     bool clutched() const noexcept { return clutched_; } ///< in this reading
-    /// The finger was put elsewhere by a decision since the last reading.
+    /// The finger was put elsewhere by a decision since the last reading that was valid.
     bool jumped() const noexcept { return jumped_; }
 
 private:
+    bool obey() noexcept;
     void bump(const Vec3& position, double dt) noexcept;
 
     double radius_;
-    Workspace workspace_;
+    Workspace workspace_, decision_;
+    bool decided_ = false; ///< and not yet obeyed
     DeviceFrame frame_;
-    bool moved_ = false; ///< by a decision since the last reading
     bool clutched_ = false;
     bool jumped_ = false;
     bool known_ = false;

@@ -28,16 +28,20 @@ void Canary::sing(double servoRate) noexcept {
     }
 }
 
-bool Canary::wasLate(std::int64_t begin, std::int64_t end) const noexcept {
-    return std::ranges::any_of(delays_, [&](const Delay& delay) {
-        return delay.until.load(std::memory_order_relaxed) >= begin &&
-               delay.from.load(std::memory_order_relaxed) <= end;
-    });
+bool Canary::explains(std::int64_t begin, std::int64_t end, std::int64_t late) const noexcept {
+    std::int64_t away = 0;
+    for (const Delay& delay : delays_) {
+        const std::int64_t from = delay.from.load(std::memory_order_relaxed),
+                           until = delay.until.load(std::memory_order_relaxed);
+        if (until >= begin && from <= end) away += until - from;
+    }
+    return double(away) >= double(late) - (1 - kLate) * period_;
 }
 
 Result<void> Canary::start(double servoRate) {
     stop();
     stop_ = false;
+    period_ = 1e9 / servoRate;
     return thread_.start("tactum-canary", kPriority, [this, servoRate] { sing(servoRate); });
 }
 

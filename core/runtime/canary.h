@@ -34,14 +34,16 @@ public:
 
     /// The servo runs here. Thread: the servo's.
     void follow(int processor) noexcept { processor_.store(processor, std::memory_order_relaxed); }
-    /// Whether it was late at some moment from `begin` to `end`, ns of CLOCK_MONOTONIC.
-    /// Thread: real time.
-    bool wasLate(std::int64_t begin, std::int64_t end) const noexcept;
+    /// Whether the machine was away for as long as that: a tick of the servo was `late`, all in ns, and
+    /// between `begin` and `end` of CLOCK_MONOTONIC the canary was so much later than due, but for the part
+    /// of a beat in which it was not due. Thread: real time.
+    bool explains(std::int64_t begin, std::int64_t end, std::int64_t late) const noexcept;
 
 private:
     void sing(double servoRate) noexcept;
 
     RealtimeThread thread_;
+    double period_ = 1e6; ///< ns, of the servo
     std::atomic<bool> stop_{false};
     std::atomic<int> processor_{-1};
     struct Delay {

@@ -45,6 +45,12 @@ LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept
     return result;
 }
 
+/// N/m, of what is rendered and what is wanted.
+double stifferOf(const LocalContactModel& rendered, const LocalContactModel& newest,
+                 const EaseBounds& bounds) noexcept {
+    return std::max(rendered.stiffness, std::min(newest.stiffness, bounds.ceiling));
+}
+
 } // namespace
 
 double ContactEase::since(double dt) const noexcept {
@@ -68,7 +74,7 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, cons
     } else if (edited) {
         edit(newest, before.position, finger);
     } else {
-        handOver(newest, before.position, finger, dt);
+        handOver(newest, before.position, finger, bounds, dt);
         if (before.touching) turn(newest, before.position, finger, bounds, dt);
     }
     begun_ = true;
@@ -77,14 +83,16 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, cons
 }
 
 // The surroundings stay with the anchor as far as the energy that they add to the spring is not paid for.
-// Planes that meet at an angle take more than one correction.
+// Planes that meet at an angle take more than one correction. An answer that came a tick later than the one
+// after it makes a body that moves by itself seem to stand and then to leap: its work of one tick is free.
 void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-                           double dt) noexcept {
-    const double stiffness = std::max(rendered_.stiffness, newest.stiffness);
+                           const EaseBounds& bounds, double dt) noexcept {
+    const double stiffness = stifferOf(rendered_, newest, bounds);
+    const double own = stiffness * std::max(0.0, (before - finger).dot(motion_) * dt);
     for (int i = 0;; ++i) {
         const Vec3 after = anchorOf(moved(newest, offset_), finger, since(dt)).position;
         const double gained =
-            0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm());
+            0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm()) - own;
         if (gained <= credit_ || i == kCorrections) {
             credit_ -= std::max(gained, 0.0);
             return;
@@ -98,8 +106,7 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
 // left were off by is none of the new ones' either.
 void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
                        const EaseBounds& bounds, double dt) noexcept {
-    const double felt =
-        bounds.force / std::max(rendered_.stiffness, std::min(newest.stiffness, bounds.ceiling));
+    const double felt = bounds.force / stifferOf(rendered_, newest, bounds);
     const Vec3 was = atMost(before - finger, felt);
     const Vec3 now = atMost(anchorOf(moved(newest, offset_), finger, since(dt)).position - finger, felt);
     if (!(rise(now, was) > kMostTurn * felt)) return;
@@ -126,6 +133,7 @@ void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept 
     rendered_.stiffness =
         std::min(softer(editRate(rendered_.stiffness)), std::max(ceiling, softer(kSurfaceRate)));
     rendered_.damping = 0;
+    rendered_.velocity = motion_ = Vec3::Zero(); // it stands where it was last
     leaving_ = rendered_.stiffness > kSoftest && rendered_.stiffness * depth > kWeakest;
     begun_ = leaving_;
 }
@@ -139,6 +147,8 @@ void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, cons
 void ContactEase::goOn(const LocalContactModel& newest) noexcept {
     rendered_ = newest;
     rendered_.proxy += offset_ + std::min(age_, kOldest) * newest.velocity;
+    motion_ = age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
+    rendered_.velocity = motion_;
     if (!offset_.isZero(0)) rendered_.velocity -= kReturnSpeed * offset_.normalized();
     for (FrictionLimit& friction : rendered_.friction)
         friction.coefficient = std::max(friction.coefficient, hold_);
@@ -165,7 +175,7 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     age_ += dt;
     credit_ = std::min(kHandOverEnergy, credit_ + kHandOverPower * dt);
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
-    rendered_.proxy += left - offset_;
+    rendered_.proxy += left - offset_ + motion_ * dt;
     offset_ = left;
     leaving_ = begun_ && (leaving_ || lost(newest, finger));
     if (leaving_) leave(finger, bounds.leaving, dt);

@@ -37,6 +37,7 @@ struct EaseBounds {
 /// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
 /// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
 /// then go to their new values. A late model that finds the finger deep in something is met as a restart is.
+/// A body that moves by itself goes on as fast as it does, and what it thereby does on the hand is no change.
 /// Where the proxy fell from one side of the finger to another, the new surroundings begin with no more push
 /// than there was along theirs, and come back as well.
 /// World frame, SI. Thread: real time.
@@ -56,14 +57,14 @@ public:
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
         visit(self.begun_, self.editing_, self.leaving_, self.offset_, self.hold_, self.credit_, self.age_,
-              self.revision_, self.restarts_, self.rendered_);
+              self.revision_, self.restarts_, self.motion_, self.rendered_);
     }
 
 private:
     void meet(const LocalContactModel& newest, const Vec3& finger, const EaseBounds& bounds,
               double dt) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-                  double dt) noexcept;
+                  const EaseBounds& bounds, double dt) noexcept;
     void turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
               const EaseBounds& bounds, double dt) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
@@ -82,6 +83,7 @@ private:
     double age_ = 0;             ///< s since the newest model came
     std::uint64_t revision_ = 0;
     std::uint32_t restarts_ = 0;
+    Vec3 motion_ = Vec3::Zero(); ///< m/s, of the surface itself: without its way back
     LocalContactModel rendered_;
 };
 

@@ -25,8 +25,8 @@ struct Servo {
     bool unguarded = false;
     double period = 0; ///< s, measured
     struct Delay {
-        std::int64_t from = 0, until = 0; ///< ns
-    } missed;                             ///< of the last tick, if it was
+        std::int64_t from = 0, until = 0, late = 0; ///< ns
+    } missed;                                       ///< of the last tick, if it was
     ServoTelemetry telemetry;
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
@@ -59,7 +59,9 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const DeviceFrame
 ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
     const bool fresh = servo.channels.contactModel.update();
     if (servo.channels.workspace.update()) servo.workspace.decide(servo.channels.workspace.value());
-    const DeviceFrame& frame = servo.workspace.follow(sample, servo.pushing, tick.elapsed);
+    DeviceSample credible = sample;
+    credible.valid = servo.state.check.believes(sample, tick.elapsed);
+    const DeviceFrame& frame = servo.workspace.follow(credible, servo.pushing, tick.elapsed);
     ServoRow row = rowOf(servo, sample, frame, tick, fresh);
     Recorder& recorder = servo.channels.recorder;
     recorder.begin(row, servo.state);
@@ -96,12 +98,13 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
 /// A miss is judged one tick later, when the canary has noted its own: it may live on another processor.
 void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept {
     Servo::Delay& last = servo.missed;
-    if (last.until > 0) servo.telemetry.machineMisses += canary.wasLate(last.from, last.until);
+    if (last.until > 0) servo.telemetry.machineMisses += canary.explains(last.from, last.until, last.late);
     last = {};
     if (!tick.missed) return;
     ++servo.telemetry.misses;
     last.until = monotonicNanoseconds();
     last.from = last.until - std::int64_t(1e9 * tick.elapsed);
+    last.late = std::int64_t(1e9 * tick.late);
 }
 
 } // namespace

@@ -53,15 +53,22 @@ struct Bounds {
     double leaving; ///< N/m, of what is not there any more, and damps no more
 };
 
+/// What raises the ceiling waits until nothing is touched: under load the stiffer spring would throw the
+/// hand.
+void notice(ServoState& state, const ServoSettings& settings) noexcept {
+    if (!state.touching || !(settings.period <= state.period)) state.period = settings.period;
+    state.overriding = settings.overrideCeiling && (state.overriding || !state.touching);
+}
+
 /// An oscillation takes from what is there, not from the ceiling.
-Bounds boundsOf(ServoState& state, const ServoSettings& settings, const LocalContactModel& model) noexcept {
+Bounds boundsOf(ServoState& state, const LocalContactModel& model) noexcept {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     LoopFigures loop = state.loop;
-    loop.period = std::max(loop.period, settings.period);
+    loop.period = std::max(loop.period, state.period);
     const double undamped = safeStiffness(loop).value;
     loop.surfaceDamping = model.damping;
     state.ceiling = safeStiffness(loop);
-    if (settings.overrideCeiling) return {state.calm * model.stiffness, state.calm * model.damping, kNone};
+    if (state.overriding) return {state.calm * model.stiffness, state.calm * model.damping, kNone};
     return {state.calm * std::min(model.stiffness, state.ceiling.value),
             state.calm * std::min(model.damping, state.ceiling.damping), state.calm * undamped};
 }
@@ -116,7 +123,10 @@ Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSam
 RenderedSpring guarded(ServoState& state, const Wanted& wanted, const Vec3& velocity,
                        const GuardInput& tick) noexcept {
     const double gain = state.guard(tick);
-    if (gain == 0) return {};
+    if (gain == 0) {
+        state.passivity.rest();
+        return {};
+    }
     RenderedSpring spring = wanted.spring;
     spring.stiffness *= gain;
     const double damping = state.passivity.damping(spring, wanted.sliding, tick.dt);
@@ -145,7 +155,8 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     if (dt > kStall) state.passivity.notSent();
     state.limiter.maxForce = state.heat.limit();
 
-    const Bounds bounds = boundsOf(state, settings, model);
+    notice(state, settings);
+    const Bounds bounds = boundsOf(state, model);
     const Wanted wanted = render(state, model, seen, input.fresh, bounds, dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 

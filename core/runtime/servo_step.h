@@ -31,8 +31,9 @@ struct FingerSample {
 struct ServoSettings {
     bool armed = false;           ///< forces on
     std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
-    bool overrideCeiling = false; ///< the person knows better than safeStiffness()
-    double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
+    bool overrideCeiling = false; ///< the person knows better than safeStiffness(); from the next contact on
+    double period = 0; ///< s, measured, where it is worse than the nominal one, else 0; a shorter one counts
+                       ///< from the next contact on
 };
 
 struct ServoInput {
@@ -60,6 +61,7 @@ struct ServoState {
 
     std::uint64_t ticks = 0;
     double modelAge = 1e9; ///< s since the newest model came
+    double period = 0;     ///< s, measured, that the ceiling is for
     double calm = 1;       ///< part of the stiffness that is left after oscillations
     double calmGoal = 1;   ///< where `calm` goes
     std::uint64_t oscillations = 0;
@@ -68,6 +70,7 @@ struct ServoState {
     Vec3 anchor = Vec3::Zero(); ///< of the rendered model, frame D
     Vec3 finger = Vec3::Zero(); ///< of this tick, frame D
     bool touching = false;
+    bool overriding = false; ///< the person's word is in force
 };
 
 struct ServoOutput {

@@ -109,6 +109,42 @@ private slots:
         }
     }
 
+    void whatMakesItStifferWaitsForTheNextContact_data() {
+        QTest::addColumn<bool>("override");
+        QTest::newRow("a machine that is in time again") << false;
+        QTest::newRow("a person who knows better") << true;
+    }
+
+    void whatMakesItStifferWaitsForTheNextContact() {
+        QFETCH(bool, override);
+        for (const DeviceProfile& device : kDevices)
+            for (const double force : {1.0, 3.0}) {
+                if (force > device.maxForce) continue;
+                const Bench bench{device, kPinch, {.delay = 1}};
+                GivenModel model(wall(3000));
+                Servo servo(infoOf(bench), model);
+                ClosedLoop loop(bench, servo.control());
+                servo.settings.period = override ? 0 : 4e-3;
+                loop.plant.place({0, 0, 0});
+                loop.plant.voluntary.z() = -force;
+                loop.warmUp();
+                loop.run(3);
+                const double before = servo.state.ease.rendered().stiffness;
+                servo.settings.period = 0;
+                servo.settings.overrideCeiling = override;
+                const Event event = watchEvent(loop, 3);
+                QVERIFY2(event.speed <= kFastest, qPrintable(QString::number(event.speed)));
+                QVERIFY(servo.state.touching);
+                QCOMPARE(servo.state.ease.rendered().stiffness, before);
+                loop.plant.place({0, 0, 0.005});
+                loop.plant.voluntary.z() = 0;
+                loop.run(0.01);
+                loop.plant.place({0, 0, -1e-4});
+                loop.tick();
+                QVERIFY(servo.state.ease.rendered().stiffness > 1.5 * before);
+            }
+    }
+
     void surfaceThatLandsOnTheFingerComesGently_data() {
         QTest::addColumn<int>("hand");
         QTest::addColumn<double>("depth");

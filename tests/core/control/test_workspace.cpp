@@ -115,8 +115,19 @@ private slots:
         const Vec3 begin = hand.finger({0.01, 0, 0}, kClutch);
         DeviceSample lost;
         hand.tracker.follow(lost, false, kTick);
-        // Nobody knows where the device went meanwhile: the finger is where the device is now.
-        QVERIFY(differenceOf(hand.finger({0.02, 0, 0}, kClutch), begin + Vec3(0.01, 0, 0)) < 1e-15);
+        QVERIFY(differenceOf(hand.finger({0.02, 0, 0}, kClutch), begin) < 1e-15);
+    }
+
+    /// Else the finger that is still believed would stand elsewhere without a jump that anybody is told.
+    void aDecisionWaitsForAReading() {
+        Tracked hand({.clutch = kClutch});
+        hand.finger(kCentre);
+        hand.tracker.decide({.offset = {0.01, 0, 0}, .clutch = kClutch});
+        const DeviceFrame& frame = hand.tracker.follow(DeviceSample{}, false, kTick);
+        QCOMPARE(frame.offset, Vec3(0, 0, 0));
+        QVERIFY(!hand.tracker.jumped());
+        QCOMPARE(hand.finger(kCentre), Vec3(kCentre + Vec3(0.01, 0, 0)));
+        QVERIFY(hand.tracker.jumped());
     }
 
     void theEdgeTakesTheWorkspaceAlong() {
