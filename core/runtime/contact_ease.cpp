@@ -20,11 +20,6 @@ Vec3 atMost(const Vec3& v, double most) noexcept {
     return shortened(v, std::max(0.0, v.norm() - most));
 }
 
-/// N/s, that the force may change by.
-double editRate(double stiffness) noexcept {
-    return std::min(kEditRate, kReturnSpeed * stiffness);
-}
-
 double towards(double value, double target, double step) noexcept {
     return value + std::clamp(target - value, -step, step);
 }
@@ -52,6 +47,10 @@ double stifferOf(const LocalContactModel& rendered, const LocalContactModel& new
 }
 
 } // namespace
+
+double editRate(double stiffness) noexcept {
+    return std::min(kEditRate, kReturnSpeed * stiffness);
+}
 
 double ContactEase::since(double dt) const noexcept {
     return std::min(age_ + dt, kOldest);
@@ -90,7 +89,7 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
     const double stiffness = stifferOf(rendered_, newest, bounds);
     const double own = stiffness * std::max(0.0, (before - finger).dot(motion_) * dt);
     for (int i = 0;; ++i) {
-        const Vec3 after = anchorOf(moved(newest, offset_), finger, since(dt)).position;
+        const Vec3 after = anchorOf(byNow(newest), finger, since(dt)).position;
         const double gained =
             0.5 * stiffness * ((after - finger).squaredNorm() - (before - finger).squaredNorm()) - own;
         if (gained <= credit_ || i == kCorrections) {
@@ -108,7 +107,7 @@ void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, cons
                        const EaseBounds& bounds, double dt) noexcept {
     const double felt = bounds.force / stifferOf(rendered_, newest, bounds);
     const Vec3 was = atMost(before - finger, felt);
-    const Vec3 now = atMost(anchorOf(moved(newest, offset_), finger, since(dt)).position - finger, felt);
+    const Vec3 now = atMost(anchorOf(byNow(newest), finger, since(dt)).position - finger, felt);
     if (!(rise(now, was) > kMostTurn * felt)) return;
     const Vec3 stretch = anchorOf(newest, finger, since(dt)).position - finger;
     const double length2 = stretch.squaredNorm();
@@ -144,14 +143,14 @@ void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, cons
     hold_ = gripNeeded(moved(newest, offset_), finger);
 }
 
-void ContactEase::goOn(const LocalContactModel& newest) noexcept {
-    rendered_ = newest;
-    rendered_.proxy += offset_ + std::min(age_, kOldest) * newest.velocity;
-    motion_ = age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
-    rendered_.velocity = motion_;
-    if (!offset_.isZero(0)) rendered_.velocity -= kReturnSpeed * offset_.normalized();
-    for (FrictionLimit& friction : rendered_.friction)
+/// The model where it is by now, but for the stiffness.
+LocalContactModel ContactEase::byNow(const LocalContactModel& newest) const noexcept {
+    LocalContactModel model = moved(newest, offset_ + std::min(age_, kOldest) * newest.velocity);
+    if (age_ >= kOldest) model.velocity = Vec3::Zero();
+    if (!offset_.isZero(0)) model.velocity -= kReturnSpeed * offset_.normalized();
+    for (FrictionLimit& friction : model.friction)
         friction.coefficient = std::max(friction.coefficient, hold_);
+    return model;
 }
 
 // From what was rendered before to what is wanted now, by no more force in a time than the hand bears.
@@ -182,7 +181,8 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     if (leaving_) return rendered_;
     if (fresh || !begun_) meet(newest, finger, bounds, dt);
     const LocalContactModel before = rendered_;
-    goOn(newest);
+    rendered_ = byNow(newest);
+    motion_ = age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
     approach(before, finger, velocity, bounds.ceiling, dt);
     // Nothing is touched: nothing is left to come back.
     if (newest.planes == 0) {

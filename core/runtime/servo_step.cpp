@@ -53,18 +53,22 @@ struct Bounds {
     double leaving; ///< N/m, of what is not there any more, and damps no more
 };
 
-/// What raises the ceiling waits until nothing is touched: under load the stiffer spring would throw the
-/// hand.
-void notice(ServoState& state, const ServoSettings& settings) noexcept {
-    if (!state.touching || !(settings.period <= state.period)) state.period = settings.period;
-    state.overriding = settings.overrideCeiling && (state.overriding || !state.touching);
+/// What raises the ceiling would throw the hand under load: a machine that is in time again is believed no
+/// faster than an edit, a person who knows better from the next contact on.
+void notice(ServoState& state, const ServoSettings& settings, double dt) noexcept {
+    const double stiffness = state.ease.rendered().stiffness;
+    const bool loaded = state.touching && state.guard.gain() > 0;
+    const double load = loaded ? stiffness * (state.anchor - state.finger).norm() : 0;
+    const double change = load > 0 ? editRate(stiffness) * dt / load : 1; // of stiffness and period, a part
+    state.period = std::max({state.loop.period, settings.period, state.period * std::max(0.0, 1 - change)});
+    state.overriding = settings.overrideCeiling && (state.overriding || !loaded);
 }
 
 /// An oscillation takes from what is there, not from the ceiling.
 Bounds boundsOf(ServoState& state, const LocalContactModel& model) noexcept {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     LoopFigures loop = state.loop;
-    loop.period = std::max(loop.period, state.period);
+    loop.period = state.period;
     const double undamped = safeStiffness(loop).value;
     loop.surfaceDamping = model.damping;
     state.ceiling = safeStiffness(loop);
@@ -155,7 +159,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     if (dt > kStall) state.passivity.notSent();
     state.limiter.maxForce = state.heat.limit();
 
-    notice(state, settings);
+    notice(state, settings, dt);
     const Bounds bounds = boundsOf(state, model);
     const Wanted wanted = render(state, model, seen, input.fresh, bounds, dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;

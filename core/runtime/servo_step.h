@@ -32,8 +32,7 @@ struct ServoSettings {
     bool armed = false;           ///< forces on
     std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
     bool overrideCeiling = false; ///< the person knows better than safeStiffness(); from the next contact on
-    double period = 0; ///< s, measured, where it is worse than the nominal one, else 0; a shorter one counts
-                       ///< from the next contact on
+    double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
 };
 
 struct ServoInput {

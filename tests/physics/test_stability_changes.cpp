@@ -109,13 +109,13 @@ private slots:
         }
     }
 
-    void whatMakesItStifferWaitsForTheNextContact_data() {
+    void aCeilingThatRisesIsGentle_data() {
         QTest::addColumn<bool>("override");
         QTest::newRow("a machine that is in time again") << false;
-        QTest::newRow("a person who knows better") << true;
+        QTest::newRow("a person who knows better, from the next contact on") << true;
     }
 
-    void whatMakesItStifferWaitsForTheNextContact() {
+    void aCeilingThatRisesIsGentle() {
         QFETCH(bool, override);
         for (const DeviceProfile& device : kDevices)
             for (const double force : {1.0, 3.0}) {
@@ -135,7 +135,7 @@ private slots:
                 const Event event = watchEvent(loop, 3);
                 QVERIFY2(event.speed <= kFastest, qPrintable(QString::number(event.speed)));
                 QVERIFY(servo.state.touching);
-                QCOMPARE(servo.state.ease.rendered().stiffness, before);
+                QVERIFY((servo.state.ease.rendered().stiffness > 1.5 * before) != override);
                 loop.plant.place({0, 0, 0.005});
                 loop.plant.voluntary.z() = 0;
                 loop.run(0.01);
