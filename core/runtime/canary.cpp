@@ -18,7 +18,7 @@ void Canary::sing(double servoRate) noexcept {
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
         const std::int64_t woke = monotonicNanoseconds();
-        if (tick.late * servoRate > kLate) {
+        if (tick.late * servoRate > kNoted) {
             Delay& delay = delays_[next++ % delays_.size()];
             delay.from.store(woke - std::int64_t(1e9 * tick.late), std::memory_order_relaxed);
             delay.until.store(woke, std::memory_order_relaxed);
@@ -35,7 +35,8 @@ bool Canary::explains(std::int64_t begin, std::int64_t end, std::int64_t late) c
                            until = delay.until.load(std::memory_order_relaxed);
         if (until >= begin && from <= end) away += until - from;
     }
-    return double(away) >= double(late) - (1 - kLate) * period_;
+    constexpr double kUnseen = 1 / kBeats + kNoted; // periods, of an absence that began right after a beat
+    return double(away) >= double(late) - kUnseen * period_;
 }
 
 Result<void> Canary::start(double servoRate) {
