@@ -143,10 +143,15 @@ void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, cons
     hold_ = gripNeeded(moved(newest, offset_), finger);
 }
 
+/// A body of which nothing was heard for too long stands still.
+Vec3 ContactEase::motionOf(const LocalContactModel& newest) const noexcept {
+    return age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
+}
+
 /// The model where it is by now, but for the stiffness.
 LocalContactModel ContactEase::byNow(const LocalContactModel& newest) const noexcept {
     LocalContactModel model = moved(newest, offset_ + std::min(age_, kOldest) * newest.velocity);
-    if (age_ >= kOldest) model.velocity = Vec3::Zero();
+    model.velocity = motionOf(newest);
     if (!offset_.isZero(0)) model.velocity -= kReturnSpeed * offset_.normalized();
     for (FrictionLimit& friction : model.friction)
         friction.coefficient = std::max(friction.coefficient, hold_);
@@ -182,7 +187,7 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     if (fresh || !begun_) meet(newest, finger, bounds, dt);
     const LocalContactModel before = rendered_;
     rendered_ = byNow(newest);
-    motion_ = age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
+    motion_ = motionOf(newest);
     approach(before, finger, velocity, bounds.ceiling, dt);
     // Nothing is touched: nothing is left to come back.
     if (newest.planes == 0) {

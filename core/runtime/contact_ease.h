@@ -11,11 +11,11 @@ inline constexpr double kReturnSpeed = 0.015;
 /// An edited stiffness, damping or friction changes the force by no more than this, and on a soft surface by
 /// no more than coming or going with kReturnSpeed would. Unit: N/s.
 inline constexpr double kEditRate = 10;
-/// Of them the lesser, N/s, at a stiffness in N/m. Thread: any, real time too.
-double editRate(double stiffness) noexcept;
 /// So does the stiffness where the finger goes from one surface to the next, or the ceiling changes: a step
 /// of it under load would be a kick. Unit: N/s.
 inline constexpr double kSurfaceRate = 300;
+/// What an edit may change the force by at this stiffness in N/m: N/s. Thread: any, real time too.
+double editRate(double stiffness) noexcept;
 
 /// What a newer model may put into the spring at once: so much in a second, and the most of it together. A
 /// proxy loop that is not much slower than the servo needs less, even where the finger hits a wall.
@@ -72,6 +72,7 @@ private:
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
     void leave(const Vec3& finger, double ceiling, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept;
+    Vec3 motionOf(const LocalContactModel& newest) const noexcept;
     LocalContactModel byNow(const LocalContactModel& newest) const noexcept;
     void approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity, double ceiling,
                   double dt) noexcept;

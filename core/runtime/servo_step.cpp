@@ -59,7 +59,7 @@ void notice(ServoState& state, const ServoSettings& settings, double dt) noexcep
     const double stiffness = state.ease.rendered().stiffness;
     const bool loaded = state.touching && state.guard.gain() > 0;
     const double load = loaded ? stiffness * (state.anchor - state.finger).norm() : 0;
-    const double change = load > 0 ? editRate(stiffness) * dt / load : 1; // of stiffness and period, a part
+    const double change = load > 0 ? editRate(stiffness) * dt / load : 1; // part of stiffness and period
     state.period = std::max({state.loop.period, settings.period, state.period * std::max(0.0, 1 - change)});
     state.overriding = settings.overrideCeiling && (state.overriding || !loaded);
 }

@@ -50,6 +50,7 @@ private slots:
         DeviceSample bad = at(height);
         bad.valid = valid;
         for (int i = 1; i < kBadSamplesToLoss; ++i) {
+            QVERIFY(!check.believes(bad, kTick) && check.believes(at(0.0012), kTick));
             QVERIFY(!check(bad, kTick));
             QVERIFY(!check.lost() && check.believed().valid);
             QCOMPARE(check.believed().position.z(), 0.0011);
@@ -69,6 +70,7 @@ private slots:
         DeviceInfo info;
         SampleCheck check(info);
         check(at(0), kTick);
+        QVERIFY(check.believes(at(1.99 * info.tripSpeed * kTick), kTick));
         QVERIFY(check(at(1.99 * info.tripSpeed * kTick), kTick));
         QVERIFY(!check(at(4.1 * info.tripSpeed * kTick), kTick));
         DeviceSample put = at(1);
