@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <QMap>
 #include <QtTest>
 
 #include "tests/physics/event.h"
@@ -24,6 +25,11 @@ constexpr double kGone = 0.01;   ///< s, from a fault to no force
 constexpr double kEvent = 5e-3;  ///< J, that an event may give beyond what the person's side holds more
 constexpr double kKick = 0.02;   ///< J, that next to no event makes by itself
 constexpr double kGentle = 0.05; ///< m/s, of a resting hand while the scene changes
+/// How the failures begin.
+constexpr std::array kBounds{"not finite", "above the limit", "force after a fault", "gave", "thrown"};
+
+/// Who renders: the product's servo, or a spring to the newest proxy, without anything that guards it.
+enum class Renders { Servo, Unguarded };
 
 enum class Happens { Stall, Unplug, Edit, Swap, SlowProxy, ClockJump, Glitch, Frozen, Nonsense, Rearm };
 
@@ -75,11 +81,11 @@ Soup block(double height) {
 /// One run of ten seconds.
 class Schedule {
 public:
-    Schedule(std::uint64_t seed, bool gentle)
+    Schedule(std::uint64_t seed, bool gentle, Renders renders = Renders::Servo)
         : random_(seed), gentle_(gentle), bench_{kDevices[seed % kDevices.size()],
                                                  kHands[seed / 5 % kHands.size()],
                                                  {.delay = int(seed % 3), .jitter = 0.2, .substeps = 10}},
-          proxy_(anyWorld(), 1000), servo_(infoOf(bench_), proxy_), loop_(bench_, servo_.control(), 3, seed),
+          proxy_(anyWorld(), 1000), servo_(infoOf(bench_), proxy_), loop_(bench_, control(renders), 3, seed),
           script_(seed, -0.005) {
         loop_.plant.place({0, 0, 0.005});
         loop_.tamper = [this](DeviceSample& sample) { spoil(sample); };
@@ -103,6 +109,14 @@ private:
     std::shared_ptr<const World> anyWorld() {
         shape_ = random_() % worlds().size();
         return worlds()[shape_][random_() % 9];
+    }
+    Control control(Renders renders) {
+        if (renders == Renders::Servo) return servo_.control();
+        return [this](const DeviceSample& sample, double dt) -> Vec3 {
+            servo_(sample, dt);
+            const LocalContactModel& model = servo_.model;
+            return servo_.output.force = model.stiffness * (model.proxy - sample.position);
+        };
     }
     void lead();
     void happen(Happens what);
@@ -257,7 +271,7 @@ void Schedule::judge() {
         failure = QString("gave %1 mJ of %2").arg(1e3 * loop_.plant.given()).arg(1e3 * allowed);
     if (gentle_ && servo_.state.guard.faults() > 0) failure = "a fault without one";
     if (gentle_ && loop_.time > 2 && loop_.plant.velocity().norm() > kGentle)
-        failure = QString("%1 m/s").arg(loop_.plant.velocity().norm());
+        failure = QString("thrown at %1 m/s").arg(loop_.plant.velocity().norm());
 }
 
 void Schedule::run() {
@@ -309,6 +323,22 @@ private slots:
         QCOMPARE(bad, 0);
         QVERIFY(1000 * kicks <= events);
         QVERIFY(2 * pushing > ticks); // there was something to take away
+    }
+
+    /// All that guards switched off: each of the bounds breaks.
+    void unguardedItDoesNot() {
+        QMap<QString, int> broken;
+        for (std::uint64_t seed = 0; seed < 200; ++seed)
+            for (const bool gentle : {false, true}) {
+                Schedule schedule(seed, gentle, Renders::Unguarded);
+                schedule.run();
+                for (const char* bound : kBounds)
+                    broken[bound] += schedule.failure.startsWith(bound);
+            }
+        for (const char* bound : kBounds) {
+            qInfo("%s: %d", bound, broken[bound]);
+            QVERIFY2(broken[bound] > 0, bound);
+        }
     }
 };
 

@@ -114,6 +114,19 @@ private slots:
         wander(led, paths() / 4, [top](double, double) { return top; });
     }
 
+    /// The rule switched off: a proxy that is put onto the finger at every step, and not led there.
+    void aProxyThatIsPutThereDoes() {
+        Led led(worldOf(plate(0.1, kThin), rough(0.6, 0.4), kRadius));
+        led.rest({0, 0, 0.01});
+        int through = 0;
+        for (double z = 0.01; z > -0.01; z -= 1e-3) {
+            led.proxy.state.shapeRevision = kNoShape;
+            led.to({0, 0, z});
+            through += led.proxy.state.proxy.position.z() < 0;
+        }
+        QVERIFY(through > 0);
+    }
+
     void nothingPopsThroughALargeMesh() {
         Led led(worldOf(hills(), rough(0.6, 0.4), kRadius));
         wander(led, paths() / 4, hillsAt);

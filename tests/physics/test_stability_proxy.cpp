@@ -34,7 +34,7 @@ struct Led {
     }
 
     void to(const Vec3& position) {
-        const LocalContactModel before = servo.state.ease.rendered();
+        const LocalContactModel before = servo.state.ease.rendered(), answer = servo.model;
         const Vec3 force = servo.output.force;
         const Vec3 way = position - last;
         if (begun)
@@ -50,6 +50,8 @@ struct Led {
         servo(sample, 1e-3);
         handOver += std::max(0.0, storedIn(servo.state.ease.rendered(), position, 0) -
                                       storedIn(before, position, kReturnSpeed * 1e-3));
+        atOnce += std::max(0.0, storedIn(answer, position, 0) - storedIn(answered, position, 0));
+        answered = answer;
         time += 1e-3;
     }
     /// `returned`: how far the surface may come back meanwhile.
@@ -73,7 +75,7 @@ struct Led {
     void wander() {
         to({-0.01, 0, 0.02});
         rest(0.8);
-        work = most = handOver = time = 0;
+        work = most = handOver = atOnce = time = 0;
         Rng random(1);
         for (int i = 0; i < 60; ++i)
             go({uniform(random, -0.012, 0.012), uniform(random, -0.012, 0.012),
@@ -86,6 +88,8 @@ struct Led {
     Vec3 last = Vec3::Zero();
     bool begun = false;
     double work = 0, most = 0, drag = 0, handOver = 0, time = 0;
+    double atOnce = 0;          ///< J, what hand-over would have given if every answer were met as it comes
+    LocalContactModel answered; ///< in the last tick
 };
 
 } // namespace
@@ -126,6 +130,15 @@ private slots:
             QCOMPARE(led.servo.state.guard.faults(), 0u);
         }
         qInfo("drag %.3f N, W %.3g mJ, hand-over %.2f mJ/s", free.drag, 1e3 * given, 1e3 * handOver);
+    }
+
+    /// The hand-over switched off.
+    void answersThatAreMetAsTheyComeGive() {
+        Led led(worldOf(wedge(2.1, 0.1), springy(1500), kRadius), 50, 0.02);
+        led.wander();
+        qInfo("hand-over %.2f mJ/s, without it %.2f", 1e3 * led.handOver / led.time,
+              1e3 * led.atOnce / led.time);
+        QVERIFY(led.atOnce > 2 * (kHandOverPower * led.time + kHandOverEnergy));
     }
 
     /// Rule 6 switched off: a spring to the proxy itself drags in free motion.
