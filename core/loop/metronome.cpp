@@ -49,6 +49,7 @@ Tick Metronome::wait() noexcept {
     const std::int64_t late = woke + slept - due;
     tick.late = double(late) / double(kSecond);
     tick.missed = late > period_;
+    tick.woke = woke;
     scheduled_ = tick.missed ? woke : due;
     last_ = woke;
     return tick;

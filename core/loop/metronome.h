@@ -13,10 +13,11 @@ using Clock = std::int64_t (*)() noexcept;
 
 /// One waking of a loop. Unit: s.
 struct Tick {
-    double time = 0;     ///< since the metronome was made, without the time that the machine slept
-    double elapsed = 0;  ///< since the waking before, asleep or not; the nominal period at the first
-    double late = 0;     ///< since it was due
-    bool missed = false; ///< more than one period late
+    double time = 0;       ///< since the metronome was made, without the time that the machine slept
+    double elapsed = 0;    ///< since the waking before, asleep or not; the nominal period at the first
+    double late = 0;       ///< since it was due
+    bool missed = false;   ///< more than one period late
+    std::int64_t woke = 0; ///< ns of CLOCK_MONOTONIC
 };
 
 /// Sleeps to absolute times, so that errors do not add up, and never spins: a loop that cannot keep its

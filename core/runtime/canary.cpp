@@ -15,28 +15,30 @@ void Canary::sing(double servoRate) noexcept {
     Metronome metronome(kBeats * servoRate);
     int at = -1;
     std::size_t next = 0;
+    std::int64_t last = 0; // ns, of a beat that was late enough
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
-        const std::int64_t woke = monotonicNanoseconds();
         if (tick.late * servoRate > kNoted) {
             Delay& delay = delays_[next++ % delays_.size()];
-            delay.from.store(woke - std::int64_t(1e9 * tick.late), std::memory_order_relaxed);
-            delay.until.store(woke, std::memory_order_relaxed);
+            const std::int64_t due = tick.woke - std::int64_t(1e9 * tick.late);
+            delay.from.store(last > 0 ? last : due, std::memory_order_relaxed);
+            delay.until.store(tick.woke, std::memory_order_relaxed);
         }
+        last = tick.late * servoRate > kTorn ? tick.woke : 0;
         const int processor = processor_.load(std::memory_order_relaxed);
         if (processor >= 0 && processor != at) stayOn(at = processor);
     }
 }
 
-bool Canary::explains(std::int64_t begin, std::int64_t end, std::int64_t late) const noexcept {
+bool Canary::explains(std::int64_t due, std::int64_t woke) const noexcept {
     std::int64_t away = 0;
     for (const Delay& delay : delays_) {
         const std::int64_t from = delay.from.load(std::memory_order_relaxed),
                            until = delay.until.load(std::memory_order_relaxed);
-        if (until >= begin && from <= end) away += until - from;
+        away += std::max(std::int64_t(0), std::min(until, woke) - std::max(from, due));
     }
     constexpr double kUnseen = 1 / kBeats + kNoted; // periods, of an absence that began right after a beat
-    return double(away) >= double(late) - kUnseen * period_;
+    return double(away) >= double(woke - due) - kUnseen * period_;
 }
 
 Result<void> Canary::start(double servoRate) {

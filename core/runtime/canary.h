@@ -21,6 +21,9 @@ public:
     /// A beat that is so much later than due is noted, in periods of the servo; some tens of microseconds are
     /// nothing at 1 kHz. Absences come in pieces, and so small ones count too.
     static constexpr double kNoted = 0.1;
+    /// Between two pieces nobody but the canary may have run: when a beat was so much later than due and the
+    /// next one is noted too, what lies between them counts as well. In periods of the servo.
+    static constexpr double kTorn = 0.25;
 
     Canary() = default;
     ~Canary() { stop(); }
@@ -33,10 +36,9 @@ public:
 
     /// The servo runs here. Thread: the servo's.
     void follow(int processor) noexcept { processor_.store(processor, std::memory_order_relaxed); }
-    /// Whether the machine was away for as long as that: a tick of the servo was `late`, all in ns, and
-    /// between `begin` and `end` of CLOCK_MONOTONIC the canary was so much later than due, but for the part
-    /// of a beat in which it was not due. Thread: real time.
-    bool explains(std::int64_t begin, std::int64_t end, std::int64_t late) const noexcept;
+    /// Whether the machine was away while the servo was late: from when it was `due` until it `woke`, but for
+    /// the part of a beat in which the canary was not due either. ns of CLOCK_MONOTONIC. Thread: real time.
+    bool explains(std::int64_t due, std::int64_t woke) const noexcept;
 
 private:
     void sing(double servoRate) noexcept;

@@ -23,10 +23,8 @@ struct Servo {
     RecentPeriods periods;
     GuardianWatch guardianWatch;
     bool unguarded = false;
-    double period = 0; ///< s, measured
-    struct Delay {
-        std::int64_t from = 0, until = 0, late = 0; ///< ns
-    } missed;                                       ///< of the last tick, if it was
+    double period = 0;              ///< s, measured
+    std::int64_t due = 0, woke = 0; ///< ns, of the last tick if it was missed, else 0
     ServoTelemetry telemetry;
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
@@ -95,16 +93,15 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
         servo.channels.contactModel.value().model));
 }
 
-/// A miss is judged one tick later, when the canary has noted its own: it may live on another processor.
+/// A miss is counted and judged one tick later, when the canary has noted its own: it may live on another
+/// processor.
 void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept {
-    Servo::Delay& last = servo.missed;
-    if (last.until > 0) servo.telemetry.machineMisses += canary.explains(last.from, last.until, last.late);
-    last = {};
-    if (!tick.missed) return;
-    ++servo.telemetry.misses;
-    last.until = monotonicNanoseconds();
-    last.from = last.until - std::int64_t(1e9 * tick.elapsed);
-    last.late = std::int64_t(1e9 * tick.late);
+    if (servo.woke > 0) {
+        ++servo.telemetry.misses;
+        servo.telemetry.machineMisses += canary.explains(servo.due, servo.woke);
+    }
+    servo.woke = tick.missed ? tick.woke : 0;
+    servo.due = tick.woke - std::int64_t(1e9 * tick.late);
 }
 
 } // namespace
