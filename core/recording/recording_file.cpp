@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 7;
+constexpr std::uint32_t kVersion = 8;
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 

@@ -34,6 +34,11 @@ double gripNeeded(const LocalContactModel& model, const Vec3& finger) noexcept {
     return most > 0 ? nearest.x.norm() / most : 0;
 }
 
+/// Along a plane.
+Vec3 along(const ConstraintPlane& plane, const Vec3& v) noexcept {
+    return v - plane.normal.dot(v) * plane.normal;
+}
+
 LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept {
     LocalContactModel result = model;
     result.proxy += by;
@@ -68,11 +73,13 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, cons
     const bool edited = newest.revision != revision_;
     if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
         offset_ = finger - anchorOf(newest, finger).position;
+        slip_ = Vec3::Zero();
         editing_ = false;
         hold_ = 0;
     } else if (edited) {
         edit(newest, before.position, finger);
     } else {
+        catchUp(newest);
         handOver(newest, before.position, finger, bounds, dt);
         if (before.touching) turn(newest, before.position, finger, bounds, dt);
     }
@@ -113,6 +120,35 @@ void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, cons
     const double length2 = stretch.squaredNorm();
     const double kept = length2 > 0 ? std::clamp(was.dot(stretch) / length2, 0.0, 1.0) : 0;
     offset_ = (kept - 1) * stretch;
+    slip_ = Vec3::Zero();
+}
+
+/// What the true proxy slips by itself, the rendered one has slipped before.
+void ContactEase::catchUp(const LocalContactModel& newest) noexcept {
+    if (slip_.isZero(0)) return;
+    const Vec3 way = newest.proxy - (rendered_.proxy - offset_ - slip_);
+    const double length = slip_.norm(), caughtUp = std::clamp(way.dot(slip_) / length, 0.0, length);
+    slip_ *= 1 - caughtUp / length;
+    slip_ = newest.planes == 1 ? along(newest.plane[0], slip_) : Vec3(Vec3::Zero());
+}
+
+// Surroundings on their way back are met less deep than the true ones: the rendered proxy slips where the
+// true one sticks. If it slipped back as they return, it would pull the finger to where the true one stuck.
+void ContactEase::slipOn(const LocalContactModel& newest, const Vec3& finger, double dt) noexcept {
+    if (offset_.isZero(0) && slip_.isZero(0)) return;
+    const Anchor rendered = anchorOf(rendered_, finger, since(dt));
+    if (!rendered.touching) slip_ = Vec3::Zero();
+    if (!rendered.touching || rendered_.planes != 1) return;
+    LocalContactModel truth = moved(rendered_, -offset_ - slip_);
+    truth.friction = newest.friction;
+    const ConstraintPlane& plane = rendered_.plane[0];
+    const Vec3 seen = along(plane, rendered.position - rendered_.proxy);
+    const double length = seen.norm();
+    const double real = along(plane, anchorOf(truth, finger, since(dt)).position - truth.proxy).norm();
+    if (!(length > real)) return;
+    const Vec3 more = (1 - real / length) * seen;
+    slip_ += more;
+    rendered_.proxy += more;
 }
 
 /// Whether what is rendered under load is not there any more.
@@ -139,6 +175,7 @@ void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept 
 
 void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept {
     offset_ = anchor - newest.proxy;
+    slip_ = Vec3::Zero();
     editing_ = true;
     hold_ = gripNeeded(moved(newest, offset_), finger);
 }
@@ -150,7 +187,7 @@ Vec3 ContactEase::motionOf(const LocalContactModel& newest) const noexcept {
 
 /// The model where it is by now, but for the stiffness.
 LocalContactModel ContactEase::byNow(const LocalContactModel& newest) const noexcept {
-    LocalContactModel model = moved(newest, offset_ + std::min(age_, kOldest) * newest.velocity);
+    LocalContactModel model = moved(newest, offset_ + slip_ + std::min(age_, kOldest) * newest.velocity);
     model.velocity = motionOf(newest);
     if (!offset_.isZero(0)) model.velocity -= kReturnSpeed * offset_.normalized();
     for (FrictionLimit& friction : model.friction)
@@ -189,9 +226,10 @@ const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest
     rendered_ = byNow(newest);
     motion_ = motionOf(newest);
     approach(before, finger, velocity, bounds.ceiling, dt);
+    slipOn(newest, finger, dt);
     // Nothing is touched: nothing is left to come back.
     if (newest.planes == 0) {
-        offset_ = Vec3::Zero();
+        offset_ = slip_ = Vec3::Zero();
         hold_ = 0;
     }
     return rendered_;

@@ -58,8 +58,8 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.begun_, self.editing_, self.leaving_, self.offset_, self.hold_, self.credit_, self.age_,
-              self.revision_, self.restarts_, self.motion_, self.rendered_);
+        visit(self.begun_, self.editing_, self.leaving_, self.offset_, self.slip_, self.hold_, self.credit_,
+              self.age_, self.revision_, self.restarts_, self.motion_, self.rendered_);
     }
 
 private:
@@ -69,6 +69,8 @@ private:
                   const EaseBounds& bounds, double dt) noexcept;
     void turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
               const EaseBounds& bounds, double dt) noexcept;
+    void catchUp(const LocalContactModel& newest) noexcept;
+    void slipOn(const LocalContactModel& newest, const Vec3& finger, double dt) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
     void leave(const Vec3& finger, double ceiling, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept;
@@ -81,6 +83,7 @@ private:
     bool editing_ = false;
     bool leaving_ = false;       ///< what is not there any more
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
+    Vec3 slip_ = Vec3::Zero();   ///< of the rendered proxy along its plane, where the true one still sticks
     double hold_ = 0;            ///< least coefficient of friction, after an edit
     double credit_ = 0;          ///< J, that a newer model may bring
     double age_ = 0;             ///< s since the newest model came

@@ -80,9 +80,9 @@ namespace {
 // Another size: a member came or went. List it in fields(), there or above, and then its new size here. Built
 // for one processor Eigen may align its vectors wider, and the sizes are others.
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
-static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 384 && sizeof(Passivity) == 704);
+static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 408 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 664);
-static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2224);
+static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2248);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));

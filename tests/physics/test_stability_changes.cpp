@@ -228,6 +228,42 @@ private slots:
         QVERIFY((loop.plant.position() - centre).norm() > kBall - 2e-3); // and was led to the surface
     }
 
+    /// A rough surface lands on a finger that then goes sideways. The proxy sticks, deep as the finger is,
+    /// and the surface that is felt slips: when it has come back, friction pulls no farther back than it did.
+    void slippedOnTheWayBackIsSlipped() {
+        constexpr double kStiffness = 300, kDepth = 0.012, kAside = 0.01;
+        GivenModel model(wall(kStiffness));
+        model.model.friction[0].coefficient = 1;
+        model.model.planes = 0;
+        Servo servo(infoOf({kFalcon, kFirm, {}}), model);
+        DeviceSample finger;
+        finger.valid = true;
+        finger.position = {0, 0, -kDepth};
+        const auto stay = [&](double seconds) {
+            for (double t = 0; t < seconds; t += 1e-3)
+                servo(finger, 1e-3);
+            return servo.output.force;
+        };
+        stay(1);
+        model.model.planes = 1;
+        ++model.model.restarts;
+        ++model.model.revision;
+        stay(0.1);
+        for (; finger.position.x() < kAside; finger.position.x() += 1e-4)
+            servo(finger, 1e-3);
+        const Vec3 aside = stay(1e-3), back = stay(1);
+        qInfo("%.2f N aside, %.2f N when it is back, under %.2f N", -aside.x(), -back.x(), back.z());
+        QVERIFY(std::abs(aside.x()) > 0.9 * aside.z()); // it slipped
+        QVERIFY(std::abs(back.z() - kStiffness * kDepth) < 1e-3);
+        QVERIFY2(std::abs(back.x()) <= std::abs(aside.x()) + 0.01, "pulled back");
+        // What the proxy then slips by itself is no new way, and what it slips beyond is.
+        model.model.proxy.x() = 0.5 * kAside;
+        const Vec3 same = stay(0.1);
+        QVERIFY((same - back).norm() < 1e-3);
+        model.model.proxy.x() = finger.position.x();
+        QVERIFY(std::abs(stay(1).x()) < 1e-3);
+    }
+
     /// Rules 1 and 2 switched off: a faster return, a jump, a ramp of the stiffness alone.
     void surfaceThatComesOtherwiseDoesNot() {
         const auto speedWith = [](double returnSpeed, double ramp) {
