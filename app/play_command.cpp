@@ -81,6 +81,9 @@ Result<int> runPlay(const PlayOptions& options) {
     const TouchTrace rows = play(*player, options.out.has_value());
     const std::vector<RecordedEvent> events = eventsOf(recording->run);
     const ReplayCheck& check = player->check();
+    if (check.proxySteps + check.servoSteps == 0)
+        return inputError(options.recording.filename().string() +
+                          ": no step in it can be stepped through again; use another one");
     if (options.out)
         if (auto written = writeFile(*options.out, touchCsv(rows)); !written)
             return tl::unexpected(written.error());

@@ -264,6 +264,7 @@ void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& devi
 }
 
 void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device) {
+    emit letsGo();
     auto stop = std::make_shared<StopSwitch>();
     const Result<void> started = engine_.setDevice(std::make_unique<StopButton>(std::move(device), stop));
     if (!started) {
@@ -306,6 +307,7 @@ void DeviceLink::finish(Preparation::State state) {
 
 /// The simulated device into the engine. Where the catalogue has none, the loops rest.
 void DeviceLink::park() {
+    emit letsGo();
     current_ = kSimulatedDevice;
     stop_ = std::make_shared<StopSwitch>();
     if (const Made spare = std::exchange(spare_, nullptr))

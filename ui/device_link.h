@@ -92,6 +92,8 @@ signals:
     void listChanged();
     /// Its state, steps, what the person has to do, its progress.
     void preparationChanged();
+    /// The engine's device is about to go, and its recorder with it.
+    void letsGo();
     /// The engine has another device: its forces are off and it knows nothing of the person's settings.
     void exchanged();
     /// The chosen device runs. `back`: nobody asked for it just now.

@@ -73,6 +73,8 @@ QString GuardWatch::quietNote() const {
         return since.isValid() && since.elapsed() < kShown;
     };
     if (!engine_.running() || fault_) return {};
+    if (engine_.servoStandsStill())
+        return tr("The servo stands still: the device does not come back. Look at its cable and its power.");
     if (!engine_.armed())
         return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")
                                     : QString();

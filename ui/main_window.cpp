@@ -220,6 +220,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
     engine_.setArmed(false);
+    saver_->flush();
     if (leaving_ || !document_.modified()) {
         journal_->discard();
         return QMainWindow::closeEvent(event);

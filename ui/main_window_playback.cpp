@@ -5,13 +5,13 @@
 #include <QDateTime>
 #include <QDir>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardPaths>
 
 #include "core/recording/recording_file.h"
+#include "ui/ask_where.h"
 #include "ui/device_link.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
@@ -81,6 +81,7 @@ void MainWindow::connectRecordings() {
             afterFault ? tr("There was a fault. What led to it was saved: open %1 to see it again.").arg(file)
                        : tr("The last minute was saved to %1.").arg(file));
     });
+    connect(link_, &DeviceLink::letsGo, saver_, &RecordingSaver::flush);
     connect(playback_, &Playback::begun, this, &MainWindow::beginPlayback);
     connect(playback_, &Playback::ended, this, &MainWindow::endPlayback);
     connect(playback_, &Playback::failed, notice_, &NoticeBar::showError);
@@ -101,11 +102,12 @@ void MainWindow::connectRecordings() {
 }
 
 void MainWindow::saveRecording() {
-    QString file = QFileDialog::getSaveFileName(this, tr("Save the last minute"), suggestedFile(),
-                                                tr("Recordings (*%1)").arg(ending()));
-    if (file.isEmpty()) return;
-    if (!isRecording(file)) file += ending();
-    saver_->save(file, tr("Saved on demand"));
+    // The minute before the command, however long the person looks for a place.
+    const RecordingSaver::Taken recording = saver_->take(tr("Saved on demand"));
+    if (!recording) return;
+    const QString file = askWhere(this, tr("Save the last minute"), tr("Recordings"),
+                                  std::string(kRecordingEnding).c_str(), suggestedFile());
+    if (!file.isEmpty()) saver_->save(file, recording);
 }
 
 void MainWindow::setLive(bool live) {

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -11,6 +10,7 @@
 
 #include "core/bundle/bundle.h"
 #include "core/files/save_scene.h"
+#include "ui/ask_where.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/playback.h"
@@ -26,28 +26,6 @@ QString fileOf(const Document& document) {
 
 std::filesystem::path pathOf(const QString& file) {
     return std::filesystem::path(file.toStdU16String());
-}
-
-bool mayReplace(QWidget* parent, const QString& file) {
-    return QMessageBox::question(parent, QObject::tr("Replace the file"),
-                                 QObject::tr("%1 is there already. Replace it?").arg(file)) ==
-           QMessageBox::Yes;
-}
-
-/// Empty when the person thinks better of it. Not by the static function: its dialog would not add the
-/// ending. Another ending than the kind's would promise another format, so it gets this one behind it.
-QString askWhere(QWidget* parent, const QString& title, const QString& kind, const char* ending,
-                 const QString& now) {
-    const QString suffix = QString::fromUtf8(ending);
-    QFileDialog dialog(parent, title, QFileInfo(now).path(), QStringLiteral("%1 (*.%2)").arg(kind, suffix));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(QFileInfo(now).completeBaseName() + u'.' + suffix);
-    if (dialog.exec() != QDialog::Accepted) return {};
-    QString file = dialog.selectedFiles().value(0);
-    if (file.endsWith(u'.' + suffix, Qt::CaseInsensitive)) return file;
-    file += u'.' + suffix;
-    return !QFileInfo::exists(file) || mayReplace(parent, file) ? file : QString();
 }
 
 /// Beside the scene's file; what is made of a sample belongs to the person, not beside the samples.

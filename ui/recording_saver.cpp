@@ -6,7 +6,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/control/guard_words.h"
-#include "core/recording/recording_file.h"
 
 namespace tactum {
 
@@ -37,6 +36,12 @@ RecordingSaver::RecordingSaver(const Engine& engine, const Document& document, Q
     due_.setSingleShot(true);
     due_.setInterval(kAftermath);
     connect(&due_, &QTimer::timeout, this, &RecordingSaver::saveFault);
+    connect(&job_, &BackgroundJob::finished, this, [this] {
+        if (waiting_.empty()) return;
+        const Order next = waiting_.front();
+        waiting_.pop_front();
+        write(next);
+    });
 }
 
 QString RecordingSaver::folder() {
@@ -52,31 +57,43 @@ void RecordingSaver::watch() {
     faults_ = servo.faults;
 }
 
+void RecordingSaver::flush() {
+    if (!due_.isActive()) return;
+    due_.stop();
+    saveFault();
+}
+
 void RecordingSaver::saveFault() {
-    if (job_.running()) return due_.start();
     const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH-mm-ss"));
     QDir().mkpath(folder());
-    write(folder() + u'/' + name + pattern().mid(1), tr("Fault: %1").arg(reason_), true);
+    if (const Taken recording = take(tr("Fault: %1").arg(reason_)))
+        write({folder() + u'/' + name + pattern().mid(1), recording, true});
 }
 
-void RecordingSaver::save(const QString& file, const QString& reason) {
-    if (job_.running()) return emit failed(tr("Another recording is being saved. Try again in a moment."));
-    write(file, reason, false);
+void RecordingSaver::save(const QString& file, const Taken& recording) {
+    write({file, recording, false});
 }
 
-void RecordingSaver::write(const QString& file, const QString& reason, bool afterFault) {
+RecordingSaver::Taken RecordingSaver::take(const QString& reason) {
     auto recording = std::make_shared<Recording>();
     recording->run = engine_.recorded();
     recording->reason = reason.toStdString();
     if (!document_.path().empty()) recording->sources.push_back(std::filesystem::absolute(document_.path()));
-    if (recording->run.servo.rows.empty() && recording->run.proxy.rows.empty())
-        return emit failed(tr("Nothing was recorded yet: the device has not run. Start it first."));
-    job_.start([this, recording, file, afterFault](const Progress&) -> BackgroundJob::Delivery {
-        const auto written = writeFileAtomically(file.toStdString(), recordingBytes(*recording), 0);
-        if (afterFault) dropOldest(folder());
-        return [this, written, file, afterFault] {
+    if (!recording->run.servo.rows.empty() || !recording->run.proxy.rows.empty()) return recording;
+    emit failed(tr("Nothing was recorded yet: the device has not run. Start it first."));
+    return {};
+}
+
+/// One after the other.
+void RecordingSaver::write(const Order& order) {
+    if (job_.running()) return waiting_.push_back(order);
+    job_.start([this, order](const Progress&) -> BackgroundJob::Delivery {
+        const auto written =
+            writeFileAtomically(order.file.toStdString(), recordingBytes(*order.recording), 0);
+        if (order.afterFault) dropOldest(folder());
+        return [this, written, order] {
             if (written)
-                emit saved(file, afterFault);
+                emit saved(order.file, order.afterFault);
             else
                 emit failed(QString::fromStdString(written.error().text));
         };

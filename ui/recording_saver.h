@@ -1,9 +1,12 @@
 // Writes the flight recorder's last minute to a file: when the person wants it, and by itself after a fault.
 #pragma once
 
+#include <deque>
+
 #include <QObject>
 #include <QTimer>
 
+#include "core/recording/recording_file.h"
 #include "core/runtime/engine.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
@@ -20,9 +23,15 @@ class RecordingSaver : public QObject {
 public:
     RecordingSaver(const Engine& engine, const Document& document, QObject* parent = nullptr);
 
+    using Taken = std::shared_ptr<const Recording>;
+
     /// Once a frame: a second after a fault its recording is saved into folder().
     void watch();
-    void save(const QString& file, const QString& reason);
+    /// A fault that is not saved yet is saved now: the recorder is about to go, with device or program.
+    void flush();
+    /// The last minute as it is now; nothing, and failed(), when there is none.
+    Taken take(const QString& reason);
+    void save(const QString& file, const Taken& recording);
     bool saving() const { return job_.running(); }
 
     /// Where recordings of faults are kept, the last twenty of them.
@@ -35,13 +44,19 @@ signals:
 
 private:
     void saveFault();
-    void write(const QString& file, const QString& reason, bool afterFault);
+    struct Order {
+        QString file;
+        Taken recording;
+        bool afterFault;
+    };
+    void write(const Order& order);
 
     const Engine& engine_;
     const Document& document_;
     std::uint64_t faults_ = 0;
     QString reason_; ///< of the newest fault
     QTimer due_;
+    std::deque<Order> waiting_;
     BackgroundJob job_;
 };
 

@@ -61,7 +61,7 @@ double Guard::operator()(const GuardInput& tick) noexcept {
     if (gain_ == 0)
         settle(tick);
     else
-        gain_ = std::min(1.0, gain_ + (1 - kFirstGain) * tick.dt / kRise);
+        rise(tick);
     if (gain_ > 0) why_ = gain_ < 1 ? Withheld::Rising : Withheld::Nothing;
     return gain_;
 }
@@ -70,6 +70,12 @@ void Guard::settle(const GuardInput& tick) noexcept {
     why_ = Withheld::Settling;
     smallFor_ = tick.wanted < kSmallForce ? smallFor_ + tick.dt : 0;
     if (smallFor_ >= kSmallForceTime) gain_ = kFirstGain;
+}
+
+void Guard::rise(const GuardInput& tick) noexcept {
+    const double fastest = (1 - kFirstGain) / kRise;
+    const double bearable = tick.wanted > 0 ? kRiseRate / tick.wanted : fastest;
+    gain_ = std::min(1.0, gain_ + std::min(fastest, bearable) * tick.dt);
 }
 
 double Guard::arrivalDamping() const noexcept {

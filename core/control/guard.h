@@ -34,9 +34,12 @@ inline bool isPause(Withheld why) noexcept {
 
 /// A reading that is older was overtaken by events: no force at once, and a soft return. Unit: s.
 inline constexpr double kStall = 0.01;
-/// A force that was withheld comes back over this time, beginning with kFirstGain. The gain rises, not the
-/// force. Unit: s.
+/// A force that was withheld comes back over this time at least, beginning with kFirstGain. The gain rises,
+/// not the force. Unit: s.
 inline constexpr double kRise = 0.6;
+/// Under load a gain that rises stiffens the spring, which gives energy: it changes the force by no more than
+/// this. Unit: N/s.
+inline constexpr double kRiseRate = 10;
 inline constexpr double kFirstGain = 0.15;
 /// While the gain rises the finger is damped, with less and less. Unit: N s/m.
 inline constexpr double kArrivalDamping = 8;
@@ -95,6 +98,7 @@ private:
     Withheld pauseOf(const GuardInput& tick) const noexcept;
     void withhold(Withheld why) noexcept;
     void settle(const GuardInput& tick) noexcept;
+    void rise(const GuardInput& tick) noexcept;
 
     double maxForce_, tripSpeed_;
     Withheld why_ = Withheld::NotArmed;

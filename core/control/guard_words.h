@@ -31,7 +31,7 @@ inline constexpr std::array<GuardWords, 14> kGuardWords{{
      "The force was taken away.", "It comes back softly when the loop answers; a lighter scene helps."},
     {Withheld::Settling, "the force waits until it is small", "The finger is deep inside a surface.",
      "The force waits until it is small.", "Draw the finger out a little."},
-    {Withheld::Rising, "the force comes back", "The force comes back.", "It rises to all of it within 0.6 s.",
+    {Withheld::Rising, "the force comes back", "The force comes back.", "It rises to all of it in 0.6 s, slower under load.",
      "Hold the handle."},
     {Withheld::DeviceLost, "the device was lost", "The device sent nothing, or readings that cannot be true.",
      "The force was taken away.", "Look at its cable and its power, then arm again."},

@@ -32,6 +32,8 @@ void standApart() {
     prctl(PR_SET_NAME, "tactum-guardian");
     const sched_param parameters{.sched_priority = kPriority};
     sched_setscheduler(0, SCHED_FIFO, &parameters); // where that is allowed
+    // Locks are not inherited, and who waits for a page from the disk stops nothing in time.
+    mlockall(MCL_CURRENT | MCL_ONFAULT);
 }
 
 /// Whether the program said farewell; nothing when there was no news before the next look.

@@ -22,6 +22,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
 constexpr std::uint32_t kVersion = 8;
+/// Of each loop; a state is much larger in memory than it may be in the file.
+constexpr std::uint64_t kMostStates = 2 * std::uint64_t(kRecorded / kStateEvery);
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 
@@ -99,6 +101,29 @@ void demandStart(std::string_view bytes, const std::filesystem::path& file) {
                           ", this one reads " + std::to_string(kVersion) + "); open it with that one");
 }
 
+/// What the loaded models offer. `folder` first: a recording may have come from another machine together with
+/// its model.
+KnownParts partsOf(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& folder) {
+    KnownParts parts;
+    for (const auto& source : sources)
+        for (const auto& place : {folder / source.filename(), source}) {
+            const auto loaded = importScene(place);
+            if (!loaded) continue;
+            parts.addAllOf(loaded->scene);
+            Scene fitted = loaded->scene;
+            fitDiagonal(fitted, kHandDiagonal);
+            parts.addAllOf(fitted);
+            break;
+        }
+    return parts;
+}
+
+/// What may be left out: nothing of scenes that are small, else what the models really hold by now.
+KnownParts leftOut(const Recording& recording) {
+    if (recording.sources.empty() || areSmall(recording.run.scenes)) return {};
+    return partsOf(recording.sources, {});
+}
+
 /// The parts of a file in the order in which they come.
 class Reader {
 public:
@@ -115,7 +140,7 @@ public:
             for (const auto& source : header_.at("sources"))
                 recording.sources.emplace_back(source.get<std::string>());
             ByteIn scenes = part(header_.at("scene_bytes").get<std::uint64_t>());
-            run.scenes = readScenes(scenes, [&] { return partsOf(recording.sources); });
+            run.scenes = readScenes(scenes, [&] { return partsOf(recording.sources, file_.parent_path()); });
             scenes.demand(scenes.left() == 0, "the scenes are followed by something else");
             readRows(header_.at("proxy"), run.proxy);
             readRows(header_.at("servo"), run.servo);
@@ -174,6 +199,8 @@ private:
     template <class Row, class State>
     void readStates(const Json& json, const NumberedRows<Row>& rows, std::vector<State>& states) {
         const auto count = json.at("states").get<std::uint64_t>();
+        if (count > kMostStates)
+            fail("has more states than a minute can have; the recording is damaged, use another one");
         std::uint64_t next = rows.first;
         for (std::uint64_t i = 0; i < count; ++i) {
             ByteIn numbers = part(16);
@@ -186,22 +213,6 @@ private:
             std::memcpy(state.bytes.data(), in.rest().data(), state.size);
             states.push_back(state);
         }
-    }
-
-    /// Beside the recording first: it may have come from another machine together with its model.
-    KnownParts partsOf(const std::vector<std::filesystem::path>& sources) const {
-        KnownParts parts;
-        for (const auto& source : sources)
-            for (const auto& place : {file_.parent_path() / source.filename(), source}) {
-                const auto loaded = importScene(place);
-                if (!loaded) continue;
-                parts.addAllOf(loaded->scene);
-                Scene fitted = loaded->scene;
-                fitDiagonal(fitted, kHandDiagonal);
-                parts.addAllOf(fitted);
-                break;
-            }
-        return parts;
     }
 
     std::string_view bytes_;
@@ -235,8 +246,7 @@ void sealRecording(std::string& bytes) {
 std::string recordingBytes(const Recording& recording) {
     assertNotRealtime();
     const RecordedRun& run = recording.run;
-    const bool whole = recording.sources.empty() || areSmall(run.scenes);
-    const std::string scenes = sceneBytes(run.scenes, whole);
+    const std::string scenes = sceneBytes(run.scenes, leftOut(recording));
     const std::string header = headerOf(recording, scenes.size());
     StringOut out;
     out.bytes = kMagic;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/control/device_check.h"
+#include "core/control/guard_words.h"
 #include "core/control/workspace.h"
 #include "core/geometry/soup_builder.h"
 
@@ -51,8 +52,9 @@ const char* faultIn(const ProxyRow& row) {
 
 const char* faultIn(const ServoRow& row, std::uint64_t model, std::uint64_t models) {
     if (row.model < model || row.model > models) return "has a model that cannot be";
-    const bool possible = (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row);
-    return possible ? nullptr : "has a frame or a flag that cannot be";
+    const bool possible = (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row) &&
+                          row.withheld < kGuardWords.size();
+    return possible ? nullptr : "has a frame, a flag or a reason that cannot be";
 }
 
 /// Of what has a time at all.

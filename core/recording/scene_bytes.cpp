@@ -48,10 +48,14 @@ template <class Io> void object(Io& io, SceneObject& o, Tables& tables) {
     io.demand(known, "a triangle is of a surface that there is not");
 }
 
-template <class T> void writeTable(ByteOut& out, SharedTable<T>& table, bool whole) {
+template <class T, class Parts> void writeTable(ByteOut& out, SharedTable<T>& table, const Parts& elsewhere) {
+    std::set<std::uint64_t> known;
+    for (const auto& part : elsewhere)
+        known.insert(fingerprintOf(*part));
     out.count(table.items, 1);
     for (const auto& each : table.items) {
         std::uint64_t fingerprint = fingerprintOf(*each);
+        bool whole = !known.contains(fingerprint);
         out(whole), out(fingerprint);
         if (whole) write(out, *each);
     }
@@ -148,7 +152,7 @@ bool areSmall(const std::vector<RecordedScene>& list) {
 }
 
 // What is named comes before what names it, and is known only after.
-std::string sceneBytes(const std::vector<RecordedScene>& list, bool whole) {
+std::string sceneBytes(const std::vector<RecordedScene>& list, const KnownParts& elsewhere) {
     std::vector<RecordedScene> copy = list;
     Tables tables;
     StringOut versions, objects, shapes;
@@ -156,9 +160,9 @@ std::string sceneBytes(const std::vector<RecordedScene>& list, bool whole) {
     objects.count(tables.objects, 1);
     for (std::size_t i = 0; i < tables.objects.size(); ++i)
         object(objects, tables.objects[i], tables);
-    writeTable(shapes, tables.shared.images, whole);
-    writeTable(shapes, tables.shared.paints, whole);
-    writeTable(shapes, tables.soups, whole);
+    writeTable(shapes, tables.shared.images, elsewhere.images);
+    writeTable(shapes, tables.shared.paints, elsewhere.paints);
+    writeTable(shapes, tables.soups, elsewhere.soups);
     shapes.count(tables.motions.items, 1);
     for (const auto& each : tables.motions.items)
         write(shapes, *each);

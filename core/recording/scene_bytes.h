@@ -20,8 +20,8 @@ struct KnownParts {
     void add(const TexturePattern& pattern);
 };
 
-/// `whole`: with all geometry and images, whatever their size.
-std::string sceneBytes(const std::vector<RecordedScene>& scenes, bool whole);
+/// With all geometry and images but what is in `elsewhere`: who reads them has to find it.
+std::string sceneBytes(const std::vector<RecordedScene>& scenes, const KnownParts& elsewhere);
 /// Whether a recording of these is small enough to be self-contained.
 bool areSmall(const std::vector<RecordedScene>& scenes);
 

@@ -33,6 +33,21 @@ std::string notePriority(int refusal, int unlocked) {
 constexpr std::size_t kMostScenes = 8192;
 constexpr double kSlowestPublish = 2; ///< s, from publish() to the first step in the World, and some more
 
+/// Whether a counter goes on rising, as far as somebody looks.
+struct Beats {
+    static constexpr std::int64_t kPatience = 500'000'000; ///< ns
+    std::uint64_t seen = 0;
+    std::int64_t since = 0; ///< ns, when it was first seen like that; 0: never
+    bool still = false;
+
+    bool stand(std::uint64_t count) {
+        const std::int64_t now = monotonicNanoseconds();
+        if (count != seen || since == 0) since = now;
+        seen = count;
+        return still = now - since > kPatience;
+    }
+};
+
 struct FeltScene {
     double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is felt still
     RecordedScene recorded;
@@ -60,6 +75,7 @@ struct Engine::Impl {
     std::string priorityNote = "The loops have not been started.";
     ProxyTelemetry proxy;
     ServoTelemetry servo;
+    Beats proxyBeats, servoBeats;
 
     Result<void> startLoops();
     void endLoops();
@@ -77,6 +93,7 @@ void Engine::Impl::freshChannels() {
     channels = std::make_unique<Channels>(rate, kUpdatesPerTick * rate);
     channels->workspace.write(workspace);
     askForButton();
+    proxyBeats = servoBeats = {};
     felt.clear();
     if (!kept.empty()) remember(*kept.back());
 }
@@ -97,8 +114,6 @@ void Engine::Impl::remember(const World& world) {
 }
 
 Result<void> Engine::Impl::startLoops() {
-    if (info.real)
-        if (Result<void> guarded = guardian.start(*device); !guarded) return guarded;
     if (Result<void> watched = canary.start(info.rate); !watched) return watched;
     LeftHeat& motors = heat[info.name];
     return servoThread
@@ -162,9 +177,11 @@ Result<void> Engine::start() {
         impl_->device->close();
         return usable;
     }
+    // Before the loops have their memory: of what a fork shares every page is given anew when it is written.
+    const Result<void> guarded = impl_->info.real ? impl_->guardian.start(*impl_->device) : Result<void>();
     impl_->freshChannels();
     impl_->handOver();
-    if (Result<void> started = impl_->startLoops(); !started) {
+    if (Result<void> started = guarded.and_then([this] { return impl_->startLoops(); }); !started) {
         impl_->endLoops();
         return started;
     }
@@ -262,6 +279,13 @@ void Engine::poll() {
     impl_->releaseRetired();
     impl_->proxy = impl_->channels->proxyTelemetry.read();
     impl_->servo = impl_->channels->servoTelemetry.read();
+    // What it told last is told for ever by a loop that stands still.
+    if (impl_->servoBeats.stand(impl_->servo.ticks)) impl_->servo.rate = 0;
+    if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
+}
+
+bool Engine::servoStandsStill() const {
+    return impl_->running && impl_->servoBeats.still;
 }
 
 const ProxyTelemetry& Engine::proxy() const {

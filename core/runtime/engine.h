@@ -68,6 +68,9 @@ public:
     void poll();
     const ProxyTelemetry& proxy() const;
     const ServoTelemetry& servo() const;
+    /// Whether no tick came for half a second, as far as poll() looked: a device that does not come back from
+    /// its exchange. The rate is 0 then.
+    bool servoStandsStill() const;
     /// Takes the next tick for the plots; false when there is none.
     bool popTrace(TracePoint& point);
 

@@ -13,15 +13,18 @@ template <class Row> void dropBefore(NumberedRows<Row>& rows, std::uint64_t numb
     rows.first += dropped;
 }
 
-template <class State> void dropStatesBefore(std::vector<State>& states, std::uint64_t number) {
-    std::erase_if(states, [number](const State& state) { return state.row < number; });
+/// A state that was kept for a step that was still under way has no row.
+template <class State, class Row>
+void dropStatesOutside(std::vector<State>& states, const NumberedRows<Row>& rows) {
+    std::erase_if(states,
+                  [&](const State& state) { return state.row < rows.first || state.row >= rows.end(); });
 }
 
 /// The rows that a replay may begin with: the very first, and those before which a state was kept.
 template <class Row, class State>
 std::vector<std::uint64_t> beginnings(const NumberedRows<Row>& rows, const std::vector<State>& states) {
     std::vector<std::uint64_t> found;
-    if (rows.first == 0) found.push_back(0);
+    if (rows.first == 0 && !rows.rows.empty()) found.push_back(0);
     for (const State& state : states)
         if (state.size > 0 && state.row >= rows.first && state.row < rows.end()) found.push_back(state.row);
     return found;
@@ -61,12 +64,16 @@ void trim(RecordedRun& run, double seconds) {
     const bool touched = run.proxy.end() > 0;
     const double oldest = run.end() - seconds - kStateEvery;
     const std::uint64_t known = firstKnown(run);
+    // Where no step is as young, for no reading came any more, the last ones stay, if they are not too old.
+    const auto timeOf = [&](std::uint64_t row) {
+        return run.proxy.rows[std::size_t(row - run.proxy.first)].time;
+    };
     std::uint64_t from = run.proxy.end();
-    for (const std::uint64_t row : beginnings(run.proxy, run.proxyStates))
-        if (row >= known && run.proxy.rows[std::size_t(row - run.proxy.first)].time >= oldest) {
-            from = row;
-            break;
-        }
+    for (const std::uint64_t row : beginnings(run.proxy, run.proxyStates)) {
+        if (row < known || timeOf(row) < oldest - seconds + 2 * kStateEvery) continue;
+        from = row;
+        if (timeOf(row) >= oldest) break;
+    }
     // Before the servo's first row come all rows of the proxy that led to its model.
     std::uint64_t servoFrom = run.servo.end();
     for (const std::uint64_t row : beginnings(run.servo, run.servoStates)) {
@@ -78,8 +85,8 @@ void trim(RecordedRun& run, double seconds) {
     }
     dropBefore(run.proxy, from);
     dropBefore(run.servo, servoFrom);
-    dropStatesBefore(run.proxyStates, from);
-    dropStatesBefore(run.servoStates, servoFrom);
+    dropStatesOutside(run.proxyStates, run.proxy);
+    dropStatesOutside(run.servoStates, run.servo);
     std::set<std::uint64_t> felt;
     for (const ProxyRow& row : run.proxy.rows)
         felt.insert(row.world);

@@ -12,6 +12,7 @@
 #include "core/import/scene_transfer.h"
 #include "core/presets/preset_file.h"
 #include "core/presets/read_hatt.h"
+#include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
 #include "tests/support/random_touch.h"
@@ -124,6 +125,7 @@ void readRun(std::string_view bytes) {
     sealRecording(sealed);
     auto recording = parseRecording(sealed, folder() / "a.tactum-recording");
     if (!recording) return demandOneLine(recording.error());
+    eventsOf(recording->run);
     auto player = Player::open(std::make_shared<const RecordedRun>(std::move(recording->run)));
     if (!player) return demandOneLine(player.error());
     player->advanceTo(player->run().begin() + 0.1);

@@ -4,14 +4,18 @@
 #include <cerrno>
 #include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <poll.h>
 #include <pthread.h>
 #include <sched.h>
 #include <semaphore.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -148,6 +152,61 @@ INTERPOSE(nanosleep, (const timespec* t, timespec* r), (t, r), )
 INTERPOSE(clock_nanosleep, (clockid_t k, int f, const timespec* t, timespec* r), (k, f, t, r), )
 INTERPOSE(usleep, (useconds_t t), (t), )
 INTERPOSE(sched_yield, (), (), noexcept)
+
+// --- Text and blocking calls --------------------------------------------------------------------------
+
+#define INTERPOSE_AS(type, name, parameters, arguments, exceptions)                                          \
+    type name parameters exceptions {                                                                        \
+        static const auto next = reinterpret_cast<type(*) parameters>(dlsym(RTLD_NEXT, #name));              \
+        note(#name);                                                                                         \
+        return next arguments;                                                                               \
+    }
+
+INTERPOSE_AS(ssize_t, write, (int f, const void* b, std::size_t n), (f, b, n), )
+INTERPOSE_AS(ssize_t, read, (int f, void* b, std::size_t n), (f, b, n), )
+INTERPOSE_AS(std::size_t, fwrite, (const void* b, std::size_t s, std::size_t n, FILE* f), (b, s, n, f), )
+INTERPOSE(fputs, (const char* s, FILE* f), (s, f), )
+INTERPOSE(puts, (const char* s), (s), )
+INTERPOSE(vfprintf, (FILE * f, const char* s, va_list a), (f, s, a), )
+INTERPOSE(vsnprintf, (char* b, std::size_t n, const char* s, va_list a), (b, n, s, a), noexcept)
+INTERPOSE(poll, (pollfd * f, nfds_t n, int t), (f, n, t), )
+INTERPOSE(munmap, (void* m, std::size_t n), (m, n), noexcept)
+INTERPOSE_AS(void*, mmap, (void* m, std::size_t n, int p, int f, int d, off_t o), (m, n, p, f, d, o),
+             noexcept)
+
+int fprintf(FILE* file, const char* format, ...) {
+    va_list list;
+    va_start(list, format);
+    const int written = vfprintf(file, format, list);
+    va_end(list);
+    return written;
+}
+
+int printf(const char* format, ...) {
+    va_list list;
+    va_start(list, format);
+    const int written = vfprintf(stdout, format, list);
+    va_end(list);
+    return written;
+}
+
+int snprintf(char* buffer, std::size_t room, const char* format, ...) noexcept {
+    va_list list;
+    va_start(list, format);
+    const int written = vsnprintf(buffer, room, format, list);
+    va_end(list);
+    return written;
+}
+
+int ioctl(int file, unsigned long request, ...) noexcept {
+    static const auto next = reinterpret_cast<int (*)(int, unsigned long, ...)>(dlsym(RTLD_NEXT, "ioctl"));
+    note("ioctl");
+    va_list list;
+    va_start(list, request);
+    void* argument = va_arg(list, void*);
+    va_end(list);
+    return next(file, request, argument);
+}
 
 // std::atomic::wait and Qt's mutexes call the kernel's futex without any of the functions above.
 long syscall(long number, ...) noexcept {

@@ -1,5 +1,5 @@
-// Counts every allocation, release, lock and wait that happens inside a RealtimeScope, whoever calls it:
-// our own code, Eigen, the standard library or a shared library.
+// Counts every allocation, release, lock, wait, text and blocking call that happens inside a RealtimeScope,
+// whoever calls it: our own code, Eigen, the standard library or a shared library.
 //
 // The program that links interposer.cpp defines malloc, pthread_mutex_lock and their kin itself; each of
 // them looks at insideRealtime() of its own thread, notes a hit, and goes on to the C library's own.

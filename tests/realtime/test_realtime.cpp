@@ -5,12 +5,16 @@
 #include <condition_variable>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <mutex>
 #include <shared_mutex>
 #include <thread>
 
 #include <QtTest>
 #include <linux/futex.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -92,6 +96,7 @@ std::mutex mutex;
 std::shared_mutex sharedMutex;
 std::condition_variable condition;
 int futex = 0;
+const char* volatile nothing = ""; // of which the compiler does not know
 
 std::vector<Deed> forbiddenDeeds() {
     return {
@@ -120,6 +125,20 @@ std::vector<Deed> forbiddenDeeds() {
         {"notify", [] { condition.notify_all(); }},
         {"sleep", [] { std::this_thread::sleep_for(1us); }},
         {"yield", [] { std::this_thread::yield(); }},
+        {"write", [] { escape = ::write(-1, "", 0) == 0 ? nullptr : escape; }},
+        {"read", [] { escape = ::read(-1, nullptr, 0) == 0 ? nullptr : escape; }},
+        {"poll", [] { ::poll(nullptr, 0, 0); }},
+        {"ioctl", [] { ::ioctl(-1, 0, nullptr); }},
+        {"mmap", [] { escape = ::mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0); }},
+        {"munmap", [] { ::munmap(escape, 4096); }},
+        {"fprintf", [] { std::fprintf(stderr, "%.0s", nothing); }},
+        {"fputs", [] { std::fputs(nothing, stderr); }},
+        {"std::cerr", [] { std::cerr << nothing << std::flush; }},
+        {"snprintf",
+         [] {
+             char text[8];
+             escape = std::snprintf(text, sizeof text, "%d", 1) > 9 ? nullptr : escape;
+         }},
         {"a futex", [] { syscall(SYS_futex, &futex, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0); }},
     };
 }

@@ -28,7 +28,8 @@ void armAgain(Engine& engine) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
-void die(std::string_view way, Engine& engine) {
+void die(std::string_view way, Engine& engine, Motors& motors) {
+    motors.diesAt = monotonicNanoseconds();
     if (way == "segv") *static_cast<volatile int*>(nullptr) = 1;
     if (way == "abort") std::abort();
     if (way == "throw") throw std::runtime_error("nobody catches this");
@@ -63,5 +64,5 @@ int main(int argc, char** argv) {
     if (!engine.start()) return 3;
     while (motors->push < 1)
         armAgain(engine);
-    die(argv[2], engine);
+    die(argv[2], engine, *motors);
 }

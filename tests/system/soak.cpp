@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
 #include <thread>
 
 #include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
 #include "device/simulated_hand.h"
 #include "tests/support/hand.h"
+#include "tests/support/page_faults.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -22,25 +19,24 @@ namespace {
 
 constexpr double kWarmUp = 5, kFrame = 1.0 / 60, kSwap = 2; // s
 
-/// Faults of one of our threads so far, found by its name.
-long faultsOf(const std::string& name) {
-    namespace fs = std::filesystem;
-    for (const auto& task : fs::directory_iterator("/proc/self/task")) {
-        std::string comm, line;
-        std::getline(std::ifstream(task.path() / "comm"), comm);
-        if (comm != name) continue;
-        std::getline(std::ifstream(task.path() / "stat"), line);
-        // After the name in parentheses: state, five numbers, flags, minflt, cminflt, majflt.
-        std::istringstream fields(line.substr(line.rfind(')') + 2));
-        std::string skip;
-        long minor = 0, childMinor = 0, major = 0;
-        for (int i = 0; i < 7; ++i)
-            fields >> skip;
-        fields >> minor >> childMinor >> major;
-        return minor + major;
+/// Guarded by a process of its own, as a real device is.
+class GuardedHand final : public HapticDevice {
+public:
+    explicit GuardedHand(std::shared_ptr<HandTarget> target) : hand_(std::move(target)) {}
+    DeviceInfo info() const override {
+        DeviceInfo info = hand_.info();
+        info.real = true;
+        return info;
     }
-    return 0;
-}
+    Result<void> open() override { return hand_.open(); }
+    void close() override { hand_.close(); }
+    DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
+        return hand_.exchange(command, dt);
+    }
+
+private:
+    SimulatedHand hand_;
+};
 
 /// Hills of 10 cm by 10 cm with about so many triangles.
 Soup hills(double triangles, double phase) {
@@ -52,7 +48,7 @@ Soup hills(double triangles, double phase) {
 }
 
 struct Soak {
-    explicit Soak(double triangles) : engine(std::make_unique<SimulatedHand>(target)) {
+    explicit Soak(double triangles) : engine(std::make_unique<GuardedHand>(target)) {
         for (std::size_t i = 0; i < scenes.size(); ++i)
             scenes[i] = sceneOf(hills(triangles, double(i)), rough(0.4, 0.3, 0.5));
         show(0);
@@ -102,13 +98,13 @@ int main(int argc, char** argv) {
         if (count == int(kWarmUp / kFrame)) {
             begin = soak.engine.servo();
             begun = std::chrono::steady_clock::now();
-            servoFaults = faultsOf("tactum-servo");
-            proxyFaults = faultsOf("tactum-proxy");
+            servoFaults = pageFaultsOf("tactum-servo").value();
+            proxyFaults = pageFaultsOf("tactum-proxy").value();
         }
         std::this_thread::sleep_until(start + std::chrono::duration<double>(kFrame * (count + 1)));
     }
-    servoFaults = faultsOf("tactum-servo") - servoFaults;
-    proxyFaults = faultsOf("tactum-proxy") - proxyFaults;
+    servoFaults = pageFaultsOf("tactum-servo").value() - servoFaults;
+    proxyFaults = pageFaultsOf("tactum-proxy").value() - proxyFaults;
     const ServoTelemetry& end = soak.engine.servo();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const ProxyTelemetry& proxy = soak.engine.proxy();

@@ -63,11 +63,15 @@ struct Program {
     pid_t pid = -1;
 };
 
-std::int64_t median(std::vector<std::int64_t> times) {
+/// Whether all of them were within 50 ms, but for one in five: the machine too may stand still, though not
+/// for a second.
+bool prompt(std::vector<std::int64_t> times) {
     std::ranges::sort(times);
     qInfo("stopped after %.2f ms in the median, %.2f ms at most of %zu",
           1e-6 * double(times[times.size() / 2]), 1e-6 * double(times.back()), times.size());
-    return times[times.size() / 2];
+    const auto late =
+        std::ranges::count_if(times, [](std::int64_t time) { return time >= 50 * kMillisecond; });
+    return 5 * std::size_t(late) <= times.size() && times.back() < 1000 * kMillisecond;
 }
 
 } // namespace
@@ -96,7 +100,7 @@ private slots:
             QVERIFY(program.isAtRest());
             delays.push_back(program.restedAfter(killed));
         }
-        QVERIFY2(median(delays) < 50 * kMillisecond, qPrintable(QString::number(median(delays))));
+        QVERIFY(prompt(delays));
     }
 
     void itsOwnMistakesDoToo_data() {
@@ -107,9 +111,14 @@ private slots:
 
     void itsOwnMistakesDoToo() {
         QFETCH(QByteArray, way);
-        Program program(way.constData());
-        QVERIFY(program.fate() >= 0);
-        QVERIFY(program.isAtRest());
+        std::vector<std::int64_t> delays;
+        for (int i = 0; i < deaths(); ++i) {
+            Program program(way.constData());
+            QVERIFY(program.fate() >= 0);
+            QVERIFY(program.isAtRest());
+            delays.push_back(program.restedAfter(program.motors->diesAt));
+        }
+        QVERIFY(prompt(delays));
     }
 
     void aProgramThatStandsStillIsStoppedToo() {
@@ -126,7 +135,7 @@ private slots:
             QCOMPARE(kill(program.pid, SIGCONT), 0);
             QVERIFY(program.presses());
         }
-        QVERIFY2(median(delays) < 50 * kMillisecond, qPrintable(QString::number(median(delays))));
+        QVERIFY(prompt(delays));
     }
 
     /// A crash would leave the force on: without a guardian there is none.

@@ -17,6 +17,7 @@ struct Motors {
     std::atomic<std::int64_t> stoppedAt{0}; ///< when an emergency stop last took a force away, ns
     std::atomic<int> stops{0}; ///< emergency stops: on a busy machine also of a servo that stood still
     std::atomic<std::uint64_t> exchanges{0};
+    std::atomic<std::int64_t> diesAt{0}; ///< when the program begins to die by itself, ns
 };
 
 /// Maps the file, made with the right size if it is not; null when that fails.

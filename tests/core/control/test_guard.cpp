@@ -56,6 +56,24 @@ class TestGuard : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A spring that stiffens under load gives energy.
+    void underLoadItComesMoreSlowly() {
+        for (const double load : {1.0, 5.0, 20.0, 100.0}) {
+            Guard guard(kMaxForce, kTripSpeed);
+            while (guard.gain() == 0)
+                guard(calm());
+            GuardInput pressed = calm();
+            pressed.wanted = load;
+            double seconds = 0;
+            while (guard.gain() < 1) {
+                const double before = guard.gain();
+                QVERIFY(load * (guard(pressed) - before) <= kRiseRate * pressed.dt * (1 + 1e-9));
+                seconds += pressed.dt;
+            }
+            QVERIFY(std::abs(seconds - std::max(kRise, (1 - kFirstGain) * load / kRiseRate)) < 2e-3);
+        }
+    }
+
     void forceComesGently() {
         Guard guard(kMaxForce, kTripSpeed);
         QCOMPARE(guard.withheld(), Withheld::NotArmed);

@@ -145,6 +145,53 @@ private slots:
         QCOMPARE(check.servoSteps, cut.servo.rows.size());
     }
 
+    void whatHasNoRowsCanBeCut() {
+        RecordedRun none;
+        trim(none);
+        QVERIFY(none.proxy.rows.empty() && none.servo.rows.empty());
+        RecordedRun half = run_;
+        half.servo = {};
+        trim(half);
+        QVERIFY(!half.proxy.rows.empty() && half.servo.rows.empty());
+        half = run_;
+        half.proxy = {};
+        trim(half);
+        QVERIFY(half.proxyStates.empty());
+    }
+
+    /// A copy may be made while a step is under way whose state was kept already.
+    void aStateWithoutItsRowIsLeftOut() {
+        RecordedRun early = run_;
+        early.proxyStates.push_back(early.proxyStates.back());
+        early.proxyStates.back().row = early.proxy.end();
+        early.servoStates.push_back(early.servoStates.back());
+        early.servoStates.back().row = early.servo.end();
+        trim(early);
+        QVERIFY(early.proxyStates.back().row < early.proxy.end());
+        QVERIFY(early.servoStates.back().row < early.servo.end());
+        QCOMPARE(replayed(early).differ, 0u);
+    }
+
+    /// A device that is there and silent: no haptic step any more, and the last ones are minutes old by the
+    /// time somebody asks.
+    void ticksWithoutStepsAreKept() {
+        RecordedRun silent = run_;
+        const double last = silent.proxy.rows.back().time;
+        const ServoRow tick = silent.servo.rows.back();
+        for (int i = 1; i < 6500; ++i) {
+            if (i % 100 == 0) {
+                silent.servoStates.push_back(silent.servoStates.back());
+                silent.servoStates.back().row = silent.servo.end();
+            }
+            silent.servo.rows.push_back(tick);
+            silent.servo.rows.back().time = last + 0.01 * i;
+        }
+        trim(silent);
+        QVERIFY(!silent.proxy.rows.empty());
+        QVERIFY(silent.servo.rows.size() > 5900);
+        QVERIFY(Player::open(shared(silent)).has_value());
+    }
+
     void oneBitIsFound() {
         RecordedRun forged = run_;
         auto& force = forged.proxy.rows[3000].force[1];

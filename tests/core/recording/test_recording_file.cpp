@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/files/load_scene.h"
+#include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
 #include "core/runtime/compile.h"
@@ -28,6 +29,7 @@ Recording shortRecording() {
 std::string refusal(const std::string& bytes) {
     auto read = parseRecording(bytes, "hostile.tactum-recording");
     if (!read) return read.error().text;
+    eventsOf(read->run);
     auto player = Player::open(std::make_shared<const RecordedRun>(read->run));
     if (!player) return player.error().text;
     player->advanceTo(read->run.begin() + 0.1);
@@ -122,6 +124,57 @@ private slots:
         }
         qInfo("%d refused, %d played", refused, played);
         QVERIFY(refused > 40 && played > 40); // both ways are taken;
+    }
+
+    void aReasonThatIsNoneIsRefused() {
+        for (const std::uint32_t reason : {14u, 17u, 255u, ~0u}) {
+            Recording recording = shortRecording();
+            recording.run.servo.rows[100].withheld = reason;
+            const std::string text = refusal(recordingBytes(recording));
+            QVERIFY2(isSentence(text) && text.find("servo tick 100") != std::string::npos, text.c_str());
+        }
+    }
+
+    /// A state is some kilobytes in memory and may be none in the file.
+    void moreStatesThanAMinuteHasAreRefused() {
+        Recording recording = shortRecording();
+        recording.run.servoStates.clear();
+        for (std::uint64_t row = 0; row < 200; ++row) {
+            ServoStateBytes& state = recording.run.servoStates.emplace_back();
+            state.row = row;
+            state.size = 0;
+        }
+        const std::string text = refusal(recordingBytes(recording));
+        QVERIFY2(isSentence(text) && text.find("more states") != std::string::npos, text.c_str());
+    }
+
+    /// What the person added to a large model, or changed of it, is not in the model's file.
+    void whatIsNotInTheLargeModelIsInTheRecording() {
+        QTemporaryDir folder;
+        const std::filesystem::path model = folder.filePath("grid.obj").toStdString();
+        writeGrid(model, 330);
+        const auto loaded = loadScene(model);
+        QVERIFY(loaded.has_value());
+        Scene mended = loaded->scene;
+        TriangleSoup fewer = *mended.objects[0].geometry;
+        fewer.triangles.pop_back();
+        fewer.surfaceOf.pop_back();
+        fewer.cornerNormals.clear();
+        fewer.cornerUvs.clear();
+        mended.objects[0].geometry = std::make_shared<const TriangleSoup>(fewer);
+        const Recording changed{handMadeRun(50, mended), "a triangle less", {model}};
+        QCOMPARE(refusal(recordingBytes(changed)), std::string());
+
+        Scene layered = loaded->scene;
+        TextureLayer layer;
+        layer.pattern.source = TextureSource::Image;
+        layer.pattern.image =
+            std::make_shared<const TextureImage>(8, 8, std::vector<std::uint16_t>(64, 30'000));
+        layer.pattern.size = 0.01;
+        layered.objects[0].surfaces[0].layers = {layer};
+        const std::string bytes = recordingBytes({handMadeRun(50, layered), "a picture more", {model}});
+        QVERIFY(bytes.size() < 1'000'000); // the grid itself is left out
+        QCOMPARE(refusal(bytes), std::string());
     }
 
     void largeScenesAreFoundInTheirFile() {

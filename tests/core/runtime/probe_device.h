@@ -31,6 +31,7 @@ struct Probe {
     std::atomic<int> pause{0};              ///< ms, that the next exchange stands still
     std::atomic<double> push{0};            ///< newest command along z, N
     std::atomic<double> continuousForce{0}; ///< N, 0: the largest
+    bool real = false; ///< guarded; then there is no log, whose memory comes page by page
     std::string name = "Probe";
     std::vector<Exchange> log;
     int exchangesWhileClosed = 0;
@@ -51,7 +52,8 @@ public:
                 .maxForce = kMaxForce,
                 .continuousForce = probe_->continuousForce,
                 .rate = probe_->rate,
-                .damping = kGrip};
+                .damping = kGrip,
+                .real = probe_->real};
     }
     Result<void> open() override {
         if (probe_->refusesToOpen) return machineError("The probe is not plugged in: plug it in.");
@@ -63,7 +65,8 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         probe_->exchangesWhileClosed += !probe_->isOpen;
         probe_->push = command.force.z();
-        if (probe_->log.size() < probe_->log.capacity()) probe_->log.push_back({command.force, dt});
+        if (!probe_->real && probe_->log.size() < probe_->log.capacity())
+            probe_->log.push_back({command.force, dt});
         if (const int pause = probe_->pause.exchange(0))
             std::this_thread::sleep_for(std::chrono::milliseconds(pause));
         height_ += std::clamp(probe_->height - height_, -kSpeed * dt, kSpeed * dt);

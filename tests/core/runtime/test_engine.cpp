@@ -11,6 +11,7 @@
 #include "core/runtime/engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
+#include "tests/support/page_faults.h"
 
 using namespace tactum;
 
@@ -180,6 +181,43 @@ private slots:
         }
         QVERIFY(plate.engine.proxy().updates - updates >= ticks / 2);
         QVERIFY(plate.engine.proxy().output.contacts > 0);
+    }
+
+    void beforeTheFirstTouchNothingIsRecorded() {
+        Engine untouched(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
+        QVERIFY(untouched.recorded().proxy.rows.empty());
+        QVERIFY(untouched.start().has_value()); // and without a World
+        QVERIFY(eventually([&] { return untouched.poll(), untouched.servo().ticks > 10; }));
+        const RecordedRun run = untouched.recorded();
+        QVERIFY(run.proxy.rows.empty() && !run.servo.rows.empty());
+    }
+
+    /// A driver that does not come back: what the servo told last is not told for ever.
+    void aServoThatStandsStillIsSeen() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        QVERIFY(eventually([&] { return plate.polled().servo().rate > 0; }));
+        QVERIFY(!plate.engine.servoStandsStill());
+        plate.probe->pause = 1500;
+        QVERIFY(eventually([&] { return plate.polled().servoStandsStill(); }));
+        QCOMPARE(plate.engine.servo().rate, 0.0);
+        QVERIFY(eventually([&] { return !plate.polled().servoStandsStill(); }));
+    }
+
+    /// A real device has a guardian, and what a fork shares is given anew page by page.
+    void theLoopsOfARealDeviceFaultNoPages() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("the sanitizer's own memory faults");
+#endif
+        TouchedPlate plate(500);
+        plate.probe->real = true;
+        QVERIFY(plate.touch(kDepth));
+        QTest::qWait(1000);
+        const std::optional<long> servo = pageFaultsOf("tactum-servo"), proxy = pageFaultsOf("tactum-proxy");
+        QVERIFY(servo && proxy);
+        QTest::qWait(3000);
+        QCOMPARE(*pageFaultsOf("tactum-servo") - *servo, 0L);
+        QCOMPARE(*pageFaultsOf("tactum-proxy") - *proxy, 0L);
     }
 
     void stopSendsZeroThenCloses() {

@@ -10,8 +10,11 @@
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
+#include "core/recording/events.h"
+#include "core/recording/recording_file.h"
 #include "tests/ui/window/device_desk.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "ui/axis_capture.h"
@@ -20,6 +23,7 @@
 #include "ui/device_trial.h"
 #include "ui/health_words.h"
 #include "ui/panels/device_panel.h"
+#include "ui/recording_saver.h"
 #include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
 
@@ -299,6 +303,8 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     QVERIFY(desk.connectIt());
     desk.click("notice-act");
     QVERIFY(desk.fullForce());
+    QStandardPaths::setTestModeEnabled(true);
+    QDir(RecordingSaver::folder()).removeRecursively();
     desk.desk->plugged = false;
     QTRY_VERIFY_WITH_TIMEOUT(
         desk.text("notice-text").startsWith(QStringLiteral("Example arm is not there any more")), kPatience);
@@ -308,6 +314,13 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     desk.program.frames(120); // the recording of the fault does not push the sentence away
     QVERIFY2(desk.text("notice-text").contains(QStringLiteral("is not there any more")),
              qPrintable(desk.text("notice-text")));
+    // It is the one of the device that was lost, and not of the hand that took its place.
+    QTRY_COMPARE_WITH_TIMEOUT(QDir(RecordingSaver::folder()).entryList(QDir::Files).size(), 1, kPatience);
+    const QString saved = QDir(RecordingSaver::folder()).entryInfoList(QDir::Files).first().filePath();
+    const auto recording = readRecording(saved.toStdString());
+    QVERIFY2(recording.has_value(), recording ? "" : recording.error().text.c_str());
+    QCOMPARE(recording->run.device.name, std::string("Example arm"));
+    QVERIFY(std::ranges::any_of(eventsOf(recording->run), &RecordedEvent::fault));
     desk.engine().setArmed(true); // the simulated hand meanwhile
     desk.desk->plugged = true;
     QVERIFY(desk.ready());

@@ -37,7 +37,7 @@ class TestPlayback : public QObject {
     static bool save(TouchedWindow& program, const QString& file) {
         auto* saver = program.window->findChild<RecordingSaver*>();
         QSignalSpy saved(saver, &RecordingSaver::saved);
-        saver->save(file, QStringLiteral("a test wanted it"));
+        saver->save(file, saver->take(QStringLiteral("a test wanted it")));
         return saved.wait(kPatience) && QFile::exists(file);
     }
     static void stroke(TouchedWindow& program) {
