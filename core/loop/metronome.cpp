@@ -50,6 +50,7 @@ Tick Metronome::wait() noexcept {
     tick.late = double(late) / double(kSecond);
     tick.missed = late > period_;
     tick.woke = woke;
+    tick.asleep = now < due;
     scheduled_ = tick.missed ? woke : due;
     last_ = woke;
     return tick;

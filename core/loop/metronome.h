@@ -18,6 +18,7 @@ struct Tick {
     double late = 0;       ///< since it was due
     bool missed = false;   ///< more than one period late
     std::int64_t woke = 0; ///< ns of CLOCK_MONOTONIC
+    bool asleep = false;   ///< before it was due: the work of before did not make it late
 };
 
 /// Sleeps to absolute times, so that errors do not add up, and never spins: a loop that cannot keep its

@@ -30,7 +30,7 @@ void Canary::sing(double servoRate) noexcept {
     }
 }
 
-bool Canary::explains(std::int64_t due, std::int64_t woke) const noexcept {
+bool Canary::explains(std::int64_t due, std::int64_t woke, bool asleep) const noexcept {
     std::int64_t away = 0;
     for (const Delay& delay : delays_) {
         const std::int64_t from = delay.from.load(std::memory_order_relaxed),
@@ -38,7 +38,7 @@ bool Canary::explains(std::int64_t due, std::int64_t woke) const noexcept {
         away += std::max(std::int64_t(0), std::min(until, woke) - std::max(from, due));
     }
     constexpr double kUnseen = 1 / kBeats + kNoted; // periods, of an absence that began right after a beat
-    return double(away) >= double(woke - due) - kUnseen * period_;
+    return double(away) >= (asleep ? kTorn * period_ : double(woke - due) - kUnseen * period_);
 }
 
 Result<void> Canary::start(double servoRate) {

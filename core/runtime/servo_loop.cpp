@@ -23,8 +23,8 @@ struct Servo {
     RecentPeriods periods;
     GuardianWatch guardianWatch;
     bool unguarded = false;
-    double period = 0;              ///< s, measured
-    std::int64_t due = 0, woke = 0; ///< ns, of the last tick if it was missed, else 0
+    double period = 0; ///< s, measured
+    Tick missed;       ///< the last one, if it was
     ServoTelemetry telemetry;
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
@@ -96,12 +96,12 @@ void report(Servo& servo, const ServoOutput& output, const Tick& tick, double pe
 /// A miss is counted and judged one tick later, when the canary has noted its own: it may live on another
 /// processor.
 void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept {
-    if (servo.woke > 0) {
-        ++servo.telemetry.misses;
-        servo.telemetry.machineMisses += canary.explains(servo.due, servo.woke);
-    }
-    servo.woke = tick.missed ? tick.woke : 0;
-    servo.due = tick.woke - std::int64_t(1e9 * tick.late);
+    const Tick last = servo.missed;
+    servo.missed = tick.missed ? tick : Tick{};
+    if (!last.missed) return;
+    ++servo.telemetry.misses;
+    const std::int64_t due = last.woke - std::int64_t(1e9 * last.late);
+    servo.telemetry.machineMisses += canary.explains(due, last.woke, last.asleep);
 }
 
 } // namespace
