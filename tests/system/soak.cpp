@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "core/control/guard_words.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
 #include "device/simulated_hand.h"
@@ -66,7 +67,9 @@ struct Soak {
         scenes[which].objects[0].surfaces[0].material.stiffness = 800 + 300 * std::sin(t);
         show(which);
         engine.poll();
-        engine.setArmed(!isFault(engine.servo().withheld));
+        const Withheld why = engine.servo().withheld;
+        if (isFault(why) && engine.armed()) std::printf("%.1f s: %s\n", t, guardWords(why).brief);
+        engine.setArmed(!isFault(why));
         for (TracePoint point; engine.popTrace(point);)
             continue;
     }
