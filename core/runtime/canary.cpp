@@ -38,7 +38,9 @@ bool Canary::explains(std::int64_t due, std::int64_t woke, bool asleep) const no
         away += std::max(std::int64_t(0), std::min(until, woke) - std::max(from, due));
     }
     constexpr double kUnseen = 1 / kBeats + kNoted; // periods, of an absence that began right after a beat
-    return double(away) >= (asleep ? kTorn * period_ : double(woke - due) - kUnseen * period_);
+    constexpr double kNoise = 1e5;                  // ns: so late is a thread on an ordinary machine anyway
+    return double(away) >=
+           (asleep ? std::max(kNoise, kTorn * period_) : double(woke - due) - kUnseen * period_);
 }
 
 Result<void> Canary::start(double servoRate) {

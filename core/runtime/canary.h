@@ -38,9 +38,9 @@ public:
     void follow(int processor) noexcept { processor_.store(processor, std::memory_order_relaxed); }
     /// Whether the machine was away while the servo was late: from when it was `due` until it `woke`, in ns
     /// of CLOCK_MONOTONIC. Of a servo that was `asleep` by then it is enough that the canary was seen late by
-    /// kTorn: absences in pieces may be longer than what the canary sees of them. One that worked on was late
-    /// because of the machine only if that was away all the while, but for the part of a beat in which the
-    /// canary was not due. Thread: real time.
+    /// kTorn, and by 0.1 ms at least: absences in pieces may be longer than what the canary sees of them. One
+    /// that worked on was late because of the machine only if that was away all the while, but for the part
+    /// of a beat in which the canary was not due. Thread: real time.
     bool explains(std::int64_t due, std::int64_t woke, bool asleep) const noexcept;
 
 private:
