@@ -1,10 +1,10 @@
 // Comparing a stroke over two states of the scene: its dock, its commands, its file.
 #include <QAction>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QStandardPaths>
 
 #include "core/base/atomic_file.h"
+#include "ui/ask_where.h"
 #include "ui/comparison.h"
 #include "ui/main_window.h"
 #include "ui/panels/compare_panel.h"
@@ -56,10 +56,9 @@ void MainWindow::exportComparison() {
     const auto result = comparison_->result(); // as it is now, whatever is edited while the dialog is open
     if (!result) return;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    QString file = QFileDialog::getSaveFileName(
-        this, tr("Export both touches"), folder + QStringLiteral("/comparison.csv"), tr("Tables (*.csv)"));
+    const QString file = askWhere(this, tr("Export both touches"), tr("Tables"), "csv",
+                                  folder + QStringLiteral("/comparison.csv"));
     if (file.isEmpty()) return;
-    if (!file.contains(u'.')) file += QStringLiteral(".csv");
     const std::filesystem::path path(file.toStdU16String());
     const auto written = writeFileAtomically(path, differenceCsv(*result->a, *result->b), 0);
     if (written)
