@@ -121,7 +121,7 @@ KnownParts partsOf(const std::vector<std::filesystem::path>& sources, const std:
 /// What may be left out: nothing of scenes that are small, else what the models really hold by now.
 KnownParts leftOut(const Recording& recording) {
     if (recording.sources.empty() || areSmall(recording.run.scenes)) return {};
-    return partsOf(recording.sources, {});
+    return partsOf(recording.sources, recording.sources.front().parent_path());
 }
 
 /// The parts of a file in the order in which they come.
