@@ -4,6 +4,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include <algorithm>
+#include <iterator>
+
 namespace tactum {
 
 namespace {
@@ -14,19 +17,34 @@ bool mayReplace(QWidget* parent, const QString& file) {
            QMessageBox::Yes;
 }
 
+QString filterOf(const FileKind& kind) {
+    return QStringLiteral("%1 (*.%2)").arg(kind.name, kind.ending);
+}
+
+bool isOf(const FileKind& kind, const QString& file) {
+    return file.endsWith(u'.' + kind.ending, Qt::CaseInsensitive);
+}
+
 } // namespace
 
-QString askWhere(QWidget* parent, const QString& title, const QString& kind, const char* ending,
-                 const QString& now) {
-    const QString suffix = QString::fromUtf8(ending);
-    QFileDialog dialog(parent, title, QFileInfo(now).path(), QStringLiteral("%1 (*.%2)").arg(kind, suffix));
+QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& kinds, const QString& now) {
+    QFileDialog dialog(parent, title, QFileInfo(now).path());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(QFileInfo(now).completeBaseName() + u'.' + suffix);
+    QStringList filters;
+    std::ranges::transform(kinds, std::back_inserter(filters), filterOf);
+    dialog.setNameFilters(filters);
+    const auto chosen = [&]() -> const FileKind& {
+        return kinds[std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter()))];
+    };
+    const auto complete = [&] { dialog.setDefaultSuffix(chosen().ending); };
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, complete);
+    complete();
+    dialog.selectFile(isOf(chosen(), now) ? QFileInfo(now).fileName()
+                                          : QFileInfo(now).completeBaseName() + u'.' + chosen().ending);
     if (dialog.exec() != QDialog::Accepted) return {};
     QString file = dialog.selectedFiles().value(0);
-    if (file.endsWith(u'.' + suffix, Qt::CaseInsensitive)) return file;
-    file += u'.' + suffix;
+    if (std::ranges::any_of(kinds, [&](const FileKind& kind) { return isOf(kind, file); })) return file;
+    file += u'.' + chosen().ending;
     return !QFileInfo::exists(file) || mayReplace(parent, file) ? file : QString();
 }
 

@@ -1,15 +1,21 @@
 // Where a file is to be written.
 #pragma once
 
+#include <QList>
 #include <QString>
 
 class QWidget;
 
 namespace tactum {
 
+/// What people call such files, and how their names end, without the dot.
+struct FileKind {
+    QString name, ending;
+};
+
 /// Empty when the person thinks better of it. Not by the static function: its dialog would not add the
-/// ending. Another ending than the kind's would promise another format, so it gets this one behind it.
-QString askWhere(QWidget* parent, const QString& title, const QString& kind, const char* ending,
-                 const QString& now);
+/// ending. An ending of no `kind` would promise another format, so that of the chosen kind goes behind it.
+/// @param now a file of the first kind, or one whose name it takes over
+QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& kinds, const QString& now);
 
 } // namespace tactum

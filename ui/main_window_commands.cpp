@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "core/recording/recording_file.h"
+#include "ui/ask_where.h"
 #include "ui/guide_window.h"
 #include "ui/hand_link.h"
 #include "ui/held_key.h"
@@ -244,10 +245,11 @@ void MainWindow::askForFile() {
 }
 
 void MainWindow::savePicture() {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the view"), QStringLiteral("touch.png"),
-                                                      tr("Pictures (*.png)"));
+    const QImage picture = view_->grabPicture(); // as it is now, however long the person looks for a place
+    const QString file = askWhere(this, tr("Save the view"), {{tr("Pictures"), QStringLiteral("png")}},
+                                  QStringLiteral("touch.png"));
     if (file.isEmpty()) return;
-    if (view_->grabPicture().save(file, "PNG"))
+    if (picture.save(file, "PNG"))
         notice_->showNote(tr("The view was written to %1.").arg(file));
     else
         notice_->showError(

@@ -56,7 +56,7 @@ void MainWindow::exportComparison() {
     const auto result = comparison_->result(); // as it is now, whatever is edited while the dialog is open
     if (!result) return;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QString file = askWhere(this, tr("Export both touches"), tr("Tables"), "csv",
+    const QString file = askWhere(this, tr("Export both touches"), {{tr("Tables"), QStringLiteral("csv")}},
                                   folder + QStringLiteral("/comparison.csv"));
     if (file.isEmpty()) return;
     const std::filesystem::path path(file.toStdU16String());

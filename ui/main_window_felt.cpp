@@ -2,11 +2,11 @@
 #include "ui/main_window.h"
 
 #include <QActionGroup>
-#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
 
+#include "ui/ask_where.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/notice_bar.h"
@@ -81,9 +81,11 @@ void MainWindow::connectFelt() {
 }
 
 void MainWindow::exportPlot() {
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Export the plot"), QStringLiteral("touch.csv"),
-                                     tr("Numbers (*.csv);;Pictures (*.png);;Drawings (*.svg)"));
+    const QString file = askWhere(this, tr("Export the plot"),
+                                  {{tr("Numbers"), QStringLiteral("csv")},
+                                   {tr("Pictures"), QStringLiteral("png")},
+                                   {tr("Drawings"), QStringLiteral("svg")}},
+                                  QStringLiteral("touch.csv"));
     if (file.isEmpty()) return;
     const auto written = docks_.plot->exportTo(file);
     if (written)

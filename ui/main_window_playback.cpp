@@ -105,8 +105,8 @@ void MainWindow::saveRecording() {
     // The minute before the command, however long the person looks for a place.
     const RecordingSaver::Taken recording = saver_->take(tr("Saved on demand"));
     if (!recording) return;
-    const QString file = askWhere(this, tr("Save the last minute"), tr("Recordings"),
-                                  std::string(kRecordingEnding).c_str(), suggestedFile());
+    const QString file = askWhere(this, tr("Save the last minute"),
+                                  {{tr("Recordings"), QString::fromUtf8(kRecordingEnding)}}, suggestedFile());
     if (!file.isEmpty()) saver_->save(file, recording);
 }
 

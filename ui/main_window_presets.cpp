@@ -7,6 +7,7 @@
 
 #include "core/presets/preset_file.h"
 #include "ui/apply_preset.h"
+#include "ui/ask_where.h"
 #include "ui/main_window.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/preset_form.h"
@@ -19,8 +20,8 @@ namespace tactum {
 
 namespace {
 
-QString presetPattern() {
-    return QStringLiteral("*.") + QString::fromUtf8(kPresetEnding.data(), qsizetype(kPresetEnding.size()));
+QString presetEnding() {
+    return QString::fromUtf8(kPresetEnding);
 }
 
 } // namespace
@@ -124,10 +125,11 @@ void MainWindow::savePreset() {
 }
 
 void MainWindow::askForPresets() {
-    presetStore_->importFiles(QFileDialog::getOpenFileNames(
-        this, tr("Import presets"), {},
-        tr("Presets and texture models (%1 *.xml);;Presets (%1);;Texture models of the Penn toolkit (*.xml)")
-            .arg(presetPattern())));
+    presetStore_->importFiles(
+        QFileDialog::getOpenFileNames(this, tr("Import presets"), {},
+                                      tr("Presets and texture models (*.%1 *.xml);;Presets (*.%1);;Texture "
+                                         "models of the Penn toolkit (*.xml)")
+                                          .arg(presetEnding())));
 }
 
 void MainWindow::exportPreset() {
@@ -135,17 +137,15 @@ void MainWindow::exportPreset() {
     if (!stored) return;
     const Preset preset = stored->preset; // as it is now, whatever is chosen while the dialog is open
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    QFileDialog dialog(this, tr("Export the preset"), folder, tr("Presets (%1)").arg(presetPattern()));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(presetPattern().mid(2));
-    dialog.selectFile(QString::fromStdString(presetFileName(preset.name)) + presetPattern().mid(1));
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString file = dialog.selectedFiles().value(0);
-    if (presetStore_->write(preset, file)) notice_->showNote(tr("The preset was written to %1.").arg(file));
+    const QString name = QString::fromStdString(presetFileName(preset.name)) + u'.' + presetEnding();
+    const QString file =
+        askWhere(this, tr("Export the preset"), {{tr("Presets"), presetEnding()}}, folder + u'/' + name);
+    if (!file.isEmpty() && presetStore_->write(preset, file))
+        notice_->showNote(tr("The preset was written to %1.").arg(file));
 }
 
 bool MainWindow::takePreset(const QString& file, std::optional<SurfaceRef> surface) {
-    const bool isPreset = file.endsWith(presetPattern().mid(1), Qt::CaseInsensitive);
+    const bool isPreset = file.endsWith(u'.' + presetEnding(), Qt::CaseInsensitive);
     if (!isPreset && !file.endsWith(QStringLiteral(".xml"), Qt::CaseInsensitive)) return false;
     droppedOn_ = playback_->active() ? std::nullopt : surface;
     presetStore_->importFiles({file});

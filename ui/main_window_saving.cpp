@@ -89,7 +89,8 @@ void MainWindow::askToOverwrite() {
 
 void MainWindow::saveAs() {
     const QString file =
-        askWhere(this, tr("Save the scene"), tr("Scenes"), kSceneEnding, placeToSave(document_, samples_));
+        askWhere(this, tr("Save the scene"), {{tr("Scenes"), QString::fromUtf8(kSceneEnding)}},
+                 placeToSave(document_, samples_));
     if (file.isEmpty())
         afterSave_ = nullptr;
     else
@@ -98,7 +99,8 @@ void MainWindow::saveAs() {
 
 void MainWindow::exportBundle() {
     const QString file =
-        askWhere(this, tr("Export a bundle"), tr("Bundles"), kBundleEnding, placeToSave(document_, samples_));
+        askWhere(this, tr("Export a bundle"), {{tr("Bundles"), QString::fromUtf8(kBundleEnding)}},
+                 placeToSave(document_, samples_));
     if (!file.isEmpty()) document_.exportBundle(pathOf(file));
 }
 

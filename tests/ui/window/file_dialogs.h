@@ -4,18 +4,20 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QTimer>
 
 namespace tactum {
 
-/// Answers the next one as a person does; `offered`: the folder in which it began.
+/// Answers the next one as a person does, by typing; `offered`: the folder in which it began.
+/// `QFileDialog::selectFile()` leaves alone a name that has the keyboard.
 inline void answerFileDialog(const QString& file, QString* offered = nullptr) {
     auto* timer = new QTimer;
     QObject::connect(timer, &QTimer::timeout, timer, [timer, file, offered] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         if (!dialog) return;
         if (offered) *offered = dialog->directory().path();
-        dialog->selectFile(file);
+        dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
         QMetaObject::invokeMethod(dialog, "accept");
         timer->deleteLater();
     });

@@ -181,6 +181,19 @@ private slots:
         QVERIFY(QFileInfo::exists(file(QStringLiteral("felt.stl.glb"))));
     }
 
+    void whatIsWrittenGetsTheEndingOfItsKind() {
+        TouchedWindow program;
+        QVERIFY(program.open(writeCube(folder_)));
+        const std::pair<const char*, const char*> commands[]{
+            {"export-plot", "plot.csv"}, {"export-plot", "plot.svg"}, {"save-picture", "view.png"}};
+        for (const auto& [command, wanted] : commands) {
+            const QString expected = file(QString::fromLatin1(wanted));
+            answerFileDialog(expected.endsWith(QStringLiteral("svg")) ? expected : expected.chopped(4));
+            program.command(command).trigger();
+            QVERIFY2(QFileInfo::exists(expected), wanted);
+        }
+    }
+
     void aSampleIsNotWrittenOver() {
         const QString sample = file(QStringLiteral("sample.glb"));
         {
