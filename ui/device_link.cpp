@@ -101,10 +101,11 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
 }
 
 // A device that is open may be hidden from a list, by its maker's library for instance: it is lost when its
-// readings do not come either.
+// readings do not come either, or its driver does not come back at all.
 bool DeviceLink::unread() {
     constexpr std::uint64_t kHiccup = 100; // readings
-    return !engine_.running() || engine_.servo().withheld == Withheld::DeviceLost ||
+    return !engine_.running() || engine_.servoStandsStill() ||
+           engine_.servo().withheld == Withheld::DeviceLost ||
            engine_.servo().invalidSamples > seenUnread_ + kHiccup;
 }
 

@@ -84,14 +84,22 @@ RecordingSaver::Taken RecordingSaver::take(const QString& reason) {
     return {};
 }
 
+RecordingSaver::~RecordingSaver() {
+    for (const Order& order : waiting_)
+        (void)put(order); // there is no window left to say it in
+}
+
+Result<void> RecordingSaver::put(const Order& order) {
+    Result<void> written = writeFileAtomically(order.file.toStdString(), recordingBytes(*order.recording), 0);
+    if (order.afterFault) dropOldest(folder());
+    return written;
+}
+
 /// One after the other.
 void RecordingSaver::write(const Order& order) {
     if (job_.running()) return waiting_.push_back(order);
     job_.start([this, order](const Progress&) -> BackgroundJob::Delivery {
-        const auto written =
-            writeFileAtomically(order.file.toStdString(), recordingBytes(*order.recording), 0);
-        if (order.afterFault) dropOldest(folder());
-        return [this, written, order] {
+        return [this, written = put(order), order] {
             if (written)
                 emit saved(order.file, order.afterFault);
             else

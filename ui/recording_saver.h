@@ -22,6 +22,8 @@ class RecordingSaver : public QObject {
     Q_OBJECT
 public:
     RecordingSaver(const Engine& engine, const Document& document, QObject* parent = nullptr);
+    /// Writes what still waits for its turn.
+    ~RecordingSaver() override;
 
     using Taken = std::shared_ptr<const Recording>;
 
@@ -50,6 +52,7 @@ private:
         bool afterFault;
     };
     void write(const Order& order);
+    static Result<void> put(const Order& order);
 
     const Engine& engine_;
     const Document& document_;

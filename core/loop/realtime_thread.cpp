@@ -1,7 +1,9 @@
 #include "core/loop/realtime_thread.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
+#include <ctime>
 #include <sched.h>
 #include <sys/mman.h>
 
@@ -18,14 +20,17 @@ constexpr std::size_t kPage = 4096;
         stack[at] = 0;
 }
 
+using Body = std::function<void()>;
+
 void* run(void* body) {
     touchStack();
-    (*static_cast<std::function<void()>*>(body))();
+    const std::unique_ptr<Body> own(static_cast<Body*>(body)); // an abandoned thread outlives its handle
+    (*own)();
     return nullptr;
 }
 
 /// Begins with its priority, so that the body can rely on it.
-int create(pthread_t& thread, int priority, std::function<void()>& body) {
+int create(pthread_t& thread, int priority, Body* body) {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     sched_param parameters{};
@@ -35,7 +40,7 @@ int create(pthread_t& thread, int priority, std::function<void()>& body) {
         pthread_attr_setschedpolicy(&attributes, SCHED_FIFO);
         pthread_attr_setschedparam(&attributes, &parameters);
     }
-    const int failure = pthread_create(&thread, &attributes, run, &body);
+    const int failure = pthread_create(&thread, &attributes, run, body);
     pthread_attr_destroy(&attributes);
     return failure;
 }
@@ -44,12 +49,13 @@ int create(pthread_t& thread, int priority, std::function<void()>& body) {
 
 Result<void> RealtimeThread::start(const char* name, int priority, std::function<void()> body) {
     join();
-    body_ = std::move(body);
-    refusal_ = create(thread_, priority, body_);
-    const int failure = refusal_ ? create(thread_, 0, body_) : 0; // an ordinary thread then
+    auto own = std::make_unique<Body>(std::move(body));
+    refusal_ = create(thread_, priority, own.get());
+    const int failure = refusal_ ? create(thread_, 0, own.get()) : 0; // an ordinary thread then
     if (failure)
         return machineError(std::string("Cannot start the thread ") + name + ": " + std::strerror(failure) +
                             "; close other programs and try again.");
+    own.release(); // the thread has it
     running_ = true;
     pthread_setname_np(thread_, name);
     return {};
@@ -57,6 +63,22 @@ Result<void> RealtimeThread::start(const char* name, int priority, std::function
 
 void RealtimeThread::join() {
     if (running_) pthread_join(thread_, nullptr);
+    running_ = false;
+}
+
+bool RealtimeThread::joinWithin(double patience) {
+    if (!running_) return true;
+    timespec until{};
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    const double nanoseconds = double(until.tv_nsec) + 1e9 * patience;
+    until.tv_sec += time_t(nanoseconds / 1e9);
+    until.tv_nsec = long(std::fmod(nanoseconds, 1e9));
+    running_ = pthread_clockjoin_np(thread_, nullptr, CLOCK_MONOTONIC, &until) != 0;
+    return !running_;
+}
+
+void RealtimeThread::abandon() {
+    if (running_) pthread_detach(thread_);
     running_ = false;
 }
 

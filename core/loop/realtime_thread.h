@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <pthread.h>
 
 #include "core/base/result.h"
@@ -23,12 +24,15 @@ public:
     Result<void> start(const char* name, int priority, std::function<void()> body);
     /// Waits for the body's end. Safe without start().
     void join();
+    /// Waits so long at most, in s; false: the body has not ended. Safe without start().
+    bool joinWithin(double patience);
+    /// Never waits for this body again. What the body touches must live for as long as it.
+    void abandon();
 
     /// errno of the refusal of SCHED_FIFO; 0 when it was granted.
     int refusal() const { return refusal_; }
 
 private:
-    std::function<void()> body_;
     pthread_t thread_{};
     bool running_ = false;
     int refusal_ = 0;

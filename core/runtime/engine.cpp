@@ -48,6 +48,26 @@ struct Beats {
     }
 };
 
+constexpr double kExchangePatience = 1; ///< s, for an exchange to come back when the loops shall end
+
+/// In the place of one that never came back.
+class AbandonedDevice final : public HapticDevice {
+public:
+    explicit AbandonedDevice(DeviceInfo info) : info_(std::move(info)) {}
+
+    DeviceInfo info() const override { return info_; }
+    Result<void> open() override { return machineError(trouble()); }
+    void close() override {}
+    std::string trouble() const override {
+        return info_.name + " did not come back from its last exchange: unplug it, and start the program " +
+               "again before it is used.";
+    }
+    DeviceSample exchange(const DeviceCommand&, double) noexcept override { return {}; }
+
+private:
+    DeviceInfo info_;
+};
+
 struct FeltScene {
     double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is felt still
     RecordedScene recorded;
@@ -68,6 +88,7 @@ struct Engine::Impl {
     RealtimeThread servoThread, proxyThread;
     /// By the device's name: who pulls a hot device out and puts it back has a hot device.
     std::map<std::string, LeftHeat> heat;
+    LeftHeat motors; ///< of the device; the servo's while it runs
     Workspace workspace;
     bool deadMan = false;
     bool running = false;
@@ -78,7 +99,7 @@ struct Engine::Impl {
     Beats proxyBeats, servoBeats;
 
     Result<void> startLoops();
-    void endLoops();
+    bool endLoops();
     void handOver();
     void release(const World* world);
     void releaseRetired();
@@ -92,6 +113,7 @@ void Engine::Impl::freshChannels() {
     const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
     channels = std::make_unique<Channels>(rate, kUpdatesPerTick * rate);
     channels->workspace.write(workspace);
+    motors = heat[info.name];
     askForButton();
     proxyBeats = servoBeats = {};
     felt.clear();
@@ -115,10 +137,9 @@ void Engine::Impl::remember(const World& world) {
 
 Result<void> Engine::Impl::startLoops() {
     if (Result<void> watched = canary.start(info.rate); !watched) return watched;
-    LeftHeat& motors = heat[info.name];
     return servoThread
         .start("tactum-servo", kServoPriority,
-               [this, &motors] {
+               [this] {
                    servoLoop(*channels, *device, info, motors, {guardian, canary});
                })
         .and_then([this] {
@@ -128,13 +149,19 @@ Result<void> Engine::Impl::startLoops() {
         });
 }
 
-void Engine::Impl::endLoops() {
+/// False: the servo has not come back, and may use device, channels, canary and guardian whenever it does.
+bool Engine::Impl::endLoops() {
     channels->stop.store(true, std::memory_order_relaxed);
-    servoThread.join();
     proxyThread.join();
+    if (!servoThread.joinWithin(kExchangePatience)) {
+        heat[info.name] = {channels->servoTelemetry.read().heat, monotonicNanoseconds()};
+        return false;
+    }
+    heat[info.name] = motors;
     canary.stop();
     guardian.stop();
     device->close();
+    return true;
 }
 
 /// Makes the newest World the next that the proxy loop takes. One that it never took is released at once.
@@ -182,7 +209,7 @@ Result<void> Engine::start() {
     impl_->freshChannels();
     impl_->handOver();
     if (Result<void> started = guarded.and_then([this] { return impl_->startLoops(); }); !started) {
-        impl_->endLoops();
+        if (!impl_->endLoops()) abandon();
         return started;
     }
     impl_->running = true;
@@ -198,12 +225,29 @@ Result<void> Engine::start() {
 void Engine::stop() {
     assertNotRealtime();
     if (!impl_->running) return;
-    impl_->endLoops();
+    if (!impl_->endLoops()) abandon();
     impl_->running = false;
     poll();
     // No loop is left to see them; the newest stays for the next start.
     impl_->kept.erase(impl_->kept.begin(),
                       impl_->kept.end() - std::min<std::ptrdiff_t>(1, std::ssize(impl_->kept)));
+}
+
+/// What the servo may still touch stays as it is until the process ends; what the person decided goes along.
+/// Its guardian has stopped the device already, and stays to do so when the program dies.
+void Engine::abandon() {
+    impl_->device->emergencyStop();
+    impl_->servoThread.abandon();
+    auto fresh = std::make_unique<Impl>();
+    fresh->device = std::make_unique<AbandonedDevice>(impl_->info);
+    fresh->info = impl_->info;
+    if (!impl_->kept.empty()) fresh->kept.push_back(impl_->kept.back());
+    fresh->heat = impl_->heat;
+    fresh->workspace = impl_->workspace;
+    fresh->deadMan = impl_->deadMan;
+    fresh->freshChannels();
+    static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
+    abandoned.push_back(std::exchange(impl_, std::move(fresh)));
 }
 
 Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {

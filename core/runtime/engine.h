@@ -25,7 +25,9 @@ public:
     /// Opens the device and starts both loops, forces off. Refuses a device whose figures cannot be.
     Result<void> start();
     /// Zero force, both loops ended, device closed. Safe to call twice. The newest World stays for a later
-    /// start(); all others are released.
+    /// start(); all others are released. A device that does not come back from its exchange within a second
+    /// is stopped the short way and given up with all that its servo may still touch: start() then refuses it,
+    /// setDevice() takes another one.
     void stop();
     bool running() const;
 
@@ -85,6 +87,8 @@ public:
     const std::string& priorityNote() const;
 
 private:
+    void abandon();
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

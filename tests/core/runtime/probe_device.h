@@ -27,11 +27,14 @@ struct Probe {
     std::atomic<bool> nonsense{false}; ///< the finger's position is no number
     std::atomic<bool> refusesToOpen{false};
     std::atomic<bool> isOpen{false};
-    std::atomic<double> rate{1000};         ///< Hz, that the driver names
-    std::atomic<int> pause{0};              ///< ms, that the next exchange stands still
+    std::atomic<double> rate{1000}; ///< Hz, that the driver names
+    std::atomic<int> pause{0};      ///< ms, that the next exchange stands still
+    std::atomic<int> exchanges{0};
+    std::atomic<bool> stopped{false};       ///< by emergencyStop()
     std::atomic<double> push{0};            ///< newest command along z, N
     std::atomic<double> continuousForce{0}; ///< N, 0: the largest
     bool real = false; ///< guarded; then there is no log, whose memory comes page by page
+    int buttons = 0;
     std::string name = "Probe";
     std::vector<Exchange> log;
     int exchangesWhileClosed = 0;
@@ -53,6 +56,7 @@ public:
                 .continuousForce = probe_->continuousForce,
                 .rate = probe_->rate,
                 .damping = kGrip,
+                .buttons = probe_->buttons,
                 .real = probe_->real};
     }
     Result<void> open() override {
@@ -65,6 +69,7 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         probe_->exchangesWhileClosed += !probe_->isOpen;
         probe_->push = command.force.z();
+        ++probe_->exchanges;
         if (!probe_->real && probe_->log.size() < probe_->log.capacity())
             probe_->log.push_back({command.force, dt});
         if (const int pause = probe_->pause.exchange(0))
@@ -73,6 +78,7 @@ public:
         const double height = probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : height_;
         return {.position = {0, 0, height}, .valid = probe_->valid};
     }
+    void emergencyStop() noexcept override { probe_->stopped = true; }
 
 private:
     std::shared_ptr<Probe> probe_;

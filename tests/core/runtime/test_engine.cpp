@@ -204,6 +204,40 @@ private slots:
         QVERIFY(eventually([&] { return !plate.polled().servoStandsStill(); }));
     }
 
+    /// Nothing waits for ever: what its servo may still touch is left to it.
+    void aDeviceThatNeverComesBackIsGivenUp() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        plate.engine.setDeadMan(true);
+        const std::shared_ptr<Probe> hung = plate.probe;
+        hung->pause = 3000;
+        QVERIFY(eventually([&] { return hung->pause == 0; }));
+        const int before = hung->exchanges;
+        const std::int64_t begun = monotonicNanoseconds();
+        plate.engine.stop();
+        const auto seconds = 1e-9 * double(monotonicNanoseconds() - begun);
+        QVERIFY2(seconds > 0.9 && seconds < 2.5, qPrintable(QString::number(seconds)));
+        QVERIFY(hung->isOpen && hung->stopped);
+        QVERIFY(!plate.engine.running());
+        const Result<void> again = plate.engine.start();
+        QVERIFY(!again && again.error().text.find("Probe did not come back") == 0);
+        QVERIFY(!plate.engine.trouble().empty());
+
+        plate.probe = std::make_shared<Probe>();
+        plate.probe->buttons = 1;
+        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)).has_value());
+        QVERIFY(plate.engine.deadMan());
+        plate.engine.setDeadMan(false);
+        QVERIFY(eventually([&] { return plate.polled().proxy().updates > 10; }));
+        plate.probe->height = kRadius - kDepth; // what was to be felt still is
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+        // It comes back after all: one last command, of no force, and its thread ends.
+        QVERIFY(eventually([&] { return hung->exchanges == before + 1; }));
+        QCOMPARE(hung->push.load(), 0.0);
+        QVERIFY(plate.pushesWith(500 * kDepth));
+    }
+
     /// A real device has a guardian, and what a fork shares is given anew page by page.
     void theLoopsOfARealDeviceFaultNoPages() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -4,11 +4,13 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTest>
+#include <QThreadPool>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -69,6 +71,7 @@ private slots:
     void healthIsTheRecordings();
     void historyAndHandAreLeftAlone();
     void aFaultIsSavedByItself();
+    void whatWaitsWhenTheWindowClosesIsWritten();
     void aDamagedFileIsOneLine();
     void everyMomentLooksLikeIt();
 };
@@ -220,6 +223,24 @@ void TestPlayback::aFaultIsSavedByItself() {
     QVERIFY(opened(program, saved.front().at(0).toString()));
     const auto events = eventsOf(playbackOf(program).player().run());
     QVERIFY(std::ranges::any_of(events, &RecordedEvent::fault));
+}
+
+void TestPlayback::whatWaitsWhenTheWindowClosesIsWritten() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const QStringList files{folder_.filePath(QStringLiteral("first.tactum-recording")),
+                            folder_.filePath(QStringLiteral("second.tactum-recording"))};
+    {
+        RecordingSaver saver(program.engine, program.document);
+        const RecordingSaver::Taken recording = saver.take(QStringLiteral("wanted"));
+        QVERIFY(recording);
+        for (const QString& file : files)
+            saver.save(file, recording);
+    }
+    QThreadPool::globalInstance()->waitForDone();
+    for (const QString& file : files)
+        QVERIFY2(QFileInfo::exists(file), qPrintable(file));
+    QVERIFY(opened(program, files.back()));
 }
 
 void TestPlayback::aDamagedFileIsOneLine() {
