@@ -1,11 +1,13 @@
 #include "core/loop/realtime_thread.h"
 
 #include <cerrno>
-#include <cmath>
+#include <chrono>
 #include <cstring>
-#include <ctime>
 #include <sched.h>
 #include <sys/mman.h>
+#include <thread>
+
+#include "core/base/clock.h"
 
 namespace tactum {
 namespace {
@@ -66,15 +68,16 @@ void RealtimeThread::join() {
     running_ = false;
 }
 
+// By looking: pthread_clockjoin_np is not known to every thread sanitizer, and the wall clock of the timed
+// one jumps.
 bool RealtimeThread::joinWithin(double patience) {
-    if (!running_) return true;
-    timespec until{};
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    const double nanoseconds = double(until.tv_nsec) + 1e9 * patience;
-    until.tv_sec += time_t(nanoseconds / 1e9);
-    until.tv_nsec = long(std::fmod(nanoseconds, 1e9));
-    running_ = pthread_clockjoin_np(thread_, nullptr, CLOCK_MONOTONIC, &until) != 0;
-    return !running_;
+    const std::int64_t until = monotonicNanoseconds() + std::int64_t(1e9 * patience);
+    while (running_ && pthread_tryjoin_np(thread_, nullptr) != 0) {
+        if (monotonicNanoseconds() > until) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    running_ = false;
+    return true;
 }
 
 void RealtimeThread::abandon() {
