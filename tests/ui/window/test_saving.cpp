@@ -1,5 +1,6 @@
 // Saving a scene from the window, and not losing it by closing or opening.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -8,6 +9,7 @@
 
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/ask_where.h"
 
 using namespace tactum;
 
@@ -192,6 +194,23 @@ private slots:
             program.command(command).trigger();
             QVERIFY2(QFileInfo::exists(expected), wanted);
         }
+    }
+
+    void whoChoosesAnotherKindGetsItsEnding() {
+        const QList<FileKind> kinds{{QStringLiteral("Numbers"), QStringLiteral("csv")},
+                                    {QStringLiteral("Pictures"), QStringLiteral("png")}};
+        QTimer chooser;
+        connect(&chooser, &QTimer::timeout, this, [] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            auto* kind = dialog->findChild<QComboBox*>(QStringLiteral("fileTypeCombo"));
+            kind->setFocus();
+            QTest::keyClick(kind, Qt::Key_Down);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        chooser.start(20);
+        QCOMPARE(askWhere(nullptr, QStringLiteral("Where"), kinds, file(QStringLiteral("v1.2.csv"))),
+                 file(QStringLiteral("v1.2.png")));
     }
 
     void aSampleIsNotWrittenOver() {
