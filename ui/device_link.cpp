@@ -311,12 +311,12 @@ void DeviceLink::park() {
     emit letsGo();
     current_ = kSimulatedDevice;
     stop_ = std::make_shared<StopSwitch>();
+    const Result<void> stopped = engine_.stop();
     if (const Made spare = std::exchange(spare_, nullptr))
         (void)engine_.setDevice(std::move(*spare)); // it opens nothing that could fail
-    else
-        engine_.stop();
-    look(); // for the next spare
+    look();                                         // for the next spare
     emit exchanged();
+    if (!stopped) emit failed(QString::fromStdString(stopped.error().text));
 }
 
 } // namespace tactum

@@ -17,6 +17,11 @@ bool rose(std::uint64_t& known, std::uint64_t now) {
     return std::exchange(known, now) < now;
 }
 
+QString standstillWords() {
+    return GuardWatch::tr(
+        "The servo stands still: the device does not come back. Look at its cable and its power.");
+}
+
 } // namespace
 
 GuardWatch::GuardWatch(Engine& engine, QObject* parent)
@@ -51,6 +56,8 @@ void GuardWatch::watchPauses() {
         sincePause_.start();
         add(false, tr(guardWords(servo.lastPause).what), guardSentences(servo.lastPause));
     }
+    const bool still = engine_.servoStandsStill();
+    if (!std::exchange(standsStill_, still) && still) add(false, standstillWords(), standstillWords());
     if (rose(unread_, servo.invalidSamples)) sinceUnread_.start();
     if (rose(oscillations_, servo.oscillations))
         add(false, tr("An oscillation was seen: the stiffness was halved."),
@@ -73,8 +80,7 @@ QString GuardWatch::quietNote() const {
         return since.isValid() && since.elapsed() < kShown;
     };
     if (!engine_.running() || fault_) return {};
-    if (engine_.servoStandsStill())
-        return tr("The servo stands still: the device does not come back. Look at its cable and its power.");
+    if (engine_.servoStandsStill()) return standstillWords();
     if (!engine_.armed())
         return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")
                                     : QString();

@@ -53,6 +53,7 @@ private:
     Engine& engine_;
     std::optional<Withheld> fault_;
     std::uint64_t unread_ = 0, pauses_ = 0, oscillations_ = 0, stepsDown_ = 0;
+    bool standsStill_ = false;
     QElapsedTimer sincePause_, sinceUnread_;
     std::deque<HealthEvent> events_;
 };

@@ -58,7 +58,9 @@ void RecordingSaver::watch() {
 }
 
 void RecordingSaver::flush() {
-    if (!due_.isActive()) return;
+    const bool hangs = engine_.servoStandsStill();
+    if (hangs) reason_ = QString::fromUtf8(guardWords(Withheld::Stall).brief);
+    if (!due_.isActive() && !hangs) return;
     due_.stop();
     saveFault();
 }

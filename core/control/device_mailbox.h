@@ -11,7 +11,7 @@
 namespace tactum {
 
 /// A reading that is older is none: the other side does not tick. Younger ones may be taken twice, for two
-/// clocks of the same rate beat against each other. Unit: ns.
+/// clocks of the same rate beat against each other: they say when they were measured. Unit: ns.
 inline constexpr std::int64_t kOldestReading = 5'000'000;
 /// A command that is older is taken away, over the second time, so that nobody is thrown. Unit: ns.
 inline constexpr std::int64_t kOldestCommand = 10'000'000, kCommandFade = 200'000'000;
@@ -34,6 +34,8 @@ public:
         const Reading& last = readings_.read();
         DeviceSample sample = last.sample;
         sample.valid = sample.valid && now - last.at <= kOldestReading;
+        sample.at = last.at;
+
         return sample;
     }
 

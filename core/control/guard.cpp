@@ -22,9 +22,10 @@ Withheld Guard::faultOf(const GuardInput& tick) noexcept {
 }
 
 Withheld Guard::pauseOf(const GuardInput& tick) const noexcept {
+    if (tick.stopped) return Withheld::Stopped;
     if (!tick.held) return Withheld::DeadMan;
     if (tick.clutched) return Withheld::Clutched;
-    if (tick.dt > kStall) return Withheld::Stall;
+    if (std::max(tick.dt, tick.unread) > kStall) return Withheld::Stall;
     if (!tick.answered) return Withheld::ProxySilent;
     return Withheld::Nothing;
 }

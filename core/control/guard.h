@@ -21,6 +21,7 @@ enum class Withheld : std::uint8_t {
     Late,        ///< the servo missed tick after tick
     Unguarded,   ///< nobody would stop the device if the program died
     Clutched,    ///< the person moves the device and not the finger
+    Stopped,     ///< a button of the device has ended all force
 };
 
 inline bool isFault(Withheld why) noexcept {
@@ -29,7 +30,7 @@ inline bool isFault(Withheld why) noexcept {
 /// What takes the force away and gives it back by itself.
 inline bool isPause(Withheld why) noexcept {
     return why == Withheld::DeadMan || why == Withheld::Stall || why == Withheld::ProxySilent ||
-           why == Withheld::Clutched;
+           why == Withheld::Clutched || why == Withheld::Stopped;
 }
 
 /// A reading that is older was overtaken by events: no force at once, and a soft return. Unit: s.
@@ -54,10 +55,12 @@ inline constexpr int kLateTicks = 5;
 /// What a tick brought.
 struct GuardInput {
     double dt = 1e-3;   ///< s since the last tick
+    double unread = 0;  ///< s since the newest reading that was believed came; 0: at this tick
     bool late = false;  ///< the tick came more than one period late
     bool armed = false; ///< the person wants forces
     bool held = true;   ///< the dead-man switch, or none is asked for
     bool clutched = false;
+    bool stopped = false; ///< by a button, so that the device gets no force whatever comes out
     bool deviceLost = false;
     bool unguarded = false; ///< the guardian of a real device is dead
     bool answered = false;  ///< the proxy knows where the finger is, and said so lately

@@ -18,7 +18,7 @@ struct GuardWords {
 };
 
 /// In the order of Withheld.
-inline constexpr std::array<GuardWords, 14> kGuardWords{{
+inline constexpr std::array<GuardWords, 15> kGuardWords{{
     {Withheld::Nothing, "full force", "The device gets its full force.", "", ""},
     {Withheld::NotArmed, "forces off", "The forces are off.", "The device gets no force.",
      "Switch them on when you hold the handle."},
@@ -48,6 +48,8 @@ inline constexpr std::array<GuardWords, 14> kGuardWords{{
      "Save your work and start the program again."},
     {Withheld::Clutched, "the clutch is held", "The clutch is held: the handle moves, the finger stays.",
      "The device gets no force.", "Let the button go to feel again."},
+    {Withheld::Stopped, "the device's stop button", "A button of the device has ended all force.",
+     "The device gets no force.", "Switch the forces on again when you hold the handle."},
 }};
 
 /// Thread: any.

@@ -36,8 +36,10 @@ struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero(); ///< where the device measures it
     std::uint32_t buttons = 0;    ///< a bit for each that is held
-    bool valid = false;  ///< false: nothing new was read; after three of them the force is taken away
-    bool jumped = false; ///< the finger did not go here but was put here, as only a simulated one can be
+    bool valid = false;   ///< false: nothing new was read; after three of them the force is taken away
+    bool jumped = false;  ///< the finger did not go here but was put here, as only a simulated one can be
+    bool stopped = false; ///< a button of the device has ended all force: the next command will not go out
+    std::int64_t at = 0;  ///< ns of monotonicNanoseconds(), when it was measured; 0: during this exchange
 };
 
 /// One command to the device. Frame D, newton; positive force pushes the finger.

@@ -16,8 +16,12 @@ bool SampleCheck::canBeTrue(const DeviceSample& sample, double since) const noex
     return way <= fastest_ * std::max(since, kShortestTime);
 }
 
-bool SampleCheck::operator()(const DeviceSample& sample, double dt) noexcept {
-    since_ += dt;
+bool SampleCheck::operator()(const DeviceSample& sample, double apart) noexcept {
+    if (sample.valid && apart == 0) {
+        believed_.jumped = sample.jumped; // a decision about the workspace may fall on it
+        return bad_ == 0;
+    }
+    if (sample.valid) since_ += apart;
     if (!canBeTrue(sample, since_)) {
         ++refused_;
         good_ = 0;

@@ -19,12 +19,13 @@ public:
         : fastest_(2 * device.tripSpeed), measuresVelocity_(device.measuresVelocity),
           estimate_(device.positionResolution) {}
 
-    /// `dt`: s since the last reading. Returns whether the reading was believed.
-    bool operator()(const DeviceSample& sample, double dt) noexcept;
+    /// `apart`: s from the valid reading before to this one; 0: it is that one once more, which says nothing
+    /// new (ReadingClock). Returns whether the reading was believed.
+    bool operator()(const DeviceSample& sample, double apart) noexcept;
 
     /// Whether it would be. Thread: real time.
-    bool believes(const DeviceSample& sample, double dt) const noexcept {
-        return canBeTrue(sample, since_ + dt);
+    bool believes(const DeviceSample& sample, double apart) const noexcept {
+        return canBeTrue(sample, since_ + apart);
     }
 
     bool lost() const noexcept { return lost_; }
@@ -45,7 +46,7 @@ private:
     double fastest_; ///< m/s
     bool measuresVelocity_;
     VelocityEstimate estimate_;
-    double since_ = 0; ///< s since the newest that was believed
+    double since_ = 0; ///< s from the newest that was believed to the newest valid one
     int good_ = 0, bad_ = 0;
     bool lost_ = false;
     std::uint64_t refused_ = 0;

@@ -31,9 +31,10 @@ public:
     std::string trouble() const override { return device_->trouble(); }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         const bool off = stop_->pressed.load(std::memory_order_relaxed);
-        const DeviceSample sample = device_->exchange(off ? DeviceCommand{} : command, dt);
-        if ((sample.buttons & stop_->buttons.load(std::memory_order_relaxed)) != 0)
-            stop_->pressed.store(true, std::memory_order_relaxed);
+        DeviceSample sample = device_->exchange(off ? DeviceCommand{} : command, dt);
+        sample.stopped = (sample.buttons & stop_->buttons.load(std::memory_order_relaxed)) != 0;
+        if (sample.stopped) stop_->pressed.store(true, std::memory_order_relaxed);
+        sample.stopped = sample.stopped || off;
         return sample;
     }
     void emergencyStop() noexcept override { device_->emergencyStop(); }

@@ -37,6 +37,8 @@ bool WorkspaceTracker::obey() noexcept {
 void WorkspaceTracker::bump(const Vec3& position, double dt) noexcept {
     const double distance = position.norm(), border = kBumpFrom * radius_;
     if (!(distance > border)) return;
+    constexpr double kLongest = 0.01; // s: a loop that stood still stood still
+    dt = std::min(dt, kLongest);
     const double part = std::min(1.0, (distance - border) / (radius_ - border));
     frame_.offset += frame_.wayInWorld(kBumpSpeed * part * dt / distance * position);
 }

@@ -69,6 +69,10 @@ void HalfSecond::add(double now, double value) noexcept {
     rate_ = count_ / length;
     mean_ = sum_ / count_;
     worst_ = largest_;
+    begin(now);
+}
+
+void HalfSecond::begin(double now) noexcept {
     begin_ = now;
     sum_ = largest_ = 0;
     count_ = 0;

@@ -53,6 +53,9 @@ public:
     /// One event: `now` in s, never falling; `value` in any unit.
     void add(double now, double value) noexcept;
 
+    /// Nothing could happen until now: what was counted is not part of a half second.
+    void begin(double now) noexcept;
+
     double rate() const noexcept { return rate_; } ///< events a second; 0 in the first half second
     double mean() const noexcept { return mean_; }
     double worst() const noexcept { return worst_; }

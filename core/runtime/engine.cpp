@@ -78,7 +78,7 @@ struct FeltScene {
 struct Engine::Impl {
     std::unique_ptr<HapticDevice> device;
     DeviceInfo info;
-    std::unique_ptr<Channels> channels; ///< fresh at every start
+    std::shared_ptr<Channels> channels; ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
     std::uint64_t publishedAfter = 0; ///< updates
@@ -111,7 +111,7 @@ struct Engine::Impl {
 // A device that start() will refuse has nothing to record.
 void Engine::Impl::freshChannels() {
     const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
-    channels = std::make_unique<Channels>(rate, kUpdatesPerTick * rate);
+    channels = std::make_shared<Channels>(rate, kUpdatesPerTick * rate);
     channels->workspace.write(workspace);
     motors = heat[info.name];
     askForButton();
@@ -192,7 +192,7 @@ Engine::Engine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Im
 }
 
 Engine::~Engine() {
-    stop();
+    (void)stop();
 }
 
 Result<void> Engine::start() {
@@ -222,15 +222,17 @@ Result<void> Engine::start() {
     return {};
 }
 
-void Engine::stop() {
+Result<void> Engine::stop() {
     assertNotRealtime();
-    if (!impl_->running) return;
-    if (!impl_->endLoops()) abandon();
+    if (!impl_->running) return {};
+    const bool ended = impl_->endLoops();
+    if (!ended) abandon();
     impl_->running = false;
     poll();
     // No loop is left to see them; the newest stays for the next start.
     impl_->kept.erase(impl_->kept.begin(),
                       impl_->kept.end() - std::min<std::ptrdiff_t>(1, std::ssize(impl_->kept)));
+    return ended ? Result<void>() : machineError(trouble());
 }
 
 /// What the servo may still touch stays as it is until the process ends; what the person decided goes along.
@@ -245,13 +247,14 @@ void Engine::abandon() {
     fresh->heat = impl_->heat;
     fresh->workspace = impl_->workspace;
     fresh->deadMan = impl_->deadMan;
-    fresh->freshChannels();
+    fresh->channels = impl_->channels; // with the last minute
+    fresh->felt = impl_->felt;
     static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
     abandoned.push_back(std::exchange(impl_, std::move(fresh)));
 }
 
 Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
-    stop();
+    (void)stop(); // whom it concerns stops it first
     impl_->device = std::move(device);
     impl_->info = impl_->device->info();
     impl_->freshChannels();
@@ -325,6 +328,12 @@ void Engine::poll() {
     impl_->servo = impl_->channels->servoTelemetry.read();
     // What it told last is told for ever by a loop that stands still.
     if (impl_->servoBeats.stand(impl_->servo.ticks)) impl_->servo.rate = 0;
+    if (servoStandsStill()) {
+        // The guardian of a real device has taken it away; from others it is taken when they come back.
+        if (impl_->servo.gain > 0) impl_->servo.withheld = Withheld::Stall;
+        impl_->servo.gain = 0;
+        impl_->servo.force = Vec3::Zero();
+    }
     if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
 }
 

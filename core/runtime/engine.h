@@ -26,9 +26,9 @@ public:
     Result<void> start();
     /// Zero force, both loops ended, device closed. Safe to call twice. The newest World stays for a later
     /// start(); all others are released. A device that does not come back from its exchange within a second
-    /// is stopped the short way and given up with all that its servo may still touch: start() then refuses it,
-    /// setDevice() takes another one.
-    void stop();
+    /// is stopped the short way and given up with all that its servo may still touch, which is the error:
+    /// start() then refuses it, setDevice() takes another one.
+    Result<void> stop();
     bool running() const;
 
     /// Another device instead, prepared already: stops, and starts with it, forces off. The old one is

@@ -17,7 +17,8 @@ inline constexpr Fidelity kLeastFidelity = Fidelity::PlaneOnly;
 
 /// Chooses the fidelity from how long the steps take. Down at once when a twentieth of a second of steps took
 /// longer than there was time; up again when they leave half of the time unused, after a wait that doubles
-/// each time the better level turns out to be too much. Thread: real time.
+/// each time the better level turns out to be too much, or when they just fit for much longer: what was too
+/// much may have been another program. Thread: real time.
 class OverloadLadder {
 public:
     /// `budget` in s: what a step may take in the mean.
@@ -38,7 +39,9 @@ private:
     std::uint64_t stepsDown_ = 0;
     double windowBegan_ = -1, sum_ = 0;
     int count_ = 0;
-    double calmSince_ = 0, wait_ = 0.5, raisedAt_ = -1e9;
+    double calmSince_ = 0, wait_ = 0.5;
+    double fitsSince_ = 0, longWait_ = 16;
+    double raisedAt_ = -1e9;
 };
 
 } // namespace tactum

@@ -20,7 +20,8 @@ struct PeriodHistogram {
             ++bin;
         ++count[bin];
     }
-    /// The bound below which a part of the ticks lies, in microseconds; for the last bin twice its begin.
+    /// The bound below which a part of the ticks lies, in microseconds; for the last bin twice its begin: it
+    /// has none.
     double quantile(double part) const noexcept {
         std::uint64_t all = 0, seen = 0;
         for (const std::uint32_t n : count)

@@ -100,7 +100,10 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         takeWorld(proxy);
         obeyCommands(proxy);
         const FingerSample& finger = channels.finger.read();
-        if (!proxy.world || !finger.valid) continue;
+        if (!proxy.world || !finger.valid) {
+            proxy.updates.begin(tick.time);
+            continue;
+        }
 
         const std::int64_t begun = monotonicNanoseconds();
         const HapticOutput output = step(proxy, finger, tick);

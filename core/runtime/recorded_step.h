@@ -55,10 +55,12 @@ struct ServoRow {
         Override = 32,
         Unguarded = 64,
         Clutched = 128,
-        kAllFlags = 255
+        Stopped = 256,
+        kAllFlags = 511
     };
 
     double time = 0, dt = 0;
+    double apart = 0;              ///< ServoInput::apart
     Triple position{}, velocity{}; ///< as they were read
     Triple offset{};               ///< of the DeviceFrame, with its scale and axes
     double scale = 1;
@@ -74,7 +76,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 184, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 192, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
@@ -110,11 +112,13 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                               .velocity = vectorOf(row.velocity),
                               .buttons = row.buttons,
                               .valid = is(ServoRow::Valid),
-                              .jumped = is(ServoRow::Jumped)};
+                              .jumped = is(ServoRow::Jumped),
+                              .stopped = is(ServoRow::Stopped)};
     return servoStep(state, settings,
                      {.sample = sample,
                       .frame = frameOf(row),
                       .dt = row.dt,
+                      .apart = row.apart,
                       .late = is(ServoRow::Late),
                       .fresh = is(ServoRow::Fresh),
                       .unguarded = is(ServoRow::Unguarded),

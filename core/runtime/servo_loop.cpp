@@ -4,7 +4,9 @@
 #include <cmath>
 #include <sched.h>
 
+#include "core/base/clock.h"
 #include "core/base/realtime.h"
+#include "core/control/reading_clock.h"
 #include "core/loop/realtime_thread.h"
 
 namespace tactum {
@@ -18,6 +20,7 @@ struct Servo {
     Channels& channels;
     ServoState state;
     WorkspaceTracker workspace;
+    ReadingClock readings;
     bool pushing = false; ///< the last command was not zero
     HalfSecond jitter;
     RecentPeriods periods;
@@ -30,12 +33,13 @@ struct Servo {
 };
 
 /// Everything that this tick depends on.
-ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const DeviceFrame& frame, const Tick& tick,
-               bool fresh) noexcept {
+ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, const DeviceFrame& frame,
+               const Tick& tick, bool fresh) noexcept {
     const Channels& channels = servo.channels;
     const auto flag = [](bool on, ServoRow::Flag bit) { return on ? std::uint32_t(bit) : 0; };
     return {.time = servo.begun + tick.time,
             .dt = tick.elapsed,
+            .apart = apart,
             .position = tripleOf(sample.position),
             .velocity = tripleOf(sample.velocity),
             .offset = tripleOf(frame.offset),
@@ -50,6 +54,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const DeviceFrame
                      flag(tick.missed, ServoRow::Late) | flag(fresh, ServoRow::Fresh) |
                      flag(servo.unguarded, ServoRow::Unguarded) |
                      flag(servo.workspace.clutched(), ServoRow::Clutched) |
+                     flag(sample.stopped, ServoRow::Stopped) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
@@ -57,10 +62,11 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, const DeviceFrame
 ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
     const bool fresh = servo.channels.contactModel.update();
     if (servo.channels.workspace.update()) servo.workspace.decide(servo.channels.workspace.value());
+    const double apart = servo.readings(sample, tick.elapsed, monotonicNanoseconds());
     DeviceSample credible = sample;
-    credible.valid = servo.state.check.believes(sample, tick.elapsed);
+    credible.valid = servo.state.check.believes(sample, apart);
     const DeviceFrame& frame = servo.workspace.follow(credible, servo.pushing, tick.elapsed);
-    ServoRow row = rowOf(servo, sample, frame, tick, fresh);
+    ServoRow row = rowOf(servo, sample, apart, frame, tick, fresh);
     Recorder& recorder = servo.channels.recorder;
     recorder.begin(row, servo.state);
     const ServoOutput output = stepFrom(row, servo.state, servo.channels.contactModel.value().model);

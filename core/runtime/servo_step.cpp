@@ -151,7 +151,9 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     const double dt = plausible(input.dt);
     const LocalContactModel model = inDevice(model_W, input.frame);
     ++state.ticks;
-    state.check(input.sample, dt);
+    const double apart = input.apart > 0 ? plausible(input.apart) : 0;
+    const bool news = state.check(input.sample, apart) && apart > 0;
+    state.unread = news ? 0 : state.unread + dt;
     const DeviceSample& seen = state.check.believed();
     if (seen.jumped) state.guard.begin();
     calmDown(state, seen, dt); // by the balance of the last tick: with a way, but no spring yet, it is none
@@ -165,10 +167,12 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 
     const GuardInput tick{.dt = dt,
+                          .unread = state.unread,
                           .late = input.late,
                           .armed = settings.armed,
                           .held = isHeld(state, seen, settings.deadMan),
                           .clutched = input.clutched,
+                          .stopped = input.sample.stopped,
                           .deviceLost = state.check.lost(),
                           .unguarded = input.unguarded,
                           .answered = model.valid && model.anchoring == state.guard.anchoring() &&

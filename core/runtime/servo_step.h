@@ -39,6 +39,7 @@ struct ServoInput {
     DeviceSample sample;
     DeviceFrame frame{};    ///< where the device is in the scene
     double dt = 1e-3;       ///< s since the last tick
+    double apart = 1e-3;    ///< s between the last two readings; 0: there is no new one (ReadingClock)
     bool late = false;      ///< the tick came more than one period late
     bool fresh = false;     ///< the model is another one than at the last tick
     bool unguarded = false; ///< nobody would stop the device if the program died
@@ -59,6 +60,7 @@ struct ServoState {
     ForceLimiter limiter;
 
     std::uint64_t ticks = 0;
+    double unread = 0;     ///< s since the newest reading that was believed came
     double modelAge = 1e9; ///< s since the newest model came
     double period = 0;     ///< s, measured, that the ceiling is for
     double calm = 1;       ///< part of the stiffness that is left after oscillations

@@ -63,14 +63,15 @@ void fields(auto& visit, MaybeConst<StiffnessCeiling> auto& ceiling) {
     visit(ceiling.value, ceiling.reason, ceiling.damping);
 }
 void fields(auto& visit, MaybeConst<DeviceSample> auto& sample) {
-    visit(sample.position, sample.velocity, sample.buttons, sample.valid, sample.jumped);
+    // Not when it was measured: that is for the loop, which hands on how long after the one before.
+    visit(sample.position, sample.velocity, sample.buttons, sample.valid, sample.jumped, sample.stopped);
 }
 void fields(auto& visit, MaybeConst<RenderedSpring> auto& spring) {
     visit(spring.force, spring.stiffness, spring.stretch, spring.limit, spring.velocity);
 }
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
     visit(state.loop, state.check, state.guard, state.ease, state.passivity, state.oscillation, state.heat,
-          state.limiter, state.ticks, state.modelAge, state.period, state.calm, state.calmGoal,
+          state.limiter, state.ticks, state.unread, state.modelAge, state.period, state.calm, state.calmGoal,
           state.oscillations, state.letGo, state.ceiling, state.anchor, state.finger, state.touching,
           state.overriding);
 }
@@ -81,8 +82,8 @@ namespace {
 // for one processor Eigen may align its vectors wider, and the sizes are others.
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
 static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 408 && sizeof(Passivity) == 704);
-static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 664);
-static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 56 && sizeof(ServoState) == 2248);
+static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
+static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2264);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));

@@ -44,7 +44,12 @@ bool Proxy::answer(const FingerSample& finger, double dt, LocalContactModel& mod
 
 Vec3 Servo::operator()(const DeviceSample& sample, double dt) {
     output = servoStep(state, settings,
-                       {.sample = sample, .dt = dt, .late = dt > 2 * period_, .fresh = fresh_}, model);
+                       {.sample = sample,
+                        .dt = dt,
+                        .apart = readings_(sample, dt, 0),
+                        .late = dt > 2 * period_,
+                        .fresh = fresh_},
+                       model);
     fresh_ = surroundings_.answer(output.finger, dt, model);
     return output.force;
 }

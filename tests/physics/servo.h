@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 
+#include "core/control/reading_clock.h"
 #include "core/runtime/haptic_step.h"
 #include "core/runtime/servo_step.h"
 #include "tests/physics/closed_loop.h"
@@ -84,6 +85,7 @@ private:
     Surroundings& surroundings_;
     double period_;
     bool fresh_ = false;
+    ReadingClock readings_;
 };
 
 } // namespace tactum::test

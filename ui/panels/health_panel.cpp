@@ -245,7 +245,10 @@ void HealthPanel::displayLoops(const ServoTelemetry& servo, const ProxyTelemetry
 
 void HealthPanel::displayPeriods(const ServoTelemetry& servo, const DeviceInfo& device) {
     periods_->setPeriods(servo.periods, 1e6 / device.rate);
-    spread_->setText(tr("99.9 % < %1").arg(shortTime(servo.periods.quantile(0.999))));
+    constexpr double kLast = PeriodHistogram::kBounds.back();
+    const double most = servo.periods.quantile(0.999);
+    spread_->setText(most > kLast ? tr("more than 0.1 % > %1").arg(shortTime(kLast))
+                                  : tr("99.9 % < %1").arg(shortTime(most)));
 }
 
 void HealthPanel::displayEnergy(const ServoTelemetry& servo) {

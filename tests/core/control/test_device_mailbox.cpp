@@ -26,6 +26,7 @@ private slots:
         box.measured(kReading, kNow);
         for (const int age : {0, 1, 5}) // again and again, for two clocks beat
             QVERIFY(box.newest(kNow + age * kMillisecond).valid);
+        QCOMPARE(box.newest(kNow + kMillisecond).at, kNow);
         QCOMPARE(box.newest(kNow).position, kReading.position);
         QVERIFY(!box.newest(kNow + 6 * kMillisecond).valid);
         box.measured(kReading, kNow + 7 * kMillisecond);

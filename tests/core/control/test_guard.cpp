@@ -46,6 +46,8 @@ const std::vector<Case>& pauses() {
     static const std::vector<Case> all{
         {"dead man", Withheld::DeadMan, [](GuardInput& tick) { tick.held = false; }},
         {"stall", Withheld::Stall, [](GuardInput& tick) { tick.dt = 1.01 * kStall; }},
+        {"stale", Withheld::Stall, [](GuardInput& tick) { tick.unread = 1.01 * kStall; }},
+        {"stop button", Withheld::Stopped, [](GuardInput& tick) { tick.stopped = true; }},
         {"silence", Withheld::ProxySilent, [](GuardInput& tick) { tick.answered = false; }}};
     return all;
 }

@@ -5,11 +5,14 @@
 #include <QtTest>
 
 #include "core/control/device_check.h"
+#include "core/control/device_mailbox.h"
 #include "core/control/motor_heat.h"
 #include "core/control/oscillation_detector.h"
 #include "core/control/passivity.h"
+#include "core/control/reading_clock.h"
 #include "core/control/safe_stiffness.h"
 #include "core/control/sample_check.h"
+#include "core/control/stop_button.h"
 
 using namespace tactum;
 
@@ -76,6 +79,106 @@ private slots:
         DeviceSample put = at(1);
         put.jumped = true;
         QVERIFY(check(put, kTick));
+    }
+
+    void driversThatTickApart_data() {
+        QTest::addColumn<double>("speed"); // m/s, of the finger
+        QTest::addColumn<int>("period");   // us, of the driver
+        QTest::addColumn<int>("gap");      // us, that its tick 500 comes later
+        QTest::newRow("in time") << 1.0 << 1000 << 0;
+        QTest::newRow("faster") << 1.0 << 999 << 0;
+        QTest::newRow("slower") << 1.0 << 1001 << 0;
+        QTest::newRow("half") << 1.0 << 2000 << 0;
+        QTest::newRow("late by 2 ms") << 1.0 << 1000 << 2000;
+        QTest::newRow("late by 4.5 ms") << 1.0 << 1003 << 4500;
+    }
+
+    /// A reading that is taken twice is none; the next one is as far away as it was measured after.
+    void driversThatTickApart() {
+        QFETCH(double, speed);
+        QFETCH(int, period);
+        QFETCH(int, gap);
+        constexpr std::int64_t kMicrosecond = 1000, kStart = 1'000'000'000, kServo = 1'000'000;
+        DeviceMailbox box;
+        SampleCheck check(DeviceInfo{});
+        ReadingClock readings;
+        std::int64_t driver = kStart;
+        int drivers = 0, twice = 0;
+        for (int i = 1; i <= 3000; ++i) {
+            const std::int64_t now = kStart + i * kServo;
+            for (; driver <= now; driver += period * kMicrosecond) {
+                if (++drivers == 500) driver += gap * kMicrosecond;
+                if (driver > now) break;
+                box.measured(at(1e-9 * speed * double(driver - kStart)), driver);
+            }
+            const double apart = readings(box.newest(now), kTick, now);
+            QVERIFY(check(box.newest(now), apart));
+            twice += apart == 0;
+            if (i < 3) continue;
+            const double seen = check.believed().velocity.z();
+            QVERIFY2(std::abs(seen - speed) < 1e-6, qPrintable(QString("%1: %2").arg(i).arg(seen)));
+        }
+        QVERIFY(period <= 1000 || twice > 0);
+    }
+
+    void anExchangeThatTakesLong_data() {
+        QTest::addColumn<bool>("readAtItsEnd");
+        QTest::newRow("read at its end") << true;
+        QTest::newRow("read at its begin") << false;
+    }
+
+    /// The next tick begins when it has come back. No finger seems faster than it is.
+    void anExchangeThatTakesLong() {
+        QFETCH(bool, readAtItsEnd);
+        constexpr double kSpeed = 1;
+        for (const double takes : {2e-3, 5e-3, 8e-3, 12e-3}) {
+            SampleCheck check(DeviceInfo{});
+            ReadingClock readings;
+            double now = 1, before = now - kTick;
+            for (int i = 0; i < 100; ++i) {
+                const double begun = now, back = begun + (i == 50 ? takes : 1e-5);
+                const double read = readAtItsEnd ? back : begun;
+                const double apart = readings(at(kSpeed * read), begun - before, std::int64_t(1e9 * back));
+                QVERIFY(check(at(kSpeed * read), apart));
+                QVERIFY(check.believed().velocity.z() <= 1.02 * kSpeed);
+                before = begun;
+                now = std::max(back, begun + kTick);
+            }
+            QVERIFY(check.believed().velocity.z() > 0.98 * kSpeed);
+        }
+    }
+
+    void theStopButtonIsSaid() {
+        struct Buttons final : HapticDevice {
+            std::uint32_t held = 0;
+            double sent = 0;
+            DeviceInfo info() const override { return {}; }
+            Result<void> open() override { return {}; }
+            void close() override {}
+            DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
+                sent = command.force.norm();
+                DeviceSample sample = at(0);
+                sample.buttons = held;
+                return sample;
+            }
+        };
+        auto made = std::make_unique<Buttons>();
+        Buttons& buttons = *made;
+        const auto stop = std::make_shared<StopSwitch>();
+        stop->buttons = 2;
+        StopButton device(std::move(made), stop);
+        const DeviceCommand push{{1, 0, 0}};
+        buttons.held = 1;
+        QVERIFY(!device.exchange(push, kTick).stopped);
+        buttons.held = 2;
+        QVERIFY(device.exchange(push, kTick).stopped); // this tick's force will not go out
+        QCOMPARE(buttons.sent, 1.0);
+        buttons.held = 0;
+        QVERIFY(device.exchange(push, kTick).stopped); // until somebody says otherwise
+        QCOMPARE(buttons.sent, 0.0);
+        stop->pressed = false;
+        QVERIFY(!device.exchange(push, kTick).stopped);
+        QCOMPARE(buttons.sent, 1.0);
     }
 
     void velocityIsThatOfTheFinger_data() {

@@ -143,6 +143,18 @@ private slots:
         QCOMPARE(hand.finger(edge, 0, true), before); // it pushes against something
     }
 
+    /// Also of a machine that slept for a night with the handle at the edge.
+    void aLoopThatStoodStillTookNothingAlong() {
+        WorkspaceTracker tracker(0.1);
+        tracker.decide({.bump = true});
+        DeviceSample edge;
+        edge.position = {0, 0.1, 0};
+        edge.valid = true;
+        const Vec3 before = tracker.follow(edge, false, kTick).offset;
+        const Vec3 after = tracker.follow(edge, false, 8 * 3600).offset;
+        QVERIFY((after - before).norm() <= kBumpSpeed * 0.01 + 1e-12);
+    }
+
     void aStepAtTheEdgeIsNotFelt() {
         Tracked hand({.bump = true}, 0.1);
         Vec3 last = hand.finger({0.08, 0, 0});

@@ -125,6 +125,15 @@ private slots:
         QVERIFY(std::abs(statistics.mean() - 2) < 1e-9);
         QCOMPARE(statistics.worst(), 3.0);
     }
+
+    void whatCouldNotHappenIsNotCounted() {
+        HalfSecond statistics;
+        for (double now = 0; now < 60; now += 0.01)
+            statistics.begin(now);
+        for (int i = 1; i <= 300; ++i)
+            statistics.add(60 + 0.002 * i, 1);
+        QVERIFY(std::abs(statistics.rate() - 500) < 20);
+    }
 };
 
 QTEST_APPLESS_MAIN(TestMetronome)

@@ -46,6 +46,7 @@ public:
         const Vec3 at = wanderingFinger(4 * time);
         ServoRow row{.time = time,
                      .dt = kTick,
+                     .apart = kTick,
                      .position = tripleOf(at),
                      .velocity = tripleOf((at - wanderingFinger(4 * (time - kTick))) / kTick),
                      .model = recorder_.proxyCount(),

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/control/guard_words.h"
 #include "core/files/load_scene.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
@@ -127,7 +128,7 @@ private slots:
     }
 
     void aReasonThatIsNoneIsRefused() {
-        for (const std::uint32_t reason : {14u, 17u, 255u, ~0u}) {
+        for (const std::uint32_t reason : {std::uint32_t(kGuardWords.size()), 17u, 255u, ~0u}) {
             Recording recording = shortRecording();
             recording.run.servo.rows[100].withheld = reason;
             const std::string text = refusal(recordingBytes(recording));
@@ -268,7 +269,7 @@ private slots:
         QVERIFY(refusal("solid cube\nfacet normal 0 0 1\nouter loop\n").find("is no recording") !=
                 std::string::npos);
         std::string newer = bytes_;
-        newer[8] = 9;
+        ++newer[8];
         QVERIFY(refusal(newer).find("another version") != std::string::npos);
         const auto missing = readRecording("/nowhere/at-all.tactum-recording");
         QVERIFY(!missing && isSentence(missing.error().text));

@@ -77,6 +77,7 @@ private slots:
             LocalContactModel model = sim.model;
             model.anchoring = servo.guard.anchoring();
             const ServoRow input{.dt = kTick,
+                                 .apart = kTick,
                                  .position = tripleOf(finger),
                                  .velocity = tripleOf(velocity),
                                  .flags = ServoRow::Valid | ServoRow::Fresh |

@@ -34,9 +34,10 @@ struct Held {
         sample.valid = true;
         sample.buttons = buttons;
         model.anchoring = state.guard.anchoring();
-        output = servoStep(state, settings,
-                           {.sample = sample, .frame = frame, .dt = dt, .fresh = fresh, .clutched = clutched},
-                           model);
+        output = servoStep(
+            state, settings,
+            {.sample = sample, .frame = frame, .dt = dt, .apart = dt, .fresh = fresh, .clutched = clutched},
+            model);
         return output.force;
     }
     void rest(const Vec3& finger, int ticks = 1000) {

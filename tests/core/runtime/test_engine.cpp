@@ -198,9 +198,13 @@ private slots:
         QVERIFY(plate.touch(kDepth));
         QVERIFY(eventually([&] { return plate.polled().servo().rate > 0; }));
         QVERIFY(!plate.engine.servoStandsStill());
+        plate.engine.setArmed(true);
+        QVERIFY(plate.pushesWith(500 * kDepth));
         plate.probe->pause = 1500;
         QVERIFY(eventually([&] { return plate.polled().servoStandsStill(); }));
         QCOMPARE(plate.engine.servo().rate, 0.0);
+        QCOMPARE(plate.engine.servo().withheld, Withheld::Stall);
+        QVERIFY(plate.engine.servo().gain == 0 && plate.engine.servo().force.isZero(0));
         QVERIFY(eventually([&] { return !plate.polled().servoStandsStill(); }));
     }
 
@@ -214,11 +218,15 @@ private slots:
         QVERIFY(eventually([&] { return hung->pause == 0; }));
         const int before = hung->exchanges;
         const std::int64_t begun = monotonicNanoseconds();
-        plate.engine.stop();
+        const std::size_t rows = plate.engine.recorded().servo.rows.size();
+        const Result<void> stopped = plate.engine.stop();
         const auto seconds = 1e-9 * double(monotonicNanoseconds() - begun);
         QVERIFY2(seconds > 0.9 && seconds < 2.5, qPrintable(QString::number(seconds)));
         QVERIFY(hung->isOpen && hung->stopped);
         QVERIFY(!plate.engine.running());
+        QVERIFY(!stopped && stopped.error().text.find("Probe did not come back") == 0);
+        QVERIFY(rows > 10);
+        QCOMPARE(plate.engine.recorded().servo.rows.size(), rows);
         const Result<void> again = plate.engine.start();
         QVERIFY(!again && again.error().text.find("Probe did not come back") == 0);
         QVERIFY(!plate.engine.trouble().empty());

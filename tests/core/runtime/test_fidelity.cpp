@@ -75,8 +75,23 @@ private slots:
 
     void aLevelThatJustFitsIsKept() {
         Machine machine{.took = {1e-3, 0.6e-3, 0.1e-3, 0.1e-3}};
-        machine.run(120);
+        machine.run(16);
         QCOMPARE(machine.changes, 1);
+        machine.run(600); // now and then the better one is tried
+        QCOMPARE(machine.ladder.fidelity(), Fidelity::NoTexture);
+        QVERIFY2(machine.changes < 12, qPrintable(QString::number(machine.changes)));
+    }
+
+    void whatAnotherProgramTookComesBack() {
+        Machine machine{.took = {0.6e-3, 0.45e-3, 0.45e-3, 0.45e-3}};
+        const auto usual = machine.took;
+        machine.run(1);
+        machine.took.fill(1e-3);
+        machine.run(0.2);
+        QCOMPARE(machine.ladder.fidelity(), kLeastFidelity);
+        machine.took = usual;
+        machine.run(60);
+        QCOMPARE(machine.ladder.fidelity(), Fidelity::Full);
     }
 
     void whatIsLeftOutIsNotFelt() {

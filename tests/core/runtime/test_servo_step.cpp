@@ -90,9 +90,13 @@ private slots:
             model = wild ? anyModel(random, state.guard.anchoring()) : wall(800);
             if (!wild) model.anchoring = state.guard.anchoring();
             const double dt = wild && random() % 8 == 0 ? std::abs(anyNumber(random)) : kTick;
-            const ServoOutput output = servoStep(
-                state, settings,
-                {.sample = sample, .dt = dt, .late = random() % 32 == 0, .fresh = random() % 4 != 0}, model);
+            const ServoOutput output = servoStep(state, settings,
+                                                 {.sample = sample,
+                                                  .dt = dt,
+                                                  .apart = random() % 8 ? dt : 0,
+                                                  .late = random() % 32 == 0,
+                                                  .fresh = random() % 4 != 0},
+                                                 model);
             if (!output.force.allFinite()) QFAIL(qPrintable(QString("not finite at %1").arg(i)));
             if (output.force.norm() > info.maxForce) QFAIL(qPrintable(QString("too strong at %1").arg(i)));
             pushed += !output.force.isZero(0);

@@ -114,7 +114,7 @@ void TestHealth::everyReasonHasItsWords() {
         if (isFault(words.why)) QVERIFY2(sentences.contains(QLatin1String(again)), words.what);
         QVERIFY2(sentences.size() <= 150, qPrintable(sentences));
     }
-    QCOMPARE(kGuardWords.back().why, Withheld::Clutched); // the last of them
+    QCOMPARE(kGuardWords.back().why, Withheld::Stopped); // the last of them
 }
 
 void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
