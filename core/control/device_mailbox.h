@@ -35,7 +35,6 @@ public:
         DeviceSample sample = last.sample;
         sample.valid = sample.valid && now - last.at <= kOldestReading;
         sample.at = last.at;
-
         return sample;
     }
 
