@@ -306,7 +306,8 @@ void DeviceLink::finish(Preparation::State state) {
     emit preparationChanged();
 }
 
-/// The simulated device into the engine. Where the catalogue has none, the loops rest.
+/// The simulated device into the engine, and a look for the next spare one. Where the catalogue has none, the
+/// loops rest.
 void DeviceLink::park() {
     emit letsGo();
     current_ = kSimulatedDevice;
@@ -314,7 +315,7 @@ void DeviceLink::park() {
     const Result<void> stopped = engine_.stop();
     if (const Made spare = std::exchange(spare_, nullptr))
         (void)engine_.setDevice(std::move(*spare)); // it opens nothing that could fail
-    look();                                         // for the next spare
+    look();
     emit exchanged();
     if (!stopped) emit failed(QString::fromStdString(stopped.error().text));
 }
