@@ -25,11 +25,6 @@ bool isOf(const FileKind& kind, const QString& file) {
     return file.endsWith(u'.' + kind.ending, Qt::CaseInsensitive);
 }
 
-QString withoutEnding(const QList<FileKind>& kinds, const QString& file) {
-    const auto kind = std::ranges::find_if(kinds, [&](const FileKind& one) { return isOf(one, file); });
-    return kind == kinds.end() ? file : file.chopped(kind->ending.size() + 1);
-}
-
 } // namespace
 
 QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& kinds, const QString& now) {
@@ -42,11 +37,9 @@ QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& k
         return kinds[std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter()))];
     };
     dialog.setDefaultSuffix(chosen().ending);
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&] {
-        const QString file = dialog.selectedFiles().value(0);
-        dialog.setDefaultSuffix(chosen().ending);
-        dialog.selectFile(withoutEnding(kinds, file) + u'.' + chosen().ending);
-    });
+    // The dialog itself changes the ending of a name that has one.
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&] { dialog.setDefaultSuffix(chosen().ending); });
     dialog.selectFile(isOf(chosen(), now) ? QFileInfo(now).fileName()
                                           : QFileInfo(now).completeBaseName() + u'.' + chosen().ending);
     if (dialog.exec() != QDialog::Accepted) return {};
