@@ -176,6 +176,9 @@ void TestHealth::aPauseIsSaidQuietly() {
              qPrintable(troubled.events()));
     troubled.trouble->slow = false;
     QVERIFY(troubled.fullForce());
+    troubled.trouble->pause = 1500;
+    QTRY_VERIFY_WITH_TIMEOUT(troubled.events().contains(QStringLiteral("stands still")), kPatience);
+    QVERIFY(troubled.fullForce());
     QTRY_VERIFY_WITH_TIMEOUT(troubled.widget("status-note").toolTip() != sentences, kPatience);
 }
 

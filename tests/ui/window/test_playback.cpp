@@ -71,6 +71,7 @@ private slots:
     void healthIsTheRecordings();
     void historyAndHandAreLeftAlone();
     void aFaultIsSavedByItself();
+    void aDeviceThatHangsIsSavedBeforeItGoes();
     void whatWaitsWhenTheWindowClosesIsWritten();
     void aDamagedFileIsOneLine();
     void everyMomentLooksLikeIt();
@@ -223,6 +224,24 @@ void TestPlayback::aFaultIsSavedByItself() {
     QVERIFY(opened(program, saved.front().at(0).toString()));
     const auto events = eventsOf(playbackOf(program).player().run());
     QVERIFY(std::ranges::any_of(events, &RecordedEvent::fault));
+}
+
+void TestPlayback::aDeviceThatHangsIsSavedBeforeItGoes() {
+    QDir(RecordingSaver::folder()).removeRecursively();
+    const auto trouble = std::make_shared<Trouble>();
+    TouchedWindow program(
+        {1200, 800}, {}, [&](auto hand) { return std::make_unique<TroubledHand>(std::move(hand), trouble); });
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* saver = program.window->findChild<RecordingSaver*>();
+    QSignalSpy saved(saver, &RecordingSaver::saved);
+    QTRY_COMPARE_WITH_TIMEOUT(program.engine.servo().gain, 1.0, kPatience);
+    saver->flush(); // all is well
+    trouble->pause = 3000;
+    QTRY_VERIFY_WITH_TIMEOUT(program.engine.servoStandsStill(), kPatience);
+    QCOMPARE(saved.count(), 0);
+    saver->flush();
+    QVERIFY(saved.wait(kPatience));
+    QVERIFY(saved.front().at(1).toBool() && QFileInfo::exists(saved.front().at(0).toString()));
 }
 
 void TestPlayback::whatWaitsWhenTheWindowClosesIsWritten() {
