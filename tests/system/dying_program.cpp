@@ -21,10 +21,15 @@ namespace {
     return depth > 1'000'000'000 ? room[0] : overflow(depth + 1) + room[1];
 }
 
-/// On a machine that is late again and again the guard takes the force away: a patient person is there.
-void armAgain(Engine& engine) {
+/// On a machine that is late again and again the guard takes the force away, and on one that stood still the
+/// proxy begins anew where the finger is, in the plate: a patient person arms, and comes from above, once
+/// more.
+void pressAgain(Engine& engine, Motors& motors) {
     engine.poll();
     engine.setArmed(!isFault(engine.servo().withheld));
+    const bool above = engine.proxy().updates > 10 && engine.proxy().output.proxy.z() > 0;
+    motors.down = above;
+    if (!above && engine.servo().finger.z() > 2e-3) engine.restartProxy();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
@@ -37,7 +42,7 @@ void die(std::string_view way, Engine& engine, Motors& motors) {
     if (way == "stack") std::exit(overflow(0));
     // Else somebody else sees to it.
     while (true)
-        armAgain(engine);
+        pressAgain(engine, motors);
 }
 
 /// What a sanitizer is told, which would catch the signals and exit: here they have their way.
@@ -63,6 +68,6 @@ int main(int argc, char** argv) {
     engine.publish(worldOf(sheet(0.1), frictionless(), 1e-3));
     if (!engine.start()) return 3;
     while (motors->push < 1)
-        armAgain(engine);
+        pressAgain(engine, *motors);
     die(argv[2], engine, *motors);
 }

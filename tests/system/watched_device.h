@@ -1,6 +1,7 @@
 // A device whose last command can be seen from outside the program: it lies in memory that both share.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -17,6 +18,7 @@ struct Motors {
     std::atomic<std::int64_t> stoppedAt{0}; ///< when an emergency stop last took a force away, ns
     std::atomic<int> stops{0}; ///< emergency stops: on a busy machine also of a servo that stood still
     std::atomic<std::uint64_t> exchanges{0};
+    std::atomic<bool> down{false};       ///< where the finger is led: into the plate, or above it
     std::atomic<std::int64_t> diesAt{0}; ///< when the program begins to die by itself, ns
 };
 
@@ -29,7 +31,7 @@ inline Motors* mapMotors(const char* file) {
     return memory == MAP_FAILED ? nullptr : static_cast<Motors*>(memory);
 }
 
-/// The finger comes down to `depth` below z = 0 and stays.
+/// The finger comes down to `lowest` as long as it is led there.
 class WatchedDevice final : public HapticDevice {
 public:
     WatchedDevice(Motors& motors, double lowest) : motors_(motors), lowest_(lowest) {}
@@ -42,7 +44,7 @@ public:
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         motors_.push = command.force.z();
         ++motors_.exchanges;
-        height_ = std::max(lowest_, height_ - 0.05 * dt);
+        height_ += std::clamp((motors_.down ? lowest_ : kAbove) - height_, -0.05 * dt, 0.05 * dt);
         return {.position = {0, 0, height_}, .valid = true};
     }
     void emergencyStop() noexcept override {
@@ -52,9 +54,11 @@ public:
     }
 
 private:
+    static constexpr double kAbove = 0.005;
+
     Motors& motors_;
     double lowest_;
-    double height_ = 0.005;
+    double height_ = kAbove;
 };
 
 } // namespace tactum::test
