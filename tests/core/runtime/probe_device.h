@@ -27,8 +27,10 @@ struct Probe {
     std::atomic<bool> nonsense{false}; ///< the finger's position is no number
     std::atomic<bool> refusesToOpen{false};
     std::atomic<bool> isOpen{false};
-    std::atomic<double> rate{1000}; ///< Hz, that the driver names
-    std::atomic<int> pause{0};      ///< ms, that the next exchange stands still
+    std::atomic<double> rate{1000};   ///< Hz, that the driver names
+    std::atomic<int> pause{0};        ///< ms, that the next exchange stands still
+    std::atomic<bool> hangs{false};   ///< no exchange comes back while it is so
+    std::atomic<bool> hanging{false}; ///< one does not come back now
     std::atomic<int> exchanges{0};
     std::atomic<bool> stopped{false};       ///< by emergencyStop()
     std::atomic<double> push{0};            ///< newest command along z, N
@@ -74,6 +76,9 @@ public:
             probe_->log.push_back({command.force, dt});
         if (const int pause = probe_->pause.exchange(0))
             std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+        for (; probe_->hangs; std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+            probe_->hanging = true;
+        probe_->hanging = false;
         height_ += std::clamp(probe_->height - height_, -kSpeed * dt, kSpeed * dt);
         const double height = probe_->nonsense ? std::numeric_limits<double>::quiet_NaN() : height_;
         return {.position = {0, 0, height}, .valid = probe_->valid};

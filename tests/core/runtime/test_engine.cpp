@@ -1,5 +1,6 @@
 // The engine with a device whose finger the test leads: what reaches the device, and when.
 #include <atomic>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -57,7 +58,26 @@ struct TouchedPlate {
         return engine;
     }
     bool pushesWith(double force) {
-        return eventually([&] { return std::abs(probe->push - force) < 1e-5 * force + 1e-12; });
+        return pushesUntil([&] { return std::abs(probe->push - force) < 1e-5 * force + 1e-12; });
+    }
+    /// A machine that is late again and again has the force taken away, and one that stood still lets the
+    /// proxy begin anew at the finger, in the plate: whoever holds it arms once more and comes from above
+    /// again.
+    template <class Condition> bool pushesUntil(Condition condition) {
+        std::optional<double> wanted;
+        return eventually([&] {
+            const Withheld why = polled().servo().withheld;
+            if (why == Withheld::Late) engine.setArmed(false);
+            if (why == Withheld::NotArmed) engine.setArmed(true);
+            const double z = engine.proxy().output.proxy.z();
+            if (z < 0 && !wanted) wanted = probe->height.exchange(0.01);
+            if (z < 0 && engine.servo().finger.z() > 2 * kRadius) engine.restartProxy();
+            if (z > 2 * kRadius && wanted) {
+                probe->height = *wanted;
+                wanted.reset();
+            }
+            return !wanted && condition();
+        });
     }
 
     std::shared_ptr<Probe> probe = std::make_shared<Probe>();
@@ -200,11 +220,12 @@ private slots:
         QVERIFY(!plate.engine.servoStandsStill());
         plate.engine.setArmed(true);
         QVERIFY(plate.pushesWith(500 * kDepth));
-        plate.probe->pause = 1500;
+        plate.probe->hangs = true;
         QVERIFY(eventually([&] { return plate.polled().servoStandsStill(); }));
         QCOMPARE(plate.engine.servo().rate, 0.0);
         QCOMPARE(plate.engine.servo().withheld, Withheld::Stall);
         QVERIFY(plate.engine.servo().gain == 0 && plate.engine.servo().force.isZero(0));
+        plate.probe->hangs = false;
         QVERIFY(eventually([&] { return !plate.polled().servoStandsStill(); }));
     }
 
@@ -214,15 +235,15 @@ private slots:
         QVERIFY(plate.touch(kDepth));
         plate.engine.setDeadMan(true);
         const std::shared_ptr<Probe> hung = plate.probe;
-        hung->pause = 3000;
-        QVERIFY(eventually([&] { return hung->pause == 0; }));
+        hung->hangs = true;
+        QVERIFY(eventually([&] { return hung->hanging.load(); }));
         const int before = hung->exchanges;
         const std::int64_t begun = monotonicNanoseconds();
         const std::size_t rows = plate.engine.recorded().servo.rows.size();
         const Result<void> stopped = plate.engine.stop();
         const auto seconds = 1e-9 * double(monotonicNanoseconds() - begun);
-        QVERIFY2(seconds > 0.9 && seconds < 2.5, qPrintable(QString::number(seconds)));
-        QVERIFY(hung->isOpen && hung->stopped);
+        QVERIFY2(seconds > 0.9, qPrintable(QString::number(seconds)));
+        QVERIFY(hung->hanging && hung->isOpen && hung->stopped);
         QVERIFY(!plate.engine.running());
         QVERIFY(!stopped && stopped.error().text.find("Probe did not come back") == 0);
         QVERIFY(rows > 10);
@@ -241,6 +262,7 @@ private slots:
         plate.engine.setArmed(true);
         QVERIFY(plate.pushesWith(500 * kDepth));
         // It comes back after all: one last command, of no force, and its thread ends.
+        hung->hangs = false;
         QVERIFY(eventually([&] { return hung->exchanges == before + 1; }));
         QCOMPARE(hung->push.load(), 0.0);
         QVERIFY(plate.pushesWith(500 * kDepth));
@@ -254,10 +276,14 @@ private slots:
         TouchedPlate plate(500);
         plate.probe->real = true;
         QVERIFY(plate.touch(kDepth));
-        QTest::qWait(1000);
+        const auto tick = [&](std::uint64_t count) {
+            const std::uint64_t before = plate.polled().servo().ticks;
+            return eventually([&] { return plate.polled().servo().ticks > before + count; });
+        };
+        QVERIFY(tick(1000));
         const std::optional<long> servo = pageFaultsOf("tactum-servo"), proxy = pageFaultsOf("tactum-proxy");
         QVERIFY(servo && proxy);
-        QTest::qWait(3000);
+        QVERIFY(tick(3000));
         QCOMPARE(*pageFaultsOf("tactum-servo") - *servo, 0L);
         QCOMPARE(*pageFaultsOf("tactum-proxy") - *proxy, 0L);
     }
@@ -354,7 +380,7 @@ private slots:
         plate.probe->continuousForce = 0.1; // 1 N heats it to the brim within half a second
         QVERIFY(plate.touch(kDepth));
         plate.engine.setArmed(true);
-        QVERIFY(eventually([&] { return plate.polled().servo().heat > 0.5; }));
+        QVERIFY(plate.pushesUntil([&] { return plate.engine.servo().heat > 0.5; }));
         const std::int64_t begun = monotonicNanoseconds();
         plate.engine.stop();
         const double left = plate.engine.servo().heat;
