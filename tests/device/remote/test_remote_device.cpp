@@ -10,13 +10,12 @@
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/hand.h"
 #include "tests/support/repeats.h"
+#include "tests/support/waiting.h"
 
 using namespace tactum;
 using namespace tactum::test;
 
 namespace {
-
-constexpr int kPatience = 20'000; // ms
 
 /// How often each way of dying is tried; more on demand: TACTUM_DEATHS=1000.
 int deaths() {
@@ -35,7 +34,7 @@ bool isGone(pid_t process) {
         QFile file(QStringLiteral("/proc/%1/stat").arg(process));
         return !file.open(QIODevice::ReadOnly) || file.readAll().contains(") Z ");
     };
-    return QTest::qWaitFor(hasEnded, kPatience);
+    return test::waitFor(hasEnded);
 }
 
 /// Another instant of the loops' millisecond each time.
@@ -79,7 +78,7 @@ class TestRemoteDevice : public QObject {
     /// Comes to zero by way of what lies between.
     bool fades() const { return comesToZero() && served_->between > 0; }
     bool comesToZero() const {
-        return QTest::qWaitFor([&] { return served_->zeroAt != 0; }, kPatience);
+        return test::waitFor([&] { return served_->zeroAt != 0; });
     }
 
 private slots:
@@ -223,7 +222,7 @@ private slots:
         QVERIFY(hand.until([&] { return !hand.last.valid; }));
         QVERIFY(comesToZero());
         // Its handler at once, its guardian when it is gone.
-        QVERIFY(QTest::qWaitFor([&] { return served_->stops >= 2; }, kPatience));
+        QVERIFY(test::waitFor([&] { return served_->stops >= 2; }));
         QVERIFY(hand.until([&] { return device->trouble().find("crashed") != std::string::npos; }));
         hand.forTicks(20);
         QVERIFY(!hand.last.valid);
@@ -290,7 +289,7 @@ private slots:
         for (int i = 0; i < deaths(); ++i) {
             new (served_) Served;
             Program program(file_, i % 2 == 0 ? "held" : "");
-            QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
+            QVERIFY(test::waitFor([&] { return served_->push == 2; }));
             anInstant(i);
             const std::int64_t killed = monotonicNanoseconds();
             QCOMPARE(kill(program.pid, SIGKILL), 0);
@@ -309,7 +308,7 @@ private slots:
         std::vector<std::int64_t> delays;
         Program program(file_);
         for (int i = 0; i < deaths(); ++i) {
-            QVERIFY(QTest::qWaitFor([&] { return served_->push == 2; }, kPatience));
+            QVERIFY(test::waitFor([&] { return served_->push == 2; }));
             anInstant(i);
             const std::int64_t frozen = monotonicNanoseconds();
             QCOMPARE(kill(program.pid, SIGSTOP), 0);

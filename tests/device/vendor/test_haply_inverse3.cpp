@@ -10,6 +10,7 @@
 #include "device/vendor/haply_messages.h"
 #include "tests/device/vendor/fake_haply.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/waiting.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -163,7 +164,7 @@ private slots:
         const auto device = opened();
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
-        QVERIFY(QTest::qWaitFor([&] { return motors().isZero(); }, 5000));
+        QVERIFY(test::waitFor([&] { return motors().isZero(); }));
     }
 
     void theGuardianStopsItAtOnce() {
@@ -172,7 +173,7 @@ private slots:
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device->emergencyStop();
         const int heard = service_->heard;
-        QVERIFY(QTest::qWaitFor([&] { return service_->heard >= heard + 2; }, 5000));
+        QVERIFY(test::waitFor([&] { return service_->heard >= heard + 2; }));
         QVERIFY(motors().isZero());
     }
 

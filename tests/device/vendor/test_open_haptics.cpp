@@ -10,6 +10,7 @@
 #include "device/vendor/open_haptics.h"
 #include "tests/device/vendor/fake_hd.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/waiting.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -167,7 +168,7 @@ private slots:
         const auto device = opened();
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
-        QVERIFY(QTest::qWaitFor([&] { return motors().isZero(); }, 5000));
+        QVERIFY(test::waitFor([&] { return motors().isZero(); }));
     }
 
     void theGuardianStopsItAtOnce() {
@@ -176,7 +177,7 @@ private slots:
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device->emergencyStop();
         const long stopped = fake_->frames;
-        QVERIFY(QTest::qWaitFor([&] { return fake_->frames >= stopped + 2; }, 5000));
+        QVERIFY(test::waitFor([&] { return fake_->frames >= stopped + 2; }));
         QVERIFY(motors().isZero());
         QVERIFY(hand.until([&] { return motors().x() == 1; })); // a later command counts again
     }

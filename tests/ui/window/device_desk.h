@@ -50,8 +50,7 @@ struct Desk {
         return texts;
     }
     bool listed(const char* name) {
-        return QTest::qWaitFor([&] { return !rows().filter(QString::fromLatin1(name)).isEmpty(); },
-                               kPatience);
+        return test::waitFor([&] { return !rows().filter(QString::fromLatin1(name)).isEmpty(); });
     }
     void chooseRow(const char* name) {
         if (!listed(name)) qFatal("%s is not listed", name);
@@ -64,8 +63,7 @@ struct Desk {
         click("device-connect-button");
     }
     bool ready() {
-        return QTest::qWaitFor([this] { return link().current() == kFake && !link().preparing(); },
-                               kPatience);
+        return test::waitFor([this] { return link().current() == kFake && !link().preparing(); });
     }
     bool connectIt() {
         desk->go = 3;
@@ -85,7 +83,7 @@ struct Desk {
     DeviceLink& link() { return program.window->devices(); }
     Engine& engine() { return program.engine; }
     bool fullForce() {
-        return QTest::qWaitFor([this] { return engine().servo().gain == 1; }, kPatience);
+        return test::waitFor([this] { return engine().servo().gain == 1; });
     }
     QString steps() { return widget("device-give-up").parentWidget()->accessibleName(); }
 

@@ -35,7 +35,7 @@ struct DevicePictures {
         program.frames(20);
     }
     void until(const std::function<bool()>& held) {
-        if (!QTest::qWaitFor(held, kPatience)) qFatal("the device does not come so far");
+        if (!test::waitFor(held)) qFatal("the device does not come so far");
     }
     void chooseArm() {
         auto* list = program.window->findChild<QTreeWidget*>(QStringLiteral("device-list"));

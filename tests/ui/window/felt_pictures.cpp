@@ -23,7 +23,7 @@ public:
     void toggle(std::initializer_list<const char*> ids) {
         for (const char* id : ids)
             program_.command(id).trigger();
-        (void)QTest::qWaitFor([&] { return !program_.window->view().makesFelt(); }, kPatience);
+        (void)test::waitFor([&] { return !program_.window->view().makesFelt(); });
         program_.frames(30);
     }
     void save(const char* name) {

@@ -72,7 +72,7 @@ void takeLayerPictures(TouchedWindow& program, const QDir& folder, const QString
     makeLayers(program);
     stroke(program);
     program.command("bumps-1").trigger();
-    (void)QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience);
+    (void)test::waitFor([&] { return !program.window->view().makesFelt(); });
     save(program, folder, "layers.png");
     program.command("mapping").trigger();
     save(program, folder, "layers-mapping.png");

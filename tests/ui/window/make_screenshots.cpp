@@ -180,7 +180,7 @@ void takePresets(TouchedWindow& program, const QDir& folder) {
     auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-presets"));
     auto* store = program.window->findChild<PresetStore*>();
     dock->raise();
-    if (!QTest::qWaitFor([&] { return !store->loading() && !store->presets().empty(); }, kPatience))
+    if (!test::waitFor([&] { return !store->loading() && !store->presets().empty(); }))
         qFatal("the presets do not come");
     auto* list = dock->findChild<QTreeWidget*>(QStringLiteral("preset-list"));
     QTreeWidgetItem* row = list->findItems(QStringLiteral("Brick"), Qt::MatchExactly).value(0);
@@ -191,7 +191,7 @@ void takePresets(TouchedWindow& program, const QDir& folder) {
     program.command("preset-apply").trigger();
     program.command("bumps-10").trigger();
     program.frames(60);
-    (void)QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience);
+    (void)test::waitFor([&] { return !program.window->view().makesFelt(); });
     program.frames(10);
     save(program, folder, QStringLiteral("presets.png"));
     program.command("bumps-10").trigger();
@@ -240,7 +240,7 @@ void takeProblems(TouchedWindow& program, const QDir& folder) {
     const auto hole = [list]() -> QTreeWidgetItem* {
         return list->findItems(QStringLiteral("rim"), Qt::MatchContains).value(0);
     };
-    if (!QTest::qWaitFor([&] { return hole(); }, kPatience)) qFatal("the hole is not found");
+    if (!test::waitFor([&] { return hole(); })) qFatal("the hole is not found");
     emit list->itemClicked(hole(), 0);
     program.frames(60);
     save(program, folder, QStringLiteral("problems.png"));

@@ -66,12 +66,10 @@ public:
     }
     ~OtherRun() { kill(); }
     bool waitForJournals(std::size_t count) {
-        return QTest::qWaitFor(
-            [&] {
-                const auto all = journals();
-                return std::size_t(std::ranges::count_if(all, holdsJournal)) == count;
-            },
-            kPatience);
+        return test::waitFor([&] {
+            const auto all = journals();
+            return std::size_t(std::ranges::count_if(all, holdsJournal)) == count;
+        });
     }
     void kill() {
         process_.kill();

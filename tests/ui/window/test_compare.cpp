@@ -32,7 +32,7 @@ std::vector<FingerPoint> press(std::size_t steps = 2000) {
 
 /// Waits for a result that an edit, a mark or a swap has led to.
 bool isCompared(const Comparison& comparison) {
-    return QTest::qWaitFor([&] { return comparison.result() && !comparison.working(); }, kPatience);
+    return test::waitFor([&] { return comparison.result() && !comparison.working(); });
 }
 
 bool isCalled(const TouchedWindow& program, const char* button) {

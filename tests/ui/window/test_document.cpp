@@ -42,7 +42,7 @@ void TestDocument::init() {
 
 bool TestDocument::open(const QString& file) {
     document_->open(file.toStdString());
-    return QTest::qWaitFor([this] { return !document_->opening(); }, kPatience);
+    return test::waitFor([this] { return !document_->opening(); });
 }
 
 void TestDocument::surfacesComeFromGroups() {
@@ -129,7 +129,7 @@ void TestDocument::lockedSurfacesStayAsTheyAre() {
     document_->selectFaces({cube, {8, 9}}); // those of the front
     document_->splitSelection();
     QSignalSpy ended(document_.get(), &Document::editEnded);
-    QVERIFY(ended.wait(kPatience));
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
     QVERIFY(ended[0][0].toString().contains(QStringLiteral("locked")));
     QVERIFY(document_->scene() == locked);
     document_->setLocked(front(), false);
@@ -148,7 +148,7 @@ void TestDocument::trianglesSplitOffAndMergeBack() {
     document_->selectFaces({cube, {1}}, SelectMode::Add);
     QCOMPARE(document_->selectedFaces().faces, (std::vector<Index>{0, 1, 8}));
     document_->splitSelection();
-    QVERIFY(ended.wait(kPatience));
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
     const SceneObject& split = document_->scene().objects[0];
     QCOMPARE(split.surfaces.size(), std::size_t(6));
     QCOMPARE(document_->selection(), std::optional(SurfaceRef{cube, 5}));
@@ -158,7 +158,7 @@ void TestDocument::trianglesSplitOffAndMergeBack() {
 
     document_->select({{cube, 5}, {cube, 3}});
     document_->mergeSelected();
-    QVERIFY(ended.wait(kPatience));
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 2, kPatience);
     const SceneObject& merged = document_->scene().objects[0];
     QCOMPARE(merged.surfaces.size(), std::size_t(5));
     QCOMPARE(merged.geometry->surfaceOf[0], Index(3));

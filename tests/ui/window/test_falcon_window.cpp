@@ -33,7 +33,7 @@ struct Desk {
     DeviceLink& link() { return program.window->devices(); }
     const ServoTelemetry& servo() { return program.engine.servo(); }
     bool connected() {
-        return QTest::qWaitFor([this] { return link().current() == kFalcon; }, kPatience);
+        return test::waitFor([this] { return link().current() == kFalcon; });
     }
     void arm() {
         program.engine.setArmed(false);
@@ -44,16 +44,14 @@ struct Desk {
     /// others is late: then the person arms anew.
     bool feels() {
         bench.device->leadGrip(kAbove);
-        if (!QTest::qWaitFor([this] { return bench.device->gripArrived(); }, kPatience)) return false;
+        if (!test::waitFor([this] { return bench.device->gripArrived(); })) return false;
         program.engine.restartProxy();
         program.frames(10); // or a proxy loop that is late would begin inside, and feel nothing
         bench.device->leadGrip(kInside);
-        return QTest::qWaitFor(
-            [this] {
-                if (isFault(servo().withheld)) arm();
-                return servo().gain == 1 && bench.device->force().y() > 1;
-            },
-            kPatience);
+        return test::waitFor([this] {
+            if (isFault(servo().withheld)) arm();
+            return servo().gain == 1 && bench.device->force().y() > 1;
+        });
     }
 
     static const Vec3 kAbove, kInside;
@@ -81,7 +79,7 @@ private slots:
     void fromThePlugToTheTouch() {
         Desk desk;
         QVERIFY(desk.program.open(writeCube(folder_, 0.4)));
-        QVERIFY(QTest::qWaitFor([&] { return desk.link().find(kFalcon) != nullptr; }, kPatience));
+        QVERIFY(test::waitFor([&] { return desk.link().find(kFalcon) != nullptr; }));
         desk.link().choose(kFalcon);
         QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
         for (const Preparation::Step& step : desk.link().preparation().steps)
@@ -123,13 +121,13 @@ private slots:
         Desk desk;
         desk.bench.device->startFirmware(true);
         QVERIFY(desk.program.open(writeCube(folder_, 0.4)));
-        QVERIFY(QTest::qWaitFor([&] { return desk.link().find(kFalcon) != nullptr; }, kPatience));
+        QVERIFY(test::waitFor([&] { return desk.link().find(kFalcon) != nullptr; }));
         desk.link().choose(kFalcon);
         QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
         desk.arm();
         QVERIFY(desk.feels());
         FalconBench::unplug();
-        QVERIFY(QTest::qWaitFor([&] { return desk.link().lost(); }, kPatience));
+        QVERIFY(test::waitFor([&] { return desk.link().lost(); }));
         QVERIFY(!desk.program.engine.armed());
         desk.bench.device->leadGrip(Desk::kAbove);
         desk.bench.plug();

@@ -21,8 +21,7 @@ struct Opened {
     }
     const FeltOptions& felt() { return program.window->view().felt(); }
     void settle() {
-        if (!QTest::qWaitFor([&] { return !program.window->view().makesFelt(); }, kPatience))
-            qFatal("it is never made");
+        if (!test::waitFor([&] { return !program.window->view().makesFelt(); })) qFatal("it is never made");
     }
     QImage picture() {
         settle();

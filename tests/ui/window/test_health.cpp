@@ -61,11 +61,10 @@ struct TroubledWindow {
     }
     /// The guard has seen that the forces are off.
     bool disarmed() {
-        return QTest::qWaitFor([this] { return program.engine.servo().withheld == Withheld::NotArmed; },
-                               kPatience);
+        return test::waitFor([this] { return program.engine.servo().withheld == Withheld::NotArmed; });
     }
     bool fullForce() {
-        return QTest::qWaitFor([this] { return program.engine.servo().gain == 1; }, kPatience);
+        return test::waitFor([this] { return program.engine.servo().gain == 1; });
     }
 
     std::shared_ptr<Trouble> trouble;

@@ -130,7 +130,7 @@ class TestLargeModel : public QObject {
                    !program.window->findChild<PaintTool*>()->working() &&
                    !program.window->findChild<SelectTool*>()->working();
         };
-        if (!QTest::qWaitFor(rests, kPatience)) qFatal("%s does not come to rest", what);
+        if (!test::waitFor(rests)) qFatal("%s does not come to rest", what);
         program.frames(2);
         const double longest = std::max(called, app().longest);
         qInfo("%-28s %6.1f ms%s%s", what, longest, longest > called ? " in " : "",

@@ -57,7 +57,7 @@ class TestPlayback : public QObject {
     }
     static bool opened(TouchedWindow& program, const QString& file) {
         program.window->open(file);
-        return QTest::qWaitFor([&] { return playbackOf(program).active(); }, kPatience);
+        return test::waitFor([&] { return playbackOf(program).active(); });
     }
 
 private slots:
@@ -138,7 +138,7 @@ void TestPlayback::playingGoesOnAtItsSpeed() {
     speed->setCurrentIndex(speed->count() - 1);
     QTest::keyClick(&program.window->view(), Qt::Key_Space);
     QVERIFY(playbackOf(program).playing());
-    QVERIFY(QTest::qWaitFor([&] { return !playbackOf(program).playing(); }, kPatience)); // to the end
+    QVERIFY(test::waitFor([&] { return !playbackOf(program).playing(); })); // to the end
     Player& player = playbackOf(program).player();
     QVERIFY(player.atEnd());
     QCOMPARE(player.check().proxySteps, player.run().proxy.rows.size());

@@ -51,8 +51,7 @@ QTreeWidgetItem* row(const TouchedWindow& program, const QString& name) {
 
 /// Waits until the library shows what is on the disk.
 bool ready(const TouchedWindow& program) {
-    return QTest::qWaitFor([&] { return !store(program).loading() && list(program).topLevelItemCount() > 0; },
-                           kPatience);
+    return test::waitFor([&] { return !store(program).loading() && list(program).topLevelItemCount() > 0; });
 }
 
 bool choose(const TouchedWindow& program, const QString& name) {
@@ -184,7 +183,7 @@ void TestPresets::applyingIsOneStep() {
         const Surface& was = before.objects.front().surfaces[i];
         QVERIFY(surfaceOf(*program, i) == (i == 1 || i == 4 ? applied(was, preset) : was));
     }
-    QVERIFY(QTest::qWaitFor([&] { return program->caughtUp(); }, kPatience));
+    QVERIFY(test::waitFor([&] { return program->caughtUp(); }));
     document.history().undo();
     QVERIFY(document.scene() == before);
     document.history().redo();

@@ -208,7 +208,7 @@ void TestRecovery::savingAndLeavingEndTheJournal() {
         setStiffness(program.document, stiffness);
         QSignalSpy written(&program.window->journal(), &Journal::written);
         program.window->journal().writeNow();
-        return QTest::qWaitFor([&] { return written.size() == 1; }, kPatience) && journals().size() == 1;
+        return test::waitFor([&] { return written.size() == 1; }) && journals().size() == 1;
     };
     QVERIFY(edit(201));
     program.document.history().undo(); // nothing is left to lose

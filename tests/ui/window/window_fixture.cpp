@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 #include <QWindow>
 
+#include "core/control/guard.h"
 #include "device/simulated_hand.h"
 #include "ui/journal.h"
 #include "ui/style.h"
@@ -74,18 +75,35 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
     // Without a window manager nobody else gives it the keyboard.
     window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get(), kPatience)) qFatal("the window does not get the keyboard");
+    keyboard_ = QObject::connect(qApp, &QGuiApplication::focusWindowChanged, [this](const QWindow* now) {
+        if (!now) takeKeyboard();
+    });
+    takeKeyboard();
+    if (!window->isActiveWindow()) qFatal("the window does not get the keyboard");
 }
 
 TouchedWindow::~TouchedWindow() {
+    QObject::disconnect(keyboard_);
     window->journal().discard(); // a test that edits leaves nothing for the next one to recover
     window.reset();
     engine.stop();
 }
 
+/// As far as Qt knows: at once, whatever the display server says about it later.
+void TouchedWindow::takeKeyboard() {
+    if (window && window->isVisible()) QApplication::setActiveWindow(window.get());
+}
+
+bool TouchedWindow::fullForce() {
+    return test::waitFor([this] {
+        if (!engine.armed() && engine.servo().withheld == Withheld::NotArmed) command("armed").trigger();
+        return engine.servo().gain == 1;
+    });
+}
+
 bool TouchedWindow::open(const QString& file) {
     window->open(file);
-    const bool opened = QTest::qWaitFor([this] { return !document.opening() && caughtUp(); }, kPatience);
+    const bool opened = test::waitFor([this] { return !document.opening() && caughtUp(); });
     frames(30); // the jump of the hand, and what the view prepares
     return opened;
 }
@@ -124,7 +142,7 @@ void TouchedWindow::frames(int count) {
     // Milliseconds of the window and ticks of the servo: on a busy machine neither stands for the other.
     const std::uint64_t until = engine.servo().ticks + std::uint64_t(count) * 16;
     QTest::qWait(count * 16);
-    (void)QTest::qWaitFor([&] { return !engine.running() || engine.servo().ticks >= until; }, kPatience);
+    (void)test::waitFor([&] { return !engine.running() || engine.servo().ticks >= until; });
 }
 
 QDoubleSpinBox& TouchedWindow::box(const QString& key) {

@@ -10,6 +10,7 @@
 
 #include "core/control/hand_target.h"
 #include "core/runtime/engine.h"
+#include "tests/support/waiting.h"
 #include "ui/document.h"
 #include "ui/main_window.h"
 
@@ -22,7 +23,7 @@ namespace tactum {
 void prepareProcess();
 void useSettingsIn(const QString& folder);
 
-/// Generous: a test fails by what it sees, not by how long that takes.
+/// For the macros of Qt Test, which wait with the patience of tests/support/patience.h whatever it says here.
 inline constexpr int kPatience = 60000; // ms
 
 /// A cube of 0.1 m about the origin with a surface for each of its six sides, in the order of their names:
@@ -30,6 +31,8 @@ inline constexpr int kPatience = 60000; // ms
 QString writeCube(const QTemporaryDir& folder, double scale = 1);
 QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content);
 
+/// Beside a person who holds on to the keyboard: when another program takes it, or nobody has it since a
+/// dialog went (there is no window manager), the window has it again before the test does anything else.
 class TouchedWindow {
 public:
     /// Makes another device around the simulated hand, one that gives trouble for instance.
@@ -61,6 +64,9 @@ public:
     QDoubleSpinBox& box(const QString& key);
     /// A command of the menus by its id.
     QAction& command(const char* id);
+    /// Waits for the full strength of the force; a machine that is late takes it away: then a person arms
+    /// anew.
+    bool fullForce();
 
     const HapticOutput& touch() { return engine.proxy().output; }
     const Vec3& finger() { return engine.servo().finger; }
@@ -69,6 +75,11 @@ public:
     Engine engine;
     Document document;
     std::unique_ptr<MainWindow> window;
+
+private:
+    void takeKeyboard();
+
+    QMetaObject::Connection keyboard_;
 };
 
 } // namespace tactum
