@@ -46,7 +46,8 @@ private:
 };
 
 struct FalconBench {
-    explicit FalconBench(double hurry = 20) : device(std::make_shared<EmulatedFalcon>(hurry)) {
+    explicit FalconBench(double hurry = 20, int theSocket = kSocket)
+        : socket(theSocket), device(std::make_shared<EmulatedFalcon>(hurry)) {
         const auto bytes = makeBootStream();
         std::ofstream(firmware(), std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
@@ -56,9 +57,10 @@ struct FalconBench {
     FalconBench(const FalconBench&) = delete;
     FalconBench& operator=(const FalconBench&) = delete;
 
-    void plug() const { EmulatedFalcon::plug(kSocket, device); }
+    void plug() const { EmulatedFalcon::plug(socket, device); }
+    void pull() const { EmulatedBus::the().unplug(socket); }
     static void unplug() { EmulatedBus::the().unplug(kSocket); }
-    static UsbPlace place() { return {kFalconUsb, 1, 0, "1-" + std::to_string(kSocket)}; }
+    UsbPlace place() const { return {kFalconUsb, 1, 0, "1-" + std::to_string(socket)}; }
     std::string firmware() const { return (folder.path() + "/made-up.bin").toStdString(); }
     static DeviceInfo profile() {
         return {.name = "Novint Falcon",
@@ -80,6 +82,7 @@ struct FalconBench {
     }
 
     QTemporaryDir folder;
+    int socket;
     std::shared_ptr<EmulatedFalcon> device;
 };
 
@@ -93,7 +96,7 @@ struct Run {
 /// machine was busy with others, as far apart as they were: the hand went on meanwhile.
 inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero()) {
     using Clock = std::chrono::steady_clock;
-    static auto last = Clock::now();
+    thread_local auto last = Clock::now();
     Run run;
     for (int i = 0; i < times; ++i) {
         const auto now = Clock::now();

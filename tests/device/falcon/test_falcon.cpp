@@ -167,7 +167,7 @@ private slots:
 
     void withoutFirmwareItSaysWhereToGetIt() {
         FalconBench bench;
-        Falcon falcon(FalconBench::place(), FalconBench::profile(), {"/nowhere/firmware.bin"});
+        Falcon falcon(bench.place(), FalconBench::profile(), {"/nowhere/firmware.bin"});
         Person person(bench.device);
         QVERIFY(says(falcon.prepare(person), "/nowhere/firmware.bin"));
         bench.device->startFirmware(true);

@@ -63,9 +63,7 @@ struct TroubledWindow {
     bool disarmed() {
         return test::waitFor([this] { return program.engine.servo().withheld == Withheld::NotArmed; });
     }
-    bool fullForce() {
-        return test::waitFor([this] { return program.engine.servo().gain == 1; });
-    }
+    bool fullForce() { return program.fullForce(); }
 
     std::shared_ptr<Trouble> trouble;
     TouchedWindow program;

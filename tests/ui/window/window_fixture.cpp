@@ -11,8 +11,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 
-#include "core/control/guard.h"
 #include "device/simulated_hand.h"
+#include "ui/guard_watch.h"
 #include "ui/journal.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
@@ -70,6 +70,8 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     engine.setArmed(true);
     applyTheme(rememberedTheme());
     window = std::make_unique<MainWindow>(document, engine, hand, samples);
+    QObject::connect(window->findChild<GuardWatch*>(), &GuardWatch::faulted,
+                     [this](Withheld why) { fault_ = why; });
     if (size.isValid()) window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
@@ -96,7 +98,10 @@ void TouchedWindow::takeKeyboard() {
 
 bool TouchedWindow::fullForce() {
     return test::waitFor([this] {
-        if (!engine.armed() && engine.servo().withheld == Withheld::NotArmed) command("armed").trigger();
+        if (fault_ == Withheld::Late && engine.servo().withheld == Withheld::NotArmed && !engine.armed()) {
+            fault_.reset();
+            command("armed").trigger();
+        }
         return engine.servo().gain == 1;
     });
 }

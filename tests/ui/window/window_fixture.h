@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QPoint>
 #include <QString>
 #include <QTemporaryDir>
 
+#include "core/control/guard.h"
 #include "core/control/hand_target.h"
 #include "core/runtime/engine.h"
 #include "tests/support/waiting.h"
@@ -80,6 +82,7 @@ private:
     void takeKeyboard();
 
     QMetaObject::Connection keyboard_;
+    std::optional<Withheld> fault_; ///< the last one, that nobody has armed after
 };
 
 } // namespace tactum
