@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -82,9 +81,7 @@ struct Desk {
     }
     DeviceLink& link() { return program.window->devices(); }
     Engine& engine() { return program.engine; }
-    bool fullForce() {
-        return test::waitFor([this] { return engine().servo().gain == 1; });
-    }
+    bool fullForce() { return program.fullForce(); }
     QString steps() { return widget("device-give-up").parentWidget()->accessibleName(); }
 
     std::shared_ptr<FakeDesk> desk;
@@ -94,9 +91,8 @@ struct Desk {
 
 /// Settings of their own for each test.
 inline void beginDeviceTest(const QTemporaryDir& folder) {
-    useSettingsIn(folder.path());
+    useSettingsIn(folder.path()); // every fault is saved as a recording there
     QSettings().clear();
-    QStandardPaths::setTestModeEnabled(true); // every fault is saved as a recording
 }
 
 } // namespace tactum

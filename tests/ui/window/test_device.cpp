@@ -303,7 +303,6 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     QVERIFY(desk.connectIt());
     desk.click("notice-act");
     QVERIFY(desk.fullForce());
-    QStandardPaths::setTestModeEnabled(true);
     QDir(RecordingSaver::folder()).removeRecursively();
     desk.desk->plugged = false;
     QTRY_VERIFY_WITH_TIMEOUT(
@@ -311,11 +310,12 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     QVERIFY(desk.link().lost() && !desk.engine().armed());
     QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
     QCOMPARE(desk.desk->made.load(), 0);
-    desk.program.frames(120); // the recording of the fault does not push the sentence away
+    // The recording of the fault is the one of the device that was lost, and not of the hand that took its
+    // place.
+    QTRY_COMPARE_WITH_TIMEOUT(QDir(RecordingSaver::folder()).entryList(QDir::Files).size(), 1, kPatience);
+    desk.program.frames(20); // it does not push the sentence away
     QVERIFY2(desk.text("notice-text").contains(QStringLiteral("is not there any more")),
              qPrintable(desk.text("notice-text")));
-    // It is the one of the device that was lost, and not of the hand that took its place.
-    QTRY_COMPARE_WITH_TIMEOUT(QDir(RecordingSaver::folder()).entryList(QDir::Files).size(), 1, kPatience);
     const QString saved = QDir(RecordingSaver::folder()).entryInfoList(QDir::Files).first().filePath();
     const auto recording = readRecording(saved.toStdString());
     QVERIFY2(recording.has_value(), recording ? "" : recording.error().text.c_str());

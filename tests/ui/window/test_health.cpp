@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -79,8 +78,7 @@ class TestHealth : public QObject {
 private slots:
     static void initMain() { prepareProcess(); }
     void init() {
-        useSettingsIn(folder_.path());
-        QStandardPaths::setTestModeEnabled(true); // every fault is saved as a recording
+        useSettingsIn(folder_.path()); // every fault is saved as a recording there
     }
 
     void everyReasonHasItsWords();
@@ -173,8 +171,9 @@ void TestHealth::aPauseIsSaidQuietly() {
              qPrintable(troubled.events()));
     troubled.trouble->slow = false;
     QVERIFY(troubled.fullForce());
-    troubled.trouble->pause = 1500;
+    troubled.trouble->hangs = true;
     QTRY_VERIFY_WITH_TIMEOUT(troubled.events().contains(QStringLiteral("stands still")), kPatience);
+    troubled.trouble->hangs = false;
     QVERIFY(troubled.fullForce());
     QTRY_VERIFY_WITH_TIMEOUT(troubled.widget("status-note").toolTip() != sentences, kPatience);
 }

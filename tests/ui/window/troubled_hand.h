@@ -15,7 +15,7 @@ namespace tactum {
 struct Trouble {
     std::atomic<bool> nonsense{false}; ///< the readings are no numbers
     std::atomic<bool> slow{false};     ///< every exchange takes 30 ms
-    std::atomic<int> pause{0};         ///< ms, that the next exchange stands still
+    std::atomic<bool> hangs{false};    ///< no exchange comes back while it is so
     double continuousForce = 0;        ///< N, of DeviceInfo
     double maxStiffness = 0;           ///< N/m, of DeviceInfo
     int buttons = 1;                   ///< of DeviceInfo
@@ -37,8 +37,8 @@ public:
     void close() override { hand_->close(); }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         if (trouble_->slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
-        if (const int pause = trouble_->pause.exchange(0))
-            std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+        while (trouble_->hangs)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         DeviceSample sample = hand_->exchange(command, dt);
         if (trouble_->nonsense) sample.position.setConstant(std::numeric_limits<double>::quiet_NaN());
         return sample;
