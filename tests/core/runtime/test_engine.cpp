@@ -13,6 +13,7 @@
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 #include "tests/support/page_faults.h"
+#include "tests/support/quiet.h"
 
 using namespace tactum;
 
@@ -182,6 +183,7 @@ private slots:
     }
 
     void aFrozenWindowCostsNoTick() {
+        TACTUM_NEEDS_QUIET();
         TouchedPlate plate(500);
         QVERIFY(plate.touch(kDepth));
         const std::uint64_t before = plate.polled().servo().ticks;

@@ -9,6 +9,7 @@
 #include "tests/core/surface/texture_rig.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/hand.h"
+#include "tests/support/quiet.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -177,6 +178,7 @@ private slots:
     }
 
     void keepsItsPace() {
+        TACTUM_NEEDS_QUIET();
         Touch touch(wall());
         QVERIFY(touch.start());
         QVERIFY(touch.restAt({0, 0, -0.01}).found);

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include "tests/ui/window/fake_devices.h"
@@ -23,10 +24,15 @@ inline const QString kFake = QStringLiteral("fake:1-2");
 
 /// The program with a catalogue, the dock Device in front.
 struct Desk {
-    Desk() : desk(std::make_shared<FakeDesk>()), catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)) {
+    /// `hurried`: the window looks for devices again and again instead of every second; too often to see that
+    /// one in use sends no readings any more.
+    explicit Desk(bool hurried = false)
+        : desk(std::make_shared<FakeDesk>()), catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)) {
         catalogue->hand = program.hand;
         program.window->setCatalogue(*catalogue);
         program.command("device-panel").trigger();
+        QObject::connect(&looking_, &QTimer::timeout, &looking_, [this] { link().look(); });
+        if (hurried) looking_.start(30);
     }
 
     QWidget& widget(const char* name) {
@@ -87,6 +93,9 @@ struct Desk {
     std::shared_ptr<FakeDesk> desk;
     std::unique_ptr<FakeCatalogue> catalogue; // outlives the window
     TouchedWindow program;
+
+private:
+    QTimer looking_;
 };
 
 /// Settings of their own for each test.

@@ -133,7 +133,7 @@ void TestDevice::everyStepIsShown() {
 }
 
 void TestDevice::aFailingStepIsNamedAndTriedAgain() {
-    Desk desk;
+    Desk desk(true);
     desk.desk->go = 1;
     desk.desk->failAt = 1;
     desk.begin();
@@ -169,7 +169,7 @@ void TestDevice::aDeviceThatDoesNotOpenLeavesTheSimulatedHand() {
 }
 
 void TestDevice::givingUpLeavesTheSimulatedHand() {
-    Desk desk;
+    Desk desk(true);
     desk.begin();
     QTRY_VERIFY_WITH_TIMEOUT(desk.desk->preparing, kPatience);
     desk.click("device-give-up");
@@ -280,7 +280,7 @@ void TestDevice::theMouseDoesNotLeadARealDevice() {
 }
 
 void TestDevice::disconnectingGivesItBack() {
-    Desk desk;
+    Desk desk(true);
     QVERIFY(desk.connectIt());
     QCOMPARE(desk.desk->made.load(), 1);
     desk.engine().setArmed(true);
@@ -377,7 +377,7 @@ void TestDevice::anotherDeviceIsFreedFirst() {
 
 void TestDevice::theChoiceIsRemembered() {
     {
-        Desk desk;
+        Desk desk(true);
         QVERIFY(desk.connectIt());
         desk.program.window->close();
     }
