@@ -19,6 +19,7 @@ namespace {
 constexpr double kRadius = 1e-3;
 constexpr double kWall = 500; ///< N/m
 constexpr double kBallRadius = 0.03;
+constexpr double kAbove = 0.01; ///< every surface
 
 Material firm() {
     Material material = frictionless();
@@ -65,16 +66,28 @@ struct Touch {
         return true;
     }
 
-    /// The force has its full strength. A machine that is busy with others is late: then the person arms
-    /// anew.
-    bool pushes() {
+    /// The force has its full strength. A machine that is busy with others is late, and the proxy may begin
+    /// anew where the grip is, below the surface: then the person arms anew and comes from above once more.
+    bool pushes(const Vec3& goal) {
         engine->poll();
-        if (engine->servo().withheld == Withheld::Late || engine->servo().withheld == Withheld::DeviceLost) {
-            engine->setArmed(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            engine->setArmed(true);
-        }
-        return engine->servo().gain == 1;
+        const Withheld why = engine->servo().withheld;
+        const bool faulty = why == Withheld::Late || why == Withheld::DeviceLost;
+        const bool fellThrough = goal.z() < 0 && engine->servo().gain == 1 && bench.device->gripArrived() &&
+                                 engine->proxy().output.contacts == 0;
+        if (!faulty && !fellThrough) return engine->servo().gain == 1;
+        engine->setArmed(false);
+        bench.device->leadGrip({goal.x(), goal.y(), kAbove});
+        (void)eventually([&] {
+            engine->poll();
+            return bench.device->gripArrived() && engine->servo().finger.z() > 0.5 * kAbove &&
+                   engine->servo().withheld == Withheld::NotArmed;
+        });
+        engine->restartProxy();
+        const std::uint64_t updates = engine->proxy().updates;
+        (void)eventually([&] { return engine->poll(), engine->proxy().updates > updates + 2; });
+        engine->setArmed(true);
+        bench.device->leadGrip(goal);
+        return false;
     }
 
     /// Leads the grip there and waits for rest; then the means of a fifth of a second with full force.
@@ -88,7 +101,7 @@ struct Touch {
         Rest rest;
         int full = 0;
         eventually([&] {
-            full = pushes() && bench.device->gripArrived() ? full + 1 : 0;
+            full = pushes(goal) && bench.device->gripArrived() ? full + 1 : 0;
             if (full == 0) rest = {};
             if (full > kSettle) {
                 rest.grip += bench.device->grip() / kMean;

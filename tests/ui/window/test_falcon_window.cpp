@@ -40,20 +40,30 @@ struct Desk {
         program.frames(3);
         program.engine.setArmed(true);
     }
-    /// Leads the grip from above into the top of the cube until it pushes back; a machine that is busy with
-    /// others is late: then the person arms anew.
+    /// Leads the grip from above into the top of the cube until it pushes back. A machine that is busy with
+    /// others is late, or lets the proxy begin anew at the finger, inside: then the person arms anew and
+    /// comes from above once more.
     bool feels() {
+        bool inside = false;
         bench.device->leadGrip(kAbove);
-        if (!test::waitFor([this] { return bench.device->gripArrived(); })) return false;
-        program.engine.restartProxy();
-        program.frames(10); // or a proxy loop that is late would begin inside, and feel nothing
-        bench.device->leadGrip(kInside);
-        return test::waitFor([this] {
-            if (isFault(servo().withheld)) arm();
-            return servo().gain == 1 && bench.device->force().y() > 1;
+        return test::waitFor([&] {
+            const bool faulty = isFault(servo().withheld);
+            if (faulty || (inside && program.touch().proxy.y() < kTop)) {
+                bench.device->leadGrip(kAbove);
+                inside = false;
+                if (faulty) arm();
+            }
+            if (!inside && bench.device->gripArrived() && servo().finger.y() > kTop) {
+                program.engine.restartProxy();
+                program.frames(10); // or a proxy loop that is late would begin inside, and feel nothing
+                bench.device->leadGrip(kInside);
+                inside = true;
+            }
+            return inside && servo().gain == 1 && bench.device->force().y() > 1;
         });
     }
 
+    static constexpr double kTop = 0.02; ///< of the cube
     static const Vec3 kAbove, kInside;
 
     FalconBench bench; // outlives the window
