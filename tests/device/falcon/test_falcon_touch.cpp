@@ -42,11 +42,13 @@ std::shared_ptr<const World> texturedBall(double height) {
     return compile(scene).value();
 }
 
-/// A Falcon that was made ready by a person, and an engine that has it.
+/// A Falcon that is made ready by a person, and an engine that has it.
 struct Touch {
     explicit Touch(std::shared_ptr<const World> theWorld) : bench(1), world(std::move(theWorld)) {}
 
-    bool start() {
+    /// `loaded`: somebody had made it ready before.
+    bool start(bool loaded = true) {
+        if (loaded) bench.device->startFirmware(true);
         auto falcon = bench.driver();
         Person person(bench.device);
         if (const auto ready = falcon->prepare(person); !ready) {
@@ -144,7 +146,7 @@ class TestFalconTouch : public QObject {
 private slots:
     void pressesOnAWall() {
         Touch touch(wall());
-        QVERIFY(touch.start());
+        QVERIFY(touch.start(false));
         const double grip = FalconBody::Hand{}.stiffness;
         for (const double depth : {0.006, 0.015}) {
             const auto rest = touch.restAt({0.004, -0.006, kRadius - depth});

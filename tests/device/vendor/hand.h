@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/control/haptic_device.h"
+#include "tests/support/patience.h"
 
 namespace tactum::test {
 
@@ -24,8 +25,7 @@ struct Hand {
     }
     /// Ticks until it is so; false when it never is.
     bool until(const std::function<bool()>& isSo) {
-        constexpr int kPatience = 10'000;
-        for (int i = 0; i < kPatience; ++i) {
+        for (Patience patience; !patience.isOver();) {
             tick();
             if (isSo()) return true;
         }

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/runtime/compile.h"
+#include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/scene_picker.h"
@@ -32,7 +33,7 @@ struct Shown {
 
     void show() {
         view.setFelt(options);
-        if (!QTest::qWaitFor([&] { return !view.makesFelt(); }, 60000)) qFatal("it is never made");
+        if (!test::waitFor([&] { return !view.makesFelt(); })) qFatal("it is never made");
     }
 
     ViewCamera camera() const {

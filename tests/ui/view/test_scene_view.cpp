@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include "core/dynamics/motion_build.h"
+#include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/hand_tool.h"
@@ -78,7 +79,7 @@ struct Shown {
     /// Until the finger has come to where it glides. A slow machine may be a long way from it for a while.
     void waitForHand() {
         Vec3 before = Vec3::Constant(qQNaN());
-        const bool arrived = QTest::qWaitFor([&] {
+        const bool arrived = test::waitFor([&] {
             const bool rests = view.handGoal() == before;
             before = view.handGoal();
             if (!rests) QTest::qWait(100);
