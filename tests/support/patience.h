@@ -1,5 +1,4 @@
-// How long a test waits for what has to come: a test that passes does not depend on how fast the machine is,
-// and one that fails soon says so.
+// How long a test waits for what has to come: however slow the machine is, and no longer than that.
 #pragma once
 
 #include <algorithm>
