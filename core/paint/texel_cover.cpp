@@ -72,6 +72,7 @@ void TexelCover::addRow(const TexelTriangle& triangle, int y, double left, doubl
     constexpr double kRounding = 1e-9;
     const Vec3 begin = triangle.weightsAt({0.5, y + 0.5}), step = triangle.weightsAt({1.5, y + 0.5}) - begin;
     --budget_;
+    ++lookedAt_;
     for (int k = 0; k < 3; ++k) {
         const double zero = (-kRounding - begin[k]) / step[k];
         if (step[k] > 0) left = std::max(left, zero);
@@ -79,9 +80,11 @@ void TexelCover::addRow(const TexelTriangle& triangle, int y, double left, doubl
         if (step[k] == 0 && begin[k] < -kRounding) return;
     }
     if (!(left <= right)) return;
-    budget_ -= right - left;
+    const int first = int(std::ceil(left)), end = int(std::floor(right)) + 1;
+    budget_ -= end - first;
     if (budget_ < 0) return;
-    for (int x = int(std::ceil(left)); x <= right; ++x)
+    lookedAt_ += std::size_t(end - first);
+    for (int x = first; x < end; ++x)
         covered_[map_.wrapped(x, y)] = 1;
 }
 

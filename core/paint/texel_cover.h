@@ -82,6 +82,9 @@ public:
 
     const TexelMap& map() const { return map_; }
     bool isCovered(std::size_t texel) const { return covered_[texel] != 0; }
+    /// How many texels and rows of triangles it took to tell: no more than 64 for each texel of the image and
+    /// a million, whatever the coordinates are.
+    std::size_t lookedAt() const { return lookedAt_; }
 
 private:
     void add(const TexelTriangle& triangle);
@@ -90,6 +93,7 @@ private:
     TexelMap map_;
     std::vector<std::uint8_t> covered_;
     double budget_; ///< texels that may still be looked at
+    std::size_t lookedAt_ = 0;
 };
 
 } // namespace tactum

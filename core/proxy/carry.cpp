@@ -137,17 +137,19 @@ private:
     // One piece of the step: a goal, and rounds of sweeping to it and keeping out of what was met.
     void makeRoom(const Vec3& start) noexcept {
         startBounds();
-        for (int round = 0; true; ++round) {
+        for (int met = 0; true;) {
             const auto place = bounds_.nearestTo(rideFrom(start), radius_);
             const Meeting meeting = place ? firstOnTheWay(start, *place) : Meeting{};
+            report_.sweeps = std::max(report_.sweeps, met + 1);
             if (place && meeting.body == kNoBody) return settle(*place);
-            if (place && round < kMaxCarryRounds && !bounds_.full()) {
+            if (place && met < kMaxCarryRounds && !bounds_.full()) {
                 bound(meeting.body, meeting.hit.triangle, meeting.at_B);
+                ++met;
                 continue;
             }
             if (!passOver(meeting.body)) return;
             startBounds();
-            round = 0;
+            met = 0;
         }
     }
 

@@ -10,7 +10,8 @@ namespace tactum {
 
 /// A moving body's way in one step is cut into at most so many pieces, each straight enough for its sweep.
 inline constexpr int kMaxPieces = 64;
-/// Sweeps of one piece; what is not settled by then passes over the proxy.
+/// Times that the proxy is kept out of something in one piece; each takes a sweep, and one more shows that
+/// the place is free. What is not settled by then passes over the proxy.
 inline constexpr int kMaxCarryRounds = 16;
 /// What the bodies' own motion did.
 struct CarryReport {
@@ -20,6 +21,7 @@ struct CarryReport {
     Vec3 start = Vec3::Zero();
     bool squeezed = false; ///< between surfaces with less room than the proxy needs
     bool passed = false;   ///< there was none: a body passed over the proxy
+    int sweeps = 0;        ///< of a body, in the piece that took most: at most kMaxCarryRounds + 1
 };
 
 /// Takes the proxy from where the bodies were to where they are, sweeping its motion relative to each body in
@@ -32,8 +34,8 @@ struct CarryReport {
 /// on which the proxy was. A body that jumps farther than the proxy is wide lets it go and touches nothing on
 /// its way.
 ///
-/// Thread: real time; at most kMaxPieces x kMaxCarryRounds sweeps of each body, and again for every body that
-/// passes over; one sweep of the bodies in reach is usual.
+/// Thread: real time; at most kMaxPieces x (kMaxCarryRounds + 1) sweeps of each body, and again for every
+/// body that passes over or lets the proxy go; one sweep of the bodies in reach is usual.
 CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
                   double radius) noexcept;
 

@@ -93,8 +93,7 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// what is touched. `movers`: what the obstacles' `mover` names, how each of them moved in this step.
 /// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there.
 /// Thread: real time; at most as many sweeps of each obstacle, and before them, where `movers` move, those of
-/// carry(): kMaxPieces x kMaxCarryRounds of each, and as many again for every body that passes over the
-/// proxy. With every move one nearestOn() of each body in reach that is felt from one side alone.
+/// carry(). With every move one nearestOn() of each body in reach that is felt from one side alone.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
                           int mostRounds = kMaxRounds) noexcept;

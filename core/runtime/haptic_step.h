@@ -65,8 +65,7 @@ struct SimState {
 /// same bits. dt in s, > 0. At first the proxy starts on the finger; after
 /// a change of shape it stays. Both only where there is room: else it starts beside what is there. Input that
 /// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
-/// each body, and where bodies move by themselves those of carry() before them: kMaxPieces x kMaxCarryRounds
-/// of each, and as many again for every body that passes over the proxy.
+/// each body, and where bodies move by themselves those of carry() before them.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
 
 } // namespace tactum

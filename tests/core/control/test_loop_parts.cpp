@@ -361,6 +361,92 @@ private slots:
         }
     }
 
+    void whatIsNoLimitCycle_data() {
+        QTest::addColumn<double>("least"); // Hz
+        QTest::addColumn<double>("most");
+        QTest::addColumn<double>("narrowest"); // m, from end to end
+        QTest::addColumn<double>("widest");
+        QTest::newRow("a hand, and its tremor") << 1.0 << 15.0 << 5e-5 << 2e-2;
+        QTest::newRow("a fine texture") << 20.0 << 300.0 << 1e-6 << 1e-4;
+        QTest::newRow("faster than any loop") << 700.0 << 1900.0 << 2e-4 << 2e-3;
+    }
+
+    /// Whatever the swing begins with, and however long it lasts.
+    void whatIsNoLimitCycle() {
+        QFETCH(double, least);
+        QFETCH(double, most);
+        QFETCH(double, narrowest);
+        QFETCH(double, widest);
+        constexpr int kSteps = 28, kPhases = 16;
+        int alarms = 0;
+        double lowest = 1e9, highest = 0; // Hz, of those that gave one
+        for (int i = 0; i <= kSteps; ++i)
+            for (const double part : {0.0, 0.5, 1.0})
+                for (int phase = 0; phase < kPhases; ++phase) {
+                    const double frequency = least + (most - least) * i / kSteps;
+                    const double half = 0.5 * narrowest * std::pow(widest / narrowest, part);
+                    const double tick = most > 500 ? 0.25 * kTick : kTick;
+                    OscillationDetector detector;
+                    bool alarm = false;
+                    for (double t = 0; t < 1; t += tick)
+                        alarm |= detector(
+                            Vec3(0, half * std::sin(2 * M_PI * (frequency * t + double(phase) / kPhases)), 0),
+                            tick);
+                    if (!alarm) continue;
+                    ++alarms;
+                    lowest = std::min(lowest, frequency);
+                    highest = std::max(highest, frequency);
+                }
+        QVERIFY2(
+            alarms == 0,
+            qPrintable(
+                QString("%1 alarms instead of 0, from %2 to %3 Hz").arg(alarms).arg(lowest).arg(highest)));
+    }
+
+    /// What a tap sets ringing has died away within a sixteenth of a second; what lasts longer is told of,
+    /// and when it does not end, again after as long.
+    void aLimitCycleIsToldOnceInASixteenthOfASecond() {
+        constexpr double kSixteenth = 1.0 / 16;
+        const auto shaken = [](int i) { return Vec3(0, 0, 1e-3 * std::sin(2 * M_PI * 50 * i * kTick)); };
+        for (const int swings : {1, 2, 3, 5}) {
+            OscillationDetector detector;
+            int alarms = 0;
+            for (int burst = 0; burst < 20; ++burst)
+                for (int i = 0; i < 20 * swings + 200; ++i)
+                    alarms += detector(i < 20 * swings ? shaken(i) : Vec3::Zero(), kTick);
+            QVERIFY2(alarms == (swings < 4 ? 0 : 20),
+                     qPrintable(QString("%1 alarms of 20 times %2 swings").arg(alarms).arg(swings)));
+        }
+        OscillationDetector detector;
+        double last = -kSixteenth;
+        int alarms = 0;
+        for (int i = 0; i < 1000; ++i) {
+            if (!detector(shaken(i), kTick)) continue;
+            QCOMPARE_GE(i * kTick - last, kSixteenth);
+            last = i * kTick;
+            ++alarms;
+        }
+        QCOMPARE_GE(alarms, 10);
+    }
+
+    /// Wide and narrow in turn, as over a coarse texture.
+    void unevenSwingsAreNoLimitCycle() {
+        for (const double ratio : {2.5, 3.0, 4.0}) {
+            OscillationDetector detector;
+            int alarms = 0;
+            double place = 0;
+            for (int i = 0; i < 2000; ++i) {
+                const bool up = i / 10 % 2 == 0, isWide = i / 20 % 2 == 0;
+                place += (up ? 1 : -1) * (isWide ? 1e-3 : 1e-3 / ratio) / 10;
+                alarms += detector(Vec3(place, 0, 0), kTick);
+            }
+            QVERIFY2(
+                alarms == 0,
+                qPrintable(
+                    QString("%1 alarms instead of 0, one swing %2 times the next").arg(alarms).arg(ratio)));
+        }
+    }
+
     void swingsAreSeenAfterWhatIsNoNumber() {
         OscillationDetector detector;
         QVERIFY(!detector(Vec3::Constant(kNan), kTick));

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "core/base/text.h"
+#include "core/files/source.h"
 #include "tests/core/files/mesh_files.h"
 
 using namespace tactum;
@@ -149,6 +151,53 @@ private slots:
         refused(folder_.load("empty" + suffix, ""), "is empty");
         refused(folder_.load("zeros" + suffix, std::string(4000, '\0')), "");
         refused(folder_.load("words" + suffix, "nothing of this kind\nis in here\n"), "");
+    }
+
+    /// What a file names is found in its folder and nowhere else; also an absolute path that happens to lead
+    /// there is none of its references, nor is one that ends in its middle.
+    void aReferenceStaysInItsFolder() {
+        namespace fs = std::filesystem;
+        const fs::path home = folder_.path() / "home";
+        fs::create_directories(home / "parts");
+        fs::create_directories(folder_.path() / "homely");
+        for (const char* file : {"home/parts/a.bin", "homely/a.bin", "outside.bin"})
+            folder_.write(file, "some bytes");
+        fs::create_symlink(home / "parts" / "a.bin", home / "in");
+        fs::create_symlink(folder_.path() / "outside.bin", home / "out");
+        const std::string file = fs::canonical(home / "parts" / "a.bin").string();
+        for (const std::string& reference :
+             {std::string("parts/a.bin"), std::string("./parts/../parts//a.bin"), std::string("in")})
+            QCOMPARE(insideFolder(home, reference).string(), file);
+        for (const std::string& reference :
+             {file, (home / "parts" / "a.bin").string(), std::string("parts/a.bin\0", 12),
+              std::string("parts/a.bin\0.png", 16), std::string("../outside.bin"),
+              std::string("../homely/a.bin"), std::string("../home/../outside.bin"), std::string("out"),
+              std::string("parts"), std::string("."), std::string(), std::string("gone.bin")}) {
+            const std::string found = insideFolder(home, reference).string();
+            QVERIFY2(found.empty(), (inQuotes(reference) + " led to " + found).c_str());
+        }
+        QVERIFY(insideFolder(folder_.path() / "nowhere", "a.bin").empty());
+    }
+
+    void aFileAsLargeAsMayBeIsReadWhole() {
+        const std::string content = "ten bytes\n";
+        const auto file = folder_.write("ten.obj", content);
+        QCOMPARE(std::string(Source::open(file, content.size()).bytes()), content);
+        try {
+            Source::open(file, content.size() - 1);
+            QFAIL("a byte more than may be was read");
+        } catch (const ReadFault& fault) {
+            const std::string& text = fault.error.text;
+            QVERIFY2(text.find("has 10 bytes, more than the 9") != std::string::npos, text.c_str());
+        }
+    }
+
+    void placesAreNamedByTheirLine() {
+        const Source source = Source::ofBytes("a.obj", "one\ntwo\n\nfour");
+        const char* first = source.bytes().data();
+        const std::pair<int, std::size_t> places[] = {{0, 1}, {3, 1}, {4, 2}, {8, 3}, {9, 4}, {13, 4}};
+        for (const auto& [at, line] : places)
+            QCOMPARE(source.lineAt(first + at), line);
     }
 
     void archivesAndPicturesAreNamedForWhatTheyAre() {

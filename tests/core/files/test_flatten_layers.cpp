@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/files/flatten_layers.h"
+#include "core/files/uv_canvas.h"
 #include "tests/core/surface/texture_rig.h"
 
 using namespace tactum;
@@ -67,6 +68,9 @@ private slots:
     void withoutCoordinatesNothingIsShown();
     void aLargePictureIsCappedAndFiltered();
     void cappedGroovesKeepTheirOneRow();
+    void theCoverGoesOnForTwoTexels();
+    void overlappingTexelsAreCounted();
+    void theRectangleIsOfItsSurfaceAlone();
 };
 
 void TestFlattenLayers::anImageComesBackTexelForTexel() {
@@ -284,6 +288,96 @@ void TestFlattenLayers::cappedGroovesKeepTheirOneRow() {
     QVERIFY(whole.canvas.width > 64 && whole.canvas.height == 1);
     QVERIFY(capped.image && capped.canvas.width == 64 && capped.canvas.height == 1);
     QVERIFY(capped.high - capped.low > 0.8 * (whole.high - whole.low));
+}
+
+/// An interpolation at the edge of a surface reads a texel or two beside it: those show one of its triangles,
+/// and all that are farther away show nothing.
+void TestFlattenLayers::theCoverGoesOnForTwoTexels() {
+    Rng rng(7);
+    for (int run = 0; run < 20; ++run) {
+        TriangleSoup soup;
+        for (Index i = 0; i < 3; ++i) { // the last one is another surface's
+            soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            soup.surfaceOf.push_back(i / 2);
+            const Vector2d middle(uniform(rng, 0.2, 0.8), uniform(rng, 0.2, 0.8));
+            for (int k = 0; k < 3; ++k) {
+                const Vector2d uv = middle + Vector2d(uniform(rng, -0.2, 0.2), uniform(rng, -0.2, 0.2));
+                soup.positions.emplace_back(uv.x(), uv.y(), double(i));
+                soup.cornerUvs.push_back(uv.cast<float>());
+            }
+        }
+        UvCanvas canvas;
+        canvas.width = 41, canvas.height = 27;
+        const UvCover cover = coverOf(canvas, soup, 0);
+        QCOMPARE(cover.triangleOf.size(), canvas.texels());
+        const auto lies = [&](std::size_t triangle, int x, int y) {
+            return uvWeights(soup, triangle, canvas.uvAt(x, y)).minCoeff() >= 0;
+        };
+        for (int y = 0; y < canvas.height; ++y)
+            for (int x = 0; x < canvas.width; ++x) {
+                int nearest = 1000; // texels, to one that has its centre on the surface
+                for (int j = 0; j < canvas.height; ++j)
+                    for (int i = 0; i < canvas.width; ++i)
+                        if (lies(0, i, j) || lies(1, i, j))
+                            nearest = std::min(nearest, std::max(std::abs(i - x), std::abs(j - y)));
+                const Index owner = cover.triangleOf[std::size_t(y * canvas.width + x)];
+                const bool isShown = owner != UvCover::kNothing;
+                QVERIFY2(isShown == (nearest <= 2), qPrintable(QString("run %1, texel %2 %3: %4, %5 away")
+                                                                   .arg(run)
+                                                                   .arg(x)
+                                                                   .arg(y)
+                                                                   .arg(isShown ? "shown" : "empty")
+                                                                   .arg(nearest)));
+                if (isShown) QVERIFY(owner < 2);
+                if (nearest == 0) QVERIFY(lies(owner, x, y));
+            }
+    }
+}
+
+/// Two squares that share a part of the canvas, and one without an area on it.
+void TestFlattenLayers::overlappingTexelsAreCounted() {
+    TriangleSoup soup = uvSquare(kSide, {0, 0}, {0.5, 0.5});
+    const auto add = [&](const Vector2d& low, const Vector2d& high, double height) {
+        const TriangleSoup more = uvSquare(kSide, low, high);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Index first = Index(soup.positions.size());
+            for (const Index corner : more.triangles[i])
+                soup.positions.push_back(more.positions[corner] + Vec3(0, 0, height));
+            soup.triangles.push_back({first, first + 1, first + 2});
+            soup.surfaceOf.push_back(0);
+            for (std::size_t k = 0; k < 3; ++k)
+                soup.cornerUvs.push_back(more.cornerUvs[3 * i + k]);
+        }
+    };
+    UvCanvas canvas;
+    canvas.width = canvas.height = 64;
+    QCOMPARE(coverOf(canvas, soup, 0).overlaps, std::size_t(0));
+    add({0.5, 0}, {1, 0.5}, 0.01); // beside it: the edge is shared
+    const UvCover beside = coverOf(canvas, soup, 0);
+    QCOMPARE(beside.overlaps, std::size_t(0));
+    QCOMPARE(beside.withoutArea, std::size_t(0));
+    add({0.25, 0.25}, {0.5, 0.5}, 0.02); // over a quarter of the first
+    add({0.75, 0.75}, {0.75, 1}, 0.03);
+    const UvCover over = coverOf(canvas, soup, 0);
+    QCOMPARE(over.withoutArea, std::size_t(2));
+    // 16 x 16 texels, but for those on the diagonals of the squares.
+    QVERIFY2(over.overlaps >= 16 * 16 - 2 * 16 && over.overlaps <= 16 * 16,
+             qPrintable(QString("%1 texels").arg(over.overlaps)));
+}
+
+void TestFlattenLayers::theRectangleIsOfItsSurfaceAlone() {
+    TriangleSoup soup = uvSquare(kSide, {0.2, 0.3}, {0.9, 1});
+    soup.surfaceOf = {0, 1};
+    for (std::size_t corner = 3; corner < 6; ++corner)
+        soup.cornerUvs[corner] *= -2;
+    const UvCanvas own = uvRectangleOf(soup, 0), other = uvRectangleOf(soup, 1),
+                   none = uvRectangleOf(soup, 2);
+    for (const UvCanvas& unit : {own, none}) {
+        QCOMPARE(unit.low, Vector2d(0, 0));
+        QCOMPARE(unit.size, Vector2d(1, 1));
+    }
+    QCOMPARE(other.low, Vector2d(-2, -2));
+    QCOMPARE(other.size, Vector2d(2, 2));
 }
 
 QTEST_GUILESS_MAIN(TestFlattenLayers)

@@ -40,6 +40,12 @@ Image onImage(const Soup& soup, const Image& before, const Brush& brush, const s
     return stroke.image();
 }
 
+/// No two rows and no two columns alike.
+Image mottled(int width, int height, std::uint64_t seed) {
+    Rng rng(seed);
+    return imageOf(width, height, [&](double, double) { return uniform(rng, 0, 1); });
+}
+
 double valueAt(const TextureImage& image, const Vector2d& uv) {
     return sampleImage(image, {uv, {}}, 0).value;
 }
@@ -47,6 +53,27 @@ double valueAt(const TextureImage& image, const Vector2d& uv) {
 std::vector<std::uint16_t> texels(const TextureImage& image) {
     const std::uint16_t* first = image.row(image.level(0), 0);
     return {first, first + image.width() * image.height()};
+}
+
+/// How many texels are others than before, of those that `isMeant` or of the rest.
+struct Changes {
+    int meant = 0, others = 0;
+};
+template <class IsMeant> Changes changes(const Image& before, const Image& after, IsMeant&& isMeant) {
+    const auto one = texels(*before), other = texels(*after);
+    Changes changes;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if (one[i] != other[i])
+            ++(isMeant(int(i) % before->width(), int(i) / before->width()) ? changes.meant : changes.others);
+    return changes;
+}
+
+/// The sheet of half a side of 0.02 m that shows an image once, and where the centre of a texel lies on it.
+Soup wholeSheet(int cells) {
+    return laidOut(0.02, cells, 25 * Eigen::Matrix2d::Identity(), {0.5, 0.5});
+}
+Vec3 placeOf(const Image& image, int x, int y) {
+    return {0.04 * ((x + 0.5) / image->width() - 0.5), 0.04 * ((y + 0.5) / image->height() - 0.5), 0};
 }
 
 } // namespace
@@ -84,6 +111,156 @@ private slots:
                 }
             QVERIFY(inside > 1000);
         }
+    }
+
+    /// Of an image that has something to lose: within the brush each texel becomes what the mode makes of the
+    /// value that it had, beyond it none changes by a bit.
+    void whatLiesBeyondTheBrushStays() {
+        const double radius = 4e-3, strength = 0.7, value = 0.9;
+        const std::vector<Dab> places{{{-0.01, 0.002, 0}}, {{0.007, 0.006, 0}}};
+        const std::vector<Vec3> path{places[0].centre, places[1].centre};
+        const Image before = mottled(90, 70, 21);
+        for (const BrushMode mode :
+             {BrushMode::Add, BrushMode::Subtract, BrushMode::Set, BrushMode::Smooth}) {
+            const Brush brush = brushOf(mode, radius, strength, 0.5, value);
+            const Image after = onImage(wholeSheet(15), before, brush, places);
+            const Changes seen = changes(before, after, [&](int x, int y) {
+                return distanceTo(path, placeOf(before, x, y)) <= radius;
+            });
+            QVERIFY2(seen.others == 0,
+                     qPrintable(QString("mode %1: %2 texels beyond the brush instead of 0, %3 within it")
+                                    .arg(int(mode))
+                                    .arg(seen.others)
+                                    .arg(seen.meant)));
+            QVERIFY2(seen.meant > 600, qPrintable(QString::number(seen.meant)));
+            if (mode == BrushMode::Smooth) continue;
+            const Image dabbed = onImage(wholeSheet(15), before, brush, {places[0]});
+            for (int y = 0; y < 70; ++y)
+                for (int x = 0; x < 90; ++x) {
+                    const double was = before->texel(before->level(0), x, y),
+                                 is = dabbed->texel(dabbed->level(0), x, y);
+                    const double apart = (placeOf(before, x, y) - path[0]).norm();
+                    const double part = strength * expectedFalloff(apart / radius, 0.5);
+                    const double expected = mode == BrushMode::Add        ? std::min(was + part, 1.0)
+                                            : mode == BrushMode::Subtract ? std::max(was - part, 0.0)
+                                                                          : was + part * (value - was);
+                    QVERIFY2(std::abs(is - expected) < 2e-5,
+                             qPrintable(QString("mode %1 at %2 %3: %4 instead of %5")
+                                            .arg(int(mode))
+                                            .arg(x)
+                                            .arg(y)
+                                            .arg(is)
+                                            .arg(expected)));
+                }
+        }
+    }
+
+    /// However often it crosses itself: of all dabs the one counts that lies best.
+    void whatWasPaintedIsNotPaintedTwice() {
+        const Image before = mottled(64, 64, 22);
+        for (const BrushMode mode : {BrushMode::Add, BrushMode::Subtract, BrushMode::Set}) {
+            const Brush brush = brushOf(mode, 5e-3, 0.3, 1, 0.5);
+            const Vec3 here(1e-3, 2e-3, 0), beside(4e-3, 2e-3, 0);
+            ImageStroke stroke(
+                reachOf(wholeSheet(9)), {},
+                std::make_shared<const TexelCover>(*wholeSheet(9), PaintableSurfaces{}, mapOf(before)),
+                before, brush);
+            stroke.paint({here});
+            const Image once = stroke.image();
+            stroke.paint({here});
+            QVERIFY(stroke.image() == once);
+            stroke.paint({beside});
+            const Image both = stroke.image();
+            const Changes seen = changes(once, both, [&](int x, int y) {
+                const Vec3 place = placeOf(before, x, y);
+                return (place - beside).norm() < (place - here).norm();
+            });
+            QVERIFY2(
+                seen.others == 0 && seen.meant > 100,
+                qPrintable(QString("%1 texels nearer to the first dab instead of 0, %2 nearer to the second")
+                               .arg(seen.others)
+                               .arg(seen.meant)));
+        }
+    }
+
+    /// Between two places of the pointer nothing is painted when it was away in between.
+    void aLiftedBrushLeavesAGap() {
+        const double radius = 3e-3;
+        const Soup soup = wholeSheet(9);
+        const Image before = mottled(80, 80, 23);
+        const Vec3 from(-0.012, 0, 0), to(0.012, 0, 0);
+        for (const bool lifts : {false, true}) {
+            ImageStroke stroke(reachOf(soup), {},
+                               std::make_shared<const TexelCover>(*soup, PaintableSurfaces{}, mapOf(before)),
+                               before, brushOf(BrushMode::Set, radius, 1, 0));
+            stroke.moveTo({from});
+            if (lifts) stroke.lift();
+            stroke.moveTo({to});
+            const Changes seen = changes(before, stroke.image(), [&](int x, int y) {
+                const Vec3 place = placeOf(before, x, y);
+                return std::min((place - from).norm(), (place - to).norm()) <= radius;
+            });
+            QVERIFY2(
+                lifts == (seen.others == 0),
+                qPrintable(QString("%1 texels on the way, %2 at its ends").arg(seen.others).arg(seen.meant)));
+            QVERIFY(seen.meant > 200);
+        }
+    }
+
+    /// Two sheets, one above the other, that show the same texels: each is painted by the nearer one,
+    /// whichever comes first in the mesh.
+    void ofSeveralPlacesTheNearestCounts() {
+        const Soup near = wholeSheet(6);
+        TriangleSoup far = *near;
+        for (Vec3& p : far.positions)
+            p.z() -= 3e-3;
+        const Image before = mottled(60, 60, 24);
+        const Brush brush = brushOf(BrushMode::Add, 5e-3, 0.9, 1);
+        const Vec3 dab(0.002, -0.001, 0);
+        const Image alone = onImage(near, before, brush, {{dab}});
+        for (const bool farFirst : {false, true}) {
+            auto both = std::make_shared<TriangleSoup>(farFirst ? far : *near);
+            const TriangleSoup& second = farFirst ? *near : far;
+            const Index more = Index(both->positions.size());
+            both->positions.insert(both->positions.end(), second.positions.begin(), second.positions.end());
+            for (const auto& t : second.triangles)
+                both->triangles.push_back({t[0] + more, t[1] + more, t[2] + more});
+            both->surfaceOf.resize(both->triangles.size(), 0);
+            both->cornerUvs.insert(both->cornerUvs.end(), second.cornerUvs.begin(), second.cornerUvs.end());
+            const Changes seen =
+                changes(alone, onImage(both, before, brush, {{dab}}), [](int, int) { return false; });
+            QCOMPARE(seen.others, 0);
+        }
+    }
+
+    /// An island in the middle of an image: the brush lies over all of it, and paints it and the texels next
+    /// to it.
+    void besideAnIslandOnlyTheNextTexelsArePainted() {
+        SoupBuilder builder;
+        const Vec3 corners[] = {{0, 0, 0}, {0.01, 0, 0}, {0.002, 0.008, 0}};
+        builder.triangle(corners[0], corners[1], corners[2]);
+        auto soup = std::make_shared<TriangleSoup>(*builder.build());
+        const int side = 48;
+        Triangle island; // in texels
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 texel = Vec3(12.3, 14.7, 0) + 2400 * corners[k];
+            (k == 0 ? island.a : k == 1 ? island.b : island.c) = texel;
+            soup->cornerUvs.push_back((texel.head<2>() / side).cast<float>());
+        }
+        const Image before = mottled(side, side, 25);
+        const Image after =
+            onImage(soup, before, brushOf(BrushMode::Set, 0.05, 1, 0, 0), {{{0.004, 0.003, 0}}});
+        const auto apart = [&](int x, int y) {
+            const Vec3 centre(x + 0.5, y + 0.5, 0);
+            return (closestPoint(island, centre).point - centre).norm();
+        };
+        const Changes seen =
+            changes(before, after, [&](int x, int y) { return apart(x, y) <= std::sqrt(2.0) + 1e-5; });
+        QVERIFY2(seen.others == 0,
+                 qPrintable(QString("%1 texels farther away instead of 0").arg(seen.others)));
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                if (apart(x, y) < std::sqrt(2.0) - 1e-5) QCOMPARE(after->texel(after->level(0), x, y), 0.0);
     }
 
     /// The same stroke on vertices and on texels, each read at the vertices: apart by what the brush changes
@@ -209,6 +386,58 @@ private slots:
                          before, Brush{});
         none.paint({{9, 9, 9}});
         QVERIFY(none.image() == before);
+    }
+
+    /// Against every texel by itself, in every repeat; of the surfaces that are asked for alone.
+    void theCoverIsWhatTheTrianglesCover() {
+        Rng rng(26);
+        const Image image = plain(29, 17, 0);
+        const TexelMap map = mapOf(image);
+        for (int run = 0; run < 50; ++run) {
+            TriangleSoup soup;
+            for (Index i = 0; i < 5; ++i) {
+                soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+                soup.surfaceOf.push_back(i % 2);
+                const Vector2d middle(uniform(rng, -2, 2), uniform(rng, -2, 2));
+                for (int k = 0; k < 3; ++k) {
+                    const Vector2d uv = middle + Vector2d(uniform(rng, -0.3, 0.3), uniform(rng, -0.3, 0.3));
+                    soup.positions.emplace_back(uv.x(), uv.y(), 0);
+                    soup.cornerUvs.push_back(uv.cast<float>());
+                }
+            }
+            const TexelCover cover(soup, {{false, true}}, map);
+            std::vector<char> expected(map.texels(), 0);
+            for (const Index i : {1, 3})
+                for (int y = -3 * map.height; y < 3 * map.height; ++y)
+                    for (int x = -3 * map.width; x < 3 * map.width; ++x)
+                        if (TexelTriangle::isInside(
+                                TexelTriangle(soup, i, map).weightsAt({x + 0.5, y + 0.5})))
+                            expected[map.wrapped(x, y)] = 1;
+            for (std::size_t i = 0; i < map.texels(); ++i)
+                QVERIFY2(cover.isCovered(i) == bool(expected[i]),
+                         qPrintable(QString("run %1, texel %2").arg(run).arg(i)));
+        }
+    }
+
+    /// Coordinates that repeat the image without end, to all sides or to one: all of it is covered, and found
+    /// so after few of them.
+    void theCoverOfHostileCoordinatesIsToldSoon() {
+        const Image image = plain(32, 32, 0);
+        const double most = 64 * 32 * 32 + 1e6 + 1;
+        for (const double scale : {1e30, 1e9, 1e7, 1e6, 1e4, 25.0})
+            for (const Vector2d& stretched :
+                 {Vector2d(scale, 25), Vector2d(25, scale), Vector2d(scale, scale)}) {
+                const Soup soup = laidOut(0.02, 3, stretched.asDiagonal(), {0.5, 0.5});
+                const TexelCover cover(*soup, {}, mapOf(image));
+                const QString which = QString("stretched by %1 and %2").arg(stretched.x()).arg(stretched.y());
+                QVERIFY2(double(cover.lookedAt()) <= most,
+                         qPrintable(QString("%1: %2 texels instead of %3 at most")
+                                        .arg(which)
+                                        .arg(double(cover.lookedAt()))
+                                        .arg(most)));
+                for (std::size_t i = 0; i < 32 * 32; ++i)
+                    QVERIFY2(cover.isCovered(i), qPrintable(QString("%1: not texel %2").arg(which).arg(i)));
+            }
     }
 
     /// Coordinates that are damaged, or repeat the image ten thousand times, cost no more than others.

@@ -1,6 +1,7 @@
 // Bodies that are told where to go, with a proxy among them: for the tests of the carry stage.
 #pragma once
 
+#include "core/proxy/carry.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
 
@@ -37,6 +38,13 @@ public:
     void startAt(const Vec3& p) { restart(state, p); }
     ProxyReport step(const Vec3& finger) {
         const ProxyReport report = moveAndUpdate(state, obstacles_, kRadius, finger, kMillisecond, movers_);
+        for (BodyMotion& body : movers_)
+            body = {body.now, body.now};
+        return report;
+    }
+    /// The first stage of a step alone.
+    CarryReport carryAlone() {
+        const CarryReport report = carry(state, obstacles_, movers_, kRadius);
         for (BodyMotion& body : movers_)
             body = {body.now, body.now};
         return report;

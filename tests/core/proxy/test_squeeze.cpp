@@ -7,12 +7,23 @@
 using namespace tactum;
 using namespace tactum::test;
 
+namespace {
+
+/// Where the finger is found, and no body that has passed is felt for it.
+void restartAt(Stage& stage, const Vec3& p) {
+    stage.state.position = stage.state.finger = p;
+}
+
+} // namespace
+
 class SqueezeTest : public QObject {
     Q_OBJECT
 
 private slots:
     void isSqueezedEvenlyAndFreed();
     void isPassedWithoutRoomAndFelt();
+    void whatPassedKeepsItsPlaceOnTheBody();
+    void eachBodyIsFeltAgainByItself();
     void aJumpLetsGo();
     void aSmallJumpIsSwept();
 };
@@ -80,6 +91,77 @@ void SqueezeTest::isPassedWithoutRoomAndFelt() {
         QVERIFY(stage.state.position.z() < 0.005 - kRadius + kMicrometre);
         QVERIFY(stage.state.position.z() > 0.005 - kRadius - 1e-5);
     }
+}
+
+// The box has passed over the proxy, which is beneath it now. On the box the place where the proxy would be
+// goes on as it would have: down to the lid and along it, above the proxy, wherever the box and the proxy go;
+// until the proxy comes out from under it.
+void SqueezeTest::whatPassedKeepsItsPlaceOnTheBody() {
+    const double gap = 0.5 * (1 - 0.9) * kRadius; // that the way back needs
+    const Vec3 half(0.02, 0.02, 0.005);
+    Rng rng(110);
+    for (int run = 0; run < 20; ++run) {
+        Stage stage;
+        const int mover =
+            stage.addMover(box(half), turned(uniform(rng, -3, 3), direction(rng), inBox(rng, 0.01)));
+        const Pose first = stage.pose(mover);
+        Vec3 beneath_B(0.005, -0.003, -0.012);
+        stage.startAt(first.apply(beneath_B));
+        stage.state.passed[0] = {0, Vec3(0.001, 0.002, 0.009)};
+        stage.state.passedCount = 1;
+        for (int i = 0; i < 50; ++i) {
+            stage.step(stage.pose(mover).apply(beneath_B));
+            QCOMPARE(stage.state.passedCount, 1);
+            const Vec3 expected(beneath_B.x(), beneath_B.y(), half.z() + gap);
+            const double error = (stage.state.passed[0].at_B - expected).norm();
+            QVERIFY2(error < kMicrometre,
+                     qPrintable(QString("run %1, step %2: the place is %3 mm above the lid "
+                                        "instead of %4 mm, and %5 mm from where it should be")
+                                    .arg(run)
+                                    .arg(i)
+                                    .arg(1e3 * (stage.state.passed[0].at_B.z() - half.z()))
+                                    .arg(1e3 * gap)
+                                    .arg(1e3 * error)));
+            QVERIFY(stage.state.contactCount == 0);
+            // Both go on; the proxy follows its finger before the next look at them.
+            beneath_B += Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), 0) * 1e-3;
+            beneath_B = beneath_B.cwiseMax(Vec3(-0.015, -0.015, -0.012)).cwiseMin(Vec3(0.015, 0.015, -0.012));
+            stage.put(mover, wandered(stage.pose(mover), rng, 1e-3, 0.05, 0.05));
+            restartAt(stage, stage.pose(mover).apply(beneath_B));
+        }
+        // Out to the side: above the proxy there is no lid any more, and with the next step it is felt again.
+        beneath_B = {0.03, 0, -0.012};
+        restartAt(stage, stage.pose(mover).apply(beneath_B));
+        for (const int felt : {0, 1}) {
+            QCOMPARE(stage.state.passedCount, 1);
+            stage.step(stage.pose(mover).apply(beneath_B));
+            QCOMPARE(stage.state.passedCount, 1 - felt);
+        }
+        // From there it is as solid as ever.
+        for (int i = 0; i <= 100; ++i)
+            stage.step(stage.pose(mover).apply({0.03 - 3e-4 * i, 0, 0}));
+        const double side = stage.inBody(mover).x();
+        QVERIFY2(std::abs(side - (half.x() + kRadius)) < kMicrometre, inMicrons(side).c_str());
+    }
+}
+
+// Two boxes have passed over the proxy; it is free of the first, and still beneath the second.
+void SqueezeTest::eachBodyIsFeltAgainByItself() {
+    Stage stage;
+    const Vec3 half(0.02, 0.02, 0.005);
+    stage.addMover(box(half), at({0, 0, 0.1}));
+    stage.addMover(box(half));
+    const Vec3 proxy(0, 0, -0.009);
+    stage.startAt(proxy);
+    const Vec3 place(0.001, 0, half.z() + 2e-3);
+    stage.state.passed[0] = {0, {0.001, 0, -0.009}};
+    stage.state.passed[1] = {1, place};
+    stage.state.passedCount = 2;
+    stage.step(proxy);
+    QCOMPARE(stage.state.passedCount, 1);
+    QCOMPARE(stage.state.passed[0].body, 1u);
+    QVERIFY((stage.state.passed[0].at_B - place).norm() < 3e-3);
+    QVERIFY(stage.state.passed[0].at_B.z() > half.z());
 }
 
 // An animation that starts anew puts its body somewhere else: what lands on the proxy does not throw it.

@@ -34,10 +34,14 @@ struct Held {
         sample.valid = true;
         sample.buttons = buttons;
         model.anchoring = state.guard.anchoring();
-        output = servoStep(
-            state, settings,
-            {.sample = sample, .frame = frame, .dt = dt, .apart = dt, .fresh = fresh, .clutched = clutched},
-            model);
+        output = servoStep(state, settings,
+                           {.sample = sample,
+                            .frame = frame,
+                            .dt = dt,
+                            .apart = repeats ? 0 : dt,
+                            .fresh = fresh,
+                            .clutched = clutched},
+                           model);
         return output.force;
     }
     void rest(const Vec3& finger, int ticks = 1000) {
@@ -56,7 +60,8 @@ struct Held {
     std::uint32_t buttons = 0;
     DeviceFrame frame;
     bool clutched = false;
-    bool fresh = true; ///< the model is a newer one at every tick
+    bool repeats = false; ///< the device says nothing new: the reading is that of the tick before
+    bool fresh = true;    ///< the model is a newer one at every tick
     ServoOutput output;
 };
 

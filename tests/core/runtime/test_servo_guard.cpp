@@ -78,6 +78,85 @@ private slots:
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
+    /// A driver that hangs says the same again and again: the finger may be anywhere by now. It was no fault
+    /// when it wakes up; the force comes back as after any pause.
+    void aReadingThatRepeatsIsAStall() {
+        const Vec3 finger(0, 0, -0.001);
+        Held held;
+        pressTo(held, 0.001, 2);
+        held.repeats = true;
+        int pushed = 0; // ticks
+        while (pushed < 100 && !held.tick(finger).isZero(0))
+            ++pushed;
+        QVERIFY2(pushed * kTick <= kStall && (pushed + 1) * kTick >= kStall - 1e-9,
+                 qPrintable(QString("%1 ms instead of %2").arg(1e3 * pushed * kTick).arg(1e3 * kStall)));
+        QCOMPARE(held.state.guard.withheld(), Withheld::Stall);
+        held.rest(finger, 200);
+        QVERIFY(held.output.force.isZero(0));
+        held.repeats = false;
+        const double change = largestChange(held, finger, Vec3::Zero());
+        QCOMPARE_LE(change, 0.06);
+        QVERIFY(std::abs(held.tick(finger).z() - 2) < 1e-6);
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
+    /// A driver at a quarter of the servo's pace has nothing new in three ticks of four: the force goes on,
+    /// and the finger is as fast as it is.
+    void aSlowDriverIsNoStall() {
+        constexpr double kSpeed = 0.05;
+        constexpr int kPeriod = 4; // ticks
+        Held held;
+        held.model = wall(400);
+        held.rest({0, 0, 0});
+        double read = 0, least = 1e9;
+        for (int i = 1; i <= 400; ++i) {
+            held.repeats = i % kPeriod != 0;
+            if (!held.repeats) read = -kSpeed * i * kTick;
+            // A new reading was measured a whole period after the one before.
+            DeviceSample sample;
+            sample.position = {0, 0, read};
+            sample.valid = true;
+            held.model.anchoring = held.state.guard.anchoring();
+            held.output = servoStep(
+                held.state, held.settings,
+                {.sample = sample, .dt = kTick, .apart = held.repeats ? 0 : kPeriod * kTick, .fresh = true},
+                held.model);
+            if (i < 40) continue;
+            least = std::min(least, held.output.force.z());
+            const double speed = -held.output.finger.velocity.z();
+            QVERIFY2(std::abs(speed - kSpeed) < 1e-9,
+                     qPrintable(QString("tick %1: %2 m/s instead of %3").arg(i).arg(speed).arg(kSpeed)));
+        }
+        QCOMPARE_GT(least, 0.5);
+        QCOMPARE(held.state.guard.withheld(), Withheld::Nothing);
+        QCOMPARE(held.state.guard.faults(), 0u);
+    }
+
+    /// Nobody was shaken by a surface while no force went out; and who was put elsewhere did not swing there.
+    void whatNoForceShookIsNoLimitCycle() {
+        Held off;
+        off.settings.armed = false;
+        off.model = wall(1000);
+        for (int i = 0; i < 1000; ++i)
+            off.tick({0, 0, -3e-3 + 5e-4 * std::sin(2 * M_PI * 50 * i * kTick)});
+        QCOMPARE(off.state.oscillations, 0u);
+        QCOMPARE(off.state.calm, 1.0);
+
+        Held put;
+        put.model = wall(1000);
+        put.rest({0, 0, 0.01});
+        for (int i = 0; i < 1000; ++i) {
+            DeviceSample sample;
+            sample.position = {0, 0, 0.01 + 5e-4 * (i / 10 % 2)};
+            sample.valid = true;
+            sample.jumped = i % 10 == 0;
+            put.model.anchoring = put.state.guard.anchoring();
+            put.output = servoStep(put.state, put.settings, {.sample = sample, .fresh = true}, put.model);
+        }
+        QCOMPARE(put.state.oscillations, 0u);
+        QCOMPARE(put.state.calm, 1.0);
+    }
+
     void aModelWithoutASpeedIsAFault() {
         Held held;
         held.model = wall(800);

@@ -21,7 +21,7 @@ namespace tactum::test {
 inline constexpr int kSocket = 2;
 
 /// Does what the driver asks for, and may give up at a step.
-class Person final : public Opening {
+class Person : public Opening {
 public:
     explicit Person(std::shared_ptr<EmulatedFalcon> device) : device_(std::move(device)) {}
 

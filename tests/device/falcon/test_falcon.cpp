@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "device/falcon/falcon_preparation.h"
 #include "tests/device/falcon/falcon_bench.h"
 
 using namespace tactum;
@@ -18,6 +19,12 @@ using State = EmulatedFalcon::State;
 
 const FalconLegs kNoTorque{};
 const Vec3 kPush(0.5, 0.3, 2);
+
+/// To the one that is plugged in, past the driver.
+std::unique_ptr<UsbLink> linkTo() {
+    const UsbId wanted[] = {kFalconUsb};
+    return UsbLink::open(listUsb(wanted).value().at(0), kFalconEndpoints).value();
+}
 
 bool isClean() {
     return EmulatedBus::the().openDescriptors() == 0 && EmulatedBus::the().pendingTransfers() == 0;
@@ -104,6 +111,110 @@ private slots:
         Person person(bench.device);
         QVERIFY(falcon->prepare(person));
         QVERIFY(person.asked.empty());
+    }
+
+    /// It is asked three times, for the first answer is often lost, and not more often.
+    void whetherItIsReadyIsAskedForThreeTimes() {
+        FalconBench bench;
+        bench.device->startFirmware(true);
+        const auto link = linkTo();
+        QVERIFY(setFalconLine(*link, kFalconRunLine));
+        QVERIFY(isFalconReady(*link));
+        for (const int lost : {1, 2}) {
+            bench.device->setFaults({.lostReports = lost});
+            const int before = bench.device->commands();
+            QVERIFY2(isFalconReady(*link), qPrintable(QString("%1 lost").arg(lost)));
+            QCOMPARE_GE(bench.device->commands() - before, lost + 1);
+        }
+        bench.device->setFaults({.silent = true});
+        const int before = bench.device->commands();
+        QVERIFY(!isFalconReady(*link));
+        QVERIFY(hearFalcon(*link, std::chrono::milliseconds(1))); // so that it has heard the last one
+        QCOMPARE(bench.device->commands() - before, 3);
+        QCOMPARE(bench.device->torqueCommands(), 0);
+    }
+
+    void onlyWhoIsHomedIsReady() {
+        FalconBench bench;
+        const auto link = linkTo();
+        QVERIFY(setFalconLine(*link, kFalconRunLine));
+        for (const bool homed : {true, false, true}) {
+            bench.device->startFirmware(homed);
+            QCOMPARE(isFalconReady(*link), homed);
+        }
+        FalconBench::unplug();
+        QVERIFY(!isFalconReady(*link));
+    }
+
+    /// It was in use, was left alone, and forgot where its grip is.
+    void whatForgotItsHomeIsHomedAnew() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        falcon->close();
+        bench.device->setFaults({.forgetsHome = true});
+        const auto alone = falcon->open();
+        QVERIFY2(says(alone, "\"Home\"") && says(alone, "somebody at hand"),
+                 alone ? "it opened" : alone.error().text.c_str());
+        Person person(bench.device);
+        QVERIFY(falcon->prepare(person));
+        QVERIFY2(says(person.asked, "Pull the grip"), "the person was asked for nothing");
+        QVERIFY(falcon->open());
+        QVERIFY(exchange(*falcon, 50).valid > 40);
+        QCOMPARE(bench.device->uploads(), 0);
+    }
+
+    /// Loading takes firmware and home away: who may have answered, and was not heard, is asked again before.
+    void itIsAskedThreeTimesBeforeItsFirmwareIsReplaced() {
+        FalconBench bench;
+        bench.device->startFirmware(true);
+        bench.device->setFaults({.silent = true});
+        const auto falcon = bench.driver();
+        Person person(bench.device);
+        const auto ready = falcon->prepare(person);
+        QVERIFY2(says(ready, "says nothing"), ready ? "it worked" : ready.error().text.c_str());
+        QCOMPARE(bench.device->uploads(), 1);
+        QCOMPARE(bench.device->commands(), 3 + 3); // before and after
+        QCOMPARE(bench.device->torqueCommands(), 0);
+    }
+
+    /// Answers are lost now and then while the person homes it, more of them in all than would be in a row.
+    void homingBearsLostAnswersButNotSilence() {
+        struct Slow final : Person {
+            explicit Slow(std::shared_ptr<EmulatedFalcon> device)
+                : Person(device), falcon(std::move(device)) {
+                homes = false;
+            }
+            void begin(std::string_view step, std::string_view request) override {
+                Person::begin(step, request);
+                if (!request.empty()) falcon->setFaults(first);
+            }
+            void progress(double part) override {
+                Person::progress(part);
+                if (++heard == 1) falcon->setFaults({.lostReports = 12});
+                if (heard == 2) falcon->homeByHand();
+            }
+            std::shared_ptr<EmulatedFalcon> falcon;
+            FalconFaults first;
+            int heard = 0;
+        };
+        FalconBench bench;
+        bench.device->startFirmware(false);
+        const auto falcon = bench.driver();
+        Slow slow(bench.device);
+        slow.first = {.lostReports = 12};
+        const auto ready = falcon->prepare(slow);
+        QVERIFY2(ready, ready ? "" : ready.error().text.c_str());
+        QCOMPARE_GE(slow.heard, 2);
+
+        bench.device->startFirmware(false);
+        Slow silent(bench.device);
+        silent.first = {.silent = true};
+        const int before = bench.device->commands();
+        const auto never = falcon->prepare(silent);
+        QVERIFY2(says(never, "\"Home\"") && says(never, "no answer any more"),
+                 never ? "it worked" : never.error().text.c_str());
+        QCOMPARE(silent.heard, 0);
+        QCOMPARE_LE(bench.device->commands() - before, 20 + 5); // for a second, and before that
     }
 
     void firmwareIsLoadedUnattendedButHomingNeedsAHand() {
@@ -293,6 +404,31 @@ private slots:
     }
 
     // ---- With things going wrong.
+
+    /// Two commands without an answer, and the next push waits: more would stand in line and come late. The
+    /// zero after a push does not wait; it goes once, and the zeros after it wait again. No time passes for
+    /// the driver, so that no answer seems late to it.
+    void aPushWaitsForAnswersAndTheZeroDoesNot() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        exchange(*falcon, 50, kPush);
+        const auto atOnce = [&](const Vec3& force) {
+            for (int i = 0; i < 50; ++i) {
+                falcon->exchange({force}, 0);
+                QTest::qSleep(1);
+            }
+            return bench.device->commands();
+        };
+        bench.device->setFaults({.silent = true});
+        const int before = bench.device->commands(), pushes = atOnce(kPush);
+        QCOMPARE_LE(pushes - before, 3); // two, and one that was under way
+        QCOMPARE(atOnce(kPush) - pushes, 0);
+        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE(atOnce(Vec3::Zero()) - pushes, 1);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+        QCOMPARE(atOnce(kPush) - pushes, 1);
+        QCOMPARE(bench.device->motors(), kNoTorque);
+    }
 
     /// Within ten exchanges nothing is valid any more and the motors are off, as the device sees it, or as
     /// soon as it hears again.

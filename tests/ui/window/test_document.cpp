@@ -26,6 +26,10 @@ private slots:
     void severalSurfacesAreOneStep();
     void lockedSurfacesStayAsTheyAre();
     void trianglesSplitOffAndMergeBack();
+    void mergingLeavesTheOthersAsTheyWere();
+    void splittingLeavesTheOthersAsTheyWere();
+    void mergingOfTooFewOrOfLockedOnesIsRefused();
+    void whatIsChangedMeanwhileIsNotChangedAgain();
     void whatIsRemovedComesBackSelected();
     void findingsGoAndComeWithTheirObject();
     void editsOfNothingAreIgnored();
@@ -167,6 +171,138 @@ void TestDocument::trianglesSplitOffAndMergeBack() {
     while (document_->history().canUndo())
         document_->history().undo();
     QVERIFY(document_->scene() == before);
+}
+
+// Each of the six sides with a feel of its own; any two become one, in the place of the lower one and with
+// the feel of the one that was chosen last. The four others feel as they did, where they did.
+void TestDocument::mergingLeavesTheOthersAsTheyWere() {
+    const ObjectId cube = front().object;
+    for (Index i = 0; i < 6; ++i)
+        document_->setMaterialValue(SurfaceRef{cube, i}, kMaterialFields[0], 300 + 100 * i);
+    const Scene before = document_->scene();
+    const SceneObject& was = before.objects[0];
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    for (Index a = 0; a < 6; ++a)
+        for (Index b = 0; b < 6; ++b) {
+            if (a == b) continue;
+            document_->select({{cube, a}, {cube, b}});
+            document_->mergeSelected();
+            QVERIFY(ended.wait(kPatience));
+            const SceneObject& is = document_->scene().objects[0];
+            QCOMPARE(is.surfaces.size(), std::size_t(5));
+            QCOMPARE(document_->selection(), std::optional(SurfaceRef{cube, std::min(a, b)}));
+            for (std::size_t triangle = 0; triangle < was.geometry->triangles.size(); ++triangle) {
+                const Index from = was.geometry->surfaceOf[triangle], to = is.geometry->surfaceOf[triangle];
+                const Surface& expected = was.surfaces[from == a ? b : from];
+                QVERIFY2(
+                    is.surfaces[to] == expected,
+                    qPrintable(QString("%1 and %2 merged: triangle %3 is of \"%4\" with %5 N/m instead of "
+                                       "\"%6\" with %7 N/m")
+                                   .arg(a)
+                                   .arg(b)
+                                   .arg(triangle)
+                                   .arg(QString::fromStdString(is.surfaces[to].name))
+                                   .arg(is.surfaces[to].material.stiffness)
+                                   .arg(QString::fromStdString(expected.name))
+                                   .arg(expected.material.stiffness)));
+            }
+            QCOMPARE(is.geometry->positions, was.geometry->positions);
+            QCOMPARE(is.geometry->triangles, was.geometry->triangles);
+            document_->history().undo();
+            QVERIFY(document_->scene() == before);
+        }
+}
+
+// Every triangle by itself: the part feels like what it was split off from, under a name that nobody has. A
+// surface that loses its last triangle goes, one that never had any stays.
+void TestDocument::splittingLeavesTheOthersAsTheyWere() {
+    const ObjectId cube = front().object;
+    for (Index i = 0; i < 6; ++i)
+        document_->setMaterialValue(SurfaceRef{cube, i}, kMaterialFields[0], 300 + 100 * i);
+    SceneObject emptied = document_->scene().objects[0];
+    Surface spare;
+    spare.name = "front 2";
+    emptied.surfaces.push_back(spare);
+    document_->setObject(emptied, QStringLiteral("A spare surface"));
+    const Scene before = document_->scene();
+    const SceneObject& was = before.objects[0];
+    QCOMPARE(was.surfaces.size(), std::size_t(7));
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    for (Index face = 0; face < 12; ++face) {
+        document_->selectFaces({cube, {face}});
+        document_->splitSelection();
+        QVERIFY(ended.wait(kPatience));
+        const SceneObject& is = document_->scene().objects[0];
+        QCOMPARE(is.surfaces.size(), std::size_t(8));
+        for (Index triangle = 0; triangle < 12; ++triangle) {
+            const Surface& now = is.surfaces[is.geometry->surfaceOf[triangle]];
+            Surface expected = was.surfaces[was.geometry->surfaceOf[triangle]];
+            if (triangle == face) expected.name += expected.name == "front" ? " 3" : " 2";
+            QVERIFY2(now == expected,
+                     qPrintable(
+                         QString("triangle %1 split off: %2 is of \"%3\" instead of \"%4\"")
+                             .arg(face)
+                             .arg(triangle)
+                             .arg(QString::fromStdString(now.name), QString::fromStdString(expected.name))));
+        }
+        QVERIFY(is.surfaces[6] == spare);
+        document_->history().undo();
+        QVERIFY(document_->scene() == before);
+    }
+}
+
+void TestDocument::mergingOfTooFewOrOfLockedOnesIsRefused() {
+    const ObjectId cube = front().object;
+    document_->setLocked(SurfaceRef{cube, 2}, true);
+    const Scene before = document_->scene();
+    const int steps = document_->history().count();
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    document_->select(SurfaceRefs{});
+    document_->mergeSelected();
+    QCOMPARE(ended.size(), 0); // of nothing
+    const SurfaceRefs refused[] = {{{cube, 1}}, {{cube, 2}, {cube, 1}}, {{cube, 0}, {cube, 1}, {cube, 2}}};
+    for (const SurfaceRefs& refs : refused) {
+        document_->select(refs);
+        ended.clear();
+        document_->mergeSelected();
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(ended[0][0].toString().contains(QStringLiteral("not locked")));
+        QVERIFY(!document_->editing());
+        QVERIFY(document_->scene() == before);
+        QCOMPARE(document_->history().count(), steps);
+        QCOMPARE(document_->selected(), refs);
+    }
+    // A locked one among others stays what it is.
+    document_->select({{cube, 0}, {cube, 2}, {cube, 1}});
+    document_->mergeSelected();
+    QVERIFY(ended.wait(kPatience));
+    const SceneObject& is = document_->scene().objects[0];
+    QCOMPARE(is.surfaces.size(), std::size_t(5));
+    QVERIFY(is.surfaces[0] == before.objects[0].surfaces[1]);
+    QVERIFY(is.surfaces[1] == before.objects[0].surfaces[2]);
+}
+
+// The worker's answer is for an object that is not there any more in that form: the person's word stays.
+void TestDocument::whatIsChangedMeanwhileIsNotChangedAgain() {
+    const ObjectId cube = front().object;
+    QSignalSpy ended(document_.get(), &Document::editEnded);
+    const auto merge = [&] {
+        document_->select({{cube, 0}, {cube, 1}});
+        document_->mergeSelected();
+    };
+    merge();
+    document_->setMaterialValue(front(), kMaterialFields[0], 500);
+    const Scene edited = document_->scene();
+    QVERIFY(ended.wait(kPatience));
+    QVERIFY(ended[0][0].toString().contains(QStringLiteral("was changed meanwhile")));
+    QVERIFY(document_->scene() == edited);
+    QCOMPARE(document_->history().count(), 1);
+    merge();
+    document_->removeObject(cube);
+    QVERIFY(ended.wait(kPatience));
+    QVERIFY(ended[1][0].toString().contains(QStringLiteral("was changed meanwhile")));
+    QVERIFY(document_->scene().objects.empty());
+    QCOMPARE(document_->history().count(), 2);
 }
 
 void TestDocument::whatIsRemovedComesBackSelected() {
