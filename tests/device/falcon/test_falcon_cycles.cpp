@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -55,7 +56,7 @@ private slots:
             person.homes = random() % 4 != 0;
             if (!person.homes) person.givesUpAt = "Home";
             const auto prepared = falcon->prepare(person);
-            if (!prepared) QVERIFY2(says(prepared, "Falcon"), prepared.error().text.c_str());
+            if (!prepared) COMPARE_CONTAINS(refusal(prepared), "Falcon");
             if (prepared && falcon->open()) {
                 const int exchanges = int(random() % 60);
                 felt += exchange(*falcon, exchanges, {0, 0, 1}).valid;
@@ -73,7 +74,10 @@ private slots:
         falcon.reset();
         qInfo("%d cycles: %d times ready, %d not, %d exchanges felt, firmware loaded %d times", cycles, ready,
               notReady, felt, loaded);
-        QVERIFY(ready > cycles / 20 && notReady > cycles / 20 && loaded > 0 && felt > 0);
+        QCOMPARE_GT(ready, cycles / 20);
+        QCOMPARE_GT(notReady, cycles / 20);
+        QCOMPARE_GT(loaded, 0);
+        QCOMPARE_GT(felt, 0);
         QCOMPARE(EmulatedBus::the().openDescriptors(), 0);
         QCOMPARE(EmulatedBus::the().pendingTransfers(), 0);
     }
