@@ -59,6 +59,7 @@ bool reportPart(bool holds, const char* why, const T& text, const T& part, const
 }
 
 constexpr const char* kLacks = "The part is not in the text";
+constexpr const char* kBegins = "The text does not begin so";
 constexpr const char* kContains = "The part is in the text, and should not be";
 
 } // namespace
@@ -103,6 +104,18 @@ bool lacks(const QByteArray& text, const QByteArray& part, const Comparison& at)
 bool lacks(const QStringList& list, const QString& entry, const Comparison& at) {
     return reportPart(!list.contains(entry), "The entry is in the list, and should not be", list.join(u'\n'),
                       entry, at);
+}
+
+bool begins(std::string_view text, std::string_view start, const Comparison& at) {
+    return reportPart(text.starts_with(start), kBegins, text, start, at);
+}
+
+bool begins(const QString& text, const QString& start, const Comparison& at) {
+    return reportPart(text.startsWith(start), kBegins, text, start, at);
+}
+
+bool begins(const QByteArray& text, const QByteArray& start, const Comparison& at) {
+    return reportPart(text.startsWith(start), kBegins, text, start, at);
 }
 
 bool hasNoError(const Error* error, const Comparison& at) {

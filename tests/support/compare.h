@@ -28,6 +28,9 @@
 /// The opposite of COMPARE_CONTAINS.
 #define COMPARE_LACKS(text, part) TACTUM_COMPARE_(lacks(text, part, {#text, #part, __FILE__, __LINE__}))
 
+/// A text begins with this. A failure prints both.
+#define COMPARE_BEGINS(text, start) TACTUM_COMPARE_(begins(text, start, {#text, #start, __FILE__, __LINE__}))
+
 /// A Result holds a value. A failure prints its error.
 #define VERIFY_RESULT(result) TACTUM_COMPARE_(hasValue(result, {#result, "", __FILE__, __LINE__}))
 
@@ -58,6 +61,9 @@ bool lacks(std::string_view text, std::string_view part, const Comparison& at);
 bool lacks(const QString& text, const QString& part, const Comparison& at);
 bool lacks(const QByteArray& text, const QByteArray& part, const Comparison& at);
 bool lacks(const QStringList& list, const QString& entry, const Comparison& at);
+bool begins(std::string_view text, std::string_view start, const Comparison& at);
+bool begins(const QString& text, const QString& start, const Comparison& at);
+bool begins(const QByteArray& text, const QByteArray& start, const Comparison& at);
 bool hasNoError(const Error* error, const Comparison& at);
 std::string refusalOf(const Error* error);
 
