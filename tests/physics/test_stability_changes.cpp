@@ -257,12 +257,12 @@ private slots:
         const Vec3 aside = stay(1e-3), back = stay(1);
         qInfo("%.2f N aside, %.2f N when it is back, under %.2f N", -aside.x(), -back.x(), back.z());
         QCOMPARE_GT(std::abs(aside.x()), 0.9 * aside.z()); // it slipped
-        COMPARE_NEAR(back.z(), kStiffness * kDepth, 1e-3, "");
+        COMPARE_NEAR(back.z(), kStiffness * kDepth, 1e-3, "N");
         QVERIFY2(std::abs(back.x()) <= std::abs(aside.x()) + 0.01, "pulled back");
         // What the proxy then slips by itself is no new way, and what it slips beyond is.
         model.model.proxy.x() = 0.5 * kAside;
         const Vec3 same = stay(0.1);
-        COMPARE_NEAR(same, back, 1e-3, "");
+        COMPARE_NEAR(same, back, 1e-3, "N");
         model.model.proxy.x() = finger.position.x();
         QCOMPARE_LT(std::abs(stay(1).x()), 1e-3);
     }

@@ -290,11 +290,11 @@ private slots:
             QVERIFY(health.hasNormals);
         }
         const Bounds box = boundsOf(*teapot.geometry), top = boundsOf(*table.geometry);
-        COMPARE_NEAR((box.high - box.low).x(), 0.125, 0.01, "");
+        COMPARE_NEAR((box.high - box.low).x(), 0.125, 0.01, "m");
         QCOMPARE_GT(box.low.y(), 0);
         QCOMPARE_LT(box.low.y(), 0.001); // stands just above the table
         QCOMPARE_LT(std::abs(top.high.y()), 1e-6);
-        COMPARE_NEAR((top.high - top.low).x(), 0.2, 0.002, "");
+        COMPARE_NEAR((top.high - top.low).x(), 0.2, 0.002, "m");
         QCOMPARE_GT(triangleCount(loaded->scene), 8000);
         QCOMPARE_LT(triangleCount(loaded->scene), 12000);
     }

@@ -106,7 +106,7 @@ private slots:
         const Vec3 joints = *jointsAt(kArm, {0, 0, 0});
         const Vec3 small = currentsFor(kArm, {0.1, 0.2, 0.1}, joints);
         const Vec3 large = currentsFor(kArm, {100, 200, 100}, joints);
-        COMPARE_NEAR(large.cwiseAbs().maxCoeff(), kArm.maxCurrent, 1e-12, "");
+        COMPARE_NEAR(large.cwiseAbs().maxCoeff(), kArm.maxCurrent, 1e-12, "A");
         QCOMPARE_LT(small.cross(large).norm(), 1e-12);
         QCOMPARE_GT(small.dot(large), 0);
         QCOMPARE_LE(apart(currentsFor(kArm, {std::nan(""), 0, 0}, joints), Vec3::Zero()), 1e-12);
