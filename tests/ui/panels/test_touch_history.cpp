@@ -29,7 +29,7 @@ private slots:
         QCOMPARE(history.samples().size(), std::size_t(1500));
         const TouchSample& s = *history.at(0.8004);
         COMPARE_NEAR(s.t, 0.8, 1e-9, "s");
-        COMPARE_NEAR(s.normal, 2, 1e-9, "");
+        COMPARE_NEAR(s.normal, 2, 1e-9, "N");
         COMPARE_NEAR(s.tangential, 0.8, 1e-9, "N");
         COMPARE_NEAR(s.ratio, 0.4, 1e-9, "");
         COMPARE_NEAR(s.magnitude, std::hypot(2, 0.8), 1e-9, "N");
@@ -94,14 +94,14 @@ private slots:
 
     void axesHoldTheirCurvesAndHaveRoundSteps() {
         const StripAxis force = axisFor(0, 3.9, 5);
-        COMPARE_NEAR(force.step, 1, 1e-9, "");
+        COMPARE_NEAR(force.step, 1, 1e-9, "N");
         QCOMPARE_EQ(force.low, 0);
         QCOMPARE_GT(force.high, 3.9);
         QCOMPARE_LT(force.high, 4.5);
         const StripAxis energy = axisFor(-0.7, 0.1, 4);
         QCOMPARE_LE(energy.low, -0.7);
         QCOMPARE_GE(energy.high, 0.1);
-        COMPARE_NEAR(energy.step, 0.5, 1e-9, "");
+        COMPARE_NEAR(energy.step, 0.5, 1e-9, "J");
         QCOMPARE_GT(axisFor(0, 0, 3).high, 0);
     }
 };

@@ -45,7 +45,7 @@ private slots:
         desk.hand.moveTo({160, 70}, desk.camera, std::nullopt, false);
         const Vec3 moved = desk.hand.goal() - start;
         const double pixel = desk.camera.pixelSize(start);
-        COMPARE_NEAR(moved, pixel * Vec3(60, 30, 0), 1e-12, "");
+        COMPARE_NEAR(moved, pixel * Vec3(60, 30, 0), 1e-12, "m");
     }
 
     void dragAlongTheViewChangesOnlyDepth() {
@@ -91,7 +91,7 @@ private slots:
         const Vec3 touched =
             desk.picker.cast(desk.camera.ray({430, 280}), ScenePicker::Patience::Wait)->point;
         desk.hand.moveTo({430, 280}, desk.camera, touched, false);
-        COMPARE_NEAR((desk.hand.goal() - touched).norm(), HandTool::kPressDepth * desk.size(), 1e-9, "");
+        COMPARE_NEAR((desk.hand.goal() - touched).norm(), HandTool::kPressDepth * desk.size(), 1e-9, "m");
         QCOMPARE_LT(desk.hand.goal().norm(), kBallRadius);
         const double depth = desk.camera.depth(desk.hand.goal());
         desk.hand.moveTo({700, 280}, desk.camera, std::nullopt, false);

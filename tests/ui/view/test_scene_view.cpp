@@ -248,7 +248,7 @@ private slots:
         QVERIFY(!moved.isEmpty());
         const Vec3 goal = goals(moved).back();
         QCOMPARE(shown.view.handGoal().x(), goal.x());
-        COMPARE_NEAR(goal - start, shown.camera().pixelSize(start) * Vec3(60, 30, 0), 1e-9, "");
+        COMPARE_NEAR(goal - start, shown.camera().pixelSize(start) * Vec3(60, 30, 0), 1e-9, "m");
         QCOMPARE(grabbed.size(), 2);
         QVERIFY(grabbed[0][0].toBool());
         QVERIFY(!grabbed[1][0].toBool());
@@ -282,8 +282,8 @@ private slots:
         QCOMPARE_LT(goal.norm(), kBallRadius);
         QCOMPARE_GT(goal.z(), 0);
         const auto seen = shown.camera().project(goal);
-        COMPARE_NEAR(seen->x(), 380, 1, "");
-        COMPARE_NEAR(seen->y(), 240, 1, "");
+        COMPARE_NEAR(seen->x(), 380, 1, "pixels");
+        COMPARE_NEAR(seen->y(), 240, 1, "pixels");
         QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(60, 0));
         COMPARE_NEAR(shown.view.handGoal(), goal, 1e-12, "m"); // it stays where it was put
     }
@@ -310,10 +310,10 @@ private slots:
         const Vec3 before = shown.view.handGoal();
         shown.move(kCentre + QPoint(40, 0), Qt::NoButton);
         const double pixel = shown.camera().pixelSize(before);
-        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "");
+        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QTest::keyClick(&shown.view, Qt::Key_Escape);
         shown.move(kCentre, Qt::NoButton);
-        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "");
+        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QCOMPARE(grabbed.size(), 2);
         QTest::keyClick(&shown.view, Qt::Key_G);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
