@@ -8,7 +8,7 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
-namespace test_program { // outside of `tactum`, which is the name of the function here
+namespace test_program {
 
 struct Ended {
     int code = -1;
@@ -16,7 +16,7 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-inline Ended tactum(const QStringList& arguments, const QString& display = {}, const QString& folder = {}) {
+inline Ended runTactum(const QStringList& arguments, const QString& display = {}, const QString& folder = {}) {
     QProcess process;
     process.setWorkingDirectory(folder);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

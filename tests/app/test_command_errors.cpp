@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "tests/app/program.h"
+#include "tests/support/compare.h"
 
 using namespace test_program;
 
@@ -30,7 +31,7 @@ private slots:
     }
     void wrongUsageIsTwo() {
         QFETCH(QStringList, arguments);
-        const Ended ended = tactum(arguments);
+        const Ended ended = runTactum(arguments);
         QCOMPARE(ended.code, 2);
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
         QVERIFY(ended.out.isEmpty());
@@ -54,7 +55,7 @@ private slots:
     void anEmptyNameIsWrongUsage() {
         QFETCH(QStringList, arguments);
         QFETCH(QString, which);
-        const Ended ended = tactum(arguments);
+        const Ended ended = runTactum(arguments);
         QCOMPARE(ended.code, 2);
         QVERIFY2(
             oneLine(ended.error).startsWith("tactum: " + which.toUtf8() + ": is an empty name; name a file;"),
@@ -62,10 +63,10 @@ private slots:
     }
 
     void theRemedyIsACommandThatThereIs() {
-        QVERIFY(oneLine(tactum({"--nonsense"}).error).endsWith("; see tactum --help"));
+        QVERIFY(oneLine(runTactum({"--nonsense"}).error).endsWith("; see tactum --help"));
         QVERIFY(
-            oneLine(tactum({"check", "x.obj", "--nonsense"}).error).endsWith("; see tactum check --help"));
-        const QByteArray ratio = tactum({"touch", "x", "--path", "y", "--static-friction", ""}).error;
+            oneLine(runTactum({"check", "x.obj", "--nonsense"}).error).endsWith("; see tactum check --help"));
+        const QByteArray ratio = runTactum({"touch", "x", "--path", "y", "--static-friction", ""}).error;
         QVERIFY2(oneLine(ratio).contains("from 0 to 2; see tactum touch --help"), ratio);
     }
 
@@ -76,19 +77,20 @@ private slots:
              {QStringList{"touch", broken, "--path", path}, QStringList{"info", broken},
               QStringList{"check", broken}, QStringList{"info", file("missing.obj")},
               QStringList{"touch", plate(), "--path", file("missing.csv")}}) {
-            const Ended ended = tactum(arguments);
+            const Ended ended = runTactum(arguments);
             QCOMPARE(ended.code, 1);
             QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
         }
-        QVERIFY(tactum({"info", broken}).error.contains("broken.obj:3")); // where
+        COMPARE_CONTAINS(runTactum({"info", broken}).error, "broken.obj:3"); // where
     }
 
     void unwritableOutputIsThree() {
         const QString path = pressAndSlide(0.002, 0);
-        const Ended ended = tactum({"touch", plate(), "--path", path, "--out", file("no/such/folder.csv")});
+        const Ended ended =
+            runTactum({"touch", plate(), "--path", path, "--out", file("no/such/folder.csv")});
         QCOMPARE(ended.code, 3);
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
-        QCOMPARE(tactum({"touch", plate(), "--path", path, "--picture", file("p.png")}).code,
+        QCOMPARE(runTactum({"touch", plate(), "--path", path, "--picture", file("p.png")}).code,
                  3); // no display
     }
 
@@ -96,24 +98,24 @@ private slots:
         const QString path = pressAndSlide(0.002, 0), model = plate();
         for (const QStringList& outputs : {QStringList{"--out", model}, QStringList{"--out", path},
                                            QStringList{"--out", file("same"), "--summary", file("same")}}) {
-            const Ended ended = tactum(QStringList{"touch", model, "--path", path} + outputs);
+            const Ended ended = runTactum(QStringList{"touch", model, "--path", path} + outputs);
             QCOMPARE(ended.code, 2);
             QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
         }
-        QCOMPARE(tactum({"info", model}).code, 0); // still a model
+        QCOMPARE(runTactum({"info", model}).code, 0); // still a model
     }
 
     void theWindowNeedsADisplay() {
-        const Ended ended = tactum({plate()});
+        const Ended ended = runTactum({plate()});
         QCOMPARE(ended.code, 3);
         QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
     }
 
     void whatCannotBeOpenedIsSaidBeforeTheDisplay() {
-        const Ended missing = tactum({file("missing.obj")});
+        const Ended missing = runTactum({file("missing.obj")});
         QCOMPARE(missing.code, 1);
         QVERIFY2(oneLine(missing.error).contains("missing.obj: no such file"), missing.error);
-        const Ended mistyped = tactum({"chekc"});
+        const Ended mistyped = runTactum({"chekc"});
         QCOMPARE(mistyped.code, 2);
         QVERIFY2(oneLine(mistyped.error).contains("'chekc' is no verb"), mistyped.error);
     }
@@ -123,7 +125,7 @@ private slots:
         for (const QStringList& arguments :
              {QStringList{plate()},
               QStringList{"touch", plate(), "--path", path, "--picture", file("p.png")}}) {
-            const Ended ended = tactum(arguments, ":4711");
+            const Ended ended = runTactum(arguments, ":4711");
             QCOMPARE(ended.code, 3);
             QVERIFY2(oneLine(ended.error).contains("the display :4711 cannot be reached"), ended.error);
         }
@@ -133,7 +135,7 @@ private slots:
         const QString display = qEnvironmentVariable("DISPLAY");
         if (display.isEmpty()) QSKIP("there is no display to take OpenGL from");
         qputenv("QT_XCB_GL_INTEGRATION", "none");
-        const Ended ended = tactum({plate()}, display);
+        const Ended ended = runTactum({plate()}, display);
         qunsetenv("QT_XCB_GL_INTEGRATION");
         QCOMPARE(ended.code, 3);
         QVERIFY2(oneLine(ended.error).contains("has no OpenGL 3.2"), ended.error);
@@ -158,7 +160,7 @@ private slots:
             shell.start("sh", {"-c", QStringLiteral("ulimit -f 64; exec '%1' %2 --out '%3'")
                                          .arg(TACTUM_PROGRAM, verb, file("long.csv"))});
             QVERIFY(shell.waitForFinished(60000));
-            QVERIFY(shell.exitStatus() == QProcess::NormalExit);
+            QCOMPARE_EQ(shell.exitStatus(), QProcess::NormalExit);
             QCOMPARE(shell.exitCode(), 3);
             QVERIFY(oneLine(shell.readAllStandardError()).contains("long.csv"));
         }
@@ -170,7 +172,7 @@ private slots:
              {QStringList{"play", here}, QStringList{"touch", plate(), "--path", here},
               QStringList{"touch", here, "--path", path}, QStringList{"info", here},
               QStringList{"check", here}, QStringList{"convert", here, file("to.glb")}}) {
-            const Ended ended = tactum(arguments);
+            const Ended ended = runTactum(arguments);
             QCOMPARE(ended.code, 1);
             QVERIFY2(oneLine(ended.error).contains("is a folder; name a file in it"), ended.error);
         }
@@ -181,7 +183,7 @@ private slots:
         QCOMPARE(QProcess::execute("mkfifo", {pipe}), 0);
         for (const QString& name : {QString("/dev/zero"), pipe})
             for (const char* verb : {"play", "info"}) {
-                const Ended ended = tactum({verb, name});
+                const Ended ended = runTactum({verb, name});
                 QCOMPARE(ended.code, 1);
                 QVERIFY2(oneLine(ended.error).contains(name.toUtf8() + ": cannot be read as a file"),
                          ended.error);
@@ -208,21 +210,21 @@ private slots:
             QCOMPARE(lines.size(), 5); // a header, two rows, the summary, and nothing after it
             QVERIFY2(lines[0].startsWith("t,finger_x") && lines[3].startsWith("{\"triangles\""), lines[0]);
         }
-        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/null"}).code, 0);
+        QCOMPARE(runTactum({"touch", plate(), "--path", path, "--out", "/dev/null"}).code, 0);
         QVERIFY(!QFileInfo("/dev/null").isFile());
-        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", "/dev/full"}).code, 3);
+        QCOMPARE(runTactum({"touch", plate(), "--path", path, "--out", "/dev/full"}).code, 3);
     }
 
     void whatCannotBePlayedIsOne() {
         for (const QString& recording :
              {plate(), file("nothing.tactum-recording"), write("torn.tactum-recording", "TACTUMRC")}) {
-            const Ended ended = tactum({"play", recording});
+            const Ended ended = runTactum({"play", recording});
             QCOMPARE(ended.code, 1);
             QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
         }
-        QCOMPARE(tactum({"play"}).code, 2);
+        QCOMPARE(runTactum({"play"}).code, 2);
         const QString copy = write("copy.tactum-recording", "x");
-        QCOMPARE(tactum({"play", copy, "--out", copy}).code, 2);
+        QCOMPARE(runTactum({"play", copy, "--out", copy}).code, 2);
     }
 };
 

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "tests/app/program.h"
+#include "tests/support/compare.h"
 
 using namespace test_program;
 
@@ -67,8 +68,9 @@ class TestCommandLine : public QObject, WorkFolder {
 private slots:
     void touchWritesTheColumnsOfTheContract() {
         const QString path = pressAndSlide(0.004, 0.01);
-        const Ended ended = tactum({"touch", plate(), "--path", path, "--out", file("touch.csv"), "--summary",
-                                    file("touch.json"), "--proxy-radius", "0.001", "--stiffness", "500"});
+        const Ended ended =
+            runTactum({"touch", plate(), "--path", path, "--out", file("touch.csv"), "--summary",
+                       file("touch.json"), "--proxy-radius", "0.001", "--stiffness", "500"});
         QVERIFY2(ended.code == 0, ended.error);
         QFile out(file("touch.csv"));
         QVERIFY(out.open(QIODevice::ReadOnly));
@@ -80,15 +82,15 @@ private slots:
         const Row& last = rows.last();
         QCOMPARE(last.size(), 12);
         // The proxy stays a radius above the plate; the spring pushes the finger up by k times the distance.
-        QVERIFY(std::abs(last[ProxyZ] - 0.001) < 1e-8);
-        QVERIFY(std::abs(last[ForceZ] - 500 * 0.005) < 1e-5);
+        COMPARE_NEAR(last[ProxyZ], 0.001, 1e-8, "");
+        COMPARE_NEAR(last[ForceZ], 500 * 0.005, 1e-5, "");
         QCOMPARE(int(last[Contacts]), 1);
         QCOMPARE(last[FingerY], 0.003); // full precision: reads back as the same double
     }
 
     void touchPrintsTheSummary() {
         const QString path = pressAndSlide(0.002, 0);
-        const Ended ended = tactum({"touch", plate(), "--path", path, "--summary", file("s.json")});
+        const Ended ended = runTactum({"touch", plate(), "--path", path, "--summary", file("s.json")});
         QCOMPARE(ended.code, 0);
         const QJsonObject printed = QJsonDocument::fromJson(ended.out).object();
         QFile saved(file("s.json"));
@@ -97,12 +99,12 @@ private slots:
         QCOMPARE(printed["triangles"].toInt(), 2);
         QCOMPARE(printed["updates"].toInt(), 601);
         for (const char* key : {"load_s", "build_s", "peak_rss_bytes", "hierarchy_bytes"})
-            QVERIFY2(printed[key].toDouble() > 0, key);
+            QCOMPARE_GT(printed[key].toDouble(), 0);
         const QJsonObject times = printed["update_ns"].toObject();
         for (const char* key : {"mean", "median", "p99", "p999", "max"})
-            QVERIFY2(times[key].toDouble() > 0, key);
-        QVERIFY(times["median"].toDouble() <= times["p99"].toDouble());
-        QVERIFY(times["p999"].toDouble() <= times["max"].toDouble());
+            QCOMPARE_GT(times[key].toDouble(), 0);
+        QCOMPARE_LE(times["median"].toDouble(), times["p99"].toDouble());
+        QCOMPARE_LE(times["p999"].toDouble(), times["max"].toDouble());
     }
 
     // A roof of two slopes, and a finger that is pressed below its ridge a little to one side.
@@ -111,15 +113,16 @@ private slots:
                                                "v 0.1 -0.1 -0.02\nv 0.1 0.1 -0.02\nf 1 3 4 2\nf 3 5 6 4\n");
         const QString path = pressAndSlide(0.006, 0);
         const auto lean = [&](const QString& shading) {
-            const Ended ended = tactum({"touch", roof, "--path", path, "--out", file("roof.csv"),
-                                        "--proxy-radius", "0.001", "--shading", shading});
+            const Ended ended = runTactum({"touch", roof, "--path", path, "--out", file("roof.csv"),
+                                           "--proxy-radius", "0.001", "--shading", shading});
             if (ended.code != 0 || !ended.error.isEmpty()) return -1.0;
             const Row last = rowsOf(file("roof.csv")).last();
             return last[ForceX] / last[ForceZ];
         };
         // The facet is inclined by 0.2; near the ridge the felt normal is nearly upright.
-        QVERIFY(std::abs(lean("off") - 0.2) < 1e-3);
-        QVERIFY(lean("on") > 0 && lean("on") < 0.1);
+        COMPARE_NEAR(lean("off"), 0.2, 1e-3, "");
+        QCOMPARE_GT(lean("on"), 0);
+        QCOMPARE_LT(lean("on"), 0.1);
     }
 
     // The plate's corners run counter-clockwise seen from +z, where the finger comes from.
@@ -128,7 +131,8 @@ private slots:
         for (const auto& [sides, felt] :
              {std::pair{"both", true}, std::pair{"front", true}, std::pair{"back", false}}) {
             QCOMPARE(
-                tactum({"touch", plate(), "--path", path, "--out", file("sides.csv"), "--sides", sides}).code,
+                runTactum({"touch", plate(), "--path", path, "--out", file("sides.csv"), "--sides", sides})
+                    .code,
                 0);
             const Row last = rowsOf(file("sides.csv")).last();
             QCOMPARE(last[Contacts] == 1 && last[ForceZ] > 1, felt);
@@ -139,8 +143,8 @@ private slots:
         const QString path = pressAndSlide(0.004, 0.03);
         QList<QList<Row>> runs;
         for (const char* name : {"a.csv", "b.csv"}) {
-            QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file(name), "--static-friction",
-                             "0.5", "--dynamic-friction", "0.3", "--viscosity", "2"})
+            QCOMPARE(runTactum({"touch", plate(), "--path", path, "--out", file(name), "--static-friction",
+                                "0.5", "--dynamic-friction", "0.3", "--viscosity", "2"})
                          .code,
                      0);
             runs.append(rowsOf(file(name)));
@@ -157,7 +161,7 @@ private slots:
         for (const auto& [arguments, rows] :
              {std::pair{QStringList{"touch", plate(), "--path", path, "--out", "-"}, 601},
               std::pair{QStringList{"play", recording, "--out", "-"}, 800}}) {
-            const Ended ended = tactum(arguments + QStringList{"--summary", "s.json"}, {}, folder.path());
+            const Ended ended = runTactum(arguments + QStringList{"--summary", "s.json"}, {}, folder.path());
             QVERIFY2(ended.code == 0, ended.error);
             const QList<QByteArray> lines = ended.out.trimmed().split('\n'); // the table, and nothing else
             QCOMPARE(lines.size(), rows + 1);
@@ -167,55 +171,56 @@ private slots:
             QVERIFY(!QFile::exists(file("-")));
             QVERIFY(QFile::exists(file("s.json")));
         }
-        const Ended summary = tactum({"touch", plate(), "--path", path, "--summary", "-"});
+        const Ended summary = runTactum({"touch", plate(), "--path", path, "--summary", "-"});
         QVERIFY2(!oneLine(summary.out).isEmpty(), summary.out); // once
         for (const char* verb : {"touch", "play"})
-            QVERIFY2(tactum({verb, "--help"}).out.contains("- is standard output"), verb);
+            COMPARE_CONTAINS(runTactum({verb, "--help"}).out, "- is standard output");
     }
 
     void frictionHoldsAndSlidesAsGiven() {
         const QString path = pressAndSlide(0.004, 0.02);
-        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("f.csv"), "--proxy-radius", "0.001",
-                         "--stiffness", "1000", "--static-friction", "0.6", "--dynamic-friction", "0.4"})
-                     .code,
-                 0);
+        QCOMPARE(
+            runTactum({"touch", plate(), "--path", path, "--out", file("f.csv"), "--proxy-radius", "0.001",
+                       "--stiffness", "1000", "--static-friction", "0.6", "--dynamic-friction", "0.4"})
+                .code,
+            0);
         double most = 0;
         const QList<Row> rows = rowsOf(file("f.csv"));
         for (const Row& row : rows)
             if (row[ForceZ] > 4) most = std::max(most, -row[ForceX] / row[ForceZ]);
-        QVERIFY2(std::abs(most - 0.6) < 0.02, qPrintable(QString::number(most))); // a step of 50 um over 5 mm
-        QVERIFY(std::abs(-rows.last()[ForceX] / rows.last()[ForceZ] - 0.4) < 1e-6);
+        COMPARE_NEAR(most, 0.6, 0.02, ""); // a step of 50 um over 5 mm
+        COMPARE_NEAR(-rows.last()[ForceX] / rows.last()[ForceZ], 0.4, 1e-6, "");
     }
 
     // One coefficient is that of both: the slide pulls as hard as the hold did at last.
     void staticFrictionAloneIsDynamicToo() {
         const QString path = pressAndSlide(0.004, 0.02);
-        QCOMPARE(tactum({"touch", plate(), "--path", path, "--out", file("s.csv"), "--proxy-radius", "0.001",
-                         "--static-friction", "0.5"})
+        QCOMPARE(runTactum({"touch", plate(), "--path", path, "--out", file("s.csv"), "--proxy-radius",
+                            "0.001", "--static-friction", "0.5"})
                      .code,
                  0);
         const Row last = rowsOf(file("s.csv")).last();
-        QVERIFY(std::abs(-last[ForceX] / last[ForceZ] - 0.5) < 1e-6);
+        COMPARE_NEAR(-last[ForceX] / last[ForceZ], 0.5, 1e-6, "");
     }
 
     void fitDiagonalScalesAboutTheBoxCentre() {
         const QString big =
             write("big.obj", "v 1000 1000 7\nv 1020 1000 7\nv 1020 1020 7\nv 1000 1020 7\nf 1 2 3 4\n");
         const QString path = pressAndSlide(0.002, 0);
-        QCOMPARE(tactum({"touch", big, "--path", path, "--out", file("fit.csv"), "--fit-diagonal", "0.2",
-                         "--proxy-radius", "0.001"})
+        QCOMPARE(runTactum({"touch", big, "--path", path, "--out", file("fit.csv"), "--fit-diagonal", "0.2",
+                            "--proxy-radius", "0.001"})
                      .code,
                  0);
-        QVERIFY(std::abs(rowsOf(file("fit.csv")).last()[ProxyZ] - 0.001) < 1e-8);
+        COMPARE_NEAR(rowsOf(file("fit.csv")).last()[ProxyZ], 0.001, 1e-8, "");
     }
 
     void playComparesEveryBit() {
         const QString recording = QStringLiteral(TACTUM_REPLAYS "/few-bumps.tactum-recording");
         const Ended ended =
-            tactum({"play", recording, "--out", file("again.csv"), "--summary", file("again.json")});
+            runTactum({"play", recording, "--out", file("again.csv"), "--summary", file("again.json")});
         QVERIFY2(ended.code == 0, ended.error);
         QVERIFY2(ended.out.startsWith("1200 steps, 0 differ\n"), ended.out);
-        QVERIFY(ended.out.contains("FAULT: the device was lost\n"));
+        COMPARE_CONTAINS(ended.out, "FAULT: the device was lost\n");
         QCOMPARE(rowsOf(file("again.csv")).size(), 800);
         QFile summary(file("again.json"));
         QVERIFY(summary.open(QIODevice::ReadOnly));
@@ -223,15 +228,16 @@ private slots:
         QCOMPARE(json["haptic_steps"].toInt(), 800);
         QCOMPARE(json["servo_ticks"].toInt(), 400);
         QCOMPARE(json["differ"].toInt(-1), 0);
-        QVERIFY(json["events"].toArray().size() > 5);
+        QCOMPARE_GT(json["events"].toArray().size(), 5);
     }
 
     void infoNamesEverything() {
-        const Ended text = tactum({"info", plate()});
+        const Ended text = runTactum({"info", plate()});
         QCOMPARE(text.code, 0);
-        QVERIFY(text.out.contains("stiffness") && text.out.contains("N/m") &&
-                text.out.contains("2 triangles"));
-        const Ended json = tactum({"info", plate(), "--json"});
+        COMPARE_CONTAINS(text.out, "stiffness");
+        COMPARE_CONTAINS(text.out, "N/m");
+        COMPARE_CONTAINS(text.out, "2 triangles");
+        const Ended json = runTactum({"info", plate(), "--json"});
         QCOMPARE(json.code, 0);
         const QJsonObject scene = QJsonDocument::fromJson(json.out).object();
         QCOMPARE(scene["triangles"].toInt(), 2);
@@ -243,19 +249,19 @@ private slots:
                          parameters[key].toObject().contains("unit"),
                      key);
         QCOMPARE(surface["sides"].toString(), QString("both"));
-        QVERIFY(text.out.contains("sides both"));
+        COMPARE_CONTAINS(text.out, "sides both");
         QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
     }
 
     void infoShowsShadingAndLayers() {
-        const Ended text = tactum({"info", bumpyPlate()});
+        const Ended text = runTactum({"info", bumpyPlate()});
         QVERIFY2(text.code == 0, text.error);
         QCOMPARE(text.out.count("    shading off\n"), 2);
         QCOMPARE(text.out.count("    layer grain.png: image grain.png, mapping uv-unit, height 2e-04 m, "
                                 "blend add, opacity 1\n"),
                  2);
         const QJsonObject scene =
-            QJsonDocument::fromJson(tactum({"info", bumpyPlate(), "--json"}).out).object();
+            QJsonDocument::fromJson(runTactum({"info", bumpyPlate(), "--json"}).out).object();
         const QJsonObject surface =
             scene["objects"].toArray().at(0).toObject()["surfaces"].toArray().at(1).toObject();
         QCOMPARE(surface["shading"].toObject()["on"], QJsonValue(false));
@@ -273,35 +279,37 @@ private slots:
 
     void checkSaysEverythingOnce() {
         for (const QString& scene : {plate(), bumpyPlate()}) {
-            const Ended check = tactum({"check", scene});
+            const Ended check = runTactum({"check", scene});
             QCOMPARE(check.code, 0);
             const QList<QByteArray> lines = check.out.trimmed().split('\n');
-            QVERIFY(check.out.contains("open rim"));
+            COMPARE_CONTAINS(check.out, "open rim");
             for (const QByteArray& line : lines)
-                QVERIFY2(lines.count(line) == 1, line);
+                QCOMPARE_EQ(lines.count(line), 1);
         }
-        QVERIFY(tactum({"check", bumpyPlate()}).out.contains("has no unit"));
+        COMPARE_CONTAINS(runTactum({"check", bumpyPlate()}).out, "has no unit");
     }
 
     void checkAndDevicesAnswer() {
-        const Ended check = tactum({"check", plate()});
+        const Ended check = runTactum({"check", plate()});
         QCOMPARE(check.code, 0);
         QVERIFY(!check.out.isEmpty());
-        const Ended devices = tactum({"devices"});
+        const Ended devices = runTactum({"devices"});
         QCOMPARE(devices.code, 0);
-        QVERIFY(devices.out.contains("Simulated hand (simulated): ready"));
+        COMPARE_CONTAINS(devices.out, "Simulated hand (simulated): ready");
         // A maker's library that is none, or missing, is one sentence and takes nothing else with it.
-        QVERIFY(devices.out.contains("OpenHaptics") && devices.out.contains("Force Dimension"));
-        const Ended json = tactum({"devices", "--json"});
+        COMPARE_CONTAINS(devices.out, "OpenHaptics");
+        COMPARE_CONTAINS(devices.out, "Force Dimension");
+        const Ended json = runTactum({"devices", "--json"});
         QCOMPARE(json.code, 0);
         QVERIFY(QJsonDocument::fromJson(json.out).isArray());
-        const Ended none = tactum({"device-server", "no such"});
-        QVERIFY(none.code != 0 && none.error.contains("no such"));
+        const Ended none = runTactum({"device-server", "no such"});
+        QCOMPARE_NE(none.code, 0);
+        COMPARE_CONTAINS(none.error, "no such");
     }
 
     void helpIsZero() {
-        QCOMPARE(tactum({"--help"}).code, 0);
-        const Ended help = tactum({"touch", "--help"});
+        QCOMPARE(runTactum({"--help"}).code, 0);
+        const Ended help = runTactum({"touch", "--help"});
         QCOMPARE(help.code, 0);
         for (const char* part : {"--static-friction", "--fit-diagonal", "Without --dynamic-friction",
                                  "before the device's limit"})

@@ -4,6 +4,7 @@
 
 #include "tests/architecture/house_plan.h"
 #include "tests/architecture/include_rules.h"
+#include "tests/support/compare.h"
 
 using namespace tactum::architecture;
 
@@ -39,8 +40,8 @@ class TestArchitecture : public QObject {
 private slots:
     // The house as it stands.
     void sourcesAreFound() {
-        QVERIFY(sources_.size() > 50);
-        QVERIFY(buildFiles_.size() > 10);
+        QCOMPARE_GT(sources_.size(), 50);
+        QCOMPARE_GT(buildFiles_.size(), 10);
     }
     void arrowsAreAllowed() { expectNone(collect(sources_, wrongIncludes)); }
     void roomsLinkAlongTheArrows() { expectNone(collect(buildFiles_, wrongLinks)); }

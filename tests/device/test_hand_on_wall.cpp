@@ -7,6 +7,7 @@
 
 #include "core/runtime/haptic_step.h"
 #include "device/simulated_hand.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -77,9 +78,8 @@ private slots:
             const Rest rest = press(stiffness, goalDepth, delay);
             const double grip = SimulatedHandProfile{}.stiffness;
             const double balance = goalDepth * grip / (grip + stiffness);
-            QVERIFY2(rest.peakToPeak < 2e-6, qPrintable(QString::number(rest.peakToPeak)));
-            QVERIFY2(std::abs(rest.depth / balance - 1) < 0.01,
-                     qPrintable(QString::number(rest.depth / balance)));
+            QCOMPARE_LT(rest.peakToPeak, 2e-6);
+            COMPARE_NEAR(rest.depth / balance, 1, 0.01, "");
         }
     }
 
@@ -87,7 +87,7 @@ private slots:
     /// delay asks for, the same test finds a limit cycle.
     void tooLittleDampingWouldBeSeen() {
         const double needed = 3000 * 1.5 * kTick;
-        QVERIFY(press(3000, 0.01, 1, {.damping = 0.5 * needed}).peakToPeak > 1e-4);
+        QCOMPARE_GT(press(3000, 0.01, 1, {.damping = 0.5 * needed}).peakToPeak, 1e-4);
     }
 };
 

@@ -7,6 +7,7 @@
 #include "core/control/device_check.h"
 #include "core/control/safe_stiffness.h"
 #include "device/profile.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -31,7 +32,7 @@ class TestProfile : public QObject {
 
 private slots:
     void builtInOnesArePossible() {
-        QVERIFY(builtInProfiles().size() > 10);
+        QCOMPARE_GT(builtInProfiles().size(), 10);
         for (const DeviceProfile& profile : builtInProfiles()) {
             const char* key = profile.key.c_str();
             QVERIFY2(checkDevice(profile.info), key);
@@ -46,7 +47,7 @@ private slots:
 
     void theFalconIsAsItsSourcesSay() {
         const auto falcon = profileOf("falcon", {});
-        QVERIFY(falcon);
+        VERIFY_RESULT(falcon);
         QCOMPARE(falcon->info.name, std::string("Novint Falcon"));
         QCOMPARE(falcon->info.maxForce, 8.0);
         QCOMPARE(falcon->info.maxStiffness, 3000.0);
@@ -60,7 +61,7 @@ private slots:
         write(pathOf(folder) / "falcon.json",
               edited(R"("max_force_N": 5, "damping_N_s_per_m": {"value": 0.8})"));
         const auto mine = profileOf("falcon", pathOf(folder));
-        QVERIFY(mine);
+        VERIFY_RESULT(mine);
         QCOMPARE(mine->info.maxForce, 5.0);
         QCOMPARE(mine->info.damping, 0.8);
         QCOMPARE(mine->info.maxStiffness, 3000.0);
@@ -138,7 +139,8 @@ private slots:
         const QTemporaryDir folder;
         std::filesystem::create_directory(pathOf(folder) / "falcon.json");
         const auto refused = profileOf("falcon", pathOf(folder));
-        QVERIFY(!refused && refused.error().text.find("no file") != std::string::npos);
+        QVERIFY(!refused);
+        COMPARE_CONTAINS(refused.error().text, "no file");
     }
 
     void anUnknownDeviceIsRefused() { QVERIFY(!profileOf("../falcon", {})); }

@@ -4,16 +4,13 @@
 #include <QtTest>
 
 #include "device/recorded_hand.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
 namespace {
 
 const std::vector<RecordedPoint> kPath{{2.0, {0, 0, 0}}, {2.5, {0.1, 0, 0}}, {3.0, {0.1, 0.2, 0}}};
-
-bool near(const Vec3& a, const Vec3& b) {
-    return (a - b).norm() < 1e-12;
-}
 
 } // namespace
 
@@ -24,13 +21,14 @@ private slots:
     void playsEveryPointAtItsTime() {
         RecordedHand hand(kPath);
         QVERIFY(hand.open().has_value());
-        const DeviceCommand push{Vec3(5, 5, 5)};                     // ignored
-        QVERIFY(near(hand.exchange(push, 0.7).position, {0, 0, 0})); // whatever dt: the first point
+        const DeviceCommand push{Vec3(5, 5, 5)}; // ignored
+        COMPARE_NEAR(hand.exchange(push, 0.7).position, Vec3(0, 0, 0), 1e-12,
+                     "m"); // whatever dt: the first point
         const DeviceSample between = hand.exchange(push, 0.125);
-        QVERIFY(near(between.position, {0.025, 0, 0}));
-        QVERIFY(near(between.velocity, {0.2, 0, 0}));
-        QVERIFY(near(hand.exchange(push, 0.375).position, {0.1, 0, 0}));
-        QVERIFY(near(hand.exchange(push, 0.25).position, {0.1, 0.1, 0}));
+        COMPARE_NEAR(between.position, Vec3(0.025, 0, 0), 1e-12, "m");
+        COMPARE_NEAR(between.velocity, Vec3(0.2, 0, 0), 1e-12, "m/s");
+        COMPARE_NEAR(hand.exchange(push, 0.375).position, Vec3(0.1, 0, 0), 1e-12, "m");
+        COMPARE_NEAR(hand.exchange(push, 0.25).position, Vec3(0.1, 0.1, 0), 1e-12, "m");
     }
 
     void restsAtTheLastPointWhenPlayedOnce() {
@@ -49,8 +47,8 @@ private slots:
         RecordedHand hand(kPath, Playback::Looped);
         QVERIFY(hand.open().has_value());
         hand.exchange({}, 0);
-        QVERIFY(near(hand.exchange({}, 1.25).position, {0.05, 0, 0}));
-        QVERIFY(near(hand.exchange({}, 100).position, {0.05, 0, 0}));
+        COMPARE_NEAR(hand.exchange({}, 1.25).position, Vec3(0.05, 0, 0), 1e-12, "m");
+        COMPARE_NEAR(hand.exchange({}, 100).position, Vec3(0.05, 0, 0), 1e-12, "m");
     }
 
     void openingAgainRewinds() {
@@ -60,7 +58,7 @@ private slots:
         hand.exchange({}, 0.6);
         hand.close();
         QVERIFY(hand.open().has_value());
-        QVERIFY(near(hand.exchange({}, 0.6).position, {0, 0, 0}));
+        COMPARE_NEAR(hand.exchange({}, 0.6).position, Vec3(0, 0, 0), 1e-12, "m");
     }
 
     void onePointIsAFingerAtRest() {
@@ -92,7 +90,8 @@ private slots:
         const Result<void> opened = RecordedHand(path).open();
         QVERIFY(!opened);
         QCOMPARE(opened.error().kind, Error::Kind::Input);
-        QVERIFY(!opened.error().text.empty() && opened.error().text.find('\n') == std::string::npos);
+        QVERIFY(!opened.error().text.empty());
+        COMPARE_LACKS(opened.error().text, "\n");
     }
 };
 

@@ -5,6 +5,7 @@
 #include "device/registry.h"
 #include "device/remote/output_of.h"
 #include "tests/device/usb/emulated_usb.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -51,13 +52,17 @@ private slots:
         QVERIFY(listings.front().usable);
         QCOMPARE(listings.front().id, std::string("simulated"));
         const auto hand = registry().make("simulated");
-        QVERIFY(hand && !(*hand)->info().real);
+        VERIFY_RESULT(hand);
+        QVERIFY(!(*hand)->info().real);
     }
 
     void withoutADeviceItSaysSo() {
         const auto listings = registry().list();
         const DeviceListing* const usb = named(listings, "USB");
-        QVERIFY(usb && !usb->usable && usb->id.empty() && !usb->sentence.empty());
+        QVERIFY(usb);
+        QVERIFY(!usb->usable);
+        QVERIFY(usb->id.empty());
+        QVERIFY(!usb->sentence.empty());
         // Of each maker's family one sentence that says what is missing.
         QCOMPARE(std::ranges::count(listings, true, &DeviceListing::usable), 2);
         for (const DeviceListing& listing : listings)
@@ -73,19 +78,23 @@ private slots:
         QVERIFY(!named(listings, "USB"));
         const DeviceListing* const falcon = named(listings, "Novint Falcon");
         const DeviceListing* const wooden = named(listings, "WoodenHaptics");
-        QVERIFY(falcon && falcon->usable && wooden && wooden->usable);
+        QVERIFY(falcon);
+        QVERIFY(falcon->usable);
+        QVERIFY(wooden);
+        QVERIFY(wooden->usable);
         QCOMPARE(falcon->id, std::string("falcon:1-2"));
         QCOMPARE(listings[1].id, falcon->id); // before all that cannot be used
         for (const DeviceListing* listing : {falcon, wooden}) {
             const auto device = registry().make(listing->id);
-            QVERIFY(device);
+            VERIFY_RESULT(device);
             QVERIFY((*device)->info().real);
             QCOMPARE((*device)->info().name, listing->name);
             QVERIFY(!(*device)->steps().empty());
         }
         EmulatedBus::the().unplug(2);
         const auto gone = registry().make("falcon:1-2");
-        QVERIFY(!gone && gone.error().text.find("not connected") != std::string::npos);
+        QVERIFY(!gone);
+        COMPARE_CONTAINS(gone.error().text, "not connected");
     }
 
     void whatDoesNotExistIsRefused() {
@@ -116,8 +125,9 @@ private slots:
         const auto listings = apart.list();
         for (const char* maker : {"OpenHaptics", "Force Dimension", "Haply"}) {
             const DeviceListing* const listing = named(listings, maker);
-            QVERIFY(listing && !listing->usable);
-            QVERIFY(listing->sentence.find("crashed") != std::string::npos);
+            QVERIFY(listing);
+            QVERIFY(!listing->usable);
+            COMPARE_CONTAINS(listing->sentence, "crashed");
         }
     }
 };

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "device/simulated_hand.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -50,7 +51,7 @@ class TestSimulatedHand : public QObject {
 private slots:
     void itsButtonIsDownWhileTheGoalIsHeld() {
         Hand hand;
-        QVERIFY(hand.device.info().buttons == 1);
+        QCOMPARE_EQ(hand.device.info().buttons, 1);
         for (const bool held : {false, true, false}) {
             hand.target->write({.position = Vec3::Zero(), .held = held});
             QCOMPARE(hand.go(0.01).buttons, held ? 1u : 0u);
@@ -74,7 +75,7 @@ private slots:
             hand.leadTo(goal);
             for (int n = 1; n <= 60; ++n) {
                 const Vec3 x = hand.device.exchange({}, dt).position;
-                QVERIFY((x - goal * stepResponse(profile, n * dt)).norm() < 1e-9);
+                COMPARE_NEAR(x, goal * stepResponse(profile, n * dt), 1e-9, "m");
             }
         }
     }
@@ -87,8 +88,8 @@ private slots:
         const double before = hand.device.exchange({}, 0).position.x();
         const double velocity = hand.device.exchange({}, h).velocity.x();
         const double after = hand.device.exchange({}, h).position.x();
-        QVERIFY(velocity > 0.1);
-        QVERIFY(std::abs((after - before) / (2 * h) - velocity) < 1e-4);
+        QCOMPARE_GT(velocity, 0.1);
+        COMPARE_NEAR((after - before) / (2 * h), velocity, 1e-4, "m/s");
     }
 
     void forcePushesTheHandByForceOverStiffness() {
@@ -96,9 +97,9 @@ private slots:
         hand.leadTo({0.01, 0.02, 0});
         const Vec3 force(1, -2, 3);
         const DeviceSample sample = hand.go(3, force);
-        QVERIFY((sample.position - Vec3(0.01, 0.02, 0) - force / SimulatedHandProfile{}.stiffness).norm() <
-                1e-12);
-        QVERIFY(sample.velocity.norm() < 1e-9);
+        COMPARE_NEAR(sample.position - Vec3(0.01, 0.02, 0), force / SimulatedHandProfile{}.stiffness, 1e-12,
+                     "");
+        QCOMPARE_LT(sample.velocity.norm(), 1e-9);
     }
 
     void jitterOfTheClockChangesNothing() {
@@ -115,7 +116,7 @@ private slots:
         }
         for (int i = 0; i < 10; ++i)
             even.device.exchange({}, t / 10);
-        QVERIFY((even.device.exchange({}, 0).position - sample.position).norm() < 1e-12);
+        COMPARE_NEAR(even.device.exchange({}, 0).position, sample.position, 1e-12, "m");
     }
 
     void longSleepOfTheMachineCountsAsTwentyMilliseconds() {
@@ -131,12 +132,12 @@ private slots:
         hand.go(0.02);
         hand.teleportTo({0, 0.03, 0}, 1);
         DeviceSample sample = hand.device.exchange({}, 1e-3);
-        QVERIFY((sample.position - Vec3(0, 0.03, 0)).norm() < 1e-12);
-        QVERIFY(sample.velocity.norm() < 1e-12);
+        COMPARE_NEAR(sample.position, Vec3(0, 0.03, 0), 1e-12, "m");
+        QCOMPARE_LT(sample.velocity.norm(), 1e-12);
         // The same teleport seen again, with the hand pushed aside: it stays where it was pushed.
         hand.teleportTo({0, 0.03, 0}, 1);
         sample = hand.go(0.05, {2, 0, 0});
-        QVERIFY(sample.position.x() > 1e-3);
+        QCOMPARE_GT(sample.position.x(), 1e-3);
     }
 
     void wallOfTheWorkspaceHoldsTheHand() {
@@ -147,9 +148,9 @@ private slots:
         for (int i = 0; i < 2000; ++i)
             farthest = std::max(farthest, hand.device.exchange({}, 1e-3).position.norm());
         const DeviceSample sample = hand.device.exchange({}, 1e-3);
-        QVERIFY(farthest <= radius * (1 + 1e-15));
-        QVERIFY(std::abs(sample.position.x() - radius) < 1e-12);
-        QVERIFY(sample.velocity.norm() < 1e-12);
+        QCOMPARE_LE(farthest, radius * (1 + 1e-15));
+        COMPARE_NEAR(sample.position.x(), radius, 1e-12, "m");
+        QCOMPARE_LT(sample.velocity.norm(), 1e-12);
     }
 
     void wallLetsTheHandSlideAlong() {
@@ -158,7 +159,7 @@ private slots:
         hand.go(1);
         hand.leadTo({0, 0.3, 0});
         const Vec3 x = hand.go(2).position;
-        QVERIFY((x - Vec3(0, SimulatedHandProfile{}.workspaceRadius, 0)).norm() < 1e-3);
+        COMPARE_NEAR(x, Vec3(0, SimulatedHandProfile{}.workspaceRadius, 0), 1e-3, "m");
     }
 
     void nonsenseLeavesTheHandWhereItIs() {
@@ -166,11 +167,11 @@ private slots:
         Hand hand;
         hand.leadTo(place);
         hand.go(2);
-        QVERIFY((hand.device.exchange({nonsense}, 1e-3).position - place).norm() < 1e-9);
+        COMPARE_NEAR(hand.device.exchange({nonsense}, 1e-3).position, place, 1e-9, "m");
         hand.leadTo(nonsense);
-        QVERIFY((hand.device.exchange({}, 1e-3).position - place).norm() < 1e-9);
+        COMPARE_NEAR(hand.device.exchange({}, 1e-3).position, place, 1e-9, "m");
         hand.teleportTo(nonsense, 1);
-        QVERIFY((hand.device.exchange({}, 1e-3).position - place).norm() < 1e-9);
+        COMPARE_NEAR(hand.device.exchange({}, 1e-3).position, place, 1e-9, "m");
     }
 };
 

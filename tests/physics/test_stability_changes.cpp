@@ -7,6 +7,7 @@
 
 #include "tests/physics/event.h"
 #include "tests/physics/press.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -90,9 +91,9 @@ private slots:
         qInfo("%.3f m/s, %.2f mJ of %.2f, %.3f N in a tick", event.speed, 1e3 * event.given, 1e3 * rise,
               event.jump);
         QCOMPARE(resting.servo.state.ease.easing(), false);
-        QVERIFY(event.speed <= kFastest);
-        QVERIFY(event.given <= std::max(rise, 0.0) + 5e-3);
-        QVERIFY(event.jump <= std::max(from, to) * kFalcon.resolution + 0.05);
+        QCOMPARE_LE(event.speed, kFastest);
+        QCOMPARE_LE(event.given, std::max(rise, 0.0) + 5e-3);
+        QCOMPARE_LE(event.jump, std::max(from, to) * kFalcon.resolution + 0.05);
     }
 
     void editAtOnceIsNot() {
@@ -105,7 +106,7 @@ private slots:
             worse.stiffness = 2000;
             const Event event = watchEvent(loop, 1);
             qInfo("%.3f m/s, %.1f mJ, %.2f N in a tick", event.speed, 1e3 * event.given, event.jump);
-            QVERIFY(event.speed > 2 * kFastest);
+            QCOMPARE_GT(event.speed, 2 * kFastest);
         }
     }
 
@@ -135,15 +136,15 @@ private slots:
                 servo.settings.overrideCeiling = override;
                 const Event event = watchEvent(loop, 3);
                 fastest = std::max(fastest, event.speed);
-                QVERIFY2(event.speed <= kFastest, qPrintable(QString::number(event.speed)));
+                QCOMPARE_LE(event.speed, kFastest);
                 QVERIFY(servo.state.touching);
-                QVERIFY((servo.state.ease.rendered().stiffness > 1.5 * before) != override);
+                QCOMPARE_NE(servo.state.ease.rendered().stiffness > 1.5 * before, override);
                 loop.plant.place({0, 0, 0.005});
                 loop.plant.voluntary.z() = 0;
                 loop.run(0.01);
                 loop.plant.place({0, 0, -1e-4});
                 loop.tick();
-                QVERIFY(servo.state.ease.rendered().stiffness > 1.5 * before);
+                QCOMPARE_GT(servo.state.ease.rendered().stiffness, 1.5 * before);
             }
         qInfo("%.3g m/s", fastest);
     }
@@ -173,9 +174,9 @@ private slots:
         ++model.model.revision;
         const Event event = watchEvent(loop, 3);
         qInfo("%.3f m/s, %.3f N in a tick", event.speed, event.jump);
-        QVERIFY(event.speed <= kFastest);
-        QVERIFY(event.jump <= 1500 * kFalcon.resolution + 0.05);
-        QVERIFY(loop.plant.axis[2].x > -1e-3 + 0.2 * (1e-3 - depth)); // it did come
+        QCOMPARE_LE(event.speed, kFastest);
+        QCOMPARE_LE(event.jump, 1500 * kFalcon.resolution + 0.05);
+        QCOMPARE_GT(loop.plant.axis[2].x, -1e-3 + 0.2 * (1e-3 - depth)); // it did come
     }
 
     void lostInsideComesBackGently_data() {
@@ -203,13 +204,14 @@ private slots:
         loop.plant.setGoal({0, 0, -0.01});
         loop.warmUp();
         loop.run(1);
-        QVERIFY(proxy.output.contacts > 0 && loop.command.z() > 0.1);
+        QCOMPARE_GT(proxy.output.contacts, 0);
+        QCOMPARE_GT(loop.command.z(), 0.1);
 
         loop.tamper = [](DeviceSample& sample) { sample.valid = false; };
         loop.plant.setGoal({moved, 0, -0.01});
         loop.run(1);
         QCOMPARE(servo.state.guard.withheld(), Withheld::DeviceLost);
-        QVERIFY(loop.plant.position().z() < -0.004); // deep, and without force
+        QCOMPARE_LT(loop.plant.position().z(), -0.004); // deep, and without force
         loop.tamper = nullptr;
         servo.settings.armed = false;
         loop.run(0.05);
@@ -221,11 +223,12 @@ private slots:
         });
         qInfo("%.3f m/s, %.3f N in a tick, proxy at %.2f mm, finger at %.2f mm, force %.2f N", event.speed,
               event.jump, 1e3 * innermost, 1e3 * loop.plant.position().z(), loop.command.norm());
-        QVERIFY(innermost > kBall);
-        QVERIFY(event.speed <= kFastest);
-        QVERIFY(event.jump <= 1500 * bench.device.resolution + 0.05);
-        QVERIFY(proxy.output.contacts > 0 && loop.command.norm() > 0.1); // it is felt again
-        QVERIFY((loop.plant.position() - centre).norm() > kBall - 2e-3); // and was led to the surface
+        QCOMPARE_GT(innermost, kBall);
+        QCOMPARE_LE(event.speed, kFastest);
+        QCOMPARE_LE(event.jump, 1500 * bench.device.resolution + 0.05);
+        QCOMPARE_GT(proxy.output.contacts, 0);
+        QCOMPARE_GT(loop.command.norm(), 0.1);                              // it is felt again
+        QCOMPARE_GT((loop.plant.position() - centre).norm(), kBall - 2e-3); // and was led to the surface
     }
 
     /// A rough surface lands on a finger that then goes sideways. The proxy sticks, deep as the finger is,
@@ -253,15 +256,15 @@ private slots:
             servo(finger, 1e-3);
         const Vec3 aside = stay(1e-3), back = stay(1);
         qInfo("%.2f N aside, %.2f N when it is back, under %.2f N", -aside.x(), -back.x(), back.z());
-        QVERIFY(std::abs(aside.x()) > 0.9 * aside.z()); // it slipped
-        QVERIFY(std::abs(back.z() - kStiffness * kDepth) < 1e-3);
+        QCOMPARE_GT(std::abs(aside.x()), 0.9 * aside.z()); // it slipped
+        COMPARE_NEAR(back.z(), kStiffness * kDepth, 1e-3, "N");
         QVERIFY2(std::abs(back.x()) <= std::abs(aside.x()) + 0.01, "pulled back");
         // What the proxy then slips by itself is no new way, and what it slips beyond is.
         model.model.proxy.x() = 0.5 * kAside;
         const Vec3 same = stay(0.1);
-        QVERIFY((same - back).norm() < 1e-3);
+        COMPARE_NEAR(same, back, 1e-3, "N");
         model.model.proxy.x() = finger.position.x();
-        QVERIFY(std::abs(stay(1).x()) < 1e-3);
+        QCOMPARE_LT(std::abs(stay(1).x()), 1e-3);
     }
 
     /// Rules 1 and 2 switched off: a faster return, a jump, a ramp of the stiffness alone.
@@ -284,10 +287,10 @@ private slots:
         };
         qInfo("10 mm/s %.3f, 20 mm/s %.3f, 50 mm/s %.3f, jump %.3f, ramp of 2 s %.3f m/s", speedWith(0.01, 0),
               speedWith(0.02, 0), speedWith(0.05, 0), speedWith(0, 0), speedWith(0, 2));
-        QVERIFY(speedWith(0.02, 0) <= kFastest);
-        QVERIFY(speedWith(0.05, 0) > kFastest);
-        QVERIFY(speedWith(0, 0) > kFastest);
-        QVERIFY(speedWith(0, 2) > kFastest);
+        QCOMPARE_LE(speedWith(0.02, 0), kFastest);
+        QCOMPARE_GT(speedWith(0.05, 0), kFastest);
+        QCOMPARE_GT(speedWith(0, 0), kFastest);
+        QCOMPARE_GT(speedWith(0, 2), kFastest);
     }
 
     /// Rule 1 switched off: a force that is slowed down makes a limit cycle.
@@ -306,9 +309,9 @@ private slots:
             qInfo("%g N/s: %.1f mm, %.0f mJ", slew, 1e3 * (high - low), 1e3 * given);
             return high - low;
         };
-        QVERIFY(swing(0) <= 2 * kLowFriction.resolution);
-        QVERIFY(swing(100) > 0.01);
-        QVERIFY(swing(20) > 0.01);
+        QCOMPARE_LE(swing(0), 2 * kLowFriction.resolution);
+        QCOMPARE_GT(swing(100), 0.01);
+        QCOMPARE_GT(swing(20), 0.01);
     }
 };
 

@@ -11,6 +11,7 @@
 #include "tests/physics/event.h"
 #include "tests/physics/hand_script.h"
 #include "tests/physics/servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/repeats.h"
 
@@ -321,8 +322,8 @@ private slots:
         qInfo("%d of %d, %d faults, %d of %d events made more than %g mJ, force in %.1f %% of the ticks", bad,
               count, faults, kicks, events, 1e3 * kKick, 100.0 * double(pushing) / double(ticks));
         QCOMPARE(bad, 0);
-        QVERIFY(1000 * kicks <= events);
-        QVERIFY(2 * pushing > ticks); // there was something to take away
+        QCOMPARE_LE(1000 * kicks, events);
+        QCOMPARE_GT(2 * pushing, ticks); // there was something to take away
     }
 
     /// All that guards switched off: each of the bounds breaks.
@@ -337,7 +338,7 @@ private slots:
             }
         for (const char* bound : kBounds) {
             qInfo("%s: %d", bound, broken[bound]);
-            QVERIFY2(broken[bound] > 0, bound);
+            QCOMPARE_GT(broken[bound], 0);
         }
     }
 };

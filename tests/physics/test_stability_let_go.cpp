@@ -7,6 +7,7 @@
 
 #include "device/profile.h"
 #include "tests/physics/press.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -40,7 +41,8 @@ private slots:
         QFETCH(int, profile);
         DeviceInfo info = builtInProfiles()[std::size_t(profile)].info;
         info.continuousForce = 0; // warm motors give way to a press for ever, which is no swing
-        QVERIFY(info.amplifierLag > 0 && info.handDamping > 0);
+        QCOMPARE_GT(info.amplifierLag, 0);
+        QCOMPARE_GT(info.handDamping, 0);
         const double count = info.positionResolution;
         double widest = 0, most = 0;
         for (const double mass : kMasses)

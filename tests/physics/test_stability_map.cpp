@@ -4,6 +4,7 @@
 
 #include "core/control/safe_stiffness.h"
 #include "tests/physics/z_width.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -49,7 +50,7 @@ private slots:
         const std::vector<Row> rows = baseline();
         for (std::size_t i = 0; i < loops.size(); ++i) {
             const double safe = safeStiffness(loopFigures(infoOf(loops[i]))).value;
-            QVERIFY(std::abs(safe - rows[i].safe) <= 1);
+            QCOMPARE_LE(std::abs(safe - rows[i].safe), 1);
             if (loops[i].hand.mass > 0)
                 QVERIFY2(safe < rows[i].firstFailure || rows[i].firstFailure >= kStiffestWall,
                          qPrintable(QString("row %1").arg(i + 1)));

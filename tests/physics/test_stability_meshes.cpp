@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/physics/servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/exactness.h"
 #include "tests/support/hand.h"
 #include "tests/support/repeats.h"
@@ -124,7 +125,7 @@ private slots:
             led.to({0, 0, z});
             through += led.proxy.state.proxy.position.z() < 0;
         }
-        QVERIFY(through > 0);
+        QCOMPARE_GT(through, 0);
     }
 
     void nothingPopsThroughALargeMesh() {
@@ -180,7 +181,7 @@ private slots:
             }
         }
         qInfo("force in %.1f %% of the ticks", 100.0 * double(pushing) / double(ticks));
-        QVERIFY(20 * pushing > ticks); // mostly there is nothing near
+        QCOMPARE_GT(20 * pushing, ticks); // mostly there is nothing near
     }
 
     void bodiesAreLedThrough_data() {
@@ -243,8 +244,9 @@ private slots:
         for (int i = 0; i < 200; ++i)
             to(kHalf + 1e-5);
         qInfo("from %.2f to %.2f N, at most %.2f N at once", up, down, kick);
-        QVERIFY(up > 4 && down < -3);
-        QVERIFY2(kick <= 0.1, qPrintable(QString::number(kick)));
+        QCOMPARE_GT(up, 4);
+        QCOMPARE_LT(down, -3);
+        QCOMPARE_LE(kick, 0.1);
         QCOMPARE(led.servo.state.guard.faults(), 0u);
     }
 

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/physics/servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/movers.h"
 
@@ -114,7 +115,7 @@ private slots:
         const double z = hand.surface() + kRadius - kDepth;
         for (int i = 1; i <= 100; ++i) {
             hand.at(z - 2e-5 * i);
-            QVERIFY(hand.servo.state.passivity.lastDamping() == 0);
+            QCOMPARE_EQ(hand.servo.state.passivity.lastDamping(), 0);
         }
         QCOMPARE(hand.servo.state.calmGoal, 1.0);
     }

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/physics/press.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -114,18 +115,18 @@ private slots:
         const double expected = stiffness * 1e-3 * (0.5 + delay);
         const double ratio = criticalDamping(1, stiffness, delay, expected) / expected;
         qInfo("b / b_crit = %.4f", ratio);
-        QVERIFY2(std::abs(ratio - 1) <= (delay == 0 ? 0.01 : 0.03), qPrintable(QString::number(ratio)));
+        QCOMPARE_LE(std::abs(ratio - 1), delay == 0 ? 0.01 : 0.03);
     }
 
     /// T2: at the boundary no passive partner ever gets energy; below it some do.
     void losslessPartnersGetNothing() {
         const double gift = worstGift(1);
         qInfo("W at the boundary: %.3g J", gift);
-        QVERIFY2(gift <= kMicrojoule, qPrintable(QString::number(gift)));
+        QCOMPARE_LE(gift, kMicrojoule);
         for (const double part : {0.6, 0.4}) {
             const double more = worstGift(part);
             qInfo("W at %.1f of it: %.3g J", part, more);
-            QVERIFY2(more > 1e-4, qPrintable(QString::number(more))); // the test sees it
+            QCOMPARE_GT(more, 1e-4); // the test sees it
         }
     }
 
@@ -154,7 +155,7 @@ private slots:
                         stiffness = std::max(stiffness, rest.stiffness);
                     }
         qInfo("W %.3g J, at most %.0f N/m", worst, stiffness);
-        QVERIFY2(worst <= kMicrojoule, qPrintable(QString::number(worst)));
+        QCOMPARE_LE(worst, kMicrojoule);
     }
 
     /// T3 a: K T / 2 = 0.25 N s/m decides.
@@ -165,8 +166,8 @@ private slots:
             return giftAlong(z, device, {}, 500, plainWall(500), true) - 0.5 * 500 * 0.005 * 0.005;
         };
         qInfo("b 0.249: %.3g J, 0.251: %.3g J", gift(0.249), gift(0.251));
-        QVERIFY(gift(0.251) <= kMicrojoule);
-        QVERIFY(gift(0.249) > 1e-4);
+        QCOMPARE_LE(gift(0.251), kMicrojoule);
+        QCOMPARE_GT(gift(0.249), 1e-4);
     }
 
     /// T3 b: K Delta / 2 = 0.05 N of dry friction decides.
@@ -177,8 +178,8 @@ private slots:
             return giftAlong(z, device, {}, 2000, plainWall(2000), false);
         };
         qInfo("f 0.049: %.3g J, 0.051: %.3g J", gift(0.049), gift(0.051));
-        QVERIFY(gift(0.051) <= kMicrojoule);
-        QVERIFY(gift(0.049) > kMicrojoule / 10);
+        QCOMPARE_LE(gift(0.051), kMicrojoule);
+        QCOMPARE_GT(gift(0.049), kMicrojoule / 10);
     }
 
     void prescribedMotionGetsNothingFromTheServo_data() {

@@ -7,6 +7,7 @@
 
 #include "tests/physics/event.h"
 #include "tests/physics/servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -116,7 +117,7 @@ private slots:
             free.go({0.05, 0, 0.02}, 0.5);
             free.go({-0.05, 0, 0.02}, 0.5);
         }
-        QVERIFY2(free.drag <= 0.05, qPrintable(QString::number(free.drag)));
+        QCOMPARE_LE(free.drag, 0.05);
 
         double given = 0, handOver = 0;
         for (const Soup& soup :
@@ -125,8 +126,8 @@ private slots:
             led.wander();
             given = std::max(given, led.most);
             handOver = std::max(handOver, led.handOver / led.time);
-            QVERIFY(led.most <= 1e-6);
-            QVERIFY(led.handOver <= kHandOverPower * led.time + kHandOverEnergy);
+            QCOMPARE_LE(led.most, 1e-6);
+            QCOMPARE_LE(led.handOver, kHandOverPower * led.time + kHandOverEnergy);
             QCOMPARE(led.servo.state.guard.faults(), 0u);
         }
         qInfo("drag %.3f N, W %.3g mJ, hand-over %.2f mJ/s", free.drag, 1e3 * given, 1e3 * handOver);
@@ -138,7 +139,7 @@ private slots:
         led.wander();
         qInfo("hand-over %.2f mJ/s, without it %.2f", 1e3 * led.handOver / led.time,
               1e3 * led.atOnce / led.time);
-        QVERIFY(led.atOnce > 2 * (kHandOverPower * led.time + kHandOverEnergy));
+        QCOMPARE_GT(led.atOnce, 2 * (kHandOverPower * led.time + kHandOverEnergy));
     }
 
     /// Rule 6 switched off: a spring to the proxy itself drags in free motion.
@@ -153,7 +154,7 @@ private slots:
                 if (i > 100) drag = std::max(drag, 1500 * (model.proxy - finger - Vec3(3e-4, 0, 0)).norm());
             }
             qInfo("%g Hz: %.2f N", rate, drag);
-            QVERIFY(drag > 0.4);
+            QCOMPARE_GT(drag, 0.4);
         }
     }
 };

@@ -6,6 +6,7 @@
 
 #include "tests/physics/event.h"
 #include "tests/physics/press.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -74,8 +75,8 @@ private slots:
             const Stalled stalled = stallAtImpact(loop, length);
             qInfo("%s: %.1f mJ came, %.1f mJ went, %.2f N in a tick, %.2f m/s", device.name,
                   1e3 * stalled.before, 1e3 * stalled.outward, stalled.after.jump, stalled.after.speed);
-            QVERIFY(stalled.outward <= 0.25 * stalled.before + 5e-3);
-            QVERIFY(stalled.after.jump <= kArrivalDamping * kArrival + 0.1);
+            QCOMPARE_LE(stalled.outward, 0.25 * stalled.before + 5e-3);
+            QCOMPARE_LE(stalled.after.jump, kArrivalDamping * kArrival + 0.1);
             QCOMPARE(servo.state.guard.gain(), 1.0); // and all is well again
         }
     }
@@ -87,7 +88,7 @@ private slots:
         ClosedLoop loop(bench, servo.control());
         const Stalled stalled = stallAtImpact(loop, 0.005);
         QCOMPARE(servo.state.guard.gain(), 1.0);
-        QVERIFY(stalled.outward <= stalled.before);
+        QCOMPARE_LE(stalled.outward, stalled.before);
     }
 
     /// Without the watchdog, and with the whole force back at once.
@@ -101,8 +102,8 @@ private slots:
             const Stalled stalled = stallAtImpact(loop, 0.05);
             qInfo("%.1f mJ came, %.1f mJ went, %.2f N in a tick, %.2f m/s", 1e3 * stalled.before,
                   1e3 * stalled.outward, stalled.after.jump, stalled.after.speed);
-            QVERIFY(stalled.outward > 0.25 * stalled.before + 5e-3);
-            QVERIFY(stalled.after.jump > kArrivalDamping * kArrival + 0.1);
+            QCOMPARE_GT(stalled.outward, 0.25 * stalled.before + 5e-3);
+            QCOMPARE_GT(stalled.after.jump, kArrivalDamping * kArrival + 0.1);
         }
     }
 };

@@ -10,6 +10,7 @@
 #include "core/control/safe_stiffness.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/physics/servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -257,8 +258,8 @@ private slots:
         wander(led, 20'000, 0.4 / rate, [&] { most = std::max(most, led.given + led.stored() - before); });
         qInfo("W %.3g J", most);
         QVERIFY(led.isPushing());
-        QVERIFY(std::abs(led.servo.state.ease.rendered().stiffness / Bare::kStiff - 1) < 1e-5);
-        QVERIFY2(most <= kMicrojoule, qPrintable(QString::number(most)));
+        COMPARE_NEAR(led.servo.state.ease.rendered().stiffness / Bare::kStiff, 1, 1e-5, "");
+        QCOMPARE_LE(most, kMicrojoule);
     }
 
     void teethAlongTheSurfaceMakeNoEnergy_data() { rubbingMakesNoEnergy_data(); }
@@ -350,15 +351,16 @@ private slots:
         material.stiffness = Bare::kStiff;
         const auto world = groovedWorld(material);
         for (const double speed : {0.005, 0.02, 0.05})
-            QVERIFY(aroundAtOneDepth({world, bare.info, bare.device, rate}, speed) <= kMicrojoule);
+            QCOMPARE_LE(aroundAtOneDepth({world, bare.info, bare.device, rate}, speed), kMicrojoule);
         // Up a flank under 1 N and down under 3 N: the worst that a hand can do.
         for (const double speed : {0.005, 0.02, 0.05}) {
             const auto [given, bound] = rowing({world, bare.info, bare.device, rate}, speed, 1);
             const auto [more, mostOfAll] = rowing({world, bare.info, bare.device, rate}, speed, 100);
             qInfo("at %g m/s %.3g mJ of at most %.3g for one groove, %.3g of %.3g for a hundred", speed,
                   1e3 * given, 1e3 * bound, 1e3 * more, 1e3 * mostOfAll);
-            QVERIFY(given <= bound && more <= mostOfAll);
-            QVERIFY(given > 0.5 * bound); // the bound is not far away
+            QCOMPARE_LE(given, bound);
+            QCOMPARE_LE(more, mostOfAll);
+            QCOMPARE_GT(given, 0.5 * bound); // the bound is not far away
         }
         for (const double reach : {0.4, 0.1, 0.03, 0.01}) {
             Led led(world, bare.info, bare.device, rate);
@@ -368,7 +370,7 @@ private slots:
             wander(led, 10'000, reach / rate, [&] { relief.add(led); });
             led.go(over(0, 0, -kDepth), 0.05, [&] { relief.add(led); });
             QVERIFY(led.isPushing());
-            QVERIFY(led.given - before <= relief.gift());
+            QCOMPARE_LE(led.given - before, relief.gift());
         }
     }
 };

@@ -27,6 +27,7 @@
 #include "tests/realtime/bumpy_scene.h"
 #ifndef TACTUM_SANITIZER_OWNS_MALLOC
 #include "tests/realtime/interposer.h"
+#include "tests/support/compare.h"
 #else
 namespace tactum::interposer { // never reached: initTestCase skips
 void reset() {}
@@ -168,7 +169,7 @@ private slots:
                 deed.act();
             }
             QVERIFY2(interposer::hits() > 0, deed.name);
-            QVERIFY(interposer::firstHit() != "none");
+            QCOMPARE_NE(interposer::firstHit(), "none");
         }
     }
 
@@ -228,10 +229,10 @@ private slots:
         qInfo("touching %d, slipping %d of 1000000; page faults after warm-up: %ld minor, %ld major",
               touching, slipping, faults.minor, faults.major);
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
-        QVERIFY(touching > 300'000);
-        QVERIFY(slipping > 10'000);
-        QVERIFY(riding > 10'000); // on the body that moves
-        QVERIFY(squeezed > 100);
+        QCOMPARE_GT(touching, 300'000);
+        QCOMPARE_GT(slipping, 10'000);
+        QCOMPARE_GT(riding, 10'000); // on the body that moves
+        QCOMPARE_GT(squeezed, 100);
     }
 
     /// A minute of rows and states while somebody copies them again and again.
@@ -274,7 +275,8 @@ private slots:
               faults.minor, faults.major);
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         const RecordedRun run = recorder.copy();
-        QVERIFY(run.proxy.first > 0 && run.proxyStates.size() > 60); // it went round
+        QCOMPARE_GT(run.proxy.first, 0);
+        QCOMPARE_GT(run.proxyStates.size(), 60); // it went round
     }
 
     void theRunningEngine() {
@@ -309,8 +311,8 @@ private slots:
               engine.proxy().updateMicros, engine.proxy().worstUpdateMicros);
         QVERIFY(ran);
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
-        QVERIFY(touching > frames / 20);
-        QVERIFY(pushed > frames / 20);
+        QCOMPARE_GT(touching, frames / 20);
+        QCOMPARE_GT(pushed, frames / 20);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/realtime.h"
 #include "core/surface/texture_feel.h"
 #include "tests/realtime/interposer.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -80,7 +81,7 @@ private slots:
         }
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         QVERIFY(std::isfinite(sum));
-        QVERIFY(felt > 30'000);
+        QCOMPARE_GT(felt, 30'000);
     }
 };
 

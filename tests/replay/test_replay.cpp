@@ -5,6 +5,7 @@
 
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -23,9 +24,9 @@ private slots:
     void everyRecording() {
         QFETCH(const QString, file);
         auto recording = readRecording(file.toStdString());
-        QVERIFY2(recording.has_value(), recording ? "" : recording.error().text.c_str());
+        VERIFY_RESULT(recording);
         auto player = Player::open(std::make_shared<const RecordedRun>(recording->run));
-        QVERIFY2(player.has_value(), player ? "" : player.error().text.c_str());
+        VERIFY_RESULT(player);
         player->advanceTo(recording->run.end());
         const ReplayCheck& check = player->check();
         QCOMPARE(check.proxySteps, recording->run.proxy.rows.size());
@@ -36,7 +37,7 @@ private slots:
         double most = 0;
         for (const ServoRow& row : recording->run.servo.rows)
             most = std::max(most, vectorOf(row.force).norm());
-        QVERIFY(most > 0.1); // N: it is about something
+        QCOMPARE_GT(most, 0.1); // N: it is about something
     }
 };
 

@@ -14,6 +14,7 @@
 #include "core/geometry/triangle.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -63,14 +64,14 @@ private slots:
         qint64 total = 0, rows = 0;
         for (const QString& name : names) {
             const QByteArray committed = contentOf(QString::fromStdString(kFolder) + name);
-            QVERIFY2(contentOf(made.filePath(name)) == committed, qPrintable(name));
+            QCOMPARE_EQ(contentOf(made.filePath(name)), committed);
             if (name.endsWith(".glb") || name.endsWith(".png"))
-                QVERIFY2(committed.size() < 500'000 + pathLength(name), qPrintable(name));
+                QCOMPARE_LT(committed.size(), 500'000 + pathLength(name));
             if (name.endsWith(".glb") || name.endsWith(".png")) total += committed.size() - pathLength(name);
             if (name.endsWith(".csv")) rows += committed.size();
         }
-        QVERIFY(total < 2'000'000);
-        QVERIFY(rows < 1'000'000);
+        QCOMPARE_LT(total, 2'000'000);
+        QCOMPARE_LT(rows, 1'000'000);
     }
 
     void aSampleHasItsSurfacesAndNothingToMend_data() {
@@ -95,7 +96,7 @@ private slots:
     void aSampleHasItsSurfacesAndNothingToMend() {
         QFETCH(QString, objects);
         const auto loaded = sample(QTest::currentDataTag());
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         QStringList found;
         for (const SceneObject& object : loaded->scene.objects) {
             QStringList surfaces;
@@ -105,7 +106,8 @@ private slots:
         }
         QCOMPARE(found.join(u' '), objects);
         const Vec3 size = boundsOf(loaded->scene).high - boundsOf(loaded->scene).low;
-        QVERIFY(size.maxCoeff() >= 0.1 && size.maxCoeff() <= 0.21);
+        QCOMPARE_GE(size.maxCoeff(), 0.1);
+        QCOMPARE_LE(size.maxCoeff(), 0.21);
         for (const auto& findings : {loaded->findings, validate(loaded->scene)})
             for (const Finding& finding : findings)
                 QVERIFY2(finding.severity == Finding::Severity::Note,
@@ -115,29 +117,32 @@ private slots:
     void aStrokeTouchesEverySampleGently_data() { aSampleHasItsSurfacesAndNothingToMend_data(); }
     void aStrokeTouchesEverySampleGently() {
         const auto loaded = sample(QTest::currentDataTag());
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         const auto world = compile(loaded->scene);
-        QVERIFY(world);
+        VERIFY_RESULT(world);
         double greatest = 0;
         int touched = 0;
         for (const TouchRow& row : replay(**world, sampleStroke(**world))) {
-            QVERIFY(row.force.allFinite() && row.proxy.allFinite());
+            QVERIFY(row.force.allFinite());
+            QVERIFY(row.proxy.allFinite());
             greatest = std::max(greatest, row.force.norm());
             touched += row.contacts > 0;
         }
         qInfo("%d of 4001 steps touch, with at most %.2f N", touched, greatest);
-        QVERIFY(touched > 1000);
-        QVERIFY(greatest > 0.1 && greatest < 30);
+        QCOMPARE_GT(touched, 1000);
+        QCOMPARE_GT(greatest, 0.1);
+        QCOMPARE_LT(greatest, 30);
     }
 
     /// What a bundle promises, of the file beside the scene; it has seven decimals.
     void theFingerFeelsWhatItsFileSays_data() { aSampleHasItsSurfacesAndNothingToMend_data(); }
     void theFingerFeelsWhatItsFileSays() {
         const auto loaded = sample(QTest::currentDataTag());
-        QVERIFY(loaded && loaded->scene.finger);
+        VERIFY_RESULT(loaded);
+        QVERIFY(loaded->scene.finger);
         const std::vector<FingerPoint>& finger = *loaded->scene.finger;
         const auto expected = readFingerPath(kFolder + QTest::currentDataTag() + ".csv");
-        QVERIFY2(expected, expected ? "" : expected.error().text.c_str());
+        VERIFY_RESULT(expected);
         QCOMPARE(expected->size(), finger.size());
         const TouchTrace rows = replay(**compile(loaded->scene), finger);
         double most = 0;
@@ -154,14 +159,16 @@ private slots:
     void theFingerMovesAsAHandDoes_data() { aSampleHasItsSurfacesAndNothingToMend_data(); }
     void theFingerMovesAsAHandDoes() {
         const auto loaded = sample(QTest::currentDataTag());
-        QVERIFY(loaded && loaded->scene.finger);
+        VERIFY_RESULT(loaded);
+        QVERIFY(loaded->scene.finger);
         const std::vector<FingerPoint>& finger = *loaded->scene.finger;
-        QVERIFY(finger.size() > 1900 && finger.size() <= 3001);
+        QCOMPARE_GT(finger.size(), 1900);
+        QCOMPARE_LE(finger.size(), 3001);
         for (const FingerPoint& end : {finger.front(), finger.back()})
-            QVERIFY(distanceTo(loaded->scene, end.position) > 0.005);
+            QCOMPARE_GT(distanceTo(loaded->scene, end.position), 0.005);
         for (std::size_t i = 1; i < finger.size(); ++i) {
-            QVERIFY(std::abs(finger[i].t - finger[i - 1].t - 1e-3) < 1e-9);
-            QVERIFY((finger[i].position - finger[i - 1].position).norm() < 0.3e-3);
+            COMPARE_NEAR(finger[i].t - finger[i - 1].t, 1e-3, 1e-9, "s");
+            COMPARE_NEAR(finger[i].position, finger[i - 1].position, 0.3e-3, "m");
         }
     }
 
@@ -221,8 +228,10 @@ private slots:
         const Values rest = values("friction-ladder", &Material::staticFriction);
         const Values slide = values("friction-ladder", &Material::dynamicFriction);
         QCOMPARE(rest, (Values{0, 0.2, 0.4, 0.6, 0.8, 1}));
-        for (std::size_t i = 1; i < rest.size(); ++i)
-            QVERIFY(slide[i] < rest[i] && slide[i] > slide[i - 1]);
+        for (std::size_t i = 1; i < rest.size(); ++i) {
+            QCOMPARE_LT(slide[i], rest[i]);
+            QCOMPARE_GT(slide[i], slide[i - 1]);
+        }
         QCOMPARE(values("viscosity-ladder", &Material::viscosity), (Values{0, 4, 8, 12, 16, 20}));
         QCOMPARE(values("stiffness-ladder", &Material::stiffness), (Values{50, 100, 200, 400, 800, 1600}));
     }
@@ -233,34 +242,37 @@ private slots:
                                                   {"layered-leather", 0, 2},
                                                   {"relief-coin", 0, 0}}) {
             const auto loaded = sample(name);
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             const auto& layers = loaded->scene.objects[std::size_t(object)].surfaces[0].layers;
-            QVERIFY(std::size_t(layer) < layers.size());
+            QCOMPARE_LT(std::size_t(layer), layers.size());
             const TextureLayer& found = layers[std::size_t(layer)];
-            QVERIFY(found.pattern.image && found.pattern.image->bits() == 16);
-            QVERIFY(found.strength >= 1e-4 && found.strength <= 1e-3);
+            QVERIFY(found.pattern.image);
+            QCOMPARE_EQ(found.pattern.image->bits(), 16);
+            QCOMPARE_GE(found.strength, 1e-4);
+            QCOMPARE_LE(found.strength, 1e-3);
         }
     }
 
     /// Pressed sideways from a way into the next one: the proxy, 2 mm across, stays before 1.6 mm of wall.
     void nobodyGetsThroughAWallOfTheMaze() {
         const auto loaded = sample("thin-wall-maze");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         const auto world = compile(loaded->scene);
-        QVERIFY(world);
+        VERIFY_RESULT(world);
         const double outside = boundsOf(*loaded->scene.objects[0].geometry).low.x();
         std::vector<FingerPoint> path;
         for (int i = 0; i <= 2000; ++i)
             path.push_back({i * 1e-3, {outside + 0.009 - 0.02 * i / 2000.0, 0.003, 0.055}});
         const TouchTrace trace = replay(**world, path);
-        QVERIFY(trace.back().contacts > 0);
-        QVERIFY(trace.back().finger.x() < outside && trace.back().proxy.x() > outside + 0.0016);
-        QVERIFY(trace.back().force.x() > 5); // N, back inside
+        QCOMPARE_GT(trace.back().contacts, 0);
+        QCOMPARE_LT(trace.back().finger.x(), outside);
+        QCOMPARE_GT(trace.back().proxy.x(), outside + 0.0016);
+        QCOMPARE_GT(trace.back().force.x(), 5); // N, back inside
     }
 
     void theTeapotIsClosedAndOfAHandsSize() {
         const auto loaded = loadScene(kFolder + "teapot.obj");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(loaded->scene.objects.size(), std::size_t(2));
         const SceneObject &teapot = loaded->scene.objects[0], &table = loaded->scene.objects[1];
         QCOMPARE(teapot.name, std::string("teapot"));
@@ -278,16 +290,19 @@ private slots:
             QVERIFY(health.hasNormals);
         }
         const Bounds box = boundsOf(*teapot.geometry), top = boundsOf(*table.geometry);
-        QVERIFY(std::abs((box.high - box.low).x() - 0.125) < 0.01);
-        QVERIFY(box.low.y() > 0 && box.low.y() < 0.001); // stands just above the table
-        QVERIFY(std::abs(top.high.y()) < 1e-6 && std::abs((top.high - top.low).x() - 0.2) < 0.002);
-        QVERIFY(triangleCount(loaded->scene) > 8000 && triangleCount(loaded->scene) < 12000);
+        COMPARE_NEAR((box.high - box.low).x(), 0.125, 0.01, "m");
+        QCOMPARE_GT(box.low.y(), 0);
+        QCOMPARE_LT(box.low.y(), 0.001); // stands just above the table
+        QCOMPARE_LT(std::abs(top.high.y()), 1e-6);
+        COMPARE_NEAR((top.high - top.low).x(), 0.2, 0.002, "m");
+        QCOMPARE_GT(triangleCount(loaded->scene), 8000);
+        QCOMPARE_LT(triangleCount(loaded->scene), 12000);
     }
 
     /// Otherwise shading would light the inside.
     void normalsPointOutwardLikeTheTriangles() {
         const auto loaded = loadScene(kFolder + "teapot.obj");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         for (const SceneObject& object : loaded->scene.objects) {
             const TriangleSoup& soup = *object.geometry;
             double volume = 0;
@@ -297,24 +312,24 @@ private slots:
                 const Vec3 normal = (b - a).cross(c - a);
                 volume += a.dot(normal);
                 const Vec3 shading = soup.cornerNormals[3 * f].cast<double>();
-                QVERIFY(normal.normalized().dot(shading) > 0.3);
+                QCOMPARE_GT(normal.normalized().dot(shading), 0.3);
             }
-            QVERIFY(volume > 0);
+            QCOMPARE_GT(volume, 0);
         }
     }
 
     void theFingerComesFromOutsideAndTouchesGently() {
         const auto path = readFingerPath(kFolder + "teapot-finger.csv");
-        QVERIFY(path);
+        VERIFY_RESULT(path);
         QCOMPARE(path->size(), std::size_t(8001));
         const auto loaded = loadScene(kFolder + "teapot.obj");
-        QVERIFY(loaded);
-        QVERIFY(distanceTo(loaded->scene, path->front().position) > 0.02);
-        QVERIFY(distanceTo(loaded->scene, path->back().position) > 0.02);
-        QVERIFY(distanceTo(loaded->scene, (*path)[1000].position) > 0.0035); // pressed 4 mm in
+        VERIFY_RESULT(loaded);
+        QCOMPARE_GT(distanceTo(loaded->scene, path->front().position), 0.02);
+        QCOMPARE_GT(distanceTo(loaded->scene, path->back().position), 0.02);
+        QCOMPARE_GT(distanceTo(loaded->scene, (*path)[1000].position), 0.0035); // pressed 4 mm in
         for (std::size_t i = 0; i < path->size(); ++i) {
             if (i % 50 == 0 && i >= 700 && i <= 2800)
-                QVERIFY(distanceTo(loaded->scene, (*path)[i].position) < 0.0045);
+                QCOMPARE_LT(distanceTo(loaded->scene, (*path)[i].position), 0.0045);
             if (i == 0) continue;
             const Vec3 step = (*path)[i].position - (*path)[i - 1].position;
             QVERIFY2(step.norm() < 0.3e-3, "faster than 0.3 m/s");

@@ -1,6 +1,7 @@
 // The judge of exactness itself, on proxies that are where they should be and on proxies that are not.
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/exactness.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
@@ -51,12 +52,12 @@ void TestExactness::gridSeesWhatBruteForceSees() {
 void TestExactness::aProxyAtRestIsAtItsMinimum() {
     const Soup floor = sheet(0.05, 3);
     const TriangleGrid grid(*floor, kRadius);
-    QVERIFY(distanceFromMinimum(grid, kRadius, {0.003, 0.002, kRadius}, {0.003, 0.002, -0.005}) < 1e-12);
+    QCOMPARE_LT(distanceFromMinimum(grid, kRadius, {0.003, 0.002, kRadius}, {0.003, 0.002, -0.005}), 1e-12);
     // In a valley, with the finger below its bottom but not in its middle: the bottom holds.
     const Soup valley = wedge(std::numbers::pi / 2, 0.05);
     const TriangleGrid valleyGrid(*valley, kRadius);
     const Vec3 bottom(0, 0, kRadius * std::numbers::sqrt2);
-    QVERIFY(distanceFromMinimum(valleyGrid, kRadius, bottom, bottom + Vec3(1e-3, 0, -4e-3)) < 1e-12);
+    QCOMPARE_LT(distanceFromMinimum(valleyGrid, kRadius, bottom, bottom + Vec3(1e-3, 0, -4e-3)), 1e-12);
 }
 
 void TestExactness::aProxyAsideIsFarByTheWayThatIsLeft() {
@@ -64,11 +65,11 @@ void TestExactness::aProxyAsideIsFarByTheWayThatIsLeft() {
     const TriangleGrid grid(*floor, kRadius);
     for (double aside : {1e-7, 20e-6, 3e-3}) {
         const double far = distanceFromMinimum(grid, kRadius, {0, 0, kRadius}, {aside, 0, -0.005});
-        QVERIFY2(std::abs(far - aside) < 1e-12, qPrintable(QString::number(far)));
+        COMPARE_NEAR(far, aside, 1e-12, "");
     }
     // Held above the floor by nothing.
     const double far = distanceFromMinimum(grid, kRadius, {0, 0, kRadius + 2e-3}, {0, 0, -0.005});
-    QVERIFY2(std::abs(far - 2e-3) < 1e-12, qPrintable(QString::number(far)));
+    COMPARE_NEAR(far, 2e-3, 1e-12, "");
 }
 
 void TestExactness::goesAroundAnEdgeWhereThePlaneOfTheFaceEnds() {
@@ -91,9 +92,9 @@ void TestExactness::countsRows() {
     QCOMPARE(e.farRows, std::size_t(1));
     QCOMPARE(e.faults.size(), std::size_t(3));
     QCOMPARE(e.faults.back().row, std::size_t(3));
-    QVERIFY(std::abs(e.worst - 2e-3) < 1e-12);
-    QVERIFY(std::abs(e.smallestClearance + 0.1 * kRadius) < 1e-12);
-    QVERIFY(std::abs(e.deepest - std::hypot(2e-3, 3e-3)) < 1e-12);
+    COMPARE_NEAR(e.worst, 2e-3, 1e-12, "");
+    QCOMPARE_LT(std::abs(e.smallestClearance + 0.1 * kRadius), 1e-12);
+    COMPARE_NEAR(e.deepest, std::hypot(2e-3, 3e-3), 1e-12, "");
     QVERIFY(!e.closed);
 }
 

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/compare.h"
 #include "tests/support/repeats.h"
 #include "tests/system/failing_disk.h"
 
@@ -174,7 +175,7 @@ void TestAtomicSave::anyFailedCallLeavesTheOldOrTheNew() {
                          text.find(std::strerror(error)) != std::string::npos,
                      place + ' ' + text.c_str());
         }
-        QVERIFY2(failures >= 10, qPrintable(QString::number(failures)));
+        QCOMPARE_GE(failures, 10);
     }
 }
 
@@ -203,11 +204,11 @@ void TestAtomicSave::shortWritesAndSignalsDoNotMatter() {
     spoilDisk(fault);
     const auto saved = writeFileAtomically(desk.saved, desk.fresh);
     const std::vector<std::string> names = healDisk();
-    QVERIFY2(saved, saved ? "" : saved.error().text.c_str());
-    QVERIFY(std::ranges::count(names, "write") > 2 * int(Desk::kSize / 1000));
+    VERIFY_RESULT(saved);
+    QCOMPARE_GT(std::ranges::count(names, "write"), 2 * int(Desk::kSize / 1000));
     QVERIFY(desk.isNew());
     QVERIFY(desk.backupsAreWhole());
-    if (now.before != Desk::Before::Nothing) QVERIFY(read(backupOf(desk.file, 1)) == desk.old);
+    if (now.before != Desk::Before::Nothing) QCOMPARE_EQ(read(backupOf(desk.file, 1)), desk.old);
     QVERIFY(desk.temporaries().empty());
 }
 
@@ -237,7 +238,7 @@ void TestAtomicSave::whatWasSavedOutlivesAPowerCut() {
         QCOMPARE(WEXITSTATUS(status), kPowerWasCut);
         QVERIFY(desk.isNew());
         QVERIFY(desk.backupsAreWhole());
-        if (now.before != Desk::Before::Nothing) QVERIFY(read(backupOf(desk.file, 1)) == desk.old);
+        if (now.before != Desk::Before::Nothing) QCOMPARE_EQ(read(backupOf(desk.file, 1)), desk.old);
     }
 }
 
@@ -271,7 +272,7 @@ void TestAtomicSave::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     QElapsedTimer timer;
     timer.start();
     for (int i = 0; i < 6; ++i)
-        QVERIFY(writeFileAtomically(file, versions[i % 2]));
+        VERIFY_RESULT(writeFileAtomically(file, versions[i % 2]));
     const auto oneSave = unsigned(timer.nsecsElapsed() / 6000); // us
     std::minstd_rand random(1);
     int changed = 0, left = 0;
@@ -297,8 +298,8 @@ void TestAtomicSave::aKillAtAnyMomentLeavesTheOldOrTheNew() {
         }
     }
     qInfo("%d kills: the file changed %d times; %d whole temporary files were left", kills, changed, left);
-    QVERIFY(changed > 0);
-    QVERIFY(changed < kills);
+    QCOMPARE_GT(changed, 0);
+    QCOMPARE_LT(changed, kills);
 }
 
 QTEST_GUILESS_MAIN(TestAtomicSave)

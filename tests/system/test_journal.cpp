@@ -13,6 +13,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/journal.h"
 #include "core/files/load_scene.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/repeats.h"
@@ -92,15 +93,16 @@ void TestJournal::givesBackWhatWasWritten() {
         QTemporaryDir root;
         const fs::path folder = fs::path(root.path().toStdString()) / "deep" / "journal";
         const Scene scene = SceneDice(seed).scene();
-        QVERIFY(writeJournal(folder, entryOf(7), scene));
+        VERIFY_RESULT(writeJournal(folder, entryOf(7), scene));
         const auto entry = readJournalEntry(folder);
-        QVERIFY(entry && *entry == entryOf(7));
+        VERIFY_RESULT(entry);
+        QVERIFY(*entry == entryOf(7));
         const auto file = unpackJournal(folder);
-        QVERIFY(file);
+        VERIFY_RESULT(file);
         const auto loaded = loadScene(*file);
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(difference(loaded->scene, scene), std::string());
-        QVERIFY(*glbOf(loaded->scene) == *glbOf(scene));
+        QCOMPARE_EQ(*glbOf(loaded->scene), *glbOf(scene));
     }
 }
 
@@ -109,16 +111,16 @@ void TestJournal::anEditOfANumberWritesNoMeshAgain() {
     Scene mesh = sceneOf(sheet(0.1, 350), Material{});
     Desk desk(otherNumbers());
     desk.first = mesh;
-    QVERIFY(writeJournal(desk.folder, entryOf(1), desk.first));
+    VERIFY_RESULT(writeJournal(desk.folder, entryOf(1), desk.first));
     const int blocks = desk.shapeFiles();
-    QVERIFY(blocks >= 4);
+    QCOMPARE_GE(blocks, 4);
     std::map<std::string, fs::file_time_type> before;
     for (const auto& each : fs::directory_iterator(desk.folder)) {
         fs::last_write_time(each.path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
         before[each.path().filename()] = fs::last_write_time(each.path());
     }
     mesh.objects.front().surfaces.front().material.stiffness *= 0.5;
-    QVERIFY(writeJournal(desk.folder, entryOf(2), desk.second = mesh));
+    VERIFY_RESULT(writeJournal(desk.folder, entryOf(2), desk.second = mesh));
     QCOMPARE(desk.held(), 2);
     int kept = 0;
     for (const auto& each : fs::directory_iterator(desk.folder)) {
@@ -128,7 +130,7 @@ void TestJournal::anEditOfANumberWritesNoMeshAgain() {
     QCOMPARE(kept, blocks - 1);
     QCOMPARE(desk.shapeFiles(), blocks);
     // Another mesh takes the place of the old one, which does not stay.
-    QVERIFY(writeJournal(desk.folder, entryOf(2), desk.second = otherShapes()));
+    VERIFY_RESULT(writeJournal(desk.folder, entryOf(2), desk.second = otherShapes()));
     QCOMPARE(desk.held(), 2);
     QCOMPARE(desk.shapeFiles(), 1);
 }
@@ -159,7 +161,7 @@ void TestJournal::anyFailedCallLeavesTheOldOrTheNew() {
                 QCOMPARE(desk.held(), 2);
                 QCOMPARE(desk.shapeFiles(), 1);
             }
-            QVERIFY(failures >= 5);
+            QCOMPARE_GE(failures, 5);
         }
 }
 
@@ -191,7 +193,7 @@ void TestJournal::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     QElapsedTimer timer;
     timer.start();
     for (int i = 0; i < 6; ++i)
-        QVERIFY(writeJournal(desk.folder, entryOf(1 + i % 2), i % 2 == 0 ? desk.first : desk.second));
+        VERIFY_RESULT(writeJournal(desk.folder, entryOf(1 + i % 2), i % 2 == 0 ? desk.first : desk.second));
     const auto oneSave = unsigned(timer.nsecsElapsed() / 6000); // us
     std::minstd_rand random(1);
     int changed = 0, before = desk.held();
@@ -209,7 +211,8 @@ void TestJournal::aKillAtAnyMomentLeavesTheOldOrTheNew() {
         before = held;
     }
     qInfo("%d kills: the journal changed %d times", kills, changed);
-    QVERIFY(changed > 0 && changed < kills);
+    QCOMPARE_GT(changed, 0);
+    QCOMPARE_LT(changed, kills);
 }
 
 void TestJournal::anyDamagedByteIsNoticed() {
@@ -225,7 +228,7 @@ void TestJournal::anyDamagedByteIsNoticed() {
             const auto unpacked = unpackJournal(desk.folder);
             QVERIFY2(!unpacked && unpacked.error().kind == Error::Kind::Input,
                      QByteArray::number(qint64(at)));
-            QVERIFY(unpacked.error().text.find('\n') == std::string::npos);
+            COMPARE_LACKS(unpacked.error().text, "\n");
         }
         for (const std::size_t length :
              {std::size_t(0), std::size_t(5), whole.size() / 2, whole.size() - 1}) {
@@ -242,9 +245,14 @@ void TestJournal::anyDamagedByteIsNoticed() {
 void TestJournal::aRunIsToldFromEveryOther() {
     const auto now = fs::file_time_type::clock::now(), longAgo = now - std::chrono::hours(1);
     const ProcessMark own = ownMark();
-    QVERIFY(own.pid == std::uint64_t(getpid()) && own.began > 0 && !own.boot.empty() && !own.space.empty());
+    QCOMPARE_EQ(own.pid, std::uint64_t(getpid()));
+    QCOMPARE_GT(own.began, 0);
+    QVERIFY(!own.boot.empty());
+    QVERIFY(!own.space.empty());
     QVERIFY(markNamed(nameOf(own)) == own);
-    QVERIFY(!markNamed("damaged") && !markNamed(nameOf(own) + "_1") && !markNamed("a_b_c_d_e"));
+    QVERIFY(!markNamed("damaged"));
+    QVERIFY(!markNamed(nameOf(own) + "_1"));
+    QVERIFY(!markNamed("a_b_c_d_e"));
     QVERIFY(!hasEnded(own, longAgo)); // a run that does nothing for an hour goes on
     ProcessMark reused = own;
     reused.began -= 1; // the id of an ended process was given again
@@ -260,7 +268,8 @@ void TestJournal::aRunIsToldFromEveryOther() {
     ProcessMark contained = own;
     contained.space = "pid4711";
     contained.pid = 1;
-    QVERIFY(!hasEnded(contained, now) && hasEnded(contained, longAgo));
+    QVERIFY(!hasEnded(contained, now));
+    QVERIFY(hasEnded(contained, longAgo));
     // Killed, and not yet collected by its parent.
     const pid_t child = fork();
     if (child == 0) pause();

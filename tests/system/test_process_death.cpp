@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 #include "tests/support/repeats.h"
 #include "tests/support/waiting.h"
@@ -104,7 +105,8 @@ private slots:
             const std::int64_t killed = tactum::monotonicNanoseconds();
             QCOMPARE(kill(program.pid, signal), 0);
             const int fate = program.fate();
-            QVERIFY(WIFSIGNALED(fate) && WTERMSIG(fate) == signal); // it had its way
+            QVERIFY(WIFSIGNALED(fate));
+            QCOMPARE_EQ(WTERMSIG(fate), signal); // it had its way
             QVERIFY(program.isAtRest());
             delays.push_back(program.restedAfter(killed));
         }
@@ -122,7 +124,7 @@ private slots:
         std::vector<std::int64_t> delays;
         for (int i = 0; i < deaths(); ++i) {
             Program program(way.constData());
-            QVERIFY(program.fate() >= 0);
+            QCOMPARE_GE(program.fate(), 0);
             QVERIFY(program.isAtRest());
             delays.push_back(program.restedAfter(program.motors->diesAt));
         }

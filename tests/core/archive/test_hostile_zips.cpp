@@ -7,6 +7,7 @@
 
 #include "core/archive/zip_archive.h"
 #include "tests/core/archive/raw_zip.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -172,7 +173,7 @@ private slots:
     void isRefusedForItsReason_data() {
         QTest::addColumn<int>("which");
         const auto all = hostileArchives();
-        QVERIFY(all.size() >= 40);
+        QCOMPARE_GE(all.size(), 40);
         for (int i = 0; i < int(all.size()); ++i)
             QTest::newRow(all[std::size_t(i)].name) << i;
     }
@@ -184,7 +185,7 @@ private slots:
         const auto entries = readZip(hostile.bytes);
         QVERIFY(!entries);
         const std::string& text = entries.error().text;
-        QVERIFY2(text.find(hostile.reason) != std::string::npos, text.c_str());
+        COMPARE_CONTAINS(text, hostile.reason);
         QVERIFY2(text.find('\n') == std::string::npos && text.ends_with("make it again"), text.c_str());
     }
 
@@ -219,7 +220,7 @@ private slots:
     void everyCutIsRefused() {
         const std::string whole =
             writeZip(std::vector<ZipEntry>{{"a", "first"}, {"b/c", std::string(999, 'x')}});
-        QVERIFY(readZip(whole));
+        VERIFY_RESULT(readZip(whole));
         for (std::size_t size = 0; size < whole.size(); ++size)
             QVERIFY2(!readZip(whole.substr(0, size)), QByteArray::number(qulonglong(size)));
     }
@@ -237,7 +238,7 @@ private slots:
                 ++(result ? read : refused);
             }
         qInfo("%d changed archives refused, %d read as before", refused, read);
-        QVERIFY(refused > read);
+        QCOMPARE_GT(refused, read);
     }
 };
 

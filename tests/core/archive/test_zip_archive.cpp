@@ -7,6 +7,7 @@
 #include "core/archive/sha256.h"
 #include "core/archive/zip_archive.h"
 #include "tests/core/archive/raw_zip.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -75,17 +76,17 @@ private slots:
 
     void theSameEntriesGiveTheSameBytes() {
         const auto entries = randomEntries(7);
-        QVERIFY(entries.size() > 3);
+        QCOMPARE_GT(entries.size(), 3);
         setenv("TZ", "Pacific/Kiritimati", 1);
         const std::string there = writeZip(entries);
         QTest::qWait(2100); // times in a zip are even seconds
         setenv("TZ", "America/Adak", 1);
         const std::string here = writeZip(entries);
         unsetenv("TZ");
-        QVERIFY(there == here);
+        QCOMPARE_EQ(there, here);
         auto other = entries;
         std::swap(other[0], other[1]);
-        QVERIFY(writeZip(other) != here);
+        QCOMPARE_NE(writeZip(other), here);
     }
 
     // Where a field is, is told by APPNOTE.TXT 4.3.7.
@@ -97,7 +98,7 @@ private slots:
         const std::string next = zip.substr(30 + 1 + picture.size(), 30);
         QCOMPARE(next.substr(0, 4), "PK\3\4");
         QCOMPARE(next.substr(8, 6), std::string("\x08\0\0\0\x21\0", 6));
-        QVERIFY(zip.size() < picture.size() + 400);
+        QCOMPARE_LT(zip.size(), picture.size() + 400);
     }
 
     void archivesOfOthersAreRead() {

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 namespace fs = std::filesystem;
@@ -68,10 +69,10 @@ private slots:
 
     void asManyVersionsStayAsAreAskedFor() {
         for (const char* text : {"1", "2"})
-            QVERIFY(writeFileAtomically(folder_ / "a.csv", text, 0));
+            VERIFY_RESULT(writeFileAtomically(folder_ / "a.csv", text, 0));
         QCOMPARE(std::distance(fs::directory_iterator(folder_), {}), 1);
         for (const char* text : {"3", "4"})
-            QVERIFY(writeFileAtomically(folder_ / "a.csv", text, 1));
+            VERIFY_RESULT(writeFileAtomically(folder_ / "a.csv", text, 1));
         QCOMPARE(read(folder_ / "a.csv1"), "3");
         QCOMPARE(std::distance(fs::directory_iterator(folder_), {}), 2);
     }
@@ -91,7 +92,7 @@ private slots:
         std::ofstream(file) << "1";
         for (const mode_t mode : {0600, 0640, 0666, 0755}) {
             QCOMPARE(chmod(file.c_str(), mode), 0);
-            QVERIFY(writeFileAtomically(file, "2"));
+            VERIFY_RESULT(writeFileAtomically(file, "2"));
             struct stat now {};
             QCOMPARE(stat(file.c_str(), &now), 0);
             QCOMPARE(now.st_mode & 07777, mode);
@@ -102,7 +103,7 @@ private slots:
         const mode_t mask = umask(027);
         const auto written = writeFileAtomically(folder_ / "a.glb", "1");
         umask(mask);
-        QVERIFY(written);
+        VERIFY_RESULT(written);
         QCOMPARE(int(fs::status(folder_ / "a.glb").permissions()), 0640);
     }
 
@@ -112,7 +113,7 @@ private slots:
         std::ofstream(file) << "1";
         QCOMPARE(chown(file.c_str(), 1234, 2345), 0);
         QCOMPARE(chmod(file.c_str(), 02640), 0);
-        QVERIFY(writeFileAtomically(file, "2"));
+        VERIFY_RESULT(writeFileAtomically(file, "2"));
         struct stat now {};
         QCOMPARE(stat(file.c_str(), &now), 0);
         QCOMPARE(now.st_uid, 1234u);
@@ -126,7 +127,8 @@ private slots:
         fs::create_symlink("er/c.glb", folder_ / "deep" / "b.glb");
         for (const char* text : {"1", "2"}) { // first it leads to nothing
             QCOMPARE(faultOf(writeFileAtomically(folder_ / "a.glb", text)), "none");
-            QVERIFY(fs::is_symlink(folder_ / "a.glb") && fs::is_symlink(folder_ / "deep" / "b.glb"));
+            QVERIFY(fs::is_symlink(folder_ / "a.glb"));
+            QVERIFY(fs::is_symlink(folder_ / "deep" / "b.glb"));
             QCOMPARE(read(folder_ / "deep" / "er" / "c.glb"), text);
         }
         QCOMPARE(read(folder_ / "deep" / "er" / "c.glb1"), "1");
@@ -136,7 +138,7 @@ private slots:
         fs::create_symlink("b.glb", folder_ / "a.glb");
         fs::create_symlink("a.glb", folder_ / "b.glb");
         const std::string fault = faultOf(writeFileAtomically(folder_ / "a.glb", "1"));
-        QVERIFY2(fault.find("symbolic links") != std::string::npos, fault.c_str());
+        COMPARE_CONTAINS(fault, "symbolic links");
     }
 
     void refusesWhatIsNoFile_data() {
@@ -168,7 +170,7 @@ private slots:
         const std::string fault = faultOf(writeFileAtomically(file, "2"));
         const std::string expected = file.string() + ": cannot be written: " + words.toStdString();
         QVERIFY2(fault.starts_with(expected), fault.c_str());
-        QVERIFY(fault.find('\n') == std::string::npos);
+        COMPARE_LACKS(fault, "\n");
         QCOMPARE(read(folder_ / "locked"), "1");
         QCOMPARE(std::distance(fs::directory_iterator(folder_), {}), 4);
     }

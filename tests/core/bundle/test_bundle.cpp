@@ -15,6 +15,7 @@
 #include "core/files/load_scene.h"
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
+#include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/soups.h"
 
@@ -88,23 +89,23 @@ private slots:
     void theSameSceneGivesTheSameBytes() {
         for (unsigned seed = 0; seed < 5; ++seed) {
             Scene scene = SceneDice(seed).scene();
-            QVERIFY(bytesOf(scene) == bytesOf(SceneDice(seed).scene()));
+            QCOMPARE_EQ(bytesOf(scene), bytesOf(SceneDice(seed).scene()));
             const auto loaded = loadScene(write(bytesOf(scene)));
-            QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+            VERIFY_RESULT(loaded);
             QCOMPARE(difference(scene, loaded->scene), std::string());
-            QVERIFY(bytesOf(loaded->scene) == bytesOf(scene));
+            QCOMPARE_EQ(bytesOf(loaded->scene), bytesOf(scene));
         }
     }
 
     void theForcesAreThoseThatAreFelt() {
         const auto bundle = openBundle(write(bytesOf(plate())));
-        QVERIFY2(bundle, bundle ? "" : bundle.error().text.c_str());
+        VERIFY_RESULT(bundle);
         const auto world = compile(bundle->scene);
         const TouchTrace rows = replay(**world, bundle->finger);
         QCOMPARE(rows.size(), bundle->forces.size());
         double most = 0;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            QVERIFY(rows[i].force == bundle->forces[i]);
+            QCOMPARE_EQ(rows[i].force, bundle->forces[i]);
             most = std::max(most, rows[i].force.norm());
         }
         // One hundredth of the diagonal deeper than where the proxy first touched, and up to a tick further.
@@ -118,7 +119,7 @@ private slots:
         std::vector<double> parts;
         std::atomic<bool> cancelled{false};
         Progress progress{[&](double part) { parts.push_back(part); }, &cancelled};
-        QVERIFY(bundleOf(scene, progress));
+        VERIFY_RESULT(bundleOf(scene, progress));
         QVERIFY(std::ranges::is_sorted(parts));
         const auto inside = [](double part) { return part > 0.31 && part < 0.4; };
         QVERIFY2(std::ranges::count_if(parts, inside) > 20, "no news from the picture of the height");
@@ -139,7 +140,7 @@ private slots:
 
     void everyFileIsHeldAgainstTheManifest() {
         const auto files = BundleFiles::open(bytesOf(plate()));
-        QVERIFY(files);
+        VERIFY_RESULT(files);
         for (const char* name :
              {bundle_name::kScene, bundle_name::kX3d, bundle_name::kDevice, bundle_name::kFinger,
               bundle_name::kForces, bundle_name::kPreview, bundle_name::kReport})
@@ -148,8 +149,7 @@ private slots:
         for (std::size_t i = 1; i < zip->size(); ++i) {
             std::vector<ZipEntry> changed = *zip;
             changed[i].bytes[changed[i].bytes.size() / 2] ^= 1;
-            QVERIFY(BundleFiles::open(writeZip(changed)).error().text.find(changed[i].name) !=
-                    std::string::npos);
+            COMPARE_CONTAINS(BundleFiles::open(writeZip(changed)).error().text, changed[i].name);
             changed = *zip;
             changed.erase(changed.begin() + int(i));
             QVERIFY(!BundleFiles::open(writeZip(changed)));
@@ -176,8 +176,8 @@ private slots:
                 most = std::max(most, force.norm());
             const std::string line = report.substr(at, report.find('\n', at) - at);
             const std::string number = QString::number(std::round(100 * most) / 100).toStdString();
-            QVERIFY2(line.find("up to " + number + " N") != std::string::npos, line.c_str());
-            QVERIFY(files->file(bundle_name::kDevice).find("forceLimit=\"3\"") != std::string::npos);
+            COMPARE_CONTAINS(line, "up to " + number + " N");
+            COMPARE_CONTAINS(files->file(bundle_name::kDevice), "forceLimit=\"3\"");
         }
     }
 
@@ -203,8 +203,7 @@ private slots:
         QCOMPARE(bool(saved), replaced);
         QCOMPARE(bytesIn(file) == before, !replaced);
         if (replaced) return;
-        QVERIFY2(saved.error().text.find("choose another name") != std::string::npos,
-                 saved.error().text.c_str());
+        COMPARE_CONTAINS(saved.error().text, "choose another name");
     }
 
     void aBundleWithASceneOfALaterTactumIsNotReplaced() {
@@ -212,7 +211,7 @@ private slots:
         files->erase(files->begin()); // the manifest is made anew
         std::string& glb = (*files)[0].bytes;
         const std::string ours = "\"version\":\"1.0\"";
-        QVERIFY(glb.find(ours) != std::string::npos);
+        COMPARE_CONTAINS(glb, ours);
         glb.replace(glb.find(ours), ours.size(), "\"version\":\"2.0\"");
         const auto file = write(packBundle(*files));
         QVERIFY(!saveBundle(plate(), file));
@@ -221,9 +220,10 @@ private slots:
     void onlyAsManyBackupsAsAskedFor() {
         const QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath(QStringLiteral("b.zip")).toStdString();
-        QVERIFY(saveBundle(plate(), file, {}, 0) && saveBundle(plate(), file, {}, 0));
+        VERIFY_RESULT(saveBundle(plate(), file, {}, 0));
+        VERIFY_RESULT(saveBundle(plate(), file, {}, 0));
         QVERIFY(!std::filesystem::exists(backupOf(file, 1)));
-        QVERIFY(saveBundle(plate(), file));
+        VERIFY_RESULT(saveBundle(plate(), file));
         QVERIFY(std::filesystem::exists(backupOf(file, 1)));
     }
 
@@ -232,14 +232,14 @@ private slots:
         int touching = 0;
         for (const TouchRow& row : replay(**world, sampleStroke(**world)))
             touching += row.contacts > 0;
-        QVERIFY(touching > 2000); // the two seconds of the circle, and more
+        QCOMPARE_GT(touching, 2000); // the two seconds of the circle, and more
     }
 
     void thePreviewShowsTheScene() {
         const auto picture = readImage(previewOf(plate(), 64, 48), "preview", "memory");
-        QVERIFY(picture);
+        VERIFY_RESULT(picture);
         const auto& level = picture->image->level(0);
-        QVERIFY(picture->image->texel(level, 32, 24) > 2 * picture->image->texel(level, 1, 1));
+        QCOMPARE_GT(picture->image->texel(level, 32, 24), 2 * picture->image->texel(level, 1, 1));
         Scene hidden = plate();
         hidden.objects[0].visible = false;
         const auto empty = readImage(previewOf(hidden, 64, 48), "preview", "memory");

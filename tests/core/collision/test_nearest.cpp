@@ -6,6 +6,7 @@
 
 #include "core/collision/nearest.h"
 #include "core/geometry/closed.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -71,11 +72,11 @@ private slots:
                 const Vec3 p = inBox(rng, 2);
                 const double distance = distanceByAll(*mesh.soup, p);
                 const Nearest near = nearestOn(mesh, p);
-                QVERIFY(std::abs(near.distance - distance) <= 1e-8 * distance);
-                QVERIFY(std::abs((near.point - p).norm() - distance) <= 1e-8 * distance);
+                QCOMPARE_LE(std::abs(near.distance - distance), 1e-8 * distance);
+                QCOMPARE_LE(std::abs((near.point - p).norm() - distance), 1e-8 * distance);
                 QVERIFY(std::isinf(nearestOn(mesh, p, 0.999 * distance).distance));
-                QVERIFY(std::abs(nearestOn(mesh, p, 1.001 * distance).distance - distance) <=
-                        1e-8 * distance);
+                QCOMPARE_LE(std::abs(nearestOn(mesh, p, 1.001 * distance).distance - distance),
+                            1e-8 * distance);
             }
         }
     }
@@ -94,7 +95,7 @@ private slots:
         Rng rng(73);
         for (int i = 0; i < 100; ++i) {
             const Vec3 p = inBox(rng, 1);
-            QVERIFY(nearestOn(mesh, p, 10, first).triangle < half);
+            QCOMPARE_LT(nearestOn(mesh, p, 10, first).triangle, half);
             QVERIFY(std::isinf(nearestOn(mesh, p, 10, none).distance));
         }
     }
@@ -110,12 +111,12 @@ private slots:
                 const double part = uniform(rng, 0.2, 2);
                 if (std::abs(part - 1) < 1e-3) continue;
                 const Nearest near = nearestOn(mesh, part * reachOf(*mesh.soup, way) * way);
-                QVERIFY((near.front > 0) == (part > 1));
+                QCOMPARE_EQ(near.front > 0, part > 1);
                 const Triangle t = triangleOf(*mesh.soup, near.triangle);
                 corners += near.point == t.a || near.point == t.b || near.point == t.c;
             }
         }
-        QVERIFY2(corners > 500, qPrintable(QString::number(corners)));
+        QCOMPARE_GT(corners, 500);
     }
 
     void onlyWhatHasAnInsideIsClosed() {

@@ -5,6 +5,7 @@
 #include "core/collision/leaf_cover.h"
 #include "core/collision/sphere_tree.h"
 #include "core/collision/sweep_memory.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -308,11 +309,11 @@ void SphereTreeTest::depthIsBounded() {
     const Soup soup = crowding(2000, 0.71);
     const SphereTree tree(*soup);
     QVERIFY2(depthOf(tree) <= 96, qPrintable(QString::number(depthOf(tree))));
-    QVERIFY(tree.leaves().size() >= 2000 / SphereTree::kWidth);
+    QCOMPARE_GE(tree.leaves().size(), 2000 / SphereTree::kWidth);
     Rng rng(14);
     int hits = 0;
     compareSweeps(soup, "crowding", 200, rng, hits);
-    QVERIFY(depthOf(SphereTree(*ball(1, 4))) <= 12);
+    QCOMPARE_LE(depthOf(SphereTree(*ball(1, 4))), 12);
 }
 
 void SphereTreeTest::emptySoupIsNeverTouched() {
@@ -327,7 +328,7 @@ void SphereTreeTest::longTrianglesGetSeveralSpheres() {
         return coverWithSpheres(*SoupBuilder().triangle({0, 0, 0}, {1, 0, 0}, c).build()).size();
     };
     QCOMPARE(spheres({0.5, 0.8, 0}), std::size_t(1));
-    QVERIFY(spheres({0.5, 0.02, 0}) >= 4);
+    QCOMPARE_GE(spheres({0.5, 0.02, 0}), 4);
 }
 
 QTEST_APPLESS_MAIN(SphereTreeTest)

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "core/control/device_mailbox.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -43,7 +44,7 @@ private slots:
 
     /// The guard calls a device lost after three readings that are none: at a kilohertz within 10 ms.
     void aDeviceThatStandsStillIsLostInTime() {
-        QVERIFY(kOldestReading + 3 * kMillisecond <= 10 * kMillisecond);
+        QCOMPARE_LE(kOldestReading + 3 * kMillisecond, 10 * kMillisecond);
     }
 
     void aCommandFadesWhenNoneFollows() {
@@ -52,10 +53,10 @@ private slots:
         QCOMPARE(box.force(kNow), kForce);
         QCOMPARE(box.force(kNow + kOldestCommand), kForce);
         const Vec3 half = box.force(kNow + kOldestCommand + kCommandFade / 2);
-        QVERIFY((half - 0.5 * kForce).norm() < 1e-9);
+        COMPARE_NEAR(half, 0.5 * kForce, 1e-9, "");
         QVERIFY(box.force(kNow + kOldestCommand + kCommandFade).isZero());
         QVERIFY(box.force(kNow + 1'000'000 * kMillisecond).isZero());
-        QVERIFY(kOldestCommand + kCommandFade <= 300 * kMillisecond);
+        QCOMPARE_LE(kOldestCommand + kCommandFade, 300 * kMillisecond);
     }
 
     void aStopHoldsForWhatWasCommandedBefore() {

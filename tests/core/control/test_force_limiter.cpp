@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "core/control/force_limiter.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -80,8 +81,9 @@ private slots:
             }
         }
         QCOMPARE(limiter.notFinite, notFinite);
-        QVERIFY(limiter.clamped >= clamped && limiter.clamped <= clamped + 10);
-        QVERIFY(clamped > 100'000);
+        QCOMPARE_GE(limiter.clamped, clamped);
+        QCOMPARE_LE(limiter.clamped, clamped + 10);
+        QCOMPARE_GT(clamped, 100'000);
         QCOMPARE(notFinite > 0, extreme);
     }
 

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "core/control/guard.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -69,10 +70,10 @@ private slots:
             double seconds = 0;
             while (guard.gain() < 1) {
                 const double before = guard.gain();
-                QVERIFY(load * (guard(pressed) - before) <= kRiseRate * pressed.dt * (1 + 1e-9));
+                QCOMPARE_LE(load * (guard(pressed) - before), kRiseRate * pressed.dt * (1 + 1e-9));
                 seconds += pressed.dt;
             }
-            QVERIFY(std::abs(seconds - std::max(kRise, (1 - kFirstGain) * load / kRiseRate)) < 2e-3);
+            COMPARE_NEAR(seconds, std::max(kRise, (1 - kFirstGain) * load / kRiseRate), 2e-3, "s");
         }
     }
 
@@ -84,10 +85,10 @@ private slots:
             const double gain = guard(calm());
             const double t = 1e-3 * i;
             if (t < kSmallForceTime - 1e-9) QCOMPARE(gain, 0.0);
-            if (gain > 0) QVERIFY(gain <= kFirstGain + (t - kSmallForceTime) / kRise + 1e-9);
-            QVERIFY(gain >= last);
-            QVERIFY(std::abs(guard.arrivalDamping() -
-                             (gain > 0 ? kArrivalDamping * (1 - gain) / (1 - kFirstGain) : 0)) < 1e-12);
+            if (gain > 0) QCOMPARE_LE(gain, kFirstGain + (t - kSmallForceTime) / kRise + 1e-9);
+            QCOMPARE_GE(gain, last);
+            COMPARE_NEAR(guard.arrivalDamping(),
+                         gain > 0 ? kArrivalDamping * (1 - gain) / (1 - kFirstGain) : 0, 1e-12, "N s/m");
             last = gain;
         }
         QCOMPARE(last, 1.0);
@@ -116,7 +117,7 @@ private slots:
         GuardInput bad = calm();
         what.change(bad);
         for (int i = 1; i < what.ticks; ++i)
-            QVERIFY(guard(bad) > 0);
+            QCOMPARE_GT(guard(bad), 0);
         QCOMPARE(guard(bad), 0.0);
         for (int i = 0; i < 2000; ++i)
             QCOMPARE(guard(calm()), 0.0); // it is over, and still no force

@@ -13,6 +13,7 @@
 #include "core/control/safe_stiffness.h"
 #include "core/control/sample_check.h"
 #include "core/control/stop_button.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -53,20 +54,25 @@ private slots:
         DeviceSample bad = at(height);
         bad.valid = valid;
         for (int i = 1; i < kBadSamplesToLoss; ++i) {
-            QVERIFY(!check.believes(bad, kTick) && check.believes(at(0.0012), kTick));
+            QVERIFY(!check.believes(bad, kTick));
+            QVERIFY(check.believes(at(0.0012), kTick));
             QVERIFY(!check(bad, kTick));
-            QVERIFY(!check.lost() && check.believed().valid);
+            QVERIFY(!check.lost());
+            QVERIFY(check.believed().valid);
             QCOMPARE(check.believed().position.z(), 0.0011);
         }
         QVERIFY(!check(bad, kTick));
-        QVERIFY(check.lost() && !check.believed().valid);
+        QVERIFY(check.lost());
+        QVERIFY(!check.believed().valid);
         QCOMPARE(check.refused(), std::uint64_t(kBadSamplesToLoss));
         for (int i = 1; i < kBadSamplesToLoss; ++i) {
             check(at(0.002), kTick);
             QVERIFY(check.lost());
         }
         check(at(0.002), kTick);
-        QVERIFY(!check.lost() && check.believed().valid && check.believed().jumped);
+        QVERIFY(!check.lost());
+        QVERIFY(check.believed().valid);
+        QVERIFY(check.believed().jumped);
     }
 
     void fastestFingerIsBelieved() {
@@ -140,11 +146,11 @@ private slots:
                 const double read = readAtItsEnd ? back : begun;
                 const double apart = readings(at(kSpeed * read), begun - before, std::int64_t(1e9 * back));
                 QVERIFY(check(at(kSpeed * read), apart));
-                QVERIFY(check.believed().velocity.z() <= 1.02 * kSpeed);
+                QCOMPARE_LE(check.believed().velocity.z(), 1.02 * kSpeed);
                 before = begun;
                 now = std::max(back, begun + kTick);
             }
-            QVERIFY(check.believed().velocity.z() > 0.98 * kSpeed);
+            QCOMPARE_GT(check.believed().velocity.z(), 0.98 * kSpeed);
         }
     }
 
@@ -208,9 +214,9 @@ private slots:
         Vec3 v = Vec3::Zero();
         for (int i = 0; i < 20; ++i)
             v = estimate(Vec3(1e-3 * i, 0, 0), false, kTick);
-        QVERIFY(std::abs(v.x() - 1) < 1e-9);
+        COMPARE_NEAR(v.x(), 1, 1e-9, "");
         v = estimate(Vec3(18e-3, 0, 0), false, kTick);
-        QVERIFY(std::abs(v.x() + 1) < 1e-9);
+        COMPARE_NEAR(v.x(), -1, 1e-9, "");
         v = estimate(Vec3(1, 1, 1), true, kTick);
         QVERIFY(v.isZero(0));
     }
@@ -224,19 +230,20 @@ private slots:
         for (int i = 1; i <= 5000; ++i) {
             heat.add(2.0, kTick);
             const double expected = ratio * -std::expm1(-i * kTick / kTau);
-            QVERIFY(std::abs(heat.heat() - expected) < 1e-9 * ratio);
+            COMPARE_NEAR(heat.heat(), expected, 1e-9 * ratio, "");
         }
         // A press that never ends: the limit settles at what the motors bear, without a step.
         MotorHeat pressed(kPeak, kContinuous);
         double last = kPeak;
         for (int i = 0; i < 600'000; ++i) {
             const double limit = pressed.limit();
-            QVERIFY(last - limit < 0.01); // 10 N/s
+            QCOMPARE_LT(last - limit, 0.01); // 10 N/s
             last = limit;
             pressed.add(limit, kTick);
         }
-        QVERIFY(pressed.heat() <= 1.01);
-        QVERIFY(last >= kContinuous && last < 1.05 * kContinuous);
+        QCOMPARE_LE(pressed.heat(), 1.01);
+        QCOMPARE_GE(last, kContinuous);
+        QCOMPARE_LT(last, 1.05 * kContinuous);
     }
 
     /// However the time without force is cut into pieces.
@@ -247,8 +254,8 @@ private slots:
         for (int i = 0; i < 20'000; ++i)
             counted.add(0, kTick);
         resumed.resume(0.9, 20'000 * kTick);
-        QVERIFY(std::abs(resumed.heat() - counted.heat()) < 1e-9);
-        QVERIFY(std::abs(resumed.heat() - 0.9 * std::exp(-0.5)) < 1e-9);
+        COMPARE_NEAR(resumed.heat(), counted.heat(), 1e-9, "");
+        COMPARE_NEAR(resumed.heat(), 0.9 * std::exp(-0.5), 1e-9, "");
         back.resume(0.9, -5); // no clock goes back, and none makes motors hotter
         QCOMPARE(back.heat(), 0.9);
     }
@@ -263,25 +270,25 @@ private slots:
                          .resolution = 0,
                          .makersCeiling = 0,
                          .surfaceDamping = 0};
-        QVERIFY(std::abs(safeStiffness(loop).value - 723.9) < 0.1);
-        QVERIFY(safeStiffness(loop).reason == CeilingReason::Damping);
+        COMPARE_NEAR(safeStiffness(loop).value, 723.9, 0.1, "");
+        QCOMPARE_EQ(safeStiffness(loop).reason, CeilingReason::Damping);
         loop.dryFriction = 0.05;
         loop.resolution = 200e-6;
-        QVERIFY(std::abs(safeStiffness(loop).value - 350) < 1e-9);
-        QVERIFY(safeStiffness(loop).reason == CeilingReason::Resolution);
+        COMPARE_NEAR(safeStiffness(loop).value, 350, 1e-9, "");
+        QCOMPARE_EQ(safeStiffness(loop).reason, CeilingReason::Resolution);
         loop.makersCeiling = 100;
         QCOMPARE(safeStiffness(loop).value, 100.0);
-        QVERIFY(safeStiffness(loop).reason == CeilingReason::Maker);
+        QCOMPARE_EQ(safeStiffness(loop).reason, CeilingReason::Maker);
         // Half of 0.7 * 2.1 N s/m is left for what the surface itself damps with.
         loop.makersCeiling = loop.dryFriction = 0;
         loop.surfaceDamping = 0.47;
-        QVERIFY(std::abs(safeStiffness(loop).value - 492.4) < 0.1);
-        QVERIFY(safeStiffness(loop).reason == CeilingReason::SurfaceDamping);
-        QVERIFY(std::abs(safeStiffness(loop).damping - 0.735) < 1e-9);
+        COMPARE_NEAR(safeStiffness(loop).value, 492.4, 0.1, "");
+        QCOMPARE_EQ(safeStiffness(loop).reason, CeilingReason::SurfaceDamping);
+        COMPARE_NEAR(safeStiffness(loop).damping, 0.735, 1e-9, "N s/m");
         loop.surfaceDamping = 20;
-        QVERIFY(std::abs(safeStiffness(loop).value - 723.9 / 2) < 0.1);
+        COMPARE_NEAR(safeStiffness(loop).value, 723.9 / 2, 0.1, "");
         const StiffnessCeiling typical = safeStiffness(loopFigures(DeviceInfo{}));
-        QVERIFY(std::abs(typical.value - 0.7 * 2 / 1.5e-3) < 1e-9);
+        COMPARE_NEAR(typical.value, 0.7 * 2 / 1.5e-3, 1e-9, "");
     }
 
     /// 0 / 0, and figures that no driver can mean.
@@ -308,12 +315,12 @@ private slots:
     void figuresThatCannotBeAreRefused() {
         QFETCH(double, rate);
         QFETCH(double, speed);
-        QVERIFY(checkDevice({}).has_value());
+        VERIFY_RESULT(checkDevice({}));
         const auto refused = checkDevice({.name = "Odd\none", .rate = rate, .tripSpeed = speed});
         QVERIFY(!refused.has_value());
-        QVERIFY(refused.error().text.find("Odd") != std::string::npos);
-        QVERIFY(refused.error().text.find(rate == 1000 ? "trip speed" : "rate") != std::string::npos);
-        QVERIFY(refused.error().text.find('\n') == std::string::npos);
+        COMPARE_CONTAINS(refused.error().text, "Odd");
+        COMPARE_CONTAINS(refused.error().text, rate == 1000 ? "trip speed" : "rate");
+        COMPARE_LACKS(refused.error().text, "\n");
     }
 
     /// It would stay in the sum for ever.

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "core/control/workspace.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -68,21 +69,21 @@ private slots:
             const DeviceFrame frame{3.5, axes, anyVector(random)};
             for (int i = 0; i < 20; ++i) {
                 const Vec3 p = anyVector(random), v = anyVector(random), force = anyVector(random);
-                QVERIFY(differenceOf(frame.pointInDevice(frame.pointInWorld(p)), p) < 1e-14);
-                QVERIFY(differenceOf(frame.wayInDevice(frame.wayInWorld(v)), v) < 1e-14);
+                QCOMPARE_LT(differenceOf(frame.pointInDevice(frame.pointInWorld(p)), p), 1e-14);
+                QCOMPARE_LT(differenceOf(frame.wayInDevice(frame.wayInWorld(v)), v), 1e-14);
                 QCOMPARE(frame.turnedBack(frame.turned(force)), force);
                 QCOMPARE(frame.turned(force).squaredNorm() > 0, true);
                 // What the hand does in its measure is what the scene gives in its own, divided by the scale.
                 const double scene = frame.turned(force).dot(frame.wayInWorld(v));
-                QVERIFY(std::abs(scene - 3.5 * force.dot(v)) < 1e-14);
+                COMPARE_NEAR(scene, 3.5 * force.dot(v), 1e-14, "");
             }
         }
     }
 
     void whatCannotBeIsRefused() {
-        QVERIFY(checkWorkspace({}));
+        VERIFY_RESULT(checkWorkspace({}));
         for (const AxisMap& axes : everyMapping())
-            QVERIFY(checkWorkspace({.axes = axes}));
+            VERIFY_RESULT(checkWorkspace({.axes = axes}));
         for (const AxisMap& axes :
              {AxisMap{1, 1, 3}, AxisMap{0, 2, 3}, AxisMap{1, 2, 4}, AxisMap{1, -1, 3}, AxisMap{-128, 2, 3}})
             QVERIFY(!checkWorkspace({.axes = axes}));
@@ -96,18 +97,18 @@ private slots:
         Tracked hand({.scale = 4, .axes = {-2, 3, 1}, .offset = {0.3, 0, -1}, .clutch = kClutch});
         Vec3 device = 0.01 * anyVector(random);
         const Vec3 begin = hand.finger(device);
-        QVERIFY(differenceOf(hand.finger(device, kClutch), begin) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger(device, kClutch), begin), 1e-15);
         for (int i = 0; i < 200; ++i) {
             device = 0.05 * anyVector(random);
-            QVERIFY(differenceOf(hand.finger(device, kClutch | 8), begin) < 1e-12);
+            QCOMPARE_LT(differenceOf(hand.finger(device, kClutch | 8), begin), 1e-12);
             QVERIFY(hand.tracker.clutched());
         }
         // Let go, it goes on from there.
-        QVERIFY(differenceOf(hand.finger(device, 8), begin) < 1e-12);
+        QCOMPARE_LT(differenceOf(hand.finger(device, 8), begin), 1e-12);
         QVERIFY(!hand.tracker.clutched());
         const Vec3 way(0.001, 0, 0);
         const Vec3 moved = hand.finger(device + way) - begin;
-        QVERIFY(differenceOf(moved, 4 * Vec3(0, 0, 0.001)) < 1e-12);
+        QCOMPARE_LT(differenceOf(moved, 4 * Vec3(0, 0, 0.001)), 1e-12);
     }
 
     void aLostReadingMovesNothing() {
@@ -115,7 +116,7 @@ private slots:
         const Vec3 begin = hand.finger({0.01, 0, 0}, kClutch);
         DeviceSample lost;
         hand.tracker.follow(lost, false, kTick);
-        QVERIFY(differenceOf(hand.finger({0.02, 0, 0}, kClutch), begin) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger({0.02, 0, 0}, kClutch), begin), 1e-15);
     }
 
     /// Else the finger that is still believed would stand elsewhere without a jump that anybody is told.
@@ -138,7 +139,7 @@ private slots:
         for (int i = 0; i < 1000; ++i)
             finger = hand.finger(edge);
         // In the hand's measure kBumpSpeed for a second.
-        QVERIFY(differenceOf(finger, 2 * (edge + Vec3(0, kBumpSpeed, 0))) < 1e-9);
+        QCOMPARE_LT(differenceOf(finger, 2 * (edge + Vec3(0, kBumpSpeed, 0))), 1e-9);
         const Vec3 before = finger;
         QCOMPARE(hand.finger(edge, 0, true), before); // it pushes against something
     }
@@ -152,7 +153,7 @@ private slots:
         edge.valid = true;
         const Vec3 before = tracker.follow(edge, false, kTick).offset;
         const Vec3 after = tracker.follow(edge, false, 8 * 3600).offset;
-        QVERIFY((after - before).norm() <= kBumpSpeed * 0.01 + 1e-12);
+        QCOMPARE_LE((after - before).norm(), kBumpSpeed * 0.01 + 1e-12);
     }
 
     void aStepAtTheEdgeIsNotFelt() {
@@ -164,8 +165,8 @@ private slots:
             fastest = std::max(fastest, (next - last).norm() / kTick);
             last = next;
         }
-        QVERIFY(fastest <= 0.1 + kBumpSpeed + 1e-9);
-        QVERIFY(fastest > 0.1 + 0.9 * kBumpSpeed);
+        QCOMPARE_LE(fastest, 0.1 + kBumpSpeed + 1e-9);
+        QCOMPARE_GT(fastest, 0.1 + 0.9 * kBumpSpeed);
     }
 
     void aDecisionThatMovesTheFingerIsAJump() {
@@ -186,15 +187,15 @@ private slots:
         Tracked hand({.clutch = kClutch});
         hand.finger({0, 0, 0}, kClutch);
         hand.finger({-0.05, 0, 0}, kClutch);
-        QVERIFY(differenceOf(hand.finger(kCentre), {0.05, 0, 0}) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0.05, 0, 0}), 1e-15);
         hand.tracker.decide({.clutch = kClutch, .bump = true});
-        QVERIFY(differenceOf(hand.finger(kCentre), {0.05, 0, 0}) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0.05, 0, 0}), 1e-15);
         hand.tracker.decide({.clutch = kClutch, .bump = true, .centring = 1});
-        QVERIFY(differenceOf(hand.finger(kCentre), kCentre) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger(kCentre), kCentre), 1e-15);
         hand.finger({0, 0, 0}, kClutch);
         hand.finger({-0.05, 0, 0}, kClutch);
         hand.tracker.decide({.offset = {0, 1e-3, 0}, .clutch = kClutch, .centring = 1});
-        QVERIFY(differenceOf(hand.finger(kCentre), {0, 1e-3, 0}) < 1e-15);
+        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0, 1e-3, 0}), 1e-15);
     }
 };
 

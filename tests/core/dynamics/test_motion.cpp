@@ -4,6 +4,7 @@
 
 #include "core/dynamics/body_motion.h"
 #include "core/dynamics/motion_build.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -84,8 +85,8 @@ void MotionTest::stepHoldsUntilTheNextKey() {
 void MotionTest::linearGoesStraight() {
     const Motion motion = sliding(Interpolation::Linear, {0, 1, 3}, {{0, 0, 0}, {2, -4, 0}, {2, 0, 6}});
     for (double s : {0.0, 0.25, 0.5, 0.9}) {
-        QVERIFY((motion.at(s).translation - Vec3(2 * s, -4 * s, 0)).norm() < 1e-15);
-        QVERIFY((motion.at(1 + 2 * s).translation - Vec3(2, -4 + 4 * s, 6 * s)).norm() < 1e-15);
+        COMPARE_NEAR(motion.at(s).translation, Vec3(2 * s, -4 * s, 0), 1e-15, "m");
+        COMPARE_NEAR(motion.at(1 + 2 * s).translation, Vec3(2, -4 + 4 * s, 6 * s), 1e-15, "");
     }
 }
 
@@ -110,18 +111,18 @@ void MotionTest::cubicFollowsItsTangents() {
     }
     const Motion motion = makeMotion(track, {}, 2.5);
     for (double t = 0; t < 2.5; t += 0.01)
-        QVERIFY((motion.at(t).translation - place(t)).norm() < 1e-13);
+        COMPARE_NEAR(motion.at(t).translation, place(t), 1e-13, "m");
     // What arrives at a key says nothing of what leaves it.
     track.leaving[1] += Vec3(0, 10, 0);
     const Motion kinked = makeMotion(track, {}, 2.5);
-    QVERIFY((kinked.at(0.2).translation - place(0.2)).norm() < 1e-13);
-    QVERIFY(kinked.at(0.35).translation.y() - place(0.35).y() > 0.1);
+    COMPARE_NEAR(kinked.at(0.2).translation, place(0.2), 1e-13, "m");
+    QCOMPARE_GT(kinked.at(0.35).translation.y() - place(0.35).y(), 0.1);
 }
 
 void MotionTest::rotationsTakeTheShortWay() {
     const Motion motion = turning({0, 1}, {turn(0), -turn(pi / 2)}); // the same turn, the other sign
     for (double s : {0.0, 0.3, 0.7, 1.0})
-        QVERIFY(motion.at(s).rotation.angularDistance(Quat(turn(s * pi / 2))) < 1e-12);
+        QCOMPARE_LT(motion.at(s).rotation.angularDistance(Quat(turn(s * pi / 2))), 1e-12);
 }
 
 void MotionTest::rotationsStayUnit() {
@@ -134,9 +135,9 @@ void MotionTest::rotationsStayUnit() {
     }
     const Motion motion = makeMotion({}, track, 8);
     for (double t = 0; t < 8; t += 0.001)
-        QVERIFY(std::abs(motion.at(t).rotation.norm() - 1) < 1e-12);
+        COMPARE_NEAR(motion.at(t).rotation.norm(), 1, 1e-12, "");
     for (int i = 0; i <= 8; ++i)
-        QVERIFY(motion.at(i).rotation.angularDistance(Quat(turn(i, Vec3(1, i, -2)))) < 1e-7);
+        QCOMPARE_LT(motion.at(i).rotation.angularDistance(Quat(turn(i, Vec3(1, i, -2)))), 1e-7);
     // Through zero, where a direction is lost, it is still a rotation.
     const Motion through = makeMotion({},
                                       {Interpolation::CubicSpline,
@@ -145,14 +146,14 @@ void MotionTest::rotationsStayUnit() {
                                        {QuatCoefficients::Zero(), QuatCoefficients::Zero()},
                                        {QuatCoefficients::Zero(), QuatCoefficients::Zero()}},
                                       1);
-    QVERIFY(std::abs(through.at(0.5).rotation.norm() - 1) < 1e-12);
+    COMPARE_NEAR(through.at(0.5).rotation.norm(), 1, 1e-12, "");
 }
 
 void MotionTest::loopsAfterItsDuration() {
     const Motion motion = sliding(Interpolation::Linear, {0, 0.5, 2}, {{0, 0, 0}, {5, 0, 0}, {1, 0, 0}});
     for (double t = 0.01; t < 2; t += 0.07)
         for (int round : {1, 2, 1000})
-            QVERIFY(std::abs(x(motion, t + 2 * round) - x(motion, t)) < 1e-10);
+            COMPARE_NEAR(x(motion, t + 2 * round), x(motion, t), 1e-10, "");
     QCOMPARE(x(motion, 2), 1.0); // the end is still the last key
     QCOMPARE(x(motion, 6), 1.0);
 }
@@ -192,19 +193,19 @@ void MotionTest::aClosedMotionDoesNotJump() {
     QVERIFY(wheel.jumps.empty());
     QVERIFY(!wheel.jumpsBetween(2.9, 3.1));
     const double before = wheel.at(2.999).rotation.angularDistance(wheel.at(3.001).rotation);
-    QVERIFY(std::abs(before - 0.002 * 2 * pi / 3) < 1e-9);
+    COMPARE_NEAR(before, 0.002 * 2 * pi / 3, 1e-9, "");
 }
 
 void MotionTest::topSpeedBoundsEveryPoint() {
     const Motion swing = sampled([](double t) { return Vec3(0.1 * std::sin(2 * pi * t), 0, 0); },
                                  [](double t) { return Vec3(0.2 * pi * std::cos(2 * pi * t), 0, 0); }, 1, 32);
-    QVERIFY(std::abs(topSpeed(swing, 0) - 0.2 * pi) < 0.005);
+    COMPARE_NEAR(topSpeed(swing, 0), 0.2 * pi, 0.005, "m/s");
     const Motion wheel = turning({0, 0.5, 1}, {turn(0), turn(1), turn(3)});
-    QVERIFY(std::abs(topSpeed(wheel, 0.3) - 0.3 * 4) < 1e-6);
+    COMPARE_NEAR(topSpeed(wheel, 0.3), 0.3 * 4, 1e-6, "m/s");
     // A jump has no speed.
     QCOMPARE(topSpeed(sliding(Interpolation::Step, {0, 1}, {{0, 0, 0}, {9, 0, 0}}), 1), 0.0);
-    QVERIFY(topSpeed(sliding(Interpolation::Linear, {0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {9, 0, 0}}), 1) <
-            1.001);
+    QCOMPARE_LT(topSpeed(sliding(Interpolation::Linear, {0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {9, 0, 0}}), 1),
+                1.001);
 }
 
 void MotionTest::scalesItsLengths() {
@@ -212,7 +213,7 @@ void MotionTest::scalesItsLengths() {
     const auto slope = [](double t) { return Vec3(2 * t, -1, 0); };
     const Motion motion = sampled(place, slope, 2, 3), larger = scaled(motion, 5);
     for (double t = 0; t < 2; t += 0.1)
-        QVERIFY((larger.at(t).translation - 5 * place(t)).norm() < 1e-12);
+        COMPARE_NEAR(larger.at(t).translation, 5 * place(t), 1e-12, "m");
 }
 
 void MotionTest::isAValue() {
@@ -226,10 +227,10 @@ void MotionTest::isAValue() {
 void MotionTest::carriesPointsOfTheBody() {
     const BodyMotion motion{{Quat(turn(0.3)), {1, 2, 3}}, {Quat(turn(0.8)), {1, 2.5, 3}}};
     const Vec3 p_B(0.4, -0.1, 0.2);
-    QVERIFY((motion.carried(motion.before.apply(p_B)) - motion.now.apply(p_B)).norm() < 1e-14);
+    COMPARE_NEAR(motion.carried(motion.before.apply(p_B)), motion.now.apply(p_B), 1e-14, "");
     QCOMPARE(motion.between(1), motion.now);
-    QVERIFY((motion.between(0).apply(p_B) - motion.before.apply(p_B)).norm() < 1e-14);
-    QVERIFY(motion.between(0.5).rotation.angularDistance(Quat(turn(0.55))) < 1e-12);
+    COMPARE_NEAR(motion.between(0).apply(p_B), motion.before.apply(p_B), 1e-14, "");
+    QCOMPARE_LT(motion.between(0.5).rotation.angularDistance(Quat(turn(0.55))), 1e-12);
 }
 
 QTEST_APPLESS_MAIN(MotionTest)

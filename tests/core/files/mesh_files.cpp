@@ -103,10 +103,11 @@ struct AnimationParts {
 
 } // namespace
 
-bool said(const LoadedScene& loaded, const std::string& part) {
-    return std::any_of(loaded.findings.begin(), loaded.findings.end(), [&](const Finding& finding) {
-        return finding.sentence.find(part) != std::string::npos;
-    });
+std::string said(const LoadedScene& loaded) {
+    std::string all;
+    for (const Finding& finding : loaded.findings)
+        all += finding.sentence + '\n';
+    return all;
 }
 
 std::string asObj(const TriangleSoup& soup) {

@@ -33,8 +33,8 @@ private:
 
 enum class PlyForm { Text, LittleEndian, BigEndian };
 
-/// Whether a finding of the loader contains this.
-bool said(const LoadedScene& loaded, const std::string& part);
+/// What the loader found, one sentence a line.
+std::string said(const LoadedScene& loaded);
 
 /// Coordinates must be such that float holds them exactly: the binary formats have no more.
 std::string asObj(const TriangleSoup& soup);

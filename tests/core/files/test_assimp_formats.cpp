@@ -3,16 +3,9 @@
 
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/rare_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
-
-namespace {
-
-bool near(const Vec3& a, const Vec3& b) {
-    return (a - b).norm() < 1e-6;
-}
-
-} // namespace
 
 class TestAssimpFormats : public QObject {
     Q_OBJECT
@@ -30,7 +23,7 @@ private slots:
         QCOMPARE(object.geometry->positions.size(), std::size_t(4)); // equal places are one vertex
         QCOMPARE(object.surfaces[0].name, std::string("rubber"));
         QCOMPARE(object.surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
-        QVERIFY(said(*loaded, "has no unit: taken as metres; 1.1"));
+        COMPARE_CONTAINS(said(*loaded), "has no unit: taken as metres; 1.1");
     }
 
     void daeKeepsUnitTransformAndSurfaces() {
@@ -43,22 +36,23 @@ private slots:
         QCOMPARE(object.surfaces[1].colour, Eigen::Vector3f(0, 0, 1));
         QCOMPARE(object.geometry->triangles.size(), std::size_t(3)); // the square is two
         const Bounds box = boundsOf(loaded->scene);
-        QVERIFY(near(box.low, {-2 * 0.0254, 0, 0}) && near(box.high, {0, 0.0254, 0.0254}));
+        COMPARE_NEAR(box.low, Vec3(-2 * 0.0254, 0, 0), 1e-6, "m");
+        COMPARE_NEAR(box.high, Vec3(0, 0.0254, 0.0254), 1e-6, "m");
         // The square's front looked along +z; in the mirror it still does.
         for (std::size_t f = 0; f < 3; ++f) {
             if (object.geometry->surfaceOf[f] != 0) continue;
             const auto at = [&](std::size_t i) {
                 return object.geometry->positions[object.geometry->triangles[f][i]];
             };
-            QVERIFY((at(1) - at(0)).cross(at(2) - at(0)).z() > 0);
+            QCOMPARE_GT((at(1) - at(0)).cross(at(2) - at(0)).z(), 0);
         }
-        QVERIFY(!said(*loaded, "has no unit"));
+        COMPARE_LACKS(said(*loaded), "has no unit");
     }
 
     void daeWithoutUnitSaysItsGuess() {
         const auto loaded = folder_.load("a.dae", asDae(""));
         QVERIFY(loaded);
-        QVERIFY(said(*loaded, "has no unit: taken as metres; 2.4"));
+        COMPARE_CONTAINS(said(*loaded), "has no unit: taken as metres; 2.4");
     }
 
     void camerasAndLightsAreLeftOutAloud() {
@@ -75,8 +69,9 @@ private slots:
                                      "<node id='lamp' name='lamp'><instance_light url='#l'/></node>");
         const auto loaded = folder_.load("a.dae", dae);
         QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
-        QVERIFY(said(*loaded, "1 camera left out") && said(*loaded, "1 light left out"));
-        QVERIFY(!said(*folder_.load("a.dae", asDae("")), "left out"));
+        COMPARE_CONTAINS(said(*loaded), "1 camera left out");
+        COMPARE_CONTAINS(said(*loaded), "1 light left out");
+        COMPARE_LACKS(said(*folder_.load("a.dae", asDae(""))), "left out");
     }
 
     void fbxKeepsUnitNamesAndPlace() {
@@ -89,9 +84,9 @@ private slots:
             QCOMPARE(object.geometry->triangles.size(), std::size_t(2));
             const double unit = centimetres / 100;
             const Bounds box = boundsOf(loaded->scene);
-            QVERIFY2(near(box.low, {0, 0, 5 * unit}) && near(box.high, {unit, unit, 5 * unit}),
-                     qPrintable(QString::number(centimetres)));
-            QVERIFY(!said(*loaded, "has no unit"));
+            COMPARE_NEAR(box.low, Vec3(0, 0, 5 * unit), 1e-6, "m");
+            COMPARE_NEAR(box.high, Vec3(unit, unit, 5 * unit), 1e-6, "m");
+            COMPARE_LACKS(said(*loaded), "has no unit");
         }
     }
 
@@ -100,7 +95,7 @@ private slots:
         for (const char* name : {"a.fbx", "a.3ds", "a.dae"}) {
             const auto loaded = folder_.load(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
             QVERIFY(!loaded);
-            QVERIFY(loaded.error().text.find('\n') == std::string::npos);
+            COMPARE_LACKS(loaded.error().text, "\n");
         }
     }
 
@@ -113,7 +108,7 @@ private slots:
         for (int i = 0; i < 3; ++i)
             for (std::size_t size = 1; size < whole[i].size(); size += 1 + whole[i].size() / 40) {
                 const auto loaded = folder_.load(names[i], whole[i].substr(0, size));
-                QVERIFY(loaded || loaded.error().text.find('\n') == std::string::npos);
+                if (!loaded) COMPARE_LACKS(loaded.error().text, "\n");
             }
     }
 

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/files/source.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -78,11 +79,11 @@ private slots:
             const SceneObject& object = loaded->scene.objects[0];
             QCOMPARE(object.geometry->surfaceOf.size(), object.geometry->triangles.size());
             for (Index surface : object.geometry->surfaceOf)
-                QVERIFY(surface < object.surfaces.size());
+                QCOMPARE_LT(surface, object.surfaces.size());
             for (const auto& t : object.geometry->triangles) {
-                QVERIFY(std::max({t[0], t[1], t[2]}) < object.geometry->positions.size());
+                QCOMPARE_LT(std::max({t[0], t[1], t[2]}), object.geometry->positions.size());
                 const bool flat = t[0] == t[1] || t[1] == t[2] || t[0] == t[2];
-                QVERIFY(!flat || t[1] == t[2]); // segments and points repeat the last corner
+                if (flat) QCOMPARE_EQ(t[1], t[2]); // segments and points repeat the last corner
             }
         }
     }
@@ -96,7 +97,7 @@ private slots:
             QVERIFY(loaded);
             const TriangleSoup& back = *loaded->scene.objects[0].geometry;
             const auto at = [&](std::size_t i) { return back.positions[back.triangles[0][i]]; };
-            QVERIFY((at(1) - at(0)).cross(at(2) - at(0)).z() > 0);
+            QCOMPARE_GT((at(1) - at(0)).cross(at(2) - at(0)).z(), 0);
         }
     }
 
@@ -218,7 +219,8 @@ private slots:
 
     void everyFindingHasARemedy() {
         const auto check = [](const Result<LoadedScene>& loaded) {
-            QVERIFY(loaded && !loaded->findings.empty());
+            QVERIFY(loaded);
+            QVERIFY(!loaded->findings.empty());
             for (const Finding& finding : loaded->findings)
                 QVERIFY2(!finding.remedy.empty(), finding.sentence.c_str());
         };
@@ -292,11 +294,13 @@ private:
             return;
         }
         for (const SceneObject& object : loaded->scene.objects) {
-            QVERIFY(object.geometry->triangles.size() <= bytes);
-            for (const Vec3& p : object.geometry->positions)
-                QVERIFY(p.allFinite() && p.cwiseAbs().maxCoeff() <= 1e6);
+            QCOMPARE_LE(object.geometry->triangles.size(), bytes);
+            for (const Vec3& p : object.geometry->positions) {
+                QVERIFY(p.allFinite());
+                QCOMPARE_LE(p.cwiseAbs().maxCoeff(), 1e6);
+            }
             for (const auto& t : object.geometry->triangles)
-                QVERIFY(std::max({t[0], t[1], t[2]}) < object.geometry->positions.size());
+                QCOMPARE_LT(std::max({t[0], t[1], t[2]}), object.geometry->positions.size());
         }
     }
 

@@ -6,6 +6,7 @@
 #include "core/files/flatten_layers.h"
 #include "core/files/uv_canvas.h"
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -79,7 +80,8 @@ void TestFlattenLayers::anImageComesBackTexelForTexel() {
         const Image image = randomImage(rng, width, height, 0, 65535);
         const FlatPicture picture =
             flattenHeight(objectOf({imageLayer(image, TextureMapping::UvUnit, 0.01, 5e-4)}), 0);
-        QVERIFY(picture.image && picture.lost.empty());
+        QVERIFY(picture.image);
+        QVERIFY(picture.lost.empty());
         QCOMPARE(picture.low, 0.0);
         QCOMPARE(picture.high, 5e-4);
         QCOMPARE(picture.image->width(), width);
@@ -97,13 +99,13 @@ void TestFlattenLayers::anImageThatDoesNotReachTheEndsKeepsItsValues() {
     const double height = -3e-4; // dents
     const FlatPicture picture =
         flattenHeight(objectOf({imageLayer(image, TextureMapping::UvUnit, 0.01, height)}), 0);
-    QVERIFY(std::abs(picture.low - height * 30000 / 65535) < 1e-12);
-    QVERIFY(std::abs(picture.high - height * 12000 / 65535) < 1e-12);
+    COMPARE_NEAR(picture.low, height * 30000 / 65535, 1e-12, "m");
+    COMPARE_NEAR(picture.high, height * 12000 / 65535, 1e-12, "m");
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 40; ++x) {
             const double step = (picture.high - picture.low) / 65535;
-            QVERIFY(std::abs(shown(picture, x, y) - height * image->texel(image->level(0), x, y)) <=
-                    0.51 * step);
+            QCOMPARE_LE(std::abs(shown(picture, x, y) - height * image->texel(image->level(0), x, y)),
+                        0.51 * step);
         }
 }
 
@@ -120,7 +122,7 @@ void TestFlattenLayers::imagesAreAddedUp() {
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
             const double sum = 5e-4 * a->texel(a->level(0), x, y) - 0.7 * 2e-4 * b->texel(b->level(0), x, y);
-            QVERIFY(std::abs(shown(picture, x, y) - sum) <= 0.51 * (picture.high - picture.low) / 65535);
+            QCOMPARE_LE(std::abs(shown(picture, x, y) - sum), 0.51 * (picture.high - picture.low) / 65535);
         }
 }
 
@@ -130,7 +132,8 @@ void TestFlattenLayers::planarGroovesFollowTheirFormula() {
     TextureLayer grooves = heightLayer(TextureSource::Grooves, TextureMapping::Planar, 0.01, 4e-4);
     grooves.pattern.offsetU = 0.0025;
     const FlatPicture picture = flattenHeight(objectOf({grooves}), 0);
-    QVERIFY(picture.image && picture.lost.empty());
+    QVERIFY(picture.image);
+    QVERIFY(picture.lost.empty());
     const WaveShape wave = waveShape(grooves.pattern.fill, grooves.pattern.softness);
     const double steps = stepsFrom(picture, [&](const Vector2d& p) {
         double value = wave.mean;
@@ -140,7 +143,8 @@ void TestFlattenLayers::planarGroovesFollowTheirFormula() {
         return 4e-4 * value;
     });
     QVERIFY2(steps <= 0.51, qPrintable(QString("%1 steps").arg(steps)));
-    QVERIFY(picture.canvas.width >= 8 * wave.harmonics * 8); // eight repeats, eight texels to the finest wave
+    QCOMPARE_GE(picture.canvas.width,
+                8 * wave.harmonics * 8); // eight repeats, eight texels to the finest wave
 }
 
 /// Values of a function that is linear in space; where there are no coordinates nothing is shown, and that is
@@ -153,8 +157,9 @@ void TestFlattenLayers::whatIsPaintedIsShownWhereItLies() {
     TextureLayer layer = heightLayer(TextureSource::Painted, TextureMapping::Triplanar, 0.01, 4e-4);
     layer.pattern.painted.values = std::make_shared<const PaintedValues>(values);
     const FlatPicture picture = flattenHeight(objectOf({layer}), 0);
-    QVERIFY(picture.image && picture.lost.empty());
-    QVERIFY(picture.canvas.width >= 4);
+    QVERIFY(picture.image);
+    QVERIFY(picture.lost.empty());
+    QCOMPARE_GE(picture.canvas.width, 4);
     const double steps =
         stepsFrom(picture, [](const Vector2d& p) { return 4e-4 * (0.1 + 4 * p.x() + 6 * p.y()); });
     QVERIFY2(steps <= 0.52, qPrintable(QString("%1 steps").arg(steps)));
@@ -193,7 +198,7 @@ void TestFlattenLayers::ownPlanesAreAddedOnTop() {
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) {
             const double sum = 5e-4 * a->texel(a->level(0), x, y) + 2e-4 * b->texel(b->level(0), x, y);
-            QVERIFY(std::abs(shown(picture, x, y) - sum) <= 0.51 * (picture.high - picture.low) / 65535);
+            QCOMPARE_LE(std::abs(shown(picture, x, y) - sum), 0.51 * (picture.high - picture.low) / 65535);
         }
 }
 
@@ -247,11 +252,12 @@ void TestFlattenLayers::overlapsLeaveOutWhatNeedsPlaces() {
     const TextureLayer planar = heightLayer(TextureSource::Grooves, TextureMapping::Planar, 0.01, 5e-3);
     const FlatPicture picture = flattenHeight(objectOf({image, planar}, folded), 0);
     QCOMPARE(picture.lost.size(), std::size_t(1));
-    QVERIFY(picture.lost[0].find("overlap") != std::string::npos);
+    COMPARE_CONTAINS(picture.lost[0], "overlap");
     QCOMPARE(picture.canvas.width, 16);
-    QVERIFY(picture.high <= 5e-4);
+    QCOMPARE_LE(picture.high, 5e-4);
     const FlatPicture nothing = flattenHeight(objectOf({planar}, folded), 0);
-    QVERIFY(!nothing.image && nothing.lost.size() == 1);
+    QVERIFY(!nothing.image);
+    QCOMPARE_EQ(nothing.lost.size(), 1);
     // Neighbours that share an edge do not overlap, and doubled triangles show the same twice.
     auto doubled = std::make_shared<TriangleSoup>(above);
     doubled->triangles.push_back(doubled->triangles[0]);
@@ -277,7 +283,7 @@ void TestFlattenLayers::aLargePictureIsCappedAndFiltered() {
     const FlatPicture picture = flattenHeight(objectOf({fine, coarse}), 0);
     QCOMPARE(picture.canvas.width, kLargestFlatSide);
     QCOMPARE(picture.lost.size(), std::size_t(1));
-    QVERIFY(picture.lost[0].find("would need") != std::string::npos);
+    COMPARE_CONTAINS(picture.lost[0], "would need");
 }
 
 /// Sixteen texels a wave where there is room, far fewer than their harmonics would need.
@@ -285,9 +291,12 @@ void TestFlattenLayers::cappedGroovesKeepTheirOneRow() {
     const TextureLayer grooves = heightLayer(TextureSource::Grooves, TextureMapping::Uv, 0.02, 5e-4);
     const FlatPicture whole = flattenHeight(objectOf({grooves}), 0);
     const FlatPicture capped = flattenHeight(objectOf({grooves}), 0, {64, {}});
-    QVERIFY(whole.canvas.width > 64 && whole.canvas.height == 1);
-    QVERIFY(capped.image && capped.canvas.width == 64 && capped.canvas.height == 1);
-    QVERIFY(capped.high - capped.low > 0.8 * (whole.high - whole.low));
+    QCOMPARE_GT(whole.canvas.width, 64);
+    QCOMPARE_EQ(whole.canvas.height, 1);
+    QVERIFY(capped.image);
+    QCOMPARE_EQ(capped.canvas.width, 64);
+    QCOMPARE_EQ(capped.canvas.height, 1);
+    QCOMPARE_GT(capped.high - capped.low, 0.8 * (whole.high - whole.low));
 }
 
 /// An interpolation at the edge of a surface reads a texel or two beside it: those show one of its triangles,

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -50,9 +51,9 @@ private slots:
             read(withNodes(R"([{"name":"arm","translation":[1,2,3],"children":[1]},)"
                            R"({"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476]}])"));
         const SceneObject& object = scene.objects[0];
-        QVERIFY((object.pose.translation - Vec3(1, 2, 3)).norm() < 1e-9);
-        QVERIFY((cornerX(object) - Vec3(1, 3, 3)).norm() < 1e-9);
-        QVERIFY((object.geometry->positions[1] - Vec3(1, 0, 0)).norm() < 1e-9); // nothing baked
+        COMPARE_NEAR(object.pose.translation, Vec3(1, 2, 3), 1e-9, "m");
+        COMPARE_NEAR(cornerX(object), Vec3(1, 3, 3), 1e-9, "m");
+        COMPARE_NEAR(object.geometry->positions[1], Vec3(1, 0, 0), 1e-9, "m"); // nothing baked
     }
 
     void scaleAndShearGoIntoTheVertices() {
@@ -60,20 +61,20 @@ private slots:
             read(withNodes(R"([{"scale":[2,1,1],"children":[1]},)"
                            R"({"mesh":0,"rotation":[0,0,0.3826834323650898,0.9238795325112867]}])"));
         const SceneObject& object = scene.objects[0];
-        QVERIFY((cornerX(object) - Vec3(std::sqrt(2), std::sqrt(0.5), 0)).norm() < 1e-9);
-        QVERIFY(std::abs(object.pose.rotation.norm() - 1) < 1e-12);
-        QVERIFY(std::abs(volumeOf(*object.geometry) - 2.0 / 6) < 1e-9);
+        COMPARE_NEAR(cornerX(object), Vec3(std::sqrt(2), std::sqrt(0.5), 0), 1e-9, "m");
+        COMPARE_NEAR(object.pose.rotation.norm(), 1, 1e-12, "");
+        COMPARE_NEAR(volumeOf(*object.geometry), 2.0 / 6, 1e-9, "");
     }
 
     void mirroredMeshesStayRightSideOut() {
         const Scene scene = read(withNodes(R"([{"mesh":0,"scale":[-1,1,1]}])"));
-        QVERIFY((cornerX(scene.objects[0]) - Vec3(-1, 0, 0)).norm() < 1e-9);
-        QVERIFY(std::abs(volumeOf(*scene.objects[0].geometry) - 1.0 / 6) < 1e-9);
+        COMPARE_NEAR(cornerX(scene.objects[0]), Vec3(-1, 0, 0), 1e-9, "m");
+        COMPARE_NEAR(volumeOf(*scene.objects[0].geometry), 1.0 / 6, 1e-9, "");
     }
 
     void matricesAreReadByColumns() {
         const Scene scene = read(withNodes(R"([{"mesh":0,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 5,6,7,1]}])"));
-        QVERIFY((cornerX(scene.objects[0]) - Vec3(5, 7, 7)).norm() < 1e-9);
+        COMPARE_NEAR(cornerX(scene.objects[0]), Vec3(5, 7, 7), 1e-9, "m");
     }
 
     void everyNodeWithAMeshIsAnObject() {

@@ -6,6 +6,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 
 using namespace tactum;
@@ -140,7 +141,7 @@ private slots:
         const Json& shown = after.json["scenes"][0]["nodes"];
         QVERIFY(std::ranges::count(shown, Json(after.index("nodes", "eye"))) == 1);
         QCOMPARE(difference(before, load(after.glb()).scene), std::string());
-        QVERIFY(after.glb().size() < size + 1000); // nothing of ours is there twice
+        QCOMPARE_LT(after.glb().size(), size + 1000); // nothing of ours is there twice
     }
 
     void everyKindThatIsAddedStays() {
@@ -168,7 +169,7 @@ private slots:
         glb.add("skins", {{"joints", {lamp}}});
         Parts after = again(glb);
         const int now = after.index("nodes", "lamp");
-        QVERIFY(now >= 0);
+        QCOMPARE_GE(now, 0);
         const Json sway = after.element("animations", "sway");
         QVERIFY(sway.is_object());
         QCOMPARE(sway["channels"][0]["target"]["node"].get<int>(), now);
@@ -212,7 +213,7 @@ private slots:
             edited.find(1)->pose.translation.y() += 5;
             const Parts third(saved(edited));
             const auto matrix = third.element("nodes", "eye")["matrix"].get<std::vector<double>>();
-            QVERIFY(std::abs(matrix[13] + 5) < 1e-12);
+            COMPARE_NEAR(matrix[13], -5, 1e-12, "");
             again(third);
         }
     }
@@ -263,7 +264,7 @@ private slots:
         packed.json["buffers"][0]["byteLength"] = packed.binary.size();
         Parts after = again(packed);
         QCOMPARE(after.numbers(after.index("accessors", "times")), (std::vector<float>{0, 0.5f, 2}));
-        QVERIFY(after.binary.size() < packed.binary.size());
+        QCOMPARE_LT(after.binary.size(), packed.binary.size());
     }
 
     void whatStandsBesideOurCopiesStays() {
@@ -285,7 +286,7 @@ private slots:
             Parts changed(glb);
             changed.json[Json::json_pointer(place)] = value;
             const LoadedScene loaded = load(changed.glb());
-            QVERIFY2(said(loaded, part), (std::string(place) + ": " + allOf(loaded)).c_str());
+            COMPARE_CONTAINS(said(loaded), part);
         };
         says("/images/0/extras", 1, "images: extras of 1 of its own images");
         says("/textures/0/sampler", 0, "textures: sampler of 1");
@@ -295,7 +296,7 @@ private slots:
         moved.json["extensionsUsed"].push_back("THEIR_links");
         moved.add("nodes", {{"name", "end"}, {"extensions", {{"THEIR_links", {{"node", 2}}}}}});
         const LoadedScene loaded = load(moved.glb());
-        QVERIFY2(said(loaded, "is not known here"), allOf(loaded).c_str());
+        COMPARE_CONTAINS(said(loaded), "is not known here");
         QVERIFY2(load(glb).findings.empty(), allOf(load(glb)).c_str());
     }
 
@@ -335,7 +336,7 @@ private slots:
         const int wear = glb.addNumbers({1, 2, 3, 4}, "SCALAR", 4);
         glb.json["meshes"][0]["primitives"][0]["attributes"]["_WEAR"] = wear;
         const LoadedScene loaded = load(glb.glb());
-        QVERIFY2(said(loaded, "_WEAR of its meshes"), allOf(loaded).c_str());
+        COMPARE_CONTAINS(said(loaded), "_WEAR of its meshes");
         Parts after = again(glb);
         Json now = after.json["meshes"][0]["primitives"][0];
         QVERIFY(now["extras"]["seam"] == 1);
@@ -351,9 +352,9 @@ private slots:
         glb.json.erase("extensions");
         glb.json["extensionsUsed"] = {"THEIR_data"};
         const LoadedScene loaded = load(glb.glb());
-        QVERIFY2(said(loaded, "2 of its meshes stay in the file"), allOf(loaded).c_str());
+        COMPARE_CONTAINS(said(loaded), "2 of its meshes stay in the file");
         glb.json["extensionsUsed"] = {"KHR_materials_clearcoat"};
-        QVERIFY(!said(load(glb.glb()), "stay in the file"));
+        COMPARE_LACKS(said(load(glb.glb())), "stay in the file");
     }
 
     void damageToOurExtensionIsSaid() {
@@ -365,7 +366,7 @@ private slots:
             Parts changed(glb);
             changed.json[Json::json_pointer(place)] = value;
             const auto loaded = folder_.load("damaged.glb", changed.glb());
-            QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+            VERIFY_RESULT(loaded);
             const bool warned = std::ranges::any_of(loaded->findings, [&](const Finding& finding) {
                 return finding.severity == Finding::Severity::Warning &&
                        finding.sentence.find(part) != std::string::npos;
@@ -389,11 +390,12 @@ private slots:
         shuffled.json["bufferViews"].back()["byteLength"] = 4;
         shuffled.json["accessors"].back()["count"] = 1;
         shuffled.json["meshes"][0]["extensions"][kOurs]["order"] = shuffled.json["bufferViews"].size() - 1;
-        QVERIFY2(order >= 0 && said(load(shuffled.glb()), "order does not fit"), "of other triangles");
+        QCOMPARE_GE(order, 0);
+        COMPARE_CONTAINS(said(load(shuffled.glb())), "order does not fit"); // of other triangles
         Parts zeros(glb); // as many, but not those that are drawn
         zeros.addNumbers(std::vector<float>(24, 0.f), "SCALAR", 24);
         zeros.json["meshes"][0]["extensions"][kOurs]["positions"] = zeros.json["bufferViews"].size() - 1;
-        QVERIFY2(said(load(zeros.glb()), "positions does not fit"), allOf(load(zeros.glb())).c_str());
+        COMPARE_CONTAINS(said(load(zeros.glb())), "positions does not fit");
         says(mesh + "uvs", 0, "uvs does not fit");
         says(mesh + "copies", positions, "copies does not fit");
         says(mesh + "surfaces", {0, 0, 0}, "surfaces is not a list of different materials");
@@ -435,14 +437,13 @@ private slots:
             version = later;
             const auto loaded = folder_.load("later.glb", glb.glb());
             QVERIFY(!loaded);
-            QVERIFY2(loaded.error().text.find("later Tactum") != std::string::npos,
-                     loaded.error().text.c_str());
+            COMPARE_CONTAINS(loaded.error().text, "later Tactum");
         }
         for (const Json& none : {Json(0.9), Json("0.9"), Json("x"), Json("1"), Json("1.0.0"), Json(1.0),
                                  Json(nullptr), Json("1."), Json("")}) {
             version = none;
             const LoadedScene loaded = load(glb.glb());
-            QVERIFY2(said(loaded, "is not a version"), none.dump().c_str());
+            COMPARE_CONTAINS(said(loaded), "is not a version");
             QCOMPARE(difference(bodies(), loaded.scene), std::string());
         }
         for (const char* usual : {"1.0", "1.7", "01.0"}) {

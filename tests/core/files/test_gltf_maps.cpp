@@ -10,6 +10,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 
 using namespace tactum;
@@ -118,7 +119,7 @@ private slots:
         const Json& moved = info["extensions"]["KHR_texture_transform"];
         QVERIFY(moved["offset"] == Json({0.5, 2.0}));
         QVERIFY(moved["scale"] == Json({0.5, 1.0}));
-        QVERIFY(std::ranges::count(seen.json["extensionsUsed"], Json("KHR_texture_transform")) == 1);
+        QCOMPARE_EQ(std::ranges::count(seen.json["extensionsUsed"], Json("KHR_texture_transform")), 1);
         const std::string glb = saved(sceneOf(sheet({-1, 2}, {1, 3}), {ramp(TextureTarget::Height, 5e-3)}));
         QCOMPARE(saved(load(glb).scene), glb);
     }
@@ -149,7 +150,7 @@ private slots:
             QVERIFY(seen.material()["normalTexture"] == theirs["materials"][0]["normalTexture"]);
             QVERIFY(!seen.material()["extensions"]["TACTUM_haptics"].contains("copies"));
             const std::string again = saved(load(glb).scene);
-            QVERIFY(again == glb);
+            QCOMPARE_EQ(again, glb);
             glb = again;
         }
     }
@@ -174,9 +175,9 @@ private slots:
         };
         for (const auto& [x, y] : {std::pair{0, 63}, {10, 3}, {63, 0}}) {
             const double rise = 0.3 * (x + 0.5) / 64 + 0.6 * (63.5 - y) / 64;
-            QVERIFY(std::abs(valueAt("vibrotactileTexture", x, y) - 1e-3 * rise) < 1e-7);
-            QVERIFY(std::abs(valueAt("friction", x, y) - 0.5 * (1 - 0.5 * rise)) < 1e-4);
-            QVERIFY(std::abs(valueAt("stiffness", x, y) - 500 * (1 + 0.5 * rise)) < 0.1);
+            COMPARE_NEAR(valueAt("vibrotactileTexture", x, y), 1e-3 * rise, 1e-7, "m");
+            COMPARE_NEAR(valueAt("friction", x, y), 0.5 * (1 - 0.5 * rise), 1e-4, "");
+            COMPARE_NEAR(valueAt("stiffness", x, y), 500 * (1 + 0.5 * rise), 0.1, "N/m");
         }
         QVERIFY(felt["friction"][0]["extras"]["unit"] == Json(""));
         QVERIFY(felt["vibrotactileTexture"][0]["extras"]["unit"] == Json("m"));
@@ -196,7 +197,7 @@ private slots:
         SurfaceMaps maps({});
         QCOMPARE(&maps.height(scene.objects[0], 1), &maps.height(scene.objects[0], 0)); // made once
         scene.objects[0].surfaces[1].layers[0].strength = 4e-3;
-        QVERIFY(looks(0) != looks(1));
+        QCOMPARE_NE(looks(0), looks(1));
     }
     /// Whatever the images of a scene are, its copies stay small.
     void mapsAreCapped() {

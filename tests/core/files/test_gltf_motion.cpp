@@ -4,6 +4,7 @@
 #include "core/dynamics/body_motion.h"
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -77,7 +78,7 @@ private slots:
         QVERIFY(lift.motion != nullptr);
         QCOMPARE(lift.motion->duration, 2.0);
         QCOMPARE(lift.motion->at(0), Pose{}); // relative to the pose, which is that at the beginning
-        QVERIFY(error(lift, slidingAt) < 1e-12);
+        QCOMPARE_LT(error(lift, slidingAt), 1e-12);
         QVERIFY(loaded.findings.empty());
     }
 
@@ -86,7 +87,7 @@ private slots:
         const std::string quarter = R"("rotation":[0,0,0.7071067811865476,0.7071067811865476])";
         const LoadedScene loaded = read(R"("nodes":[{"mesh":0,)" + quarter + "}]", {sliding(0)});
         const Affine turned(Eigen::AngleAxisd(pi / 2, Vec3::UnitZ()));
-        QVERIFY(error(loaded.scene.objects.at(0), [&](double t) { return slidingAt(t) * turned; }) < 1e-9);
+        QCOMPARE_LT(error(loaded.scene.objects.at(0), [&](double t) { return slidingAt(t) * turned; }), 1e-9);
     }
 
     void aNodeWithoutAnimationStaysWhereItIs() {
@@ -94,7 +95,7 @@ private slots:
             read(R"("nodes":[{"name":"lift","mesh":0},{"mesh":0,"translation":[0,9,0]}])", {sliding(0)});
         QVERIFY(loaded.scene.objects.at(0).motion);
         QVERIFY(!loaded.scene.objects.at(1).motion);
-        QVERIFY((cornerAt(loaded.scene.objects[1], 0, 1) - Vec3(0, 9, 0)).norm() < 1e-12);
+        COMPARE_NEAR(cornerAt(loaded.scene.objects[1], 0, 1), Vec3(0, 9, 0), 1e-12, "m");
     }
 
     // The body's frame is the moving node, so that a mesh beside the axis goes round on its exact arc.
@@ -107,8 +108,8 @@ private slots:
         const Affine blade = Eigen::Scaling(1.0, 3.0, 1.0) * Affine(Eigen::Translation3d(4, 0, 0));
         const SceneObject& object = loaded.scene.objects.at(0);
         QCOMPARE(object.name, std::string("blade"));
-        QVERIFY(error(object, [&](double t) { return root * turningAt(t) * blade; }) < 1e-6); // float keys
-        QVERIFY(object.motion->rotation.times.size() == 5);                                   // not sampled
+        QCOMPARE_LT(error(object, [&](double t) { return root * turningAt(t) * blade; }), 1e-6); // float keys
+        QCOMPARE_EQ(object.motion->rotation.times.size(), 5); // not sampled
         QVERIFY(object.motion->translation.times.empty());
     }
 
@@ -117,8 +118,9 @@ private slots:
             R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[2]},{"mesh":0,"translation":[1,0,0]}])",
             {sliding(1), turning(0)});
         const Affine mesh(Eigen::Translation3d(1, 0, 0));
-        QVERIFY(error(loaded.scene.objects.at(0),
-                      [&](double t) { return turningAt(t) * slidingAt(t) * mesh; }) < 5e-6);
+        QCOMPARE_LT(
+            error(loaded.scene.objects.at(0), [&](double t) { return turningAt(t) * slidingAt(t) * mesh; }),
+            5e-6);
         QVERIFY(loaded.findings.empty());
         QVERIFY(!loaded.scene.objects[0].motion->jumpsAtEnd);
     }
@@ -129,8 +131,8 @@ private slots:
         const LoadedScene loaded =
             read(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0}])", {step, turning(1)});
         const Motion& motion = *loaded.scene.objects.at(0).motion;
-        QVERIFY((motion.at(0.9999).translation).norm() < 1e-12);
-        QVERIFY((motion.at(1).translation - Vec3(2, 0, 1)).norm() < 1e-12);
+        QCOMPARE_LT((motion.at(0.9999).translation).norm(), 1e-12);
+        COMPARE_NEAR(motion.at(1).translation, Vec3(2, 0, 1), 1e-12, "m");
         QVERIFY(motion.jumpsBetween(0.9999, 1.0001));
         QVERIFY(!motion.jumpsBetween(0.5, 0.9999));
     }
@@ -140,10 +142,10 @@ private slots:
         const LoadedScene loaded =
             read(R"("scenes":[{"nodes":[0]}],"nodes":[{"scale":[3,1,1],"children":[1]},{"mesh":0}])",
                  {turning(1)});
-        QVERIFY(said(loaded, "is scaled or sheared while it moves"));
+        COMPARE_CONTAINS(said(loaded), "is scaled or sheared while it moves");
         const SceneObject& object = loaded.scene.objects.at(0);
-        QVERIFY((cornerAt(object, 1, 0) - Vec3(3, 0, 0)).norm() < 1e-9);
-        QVERIFY(std::abs((cornerAt(object, 1, 0.77) - cornerAt(object, 0, 0.77)).norm() - 3) < 1e-9);
+        COMPARE_NEAR(cornerAt(object, 1, 0), Vec3(3, 0, 0), 1e-9, "m");
+        COMPARE_NEAR((cornerAt(object, 1, 0.77) - cornerAt(object, 0, 0.77)).norm(), 3, 1e-9, "m");
     }
 
     void cubicTracksKeepTheirSlopes() {
@@ -158,7 +160,7 @@ private slots:
         const SceneObject& object = loaded.scene.objects.at(0);
         for (double t : {0.0, 0.5, 1.3, 1.9}) {
             const double s = t / 2; // p0 = 0, p1 = 2, slopes 1: the straight line
-            QVERIFY((cornerAt(object, 0, t) - Vec3(0, 2 * 2 * s, 0)).norm() < 1e-12);
+            COMPARE_NEAR(cornerAt(object, 0, t), Vec3(0, 2 * 2 * s, 0), 1e-12, "m");
         }
     }
 
@@ -166,7 +168,7 @@ private slots:
         const LoadedScene loaded = read(R"("nodes":[{"mesh":0,"translation":[9,9,9]}])",
                                         {{0, "translation", "LINEAR", {0, 1}, {{1, 2, 3}, {1, 2, 3}}}});
         QVERIFY(!loaded.scene.objects.at(0).motion);
-        QVERIFY((cornerAt(loaded.scene.objects[0], 0, 0) - Vec3(1, 2, 3)).norm() < 1e-12);
+        COMPARE_NEAR(cornerAt(loaded.scene.objects[0], 0, 0), Vec3(1, 2, 3), 1e-12, "m");
     }
 
     void whatIsNotRigidIsSaid() {
@@ -175,15 +177,15 @@ private slots:
                                              {0, "scale", "LINEAR", {0, 1}, {{1, 1, 1}, {2, 2, 2}}},
                                              {0, "weights", "LINEAR", {0, 1}, {{0}, {1}}},
                                              sliding(0)});
-        QVERIFY(said(loaded, "1 channel that animates a scale"));
-        QVERIFY(said(loaded, "1 channel that animates morph targets"));
-        QVERIFY(said(loaded, "1 channel that animates what another one animates already"));
-        QVERIFY(error(loaded.scene.objects.at(0), slidingAt) < 1e-12);
+        COMPARE_CONTAINS(said(loaded), "1 channel that animates a scale");
+        COMPARE_CONTAINS(said(loaded), "1 channel that animates morph targets");
+        COMPARE_CONTAINS(said(loaded), "1 channel that animates what another one animates already");
+        QCOMPARE_LT(error(loaded.scene.objects.at(0), slidingAt), 1e-12);
     }
 
     void skinsAreSaid() {
         const LoadedScene loaded = read(R"("skins":[{"joints":[0]}],"nodes":[{"mesh":0,"skin":0}])", {});
-        QVERIFY(said(loaded, "is deformed by a skin"));
+        COMPARE_CONTAINS(said(loaded), "is deformed by a skin");
     }
 
     void aScaledSceneMovesAsFar() {
@@ -193,7 +195,7 @@ private slots:
         fitDiagonal(loaded.scene, 0.1);
         const Vec3 scaledWay =
             cornerAt(loaded.scene.objects[0], 1, 1) - cornerAt(loaded.scene.objects[0], 1, 0);
-        QVERIFY((scaledWay - way * (0.1 / before)).norm() < 1e-12);
+        COMPARE_NEAR(scaledWay, way * (0.1 / before), 1e-12, "");
     }
 
     void isDescribedAndChecked() {
@@ -201,29 +203,31 @@ private slots:
         const SceneDescription description = describe(loaded.scene);
         QVERIFY(description.objects.at(0).motion.has_value());
         QVERIFY(!description.objects.at(1).motion.has_value());
-        QVERIFY(std::abs(description.objects[0].motion->topSpeed - pi) < 1e-5); // 1 m from the axis
+        COMPARE_NEAR(description.objects[0].motion->topSpeed, pi, 1e-5, "m/s"); // 1 m from the axis
         QVERIFY(!description.objects[0].motion->jumps);
-        QVERIFY(!saysIn(validate(loaded.scene), "moves at up to"));
+        COMPARE_LACKS(sentences(validate(loaded.scene)), "moves at up to");
         const LoadedScene fast =
             read(R"("nodes":[{"mesh":0}])", {{0, "translation", "LINEAR", {0, 1}, {{0, 0, 0}, {11, 0, 0}}}});
-        QVERIFY(saysIn(validate(fast.scene), "moves at up to 11 m/s, faster than 10 m/s"));
-        QVERIFY(saysIn(validate(fast.scene), "jumps from one pose to another"));
+        COMPARE_CONTAINS(sentences(validate(fast.scene)), "moves at up to 11 m/s, faster than 10 m/s");
+        COMPARE_CONTAINS(sentences(validate(fast.scene)), "jumps from one pose to another");
         const SceneObject mover = loaded.scene.objects[0];
         while (loaded.scene.objects.size() <= std::size_t(kMaxMovers))
             loaded.scene.add(mover);
-        QVERIFY(!saysIn(validate(loaded.scene), "move by themselves")); // one of them is at rest
+        COMPARE_LACKS(sentences(validate(loaded.scene)), "move by themselves"); // one of them is at rest
         loaded.scene.add(mover);
-        QVERIFY(saysIn(validate(loaded.scene), "65 objects move by themselves, but at most 64 can"));
+        COMPARE_CONTAINS(sentences(validate(loaded.scene)),
+                         "65 objects move by themselves, but at most 64 can");
     }
 
     // 1.01 is beyond what rounding to bytes does to a length, 1.001 is not.
     void rotationsAreBroughtToUnitLengthAndSaid() {
         const std::string turned = R"("nodes":[{"mesh":0,"rotation":[0,0,0.7071067811865476,)";
-        QVERIFY(!said(read(turned + "0.7071067811865476]}]", {turning(0)}), "unit length"));
+        COMPARE_LACKS(said(read(turned + "0.7071067811865476]}]", {turning(0)})), "unit length");
         const LoadedScene node = read(turned + "0.75]},{\"rotation\":[0,0,0,1.001]}]", {});
-        QVERIFY(said(node, "1 node with a rotation that is not of unit length"));
+        COMPARE_CONTAINS(said(node), "1 node with a rotation that is not of unit length");
         const Quat q = node.scene.objects.at(0).pose.rotation;
-        QVERIFY(std::abs(q.norm() - 1) < 1e-12 && std::abs(q.z() / q.w() - 0.7071067811865476 / 0.75) < 1e-9);
+        COMPARE_NEAR(q.norm(), 1, 1e-12, "");
+        COMPARE_NEAR(q.z() / q.w(), 0.7071067811865476 / 0.75, 1e-9, "");
 
         WrittenChannel channel = turning(0);
         for (double& component : channel.values[2])
@@ -231,8 +235,8 @@ private slots:
         for (double& component : channel.values[3])
             component *= 1.001;
         const LoadedScene keys = read(R"("nodes":[{"mesh":0}])", {channel});
-        QVERIFY(said(keys, "animation: 1 key with a rotation that is not of unit length"));
-        QVERIFY(error(keys.scene.objects.at(0), turningAt) < 1e-6);
+        COMPARE_CONTAINS(said(keys), "animation: 1 key with a rotation that is not of unit length");
+        QCOMPARE_LT(error(keys.scene.objects.at(0), turningAt), 1e-6);
     }
 
     void rotationsThatAreNoneAreRefused() {
@@ -240,7 +244,7 @@ private slots:
             const std::string nodes = R"("nodes":[{"mesh":0,"rotation":[)" + std::string(rotation) + "]}]";
             const auto loaded = folder_.load("a.glb", asAnimatedGlb(tetrahedron(), nodes, {}));
             QVERIFY2(!loaded, rotation);
-            QVERIFY(loaded.error().text.find("no usable rotation") != std::string::npos);
+            COMPARE_CONTAINS(loaded.error().text, "no usable rotation");
         }
     }
 
@@ -289,9 +293,8 @@ private slots:
         QFETCH(QString, error);
         const auto loaded = folder_.load("a.glb", content.toStdString());
         QVERIFY(!loaded);
-        QVERIFY2(loaded.error().text.find(error.toStdString()) != std::string::npos,
-                 loaded.error().text.c_str());
-        QVERIFY2(loaded.error().text.find('\n') == std::string::npos, loaded.error().text.c_str());
+        COMPARE_CONTAINS(loaded.error().text, error.toStdString());
+        COMPARE_LACKS(loaded.error().text, "\n");
     }
 
 private:
@@ -301,9 +304,11 @@ private:
         return std::move(*loaded);
     }
 
-    static bool saysIn(const std::vector<Finding>& findings, const std::string& part) {
-        return std::any_of(findings.begin(), findings.end(),
-                           [&](const Finding& f) { return f.sentence.find(part) != std::string::npos; });
+    static std::string sentences(const std::vector<Finding>& findings) {
+        std::string all;
+        for (const Finding& finding : findings)
+            all += finding.sentence + '\n';
+        return all;
     }
 
     FileFolder folder_;

@@ -5,6 +5,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/save_scene.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 
 using namespace tactum;
@@ -130,7 +131,7 @@ private slots:
     void whatOthersHavePutInStays() {
         const Json before = theirs();
         const auto loaded = folder_.load("theirs.gltf", before.dump());
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         Scene scene = loaded->scene;
         QCOMPARE(scene.objects.size(), std::size_t(2));
         scene.objects[0].surfaces[0].material.stiffness = 321; // what Tactum is for
@@ -149,7 +150,7 @@ private slots:
                 QVERIFY2(after.at(place) == before.at(place), path);
             }
             const Json& used = after.at("extensionsUsed");
-            QVERIFY(std::ranges::count(used, Json("THEIR_paint")) == 1);
+            QCOMPARE_EQ(std::ranges::count(used, Json("THEIR_paint")), 1);
             const Scene again = load(glb);
             QCOMPARE(difference(scene, again), std::string());
         }
@@ -177,10 +178,10 @@ private slots:
         const Material& felt = again.objects[0].surfaces[0].material;
         QVERIFY2(std::abs(felt.stiffness - 1234) < 0.1, std::to_string(felt.stiffness).c_str());
         QCOMPARE(felt.staticFriction, 0.75);
-        QVERIFY(std::abs(felt.dynamicFriction - 0.5) < 1e-4);
-        QVERIFY(jsonOf(saved(again))["extensionsUsed"] ==
-                Json({"MPEG_haptic_material", "KHR_physics_rigid_bodies",
-                      "TACTUM_haptics"})); // theirs stay, as they are
+        COMPARE_NEAR(felt.dynamicFriction, 0.5, 1e-4, "");
+        QCOMPARE_EQ(jsonOf(saved(again))["extensionsUsed"],
+                    Json({"MPEG_haptic_material", "KHR_physics_rigid_bodies",
+                          "TACTUM_haptics"})); // theirs stay, as they are
     }
     void hapticMaterialsWithoutUnitsAreTakenWithAWord() {
         Json json = theirs();
@@ -191,8 +192,8 @@ private slots:
                Json::array({{{"texture", {{"index", 0}}}, {"type", "High_Resolution"}}})}}});
         json["meshes"][0]["extensions"]["MPEG_haptic_material"]["hapticMaterialIndex"] = 0;
         const auto loaded = folder_.load("theirs.gltf", json.dump());
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
-        QVERIFY(said(*loaded, "as it has no unit"));
+        VERIFY_RESULT(loaded);
+        COMPARE_CONTAINS(said(*loaded), "as it has no unit");
         const Surface& surface = loaded->scene.objects[0].surfaces[0];
         QCOMPARE(surface.layers.size(), std::size_t(1));
         QCOMPARE(surface.layers[0].strength, 1e-3);
@@ -214,7 +215,7 @@ private slots:
                                      {"count", 30000}});
         json["meshes"][0]["primitives"][0]["attributes"]["_WEAR"] = json["accessors"].size() - 1;
         const auto loaded = folder_.load("theirs.gltf", json.dump());
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         const std::string glb = saved(loaded->scene);
         QVERIFY2(glb.size() < 20000, std::to_string(glb.size()).c_str());
         const Json after = jsonOf(glb);
@@ -229,7 +230,7 @@ private slots:
         const Json after = jsonOf(saved(scene));
         const auto matrix = after.at("nodes").at(3).at("matrix").get<std::vector<double>>();
         const Vec3 inBody(matrix[12], matrix[13], matrix[14]);
-        QVERIFY((scene.objects[0].pose.apply(inBody) - Vec3(0, 3, 2)).norm() < 1e-12);
+        COMPARE_NEAR(scene.objects[0].pose.apply(inBody), Vec3(0, 3, 2), 1e-12, "m");
     }
     /// Two surfaces, of one mesh and of different ones: values of the vertices, each list once.
     void whatIsPaintedIsAnAttribute() {
@@ -240,19 +241,23 @@ private slots:
         QCOMPARE(primitives.size(), std::size_t(2));
         for (const Json& primitive : primitives) {
             const Json& attributes = primitive["attributes"];
-            QVERIFY(attributes.contains("_TACTUM_PAINT_0") && attributes.contains("_TACTUM_PAINT_1"));
+            QVERIFY(attributes.contains("_TACTUM_PAINT_0"));
+            QVERIFY(attributes.contains("_TACTUM_PAINT_1"));
             QVERIFY(!attributes.contains("_TACTUM_PAINT_2"));
             const Json &values = json["accessors"][attributes["_TACTUM_PAINT_0"].get<std::size_t>()],
                        &places = json["accessors"][attributes["POSITION"].get<std::size_t>()];
-            QVERIFY(values["type"] == "SCALAR" && values["componentType"] == 5126);
-            QVERIFY(values["count"] == places["count"] && values["count"] > 4); // vertices are split
+            QCOMPARE_EQ(values["type"], "SCALAR");
+            QCOMPARE_EQ(values["componentType"], 5126);
+            QCOMPARE_EQ(values["count"], places["count"]);
+            QCOMPARE_GT(values["count"], 4); // vertices are split
         }
         const auto loaded = folder_.load("scene.glb", glb);
-        QVERIFY(loaded && !said(*loaded, "PAINT"));
+        VERIFY_RESULT(loaded);
+        COMPARE_LACKS(said(*loaded), "PAINT");
         const std::string found = difference(scene, loaded->scene);
         QVERIFY2(found.empty(), found.c_str());
         const auto& layers = loaded->scene.objects[0].surfaces[0].layers;
-        QVERIFY(layers[0].pattern.painted.values->all() == std::vector<float>({0, 0.1F, 0.7F, 1}));
+        QCOMPARE_EQ(layers[0].pattern.painted.values->all(), std::vector<float>({0, 0.1F, 0.7F, 1}));
         QVERIFY(layers[0].pattern.painted.values ==
                 loaded->scene.objects[0].surfaces[1].layers[0].mask->painted.values);
         QCOMPARE(saved(loaded->scene), glb);
@@ -284,8 +289,8 @@ private slots:
             return json["materials"][material]["extensions"]["TACTUM_haptics"]["layers"][0]["pattern"];
         };
         QVERIFY(!patternOf(0).contains("painted"));
-        QVERIFY(patternOf(1)["painted"].contains("bufferView") &&
-                !patternOf(1)["painted"].contains("attribute"));
+        QVERIFY(patternOf(1)["painted"].contains("bufferView"));
+        QVERIFY(!patternOf(1)["painted"].contains("attribute"));
         const std::string found = difference(scene, load(glb));
         QVERIFY2(found.empty(), found.c_str());
     }
@@ -320,8 +325,8 @@ private slots:
                         &high, sizeof high);
         const auto loaded = folder_.load("scene.glb", packGlb(json, binary));
         QVERIFY(loaded.has_value());
-        QVERIFY(said(*loaded, sentence.toStdString()));
-        QVERIFY(loaded->scene.objects[0].surfaces[0].layers.size() == 1);
+        COMPARE_CONTAINS(said(*loaded), sentence.toStdString());
+        QCOMPARE_EQ(loaded->scene.objects[0].surfaces[0].layers.size(), 1);
     }
 
     void whatALaterVersionAddsStays() {
@@ -340,8 +345,8 @@ private slots:
             const Json& was = json["materials"][i]["extensions"]["TACTUM_haptics"];
             QVERIFY(after["materials"][i]["extensions"]["TACTUM_haptics"] == was);
         }
-        QVERIFY(after["extensions"]["TACTUM_haptics"]["gravity"] ==
-                json["extensions"]["TACTUM_haptics"]["gravity"]);
+        QCOMPARE_EQ(after["extensions"]["TACTUM_haptics"]["gravity"],
+                    json["extensions"]["TACTUM_haptics"]["gravity"]);
     }
     /// For the work space and the safety of a device: docs/format.md.
     void reservedKeysOfTheRootStay() {
@@ -356,9 +361,9 @@ private slots:
             scene.proxyRadius *= 1.5; // ours is written anew
             glb = saved(scene);
             Json now = jsonOf(glb)["extensions"]["TACTUM_haptics"];
-            QVERIFY(now["workspace"] == ours["workspace"]);
-            QVERIFY(now["safety"] == ours["safety"]);
-            QVERIFY(now["proxyRadius"] == scene.proxyRadius);
+            QCOMPARE_EQ(now["workspace"], ours["workspace"]);
+            QCOMPARE_EQ(now["safety"], ours["safety"]);
+            QCOMPARE_EQ(now["proxyRadius"], scene.proxyRadius);
         }
     }
     void anotherMajorVersionIsRefused() {
@@ -368,12 +373,10 @@ private slots:
         const auto loaded =
             folder_.load("later.glb", packGlb(json, std::string_view(glb).substr(28 + jsonLength(glb))));
         QVERIFY(!loaded);
-        QVERIFY2(loaded.error().text.find("later Tactum (version 2.0") != std::string::npos,
-                 loaded.error().text.c_str());
+        COMPARE_CONTAINS(loaded.error().text, "later Tactum (version 2.0");
         const auto saving = saveScene(SceneDice(1).scene(), folder_.path() / "later.glb");
         QVERIFY(!saving);
-        QVERIFY2(saving.error().text.find("choose another name") != std::string::npos,
-                 saving.error().text.c_str());
+        COMPARE_CONTAINS(saving.error().text, "choose another name");
         QVERIFY(!folder_.load("later.glb", packGlb(json, "")));
     }
     void randomScenesComeBackWhole() {

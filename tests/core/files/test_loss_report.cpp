@@ -7,6 +7,7 @@
 #include "core/files/loss_report.h"
 #include "tests/core/files/bodies.h"
 #include "tests/core/files/x3d_scenes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -82,7 +83,7 @@ void TestLossReport::everyFeatureIsNoticed() {
     QCOMPARE(said(losses, ExportTarget::KhrPhysics, "static friction")->kind, LossKind::Kept);
     QCOMPARE(said(losses, ExportTarget::Mpeg, "static friction")->kind, LossKind::Lost);
     QCOMPARE(said(losses, ExportTarget::Mpeg, "layers of height")->kind, LossKind::Degraded);
-    QVERIFY(reportMarkdown(losses).find("...") == std::string::npos); // whole sentences
+    COMPARE_LACKS(reportMarkdown(losses), "..."); // whole sentences
     surface.layers[0].enabled = false;
     QVERIFY(!said(lossesOf(scene), ExportTarget::X3d, "layers of height"));
 }
@@ -109,8 +110,8 @@ void TestLossReport::likeThingsStandOnOneLine() {
         scene.add(plainScene().objects[0]).name = "ball" + std::to_string(i);
     const std::string report = reportMarkdown(lossesOf(scene, ExportTarget::Stl));
     QCOMPARE(QString::fromStdString(report).count("| stiffness |"), 1);
-    QVERIFY(report.find("and 4 more") != std::string::npos);
-    QVERIFY(report.find("lost") < report.find("degraded"));
+    COMPARE_CONTAINS(report, "and 4 more");
+    QCOMPARE_LT(report.find("lost"), report.find("degraded"));
 }
 
 void TestLossReport::hostileNamesBreakNeitherText() {
@@ -130,8 +131,8 @@ void TestLossReport::sentencesAreWhole() {
     Scene scene = plainScene();
     scene.objects[0].name = std::string(90, 'x');
     const std::string report = reportMarkdown(lossesOf(scene));
-    QVERIFY(report.find("the standard says no unit, ours beside it does |") != std::string::npos);
-    QVERIFY(report.find(scene.objects[0].name + " / skin |") != std::string::npos);
+    COMPARE_CONTAINS(report, "the standard says no unit, ours beside it does |");
+    COMPARE_CONTAINS(report, scene.objects[0].name + " / skin |");
 }
 
 void TestLossReport::partsOfOtherProgramsAreSpokenOf() {

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -31,7 +32,7 @@ private slots:
         QCOMPARE(scene.objects[0].geometry->triangles.size(), std::size_t(2)); // the name came again
         QCOMPARE(scene.objects[1].name, std::string("right"));
         QCOMPARE(scene.objects[1].geometry->positions.size(), std::size_t(3));
-        QVERIFY(scene.objects[0].id != scene.objects[1].id);
+        QCOMPARE_NE(scene.objects[0].id, scene.objects[1].id);
     }
 
     void aFileWithoutObjectsIsOneByTheNameOfTheFile() {
@@ -59,16 +60,16 @@ private slots:
         for (int i = 0; i < 3000; ++i)
             faces += "g " + std::to_string(i) + "\nf 1 2 3\n";
         const auto loaded = folder_.load("mesh.obj", kSquare + faces);
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(surfaceNames(loaded->scene.objects[0]), Names{"red"});
-        QVERIFY(said(*loaded, "3000 groups"));
+        COMPARE_CONTAINS(said(*loaded), "3000 groups");
     }
 
     void coloursComeFromTheLibraryBesideIt() {
         folder_.write("paint.mtl", "newmtl red\nKa 0 0 0\nKd 0.9 0.1 0\nnewmtl odd\nKd x y z\n");
         const auto loaded = folder_.load("mesh.obj", "mtllib paint.mtl\n" + kSquare +
                                                          "usemtl red\nf 1 2 3\nusemtl odd\nf 1 3 4\n");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         const auto& surfaces = loaded->scene.objects[0].surfaces;
         QCOMPARE(surfaces[0].colour, Eigen::Vector3f(0.9f, 0.1f, 0.f));
         QCOMPARE(surfaces[1].colour, Surface().colour);
@@ -78,8 +79,8 @@ private slots:
         for (const char* library : {"gone.mtl", "/etc/passwd", "../up.mtl"}) {
             const auto loaded =
                 folder_.load("mesh.obj", "mtllib " + std::string(library) + "\n" + kSquare + "f 1 2 3\n");
-            QVERIFY(loaded);
-            QVERIFY(said(*loaded, "material library"));
+            VERIFY_RESULT(loaded);
+            COMPARE_CONTAINS(said(*loaded), "material library");
         }
     }
 
@@ -96,9 +97,9 @@ private slots:
     void missingNormalsAreFilledAndCounted() {
         const auto loaded =
             folder_.load("mesh.obj", kSquare + "vn 0 0 0\nvn 1 0 0\nf 1//1 2//2 3\nf 1 3 4\n");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(loaded->scene.objects[0].geometry->cornerNormals[0], Eigen::Vector3f(0, 0, 1));
-        QVERIFY(said(*loaded, "5 corners without a usable normal"));
+        COMPARE_CONTAINS(said(*loaded), "5 corners without a usable normal");
     }
 
     void negativeAndLaterIndicesAreFound() {
@@ -123,15 +124,15 @@ private slots:
     void polygonsAreCutAlongTheirOutline() {
         const auto loaded =
             folder_.load("mesh.obj", "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 5 0\nv 0 5 0\nf 1 2 3 4 5 6\n");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         const TriangleSoup& soup = *loaded->scene.objects[0].geometry;
         double area = 0;
         for (const auto& t : soup.triangles)
             area += 0.5 * (soup.positions[t[1]] - soup.positions[t[0]])
                               .cross(soup.positions[t[2]] - soup.positions[t[0]])
                               .norm();
-        QVERIFY(std::abs(area - 8) < 1e-12);
-        QVERIFY(said(*loaded, "1 polygon with more than three corners"));
+        COMPARE_NEAR(area, 8, 1e-12, "");
+        COMPARE_CONTAINS(said(*loaded), "1 polygon with more than three corners");
     }
 
     void namesAreMadePrintable() {

@@ -9,6 +9,7 @@
 #include "core/files/images/write_png.h"
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -76,7 +77,7 @@ private slots:
                 const std::string file = encodePng(image);
                 QCOMPARE(file, encodePng(image));
                 const auto again = readImage(file, "a", "memory");
-                QVERIFY2(again, again ? "" : again.error().text.c_str());
+                VERIFY_RESULT(again);
                 QCOMPARE(again->image->width(), width);
                 const auto& finest = again->image->level(0);
                 for (int y = 0; y < height; ++y)
@@ -116,7 +117,7 @@ private slots:
         QVERIFY(rgb);
         const std::vector<int> luminances = rowsOf(*rgb), expected{76, 150, 29};
         for (std::size_t i = 0; i < 3; ++i)
-            QVERIFY(std::abs(luminances[i] - expected[i]) <= 1);
+            QCOMPARE_LE(std::abs(luminances[i] - expected[i]), 1);
         const auto alpha =
             read("a.png", asPng(2, 1, {bytes({100, 0}), bytes({200, 255})}, {8, 4, false, {}}));
         QCOMPARE(rowsOf(*alpha), (std::vector<int>{100, 200}));
@@ -139,13 +140,14 @@ private slots:
             QVERIFY(image);
             QCOMPARE(image->width(), 32);
             for (int x = 0; x < 32; ++x)
-                QVERIFY(std::abs(255 * image->texel(image->level(0), x, 3) - 7 * x) < 3);
+                COMPARE_NEAR(255 * image->texel(image->level(0), x, 3), 7 * x, 3, "");
         }
         QImage halves(16, 16, QImage::Format_Grayscale8);
         halves.fill(0);
         std::fill_n(halves.scanLine(0), 8 * halves.bytesPerLine(), uchar(255));
         const auto image = read("a.jpg", asJpeg(halves));
-        QVERIFY(image->texel(image->level(0), 3, 1) < 0.1 && image->texel(image->level(0), 3, 14) > 0.9);
+        QCOMPARE_LT(image->texel(image->level(0), 3, 1), 0.1);
+        QCOMPARE_GT(image->texel(image->level(0), 3, 14), 0.9);
     }
 
     void tiffsOfEveryKindAreRead() {
@@ -174,17 +176,18 @@ private slots:
         for (float value : {0.5f, -1.f, 2.f, std::nanf("")})
             data.append(reinterpret_cast<const char*>(&value), sizeof value);
         const auto loaded = readImage(folder_.write("a.tif", asTiff(4, 1, data, {32, 1, 3, 1, 0})));
-        QVERIFY(loaded);
-        QVERIFY(loaded->note.starts_with("3 values of ") &&
-                loaded->note.ends_with("a.tif lie outside 0 to 1"));
+        VERIFY_RESULT(loaded);
+        QVERIFY(loaded->note.starts_with("3 values of "));
+        QVERIFY(loaded->note.ends_with("a.tif lie outside 0 to 1"));
         const TextureImage& image = *loaded->image;
-        QVERIFY(std::abs(image.texel(image.level(0), 0, 0) - 0.5) < 1e-5);
+        COMPARE_NEAR(image.texel(image.level(0), 0, 0), 0.5, 1e-5, "");
         QCOMPARE(image.texel(image.level(0), 1, 0), 0.0);
         QCOMPARE(image.texel(image.level(0), 2, 0), 1.0);
         QCOMPARE(image.texel(image.level(0), 3, 0), 0.0);
         const auto rgb =
             readImage(folder_.write("b.tif", asTiff(1, 1, bytes({255, 255, 255}), {8, 3, 1, 2, 0})));
-        QVERIFY(rgb && rgb->note.empty());
+        VERIFY_RESULT(rgb);
+        QVERIFY(rgb->note.empty());
     }
 
     void sizesAreJudgedBeforeRoomIsMade_data() {
@@ -195,7 +198,7 @@ private slots:
         };
         std::string jpeg = asJpeg(slope(QImage::Format_Grayscale8));
         const std::size_t frame = jpeg.find("\xff\xc0");
-        QVERIFY(frame != std::string::npos);
+        QCOMPARE_NE(frame, std::string::npos);
         jpeg.replace(frame + 5, 4, "\xff\xdc\xff\xdc"); // 65500 x 65500
         row("bomb", asPng(0x7fffffff, 0x7fffffff, {}), "2147483647 x 2147483647 texels, more than 16384");
         row("wide", asPng(16385, 1, {}), "16385 x 1 texels, more than");
@@ -219,15 +222,15 @@ private slots:
         for (const char* content : {"GIF89a", "hello", "\x89PNG", "P5 2 2 255 abcd"}) {
             const auto loaded = readImage(folder_.write("a.png", content));
             QVERIFY(!loaded);
-            QVERIFY2(loaded.error().text.find("PNG, JPEG or TIFF") != std::string::npos,
-                     loaded.error().text.c_str());
+            COMPARE_CONTAINS(loaded.error().text, "PNG, JPEG or TIFF");
         }
-        QVERIFY(readImage(folder_.path() / "gone.png").error().text.find("no such file") !=
-                std::string::npos);
+        COMPARE_CONTAINS(readImage(folder_.path() / "gone.png").error().text, "no such file");
         const auto lab = readImage(folder_.write("a.tif", asTiff(1, 1, bytes({0}), {8, 1, 1, 8, 0})));
-        QVERIFY(!lab && lab.error().text.find("save it grey") != std::string::npos);
+        QVERIFY(!lab);
+        COMPARE_CONTAINS(lab.error().text, "save it grey");
         const auto few = readImage(folder_.write("a.tif", asTiff(8, 1, bytes({0}), {1, 1, 1, 1, 0})));
-        QVERIFY(!few && few.error().text.find("8 or 16 bits") != std::string::npos);
+        QVERIFY(!few);
+        COMPARE_CONTAINS(few.error().text, "8 or 16 bits");
     }
 
     /// Cut anywhere, a picture is a fault; a JPEG may lack its two last bytes, which say nothing.
@@ -249,7 +252,7 @@ private slots:
                     changed[random() % std::min<std::size_t>(changed.size(), 700)] = char(random());
                 const auto loaded = readImage(folder_.write(name, changed));
                 if (loaded)
-                    QVERIFY(loaded->image->width() <= TextureImage::kLargestSide);
+                    QCOMPARE_LE(loaded->image->width(), TextureImage::kLargestSide);
                 else
                     QVERIFY2(isOneLine(loaded.error().text), loaded.error().text.c_str());
             }

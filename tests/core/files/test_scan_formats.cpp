@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -103,7 +104,7 @@ private slots:
         const std::string two = replaced(asStlText(tetrahedron()), "solid thing", "SOLID red part") +
                                 replaced(asStlText(tetrahedron()), "solid thing", "solid");
         const auto loaded = folder_.load("a.stl", two);
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         const SceneObject& object = loaded->scene.objects[0];
         QCOMPARE(object.surfaces.size(), std::size_t(2));
         QCOMPARE(object.surfaces[0].name, std::string("red part"));
@@ -128,11 +129,11 @@ private slots:
     void whatTheReaderDidIsSaid() {
         const auto loaded = folder_.load("a.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n"
                                                   "4 0 1 2 3\n3 0 1 2\n3 0 1 4\n0\n");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(loaded->scene.objects[0].geometry->triangles.size(), std::size_t(4));
         for (const char* part :
              {"1 polygon with", "1 face without corners", "1 triangle whose corners lie on one line"})
-            QVERIFY2(said(*loaded, part), part);
+            COMPARE_CONTAINS(said(*loaded), part);
     }
 
     void errorsNameThePlace_data() {

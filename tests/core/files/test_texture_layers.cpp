@@ -5,6 +5,7 @@
 #include "core/surface/texture_stack.h"
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -60,7 +61,7 @@ private slots:
                                  "map_bump -clamp on -mm 0 1 -bm 0.5 -imfchan l a bump.png",
                                  "bump -s 1 1 1 -o 0 0 -bm 0.5 C:\\maps\\a bump.png"}) {
             const auto loaded = load(line);
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             const auto& layers = loaded->scene.objects[0].surfaces[0].layers;
             QVERIFY2(layers.size() == 1, line);
             const double multiplier = std::string(line).find("-bm") == std::string::npos ? 1 : 0.5;
@@ -68,12 +69,12 @@ private slots:
             QCOMPARE(layers[0].name, std::string("a bump.png"));
             QCOMPARE(layers[0].pattern.mapping, TextureMapping::UvUnit);
             QCOMPARE(layers[0].pattern.image->width(), 2);
-            QVERIFY(said(*loaded, "has no unit; its height is taken as"));
-            QVERIFY(validate(loaded->scene).size() <= 1);
+            COMPARE_CONTAINS(said(*loaded), "has no unit; its height is taken as");
+            QCOMPARE_LE(validate(loaded->scene).size(), 1);
             QVERIFY(compileTextures(layers, loaded->scene.objects[0].geometry, 0));
         }
-        QVERIFY(said(*load("bump -s 2 2 a bump.png"), "is scaled or moved by its library"));
-        QVERIFY(!said(*load("bump -s 1 1 a bump.png"), "is scaled or moved"));
+        COMPARE_CONTAINS(said(*load("bump -s 2 2 a bump.png")), "is scaled or moved by its library");
+        COMPARE_LACKS(said(*load("bump -s 1 1 a bump.png")), "is scaled or moved");
     }
 
     void whatBecomesOfAnOddMultiplierIsSaid_data() {
@@ -93,7 +94,7 @@ private slots:
         QFETCH(QString, sentence);
         folder_.write("b.png", asPng(2, 1, {"\x10", "\x20"}));
         const auto loaded = load("bump -bm " + multiplier.toStdString() + " b.png");
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         QCOMPARE(loaded->scene.objects[0].surfaces[0].layers.at(0).strength, height);
         const auto warning = std::ranges::find_if(loaded->findings, [&](const Finding& finding) {
             return finding.severity == Severity::Warning &&
@@ -101,7 +102,8 @@ private slots:
         });
         QVERIFY(warning != loaded->findings.end());
         QVERIFY(!warning->remedy.empty());
-        QVERIFY(said(*load("bump -bm b.png"), "m.mtl:2: bump map names no picture")); // it was the multiplier
+        COMPARE_CONTAINS(said(*load("bump -bm b.png")),
+                         "m.mtl:2: bump map names no picture"); // it was the multiplier
     }
 
     void surfacesOfOneMaterialShareItsImage() {
@@ -120,7 +122,7 @@ private slots:
             const auto loaded = load(std::string("bump ") + file);
             QVERIFY2(loaded, file);
             QVERIFY(loaded->scene.objects[0].surfaces[0].layers.empty());
-            QVERIFY2(said(*loaded, "bump map "), file);
+            COMPARE_CONTAINS(said(*loaded), "bump map ");
         }
         for (const char* line : {"bump", "bump -bm", "bump -bm 1", "map_bump -s 1 1 1", "bump -"})
             QVERIFY2(load(line), line);
@@ -139,7 +141,7 @@ private slots:
         replace(R"(],"bufferViews")",
                 R"(,{"bufferView":0,"componentType":5126,"count":3,"type":"VEC2"}],"bufferViews")");
         const auto loaded = folder_.load("mesh.gltf", json);
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         const auto& uvs = loaded->scene.objects[0].geometry->cornerUvs;
         QCOMPARE(uvs[0], Eigen::Vector2f(0.25f, 0.875f));
         QCOMPARE(uvs[1], Eigen::Vector2f(0.5f, 0.25f));
@@ -188,8 +190,10 @@ private slots:
         const auto describedAs = [](const TextureLayer& each) {
             return describe(sceneWith(each)).objects[0].surfaces[0].layers[0];
         };
-        QVERIFY(describedAs(layer).source == "painted" && describedAs(layer).mapping.empty());
-        QVERIFY(describedAs(layer).mask.empty() && describedAs(masked).mask == "painted");
+        QCOMPARE_EQ(describedAs(layer).source, "painted");
+        QVERIFY(describedAs(layer).mapping.empty());
+        QVERIFY(describedAs(layer).mask.empty());
+        QCOMPARE_EQ(describedAs(masked).mask, "painted");
         masked.mask->painted = {};
         QVERIFY(oneFinding(sceneWith(masked), Severity::Warning, "nothing is painted of the mask of layer"));
     }

@@ -8,6 +8,7 @@
 #include "core/files/mesh/write_mesh.h"
 #include "tests/core/files/bodies.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -123,7 +124,7 @@ void TestWriteMesh::objKeepsEverythingOfTheMesh() {
             QVERIFY(found[i].corners == wanted[i].corners);
             if (!isTriangle(wanted[i])) continue; // lines and points carry no more
             for (std::size_t k = 0; k < wanted[i].normals.size(); ++k)
-                QVERIFY((found[i].normals[k] - wanted[i].normals[k]).norm() < 1e-6f);
+                QCOMPARE_LT((found[i].normals[k] - wanted[i].normals[k]).norm(), 1e-6f);
             QVERIFY(wanted[i].uvs.empty() || found[i].uvs == wanted[i].uvs);
         }
         for (const SceneObject& object : scene.objects)
@@ -149,7 +150,7 @@ void TestWriteMesh::plyKeepsTheCorners() {
             QVERIFY(found[i].corners == wanted[i].corners);
             for (std::size_t k = 0; k < std::size_t(wanted[i].different); ++k) {
                 if (!wanted[i].normals.empty())
-                    QVERIFY((found[i].normals[k] - wanted[i].normals[k]).norm() < 1e-6f);
+                    QCOMPARE_LT((found[i].normals[k] - wanted[i].normals[k]).norm(), 1e-6f);
                 if (!wanted[i].uvs.empty()) QCOMPARE(found[i].uvs[k], wanted[i].uvs[k]);
             }
         }
@@ -185,9 +186,9 @@ void TestWriteMesh::offKeepsEveryFaceExactly() {
 void TestWriteMesh::plyWidensOnlyWhereItMust() {
     Scene scene;
     scene.add(bodyOf("sheet", sheet(0.5)));
-    QVERIFY(asPly(scene).find("property float x") != std::string::npos);
+    COMPARE_CONTAINS(asPly(scene), "property float x");
     scene.objects[0].geometry = sheet(0.1);
-    QVERIFY(asPly(scene).find("property double x") != std::string::npos);
+    COMPARE_CONTAINS(asPly(scene), "property double x");
 }
 
 void TestWriteMesh::hostileNamesStayOnTheirLine() {
@@ -213,7 +214,7 @@ void TestWriteMesh::oneMeshAtRestComesBackAsItWas() {
 void TestWriteMesh::anotherEndingIsRefused() {
     QVERIFY(!meshFilesOf({}, "dwg", "mesh"));
     for (const std::string& ending : writableMeshEndings())
-        QVERIFY(meshFilesOf({}, ending, "mesh"));
+        VERIFY_RESULT(meshFilesOf({}, ending, "mesh"));
 }
 
 void TestWriteMesh::everyStemFindsItsLibrary() {
@@ -226,7 +227,7 @@ void TestWriteMesh::everyStemFindsItsLibrary() {
     for (const std::string& stem : stems) {
         const LoadedScene loaded = folder_.roundTrip(scene, "obj", stem);
         for (const Finding& finding : loaded.findings)
-            QVERIFY2(finding.sentence.find("library") == std::string::npos, finding.sentence.c_str());
+            COMPARE_LACKS(finding.sentence, "library");
         for (const Surface& surface : loaded.scene.objects[0].surfaces) { // in the order of their faces
             const auto& all = scene.objects[0].surfaces;
             const auto same = std::ranges::find(all, surface.name, &Surface::name);
@@ -236,7 +237,8 @@ void TestWriteMesh::everyStemFindsItsLibrary() {
         libraries.insert(meshFilesOf(scene, "obj", stem)->back().name);
     }
     QCOMPARE(libraries.size(), stems.size());
-    QVERIFY(libraries.contains("T\xC3\xA4sse.mtl") && libraries.contains("a.b.mtl"));
+    QVERIFY(libraries.contains("T\xC3\xA4sse.mtl"));
+    QVERIFY(libraries.contains("a.b.mtl"));
 }
 
 QTEST_GUILESS_MAIN(TestWriteMesh)

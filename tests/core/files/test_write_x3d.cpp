@@ -14,6 +14,7 @@
 #include "tests/core/files/bodies.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/x3d_scenes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -141,9 +142,10 @@ void TestWriteX3d::randomScenesAreWellFormed() {
                 visit(child);
         };
         visit(root);
-        for (const Element* route : root.all("ROUTE"))
-            QVERIFY(defs.contains(route->attributes["fromNode"]) &&
-                    defs.contains(route->attributes["toNode"]));
+        for (const Element* route : root.all("ROUTE")) {
+            QVERIFY(defs.contains(route->attributes["fromNode"]));
+            QVERIFY(defs.contains(route->attributes["toNode"]));
+        }
         std::size_t wanted = 0;
         for (const SceneObject& object : scene.objects)
             for (const auto& t : object.geometry->triangles)
@@ -156,9 +158,13 @@ void TestWriteX3d::sameSceneSameBytes() {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         Rng one(seed), other(seed);
         const X3dExport a = x3dOf(randomHapticScene(one)), b = x3dOf(randomHapticScene(other));
-        QVERIFY(a.scene == b.scene && a.device == b.device && a.losses == b.losses);
-        for (std::size_t i = 0; i < a.images.size(); ++i)
-            QVERIFY(a.images[i].name == b.images[i].name && a.images[i].bytes == b.images[i].bytes);
+        QCOMPARE_EQ(a.scene, b.scene);
+        QCOMPARE_EQ(a.device, b.device);
+        QVERIFY(a.losses == b.losses);
+        for (std::size_t i = 0; i < a.images.size(); ++i) {
+            QCOMPARE_EQ(a.images[i].name, b.images[i].name);
+            QCOMPARE_EQ(a.images[i].bytes, b.images[i].bytes);
+        }
     }
 }
 
@@ -206,9 +212,11 @@ void TestWriteX3d::depthMapsHoldTheHeight() {
     const Element root = parsed(written.scene);
     const Element& surface = root.one("DepthMapSurface");
     const X3dImage* image = imageOf(written, surface.one("ImageTexture"));
-    QVERIFY(image && surface.one("ImageTexture").attributes["containerField"] == "depthMap");
+    QVERIFY(image);
+    QVERIFY(surface.one("ImageTexture").attributes["containerField"] == "depthMap");
     const auto read = readImage(folder_.write("depth.png", image->bytes));
-    QVERIFY(read && read->image->bits() == 8);
+    VERIFY_RESULT(read);
+    QCOMPARE_EQ(read->image->bits(), 8);
     const FlatPicture height = flattenHeight(object, 0);
     const double span = surface.number("maxDepth");
     QCOMPARE(span, height.high - height.low);
@@ -220,7 +228,7 @@ void TestWriteX3d::depthMapsHoldTheHeight() {
             point.uv = height.canvas.uvAt(x, y);
             point.position << (point.uv - Vector2d::Constant(0.5)) / 10, 0;
             const double wanted = feel(*stack, point, 0).height - height.low;
-            QVERIFY(std::abs(span * map.texel(map.level(0), x, y) - wanted) <= 0.502 * span / 255);
+            QCOMPARE_LE(std::abs(span * map.texel(map.level(0), x, y) - wanted), 0.502 * span / 255);
         }
 }
 
@@ -234,15 +242,15 @@ void TestWriteX3d::parametersWithoutHeightAreMaps() {
         const Element root = parsed(written.scene);
         const Element& surface = root.one("HapticTexturesSurface");
         QCOMPARE(surface.one("ImageTexture").attributes["containerField"], QString("staticFrictionMap"));
-        QVERIFY(std::abs(surface.number("minStaticFriction") - 0.5) < 0.01);
-        QVERIFY(std::abs(surface.number("maxStaticFriction") - 1.0) < 0.01);
+        COMPARE_NEAR(surface.number("minStaticFriction"), 0.5, 0.01, "");
+        COMPARE_NEAR(surface.number("maxStaticFriction"), 1.0, 0.01, "");
         QVERIFY(!surface.attributes.contains("minStiffness"));
     }
     // Beside height only the mean is left, and that is said.
     object.surfaces[0].layers.push_back(imageLayer(ramp(), TextureMapping::UvUnit, 0.01, 5e-4));
     const X3dExport written = x3dOf(sceneOf(object));
     const Element root = parsed(written.scene);
-    QVERIFY(std::abs(root.one("DepthMapSurface").number("staticFriction") - 0.75) < 1e-3);
+    COMPARE_NEAR(root.one("DepthMapSurface").number("staticFriction"), 0.75, 1e-3, "");
     QCOMPARE(root.one("ImageTexture").attributes["containerField"], QString("depthMap"));
     QCOMPARE(written.images.size(), std::size_t(1));
     QVERIFY(std::ranges::any_of(written.losses, [](const Loss& loss) {
@@ -273,7 +281,7 @@ void TestWriteX3d::trianglesAreExact() {
         if (i % 4 == 3) continue;
         const Vec3& wanted = soup.positions[soup.triangles[i / 4][i % 4]];
         for (std::size_t k = 0; k < 3; ++k)
-            QVERIFY(points[3 * std::size_t(indices[i]) + k] == wanted[int(k)]);
+            QCOMPARE_EQ(points[3 * std::size_t(indices[i]) + k], wanted[int(k)]);
     }
 }
 
@@ -288,7 +296,7 @@ void TestWriteX3d::posesTurnAsOurs() {
         const Pose read{Quat(Eigen::AngleAxisd(turn[3], Vec3(turn[0], turn[1], turn[2]))),
                         {move[0], move[1], move[2]}};
         for (const Vec3& p : object.geometry->positions)
-            QVERIFY((read.apply(p) - object.pose.apply(p)).norm() < 1e-12);
+            COMPARE_NEAR(read.apply(p), object.pose.apply(p), 1e-12, "m");
     }
 }
 
@@ -323,7 +331,7 @@ void TestWriteX3d::motionsFollowTheirKeys() {
             if (object.motion->rotation.interpolation != Interpolation::Linear) break;
             const Eigen::AngleAxisd turn(turns[4 * i + 3],
                                          Vec3(turns[4 * i], turns[4 * i + 1], turns[4 * i + 2]));
-            QVERIFY(Quat(turn).angularDistance(object.motion->at(parts[i] * cycle).rotation) < 1e-6);
+            QCOMPARE_LT(Quat(turn).angularDistance(object.motion->at(parts[i] * cycle).rotation), 1e-6);
         }
     }
 }
@@ -342,7 +350,7 @@ void TestWriteX3d::theDeviceStandsApart() {
     const X3dExport written = x3dOf(scene);
     const Element device = parsed(written.device);
     QCOMPARE(device.one("RuspiniRenderer").number("proxyRadius"), 0.0031);
-    QVERIFY(device.one("AnyDevice").number("forceLimit") > 0);
+    QCOMPARE_GT(device.one("AnyDevice").number("forceLimit"), 0);
     QVERIFY(parsed(written.scene).all("DeviceInfo").empty());
 }
 
@@ -352,11 +360,11 @@ void TestWriteX3d::filesAreCalledAfterTheScene() {
     const X3dExport alone = x3dOf(scene), beside = x3dOf(scene, X3dNames::beside("my cup?"));
     QVERIFY(!alone.images.empty());
     QVERIFY(alone.images[0].name.starts_with("maps/"));
-    QVERIFY(alone.scene.find(" deviceinfo.x3d.") != std::string::npos);
+    COMPARE_CONTAINS(alone.scene, " deviceinfo.x3d.");
     QVERIFY(beside.images[0].name.starts_with("my~20cup~3F-maps/"));
     QCOMPARE(X3dNames::beside("my cup?").device, std::string("my~20cup~3F-deviceinfo.x3d"));
-    QVERIFY(beside.scene.find(beside.images[0].name) != std::string::npos);
-    QVERIFY(beside.scene.find(" my~20cup~3F-deviceinfo.x3d.") != std::string::npos);
+    COMPARE_CONTAINS(beside.scene, beside.images[0].name);
+    COMPARE_CONTAINS(beside.scene, " my~20cup~3F-deviceinfo.x3d.");
 }
 
 void TestWriteX3d::ourReaderKnowsTheNamesAgain() {
@@ -370,7 +378,7 @@ void TestWriteX3d::ourReaderKnowsTheNamesAgain() {
         scene.add(object);
     }
     const auto loaded = loadScene(folder_.write("own.x3d", x3dOf(scene).scene));
-    QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+    VERIFY_RESULT(loaded);
     QCOMPARE(loaded->scene.objects.size(), scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         QCOMPARE(loaded->scene.objects[i].name, scene.objects[i].name);

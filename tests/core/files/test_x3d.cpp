@@ -6,6 +6,7 @@
 
 #include "core/files/images/write_png.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -54,7 +55,7 @@ private slots:
                            "<Normal vector='0 0 1'/></IndexedFaceSet>"));
         const TriangleSoup& soup = *loaded.scene.objects[0].geometry;
         QCOMPARE(soup.triangles.size(), std::size_t(4));
-        QVERIFY(std::abs(areaOf(soup) - 3) < 1e-12);
+        COMPARE_NEAR(areaOf(soup), 3, 1e-12, "");
         for (const auto& n : soup.cornerNormals)
             QCOMPARE(n, Eigen::Vector3f(0, 0, 1));
     }
@@ -91,9 +92,10 @@ private slots:
             const TriangleSoup& soup = *loaded.scene.objects[0].geometry;
             QCOMPARE(soup.triangles.size(), std::size_t(2));
             for (const auto& t : soup.triangles)
-                QVERIFY((soup.positions[t[1]] - soup.positions[t[0]])
-                            .cross(soup.positions[t[2]] - soup.positions[t[0]])
-                            .z() > 0);
+                QCOMPARE_GT((soup.positions[t[1]] - soup.positions[t[0]])
+                                .cross(soup.positions[t[2]] - soup.positions[t[0]])
+                                .z(),
+                            0);
         }
     }
 
@@ -111,8 +113,9 @@ private slots:
         QFETCH(double, volume);
         const auto loaded = load(shape("", node.toStdString()));
         const TriangleSoup& soup = *loaded.scene.objects[0].geometry;
-        QVERIFY2(std::abs(volumeOf(soup) / volume - 1) < 0.005, qPrintable(QString::number(volumeOf(soup))));
-        QVERIFY(!said(loaded, "open rim") && !said(loaded, "face opposite ways"));
+        COMPARE_NEAR(volumeOf(soup) / volume, 1, 0.005, "");
+        COMPARE_LACKS(said(loaded), "open rim");
+        COMPARE_LACKS(said(loaded), "face opposite ways");
     }
 
     /// Out of the specification: T C R SR S -SR -C.
@@ -125,7 +128,8 @@ private slots:
         QCOMPARE(object.name, std::string("arm"));
         const Bounds box = boundsOf(loaded.scene);
         // (0,0,0) -> (1,-2,5); (1,0,0) -> (1,0,5); (0,1,0) -> (0,-2,5)
-        QVERIFY((box.low - Vec3(0, -2, 5)).norm() < 1e-9 && (box.high - Vec3(1, 0, 5)).norm() < 1e-9);
+        COMPARE_NEAR(box.low, Vec3(0, -2, 5), 1e-9, "m");
+        COMPARE_NEAR(box.high, Vec3(1, 0, 5), 1e-9, "m");
     }
 
     void definedNodesAreUsedAgain() {
@@ -148,12 +152,15 @@ private slots:
                                  "<PositionInterpolator/><Switch whichChoice='1'>" +
                                  shape("") + shape("") + "</Switch><ForceField force='1 0 0'/>");
         QCOMPARE(loaded.scene.objects.size(), std::size_t(2));
-        QVERIFY(said(loaded, "1 geometry of the kind \"Extrusion\" left out"));
-        QVERIFY(said(loaded, "1 Inline left out") && said(loaded, "1 animation or script left out"));
-        QVERIFY(said(loaded, "1 force effect of H3D left out"));
-        QVERIFY(!said(loaded, "light") && !said(loaded, "viewpoint"));
+        COMPARE_CONTAINS(said(loaded), "1 geometry of the kind \"Extrusion\" left out");
+        COMPARE_CONTAINS(said(loaded), "1 Inline left out");
+        COMPARE_CONTAINS(said(loaded), "1 animation or script left out");
+        COMPARE_CONTAINS(said(loaded), "1 force effect of H3D left out");
+        COMPARE_LACKS(said(loaded), "light");
+        COMPARE_LACKS(said(loaded), "viewpoint");
         const auto seen = load(shape("") + "<Viewpoint/><PointLight/><SpotLight/>");
-        QVERIFY(said(seen, "1 viewpoint left out") && said(seen, "2 lights left out"));
+        COMPARE_CONTAINS(said(seen), "1 viewpoint left out");
+        COMPARE_CONTAINS(said(seen), "2 lights left out");
     }
 
     void hostileFilesAreRefused_data() {
@@ -192,7 +199,7 @@ private slots:
         const auto loaded = folder_.load("a.x3d", x3d(scene.toStdString()));
         QVERIFY(!loaded);
         QVERIFY2(QString::fromStdString(loaded.error().text).contains(sentence), loaded.error().text.c_str());
-        QVERIFY(loaded.error().text.find('\n') == std::string::npos);
+        COMPARE_LACKS(loaded.error().text, "\n");
     }
 
     void absoluteValuesAreTakenAsTheyAre() {
@@ -209,7 +216,7 @@ private slots:
     void relativeValuesSayTheirDevice() {
         auto loaded = load(shape("<SmoothSurface/>"));
         QCOMPARE(loaded.scene.objects[0].surfaces[0].material.stiffness, 350.0);
-        QVERIFY(said(loaded, "stiffness 0.5 is a part of what the device can do"));
+        COMPARE_CONTAINS(said(loaded), "stiffness 0.5 is a part of what the device can do");
         loaded = load("<DeviceInfo><FalconDevice/></DeviceInfo>" + shape("<SmoothSurface stiffness='1'/>"));
         QCOMPARE(loaded.scene.objects[0].surfaces[0].material.stiffness, 800.0);
     }
@@ -217,14 +224,14 @@ private slots:
     void slidingAboveStandingHoldsLikeIt() {
         const auto loaded = load(shape("<FrictionalSurface/>")); // H3D's initial values: 0.1 and 0.4
         QCOMPARE(loaded.scene.objects[0].surfaces[0].material.staticFriction, 0.4);
-        QVERIFY(said(loaded, "dynamic friction 0.4 is above static friction 0.1"));
+        COMPARE_CONTAINS(said(loaded), "dynamic friction 0.4 is above static friction 0.1");
     }
 
     void magnetsAreSaid() {
         const auto loaded = load(shape("<MagneticSurface snapDistance='0.02'/>"));
-        QVERIFY(said(loaded, "pulls the finger from 0.02 m away"));
-        QVERIFY(said(load(shape("<OpenHapticsSurface magnetic='true'/>")), "pulls the finger"));
-        QVERIFY(!said(load(shape("<OpenHapticsSurface/>")), "pulls the finger"));
+        COMPARE_CONTAINS(said(loaded), "pulls the finger from 0.02 m away");
+        COMPARE_CONTAINS(said(load(shape("<OpenHapticsSurface magnetic='true'/>"))), "pulls the finger");
+        COMPARE_LACKS(said(load(shape("<OpenHapticsSurface/>"))), "pulls the finger");
     }
 
     void depthMapsAreLayersOfHeight() {
@@ -238,7 +245,7 @@ private slots:
         QCOMPARE(surface.layers[0].strength, -0.002);
         QCOMPARE(surface.layers[0].target, TextureTarget::Height);
         QCOMPARE(surface.layers[0].pattern.mapping, TextureMapping::UvUnit);
-        QVERIFY(surface.layers[0].pattern.image->width() == 2);
+        QCOMPARE_EQ(surface.layers[0].pattern.image->width(), 2);
     }
 
     void parameterMapsGoFromLeastToMost() {
@@ -253,7 +260,7 @@ private slots:
         QCOMPARE(surface.material.stiffness, 200.0);
         QCOMPARE(surface.layers[0].strength, 2.0); // 200 (1 + 2) = 600
         QCOMPARE(surface.layers[1].target, TextureTarget::StaticFriction);
-        QVERIFY(std::abs(surface.material.staticFriction * (1 + surface.layers[1].strength) - 1.1) < 1e-12);
+        COMPARE_NEAR(surface.material.staticFriction * (1 + surface.layers[1].strength), 1.1, 1e-12, "");
     }
 
     void sidesFollowTheOptions() {
@@ -278,7 +285,7 @@ private slots:
         QCOMPARE(load(shape("") + device + "0.004'/></AnyDevice></DeviceInfo>").scene.proxyRadius, 0.004);
         const auto loaded = load(shape("") + device + "9'/></AnyDevice></DeviceInfo>");
         QCOMPARE(loaded.scene.proxyRadius, kProxyRadius.maximum);
-        QVERIFY(said(loaded, "proxy radius 9 m is out of range"));
+        COMPARE_CONTAINS(said(loaded), "proxy radius 9 m is out of range");
     }
 
     void truncatedFilesAreAnswered() {

@@ -6,6 +6,7 @@
 
 #include "core/geometry/box_select.h"
 #include "tests/core/geometry/meshes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -117,7 +118,8 @@ private slots:
             if (found) QVERIFY(near);
             (found ? taken : left)++;
         }
-        QVERIFY(taken > 200 && left > 200);
+        QCOMPARE_GT(taken, 200);
+        QCOMPARE_GT(left, 200);
     }
 };
 

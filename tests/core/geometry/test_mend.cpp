@@ -12,6 +12,7 @@
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/weld.h"
 #include "tests/core/geometry/meshes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -164,7 +165,7 @@ private slots:
                 QCOMPARE(found.cornerNormals.size(), 3 * found.triangles.size());
                 QCOMPARE(found.cornerUvs.size(), 3 * found.triangles.size());
                 for (const auto& c : found.triangles)
-                    QVERIFY(std::ranges::max(c) < found.positions.size());
+                    QCOMPARE_LT(std::ranges::max(c), found.positions.size());
             }
         }
     }
@@ -278,7 +279,7 @@ private slots:
         QCOMPARE(mended.changes, std::size_t(4));
         QVERIFY(isClosed(*mended.soup));
         QCOMPARE(euler(*mended.soup), 0L);
-        QVERIFY(std::abs(volume(*mended.soup) / volume(ring(16)) - 1) < 0.01);
+        COMPARE_NEAR(volume(*mended.soup) / volume(ring(16)), 1, 0.01, "");
     }
 
     /// A saddle of a hole: no plane holds it.
@@ -293,8 +294,8 @@ private slots:
         const Mended mended = fillHoles(shared(soup)).value();
         QVERIFY(isClosed(*mended.soup));
         QCOMPARE(euler(*mended.soup), 0L);
-        QVERIFY(area(*mended.soup) < area(ring(24)));
-        QVERIFY(area(*mended.soup) > 0.95 * area(ring(24)));
+        QCOMPARE_LT(area(*mended.soup), area(ring(24)));
+        QCOMPARE_GT(area(*mended.soup), 0.95 * area(ring(24)));
     }
 
     void whatIsMeantToBeOpenStaysOpen() {
@@ -338,13 +339,13 @@ private slots:
         soup.positions[23] = soup.positions[24] + Vec3(1e-13, 0, 1e-13);
         soup = dressed(soup);
         const std::size_t slivers = healthOf(soup).value().slivers;
-        QVERIFY(slivers > 0);
+        QCOMPARE_GT(slivers, 0);
         const Mended mended = mendSlivers(shared(soup)).value();
         QCOMPARE(healthOf(*mended.soup).value().slivers, std::size_t(0));
         QCOMPARE(mended.soup->triangles.size(), soup.triangles.size() - 2);
         QVERIFY(isClosed(*mended.soup));
         QCOMPARE(euler(*mended.soup), 0L);
-        QVERIFY(std::abs(volume(*mended.soup) - volume(soup)) < 1e-9);
+        COMPARE_NEAR(volume(*mended.soup), volume(soup), 1e-9, "m³");
         QVERIFY(isStillDressed(*mended.soup));
     }
 
@@ -365,7 +366,7 @@ private slots:
         QCOMPARE(mended.soup->triangles.size(), std::size_t(14));
         QVERIFY(isClosed(*mended.soup));
         QCOMPARE(euler(*mended.soup), 2L);
-        QVERIFY(std::abs(volume(*mended.soup) - 1) < 1e-12);
+        COMPARE_NEAR(volume(*mended.soup), 1, 1e-12, "m³");
         QVERIFY(isStillDressed(*mended.soup));
     }
 
@@ -387,7 +388,7 @@ private slots:
                 soup.triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
             }
         soup.surfaceOf.assign(soup.triangles.size(), 0);
-        QVERIFY(healthOf(soup).value().slivers > 0);
+        QCOMPARE_GT(healthOf(soup).value().slivers, 0);
         const Mended mended = mendSlivers(shared(soup)).value();
         QVERIFY(isClosed(*mended.soup));
         QCOMPARE(euler(*mended.soup), 0L);
@@ -397,7 +398,7 @@ private slots:
     void scalingScalesLengthsAlone() {
         const TriangleSoup soup = dressed(cube());
         const Mended small = scaled(shared(soup), 0.001);
-        QVERIFY(std::abs(volume(*small.soup) - 1e-9) < 1e-20);
+        COMPARE_NEAR(volume(*small.soup), 1e-9, 1e-20, "m³");
         QCOMPARE(small.soup->cornerUvs, soup.cornerUvs);
     }
 
@@ -405,9 +406,11 @@ private slots:
         const std::atomic<bool> cancelled = true;
         const Progress progress{{}, &cancelled};
         const SharedSoup soup = shared(cube());
-        QVERIFY(!weldVertices(soup, progress) && !removeDuplicates(soup, progress) &&
-                !mendSlivers(soup, progress) && !agreeOnFronts(soup, progress) &&
-                !fillHoles(soup, {}, progress));
+        QVERIFY(!weldVertices(soup, progress));
+        QVERIFY(!removeDuplicates(soup, progress));
+        QVERIFY(!mendSlivers(soup, progress));
+        QVERIFY(!agreeOnFronts(soup, progress));
+        QVERIFY(!fillHoles(soup, {}, progress));
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/weld.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 

@@ -9,6 +9,7 @@
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/mesh_problems.h"
 #include "tests/core/geometry/meshes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -52,7 +53,7 @@ private slots:
         auto found = problems(soup);
         QCOMPARE(found[ProblemKind::Hole].count, std::size_t(1));
         QCOMPARE(found[ProblemKind::Hole].triangles.size(), std::size_t(3));
-        QVERIFY(found[ProblemKind::Hole].centre == Vec3(0.5, 0.5, 0.5));
+        QCOMPARE_EQ(found[ProblemKind::Hole].centre, Vec3(0.5, 0.5, 0.5));
         QCOMPARE(found[ProblemKind::InsideOut].count, std::size_t(1));
         QCOMPARE(found[ProblemKind::InsideOut].triangles.front(), Index(23));
         QCOMPARE(found[ProblemKind::InsideOut].centre.x(), 20.5);

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/geometry/polygon.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -32,8 +33,8 @@ void compareCover(const std::vector<Vec3>& corners) {
     QVERIFY(!cutter.gaveUp());
     const Vec3 normal = newellNormal(corners);
     for (const auto& t : triangles)
-        QVERIFY(areaVector(corners, t).dot(normal) >= 0);
-    QVERIFY(std::abs(coveredArea(corners, triangles) / polygonArea(corners) - 1) < 1e-9);
+        QCOMPARE_GE(areaVector(corners, t).dot(normal), 0);
+    COMPARE_NEAR(coveredArea(corners, triangles) / polygonArea(corners), 1, 1e-9, "");
 }
 
 /// Star-shaped about the origin, with any radii: often very concave.
@@ -101,7 +102,7 @@ private slots:
             corners.emplace_back(i / 50.0, 0, 0);
         PolygonCutter cutter;
         for (const auto& t : cutter.cut(corners))
-            QVERIFY(areaVector(corners, t).norm() > 0.005);
+            QCOMPARE_GT(areaVector(corners, t).norm(), 0.005);
     }
 
     void theShorterDiagonalCutsAQuad() {
@@ -117,7 +118,7 @@ private slots:
         PolygonCutter cutter;
         const auto triangles = cutter.cut(corners);
         QCOMPARE(triangles.size(), std::size_t(2));
-        QVERIFY(std::abs(coveredArea(corners, triangles) - 1) < 1e-12);
+        COMPARE_NEAR(coveredArea(corners, triangles), 1, 1e-12, "m²");
     }
 
     void whatHasNoAreaIsASegmentOrAPoint() {
@@ -169,7 +170,7 @@ private slots:
         for (int i = 0; i < 100'000; ++i)
             round.emplace_back(std::cos(M_PI * i / 5e4), std::sin(M_PI * i / 5e4), 0);
         PolygonCutter cutter;
-        QVERIFY(std::abs(coveredArea(round, cutter.cut(round)) - M_PI) < 1e-6);
+        COMPARE_NEAR(coveredArea(round, cutter.cut(round)), M_PI, 1e-6, "m²");
         QVERIFY(!cutter.gaveUp());
         const std::vector<Vec3> star = randomStar(200'000, 1);
         QCOMPARE(cutter.cut(star).size(), star.size() - 2);

@@ -6,6 +6,7 @@
 
 #include "core/geometry/surfaces.h"
 #include "tests/core/geometry/meshes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/geometry/topology.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -31,10 +32,6 @@ std::vector<Eigen::Vector3f> normals(const TriangleSoup& soup, double crease) {
     return cornerNormalsOf(soup, crease).value();
 }
 
-bool near(const Eigen::Vector3f& a, const Vec3& b) {
-    return (a.cast<double>() - b).norm() < 1e-6;
-}
-
 } // namespace
 
 class TestTopology : public QObject {
@@ -45,7 +42,7 @@ private slots:
         const TriangleSoup soup = cube();
         const auto found = normals(soup, 0.5 * kRightAngle);
         for (std::size_t i = 0; i < found.size(); ++i)
-            QVERIFY(near(found[i], faceNormal(soup, i / 3)));
+            COMPARE_NEAR(found[i].cast<double>(), faceNormal(soup, i / 3), 1e-6, "");
     }
 
     /// Weighted by angle, so that how a side is cut into triangles does not show.
@@ -54,7 +51,7 @@ private slots:
         const auto found = normals(soup, 1.5 * kRightAngle);
         for (std::size_t i = 0; i < found.size(); ++i) {
             const Vec3 corner = soup.positions[soup.triangles[i / 3][i % 3]];
-            QVERIFY(near(found[i], (corner - Vec3::Constant(0.5)).normalized()));
+            COMPARE_NEAR(found[i].cast<double>(), (corner - Vec3::Constant(0.5)).normalized(), 1e-6, "");
         }
     }
 
@@ -69,7 +66,7 @@ private slots:
         }
         const auto expected = normals(whole, M_PI), found = normals(split, M_PI);
         for (std::size_t i = 0; i < found.size(); ++i)
-            QVERIFY(near(found[i], expected[i].cast<double>()));
+            COMPARE_NEAR(found[i].cast<double>(), expected[i].cast<double>(), 1e-6, "");
     }
 
     void eachTriangleAtANonManifoldEdgeKeepsItsOwn() {
@@ -78,7 +75,7 @@ private slots:
         soup.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
         const auto found = normals(soup, M_PI);
         for (std::size_t i = 0; i < found.size(); ++i)
-            QVERIFY(near(found[i], faceNormal(soup, i / 3)));
+            COMPARE_NEAR(found[i].cast<double>(), faceNormal(soup, i / 3), 1e-6, "");
     }
 
     void segmentsGetSomeNormal() {
@@ -86,7 +83,7 @@ private slots:
         soup.triangles.push_back({0, 7, 7});
         const auto found = normals(soup, 1);
         QCOMPARE(found.size(), std::size_t(39));
-        QVERIFY(near(found[36], {0, 0, 1}));
+        COMPARE_NEAR(found[36].cast<double>(), Vec3(0, 0, 1), 1e-6, "");
     }
 
     /// Any soup: an answer of unit length for every corner, on the front side of triangles that stand alone.
@@ -105,10 +102,12 @@ private slots:
             const auto found = normals(soup, 0);
             QCOMPARE(found.size(), 3 * soup.triangles.size());
             for (std::size_t i = 0; i < found.size(); ++i) {
-                QVERIFY(std::abs(found[i].norm() - 1) < 1e-4);
+                COMPARE_NEAR(found[i].norm(), 1, 1e-4, "");
                 const auto& t = soup.triangles[i / 3];
                 const bool flat = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-                QVERIFY(flat || near(found[i], faceNormal(soup, i / 3))); // every edge is a crease at angle 0
+                if (!flat)
+                    COMPARE_NEAR(found[i].cast<double>(), faceNormal(soup, i / 3), 1e-6,
+                                 ""); // every edge is a crease at angle 0
             }
         }
     }

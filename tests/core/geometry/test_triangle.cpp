@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/reference.h"
 
 using namespace tactum;
@@ -118,9 +119,9 @@ void TriangleTest::weightsReproduceTheNearestPoint() {
         const Vec3 p = inBox(rng, 2);
         const ClosestPoint closest = closestPoint(t, p);
         const Vec3 rebuilt = closest.weights[0] * t.a + closest.weights[1] * t.b + closest.weights[2] * t.c;
-        QVERIFY(std::abs(closest.weights.sum() - 1) < 1e-14);
-        QVERIFY(closest.weights.minCoeff() >= -1e-9);
-        QVERIFY((rebuilt - closest.point).norm() < 1e-14 * sizeOf(t, Vec3::Zero()) + 1e-14);
+        COMPARE_NEAR(closest.weights.sum(), 1, 1e-14, "");
+        QCOMPARE_GE(closest.weights.minCoeff(), -1e-9);
+        COMPARE_NEAR(rebuilt, closest.point, 1e-14 * sizeOf(t, Vec3::Zero()) + 1e-14, "m");
     }
 }
 
@@ -148,8 +149,8 @@ void TriangleTest::nothingOnTheTriangleIsNearer() {
                 nearest = std::min(
                     nearest,
                     (p - (t.a + (double(v) / grid) * (t.b - t.a) + (double(w) / grid) * (t.c - t.a))).norm());
-        QVERIFY(found <= nearest + 1e-14);
-        QVERIFY(nearest - found < 3.0 / grid);
+        QCOMPARE_LE(found, nearest + 1e-14);
+        QCOMPARE_LT(nearest - found, 3.0 / grid);
     }
 }
 
@@ -160,17 +161,17 @@ void TriangleTest::orderOfCornersDoesNotMatter() {
         const Vec3 p = inBox(rng, 2);
         const double first = (p - closestPoint(t, p).point).norm();
         for (const Triangle& turned : permutations(t))
-            QVERIFY(std::abs((p - closestPoint(turned, p).point).norm() - first) < 1e-12 * sizeOf(t, p));
+            COMPARE_NEAR((p - closestPoint(turned, p).point).norm(), first, 1e-12 * sizeOf(t, p), "m");
     }
 }
 
 void TriangleTest::featureIsWhereThePointLies() {
     const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    QVERIFY(closestPoint(t, {0.2, 0.3, 1}).feature == Feature::Face);
-    QVERIFY((closestPoint(t, {0.2, 0.3, 1}).point - Vec3(0.2, 0.3, 0)).norm() < 1e-15);
-    QVERIFY(closestPoint(t, {0.5, -1, 1}).feature == Feature::Edge);
+    QCOMPARE_EQ(closestPoint(t, {0.2, 0.3, 1}).feature, Feature::Face);
+    COMPARE_NEAR(closestPoint(t, {0.2, 0.3, 1}).point, Vec3(0.2, 0.3, 0), 1e-15, "m");
+    QCOMPARE_EQ(closestPoint(t, {0.5, -1, 1}).feature, Feature::Edge);
     QCOMPARE(closestPoint(t, {0.5, -1, 1}).weights, Vec3(0.5, 0.5, 0));
-    QVERIFY(closestPoint(t, {-1, -1, 1}).feature == Feature::Vertex);
+    QCOMPARE_EQ(closestPoint(t, {-1, -1, 1}).feature, Feature::Vertex);
     QCOMPARE(closestPoint(t, {2, -0.5, 0}).weights, Vec3(0, 1, 0));
 }
 
@@ -238,7 +239,7 @@ void TriangleTest::touchingSphereGoesNoDeeper() {
         const double next = sweepSphere(t, stopped, on, radius);
         QVERIFY2(next < 1e-9, qPrintable(QString("case %1: goes on for %2").arg(i).arg(next)));
     }
-    QVERIFY(touched > 50000);
+    QCOMPARE_GT(touched, 50000);
 }
 
 QTEST_APPLESS_MAIN(TriangleTest)

@@ -6,6 +6,7 @@
 #include "core/health/examine.h"
 #include "core/health/mesh_probe.h"
 #include "tests/core/geometry/meshes.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -66,7 +67,7 @@ private slots:
         const Problem found = thin(plate);
         QCOMPARE(found.triangles, (TriangleSet{0, 1, 2, 3})); // bottom and top, not the rims
         QCOMPARE(found.count, std::size_t(4));
-        QVERIFY((found.centre - Vec3(0.05, 0.05, 0.95e-3)).norm() < 1e-12);
+        COMPARE_NEAR(found.centre, Vec3(0.05, 0.05, 0.95e-3), 1e-12, "m");
         QCOMPARE(thin(box({0, 0, 0}, {0.1, 0.1, 2.1e-3})).count, std::size_t(0));
         QCOMPARE(thin(plate, 0.9e-3).count, std::size_t(0));
     }
@@ -149,7 +150,10 @@ private slots:
     }
 
     void aMistakenUnitIsGuessed() {
-        QVERIFY(!guessUnit(0.2) && !guessUnit(2) && !guessUnit(0.005) && !guessUnit(0));
+        QVERIFY(!guessUnit(0.2));
+        QVERIFY(!guessUnit(2));
+        QVERIFY(!guessUnit(0.005));
+        QVERIFY(!guessUnit(0));
         QCOMPARE(guessUnit(200)->factor, 0.001);
         QCOMPARE(guessUnit(8)->factor, 0.0254);
         QCOMPARE(guessUnit(2e-4)->factor, 1000.0);
@@ -176,7 +180,7 @@ private slots:
             after.objects[0].geometry = mended.soup;
             const Examined second = examine(after).value();
             for (const PlacedFinding& left : second.findings)
-                QVERIFY(left.problem->kind != found.problem->kind);
+                QCOMPARE_NE(left.problem->kind, found.problem->kind);
         }
         QVERIFY(!saysHealth({Finding::Severity::Note, "thing", "is blue", "paint it"}));
     }

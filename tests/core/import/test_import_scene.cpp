@@ -9,6 +9,7 @@
 #include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 
 using namespace tactum;
@@ -57,7 +58,7 @@ private slots:
             const auto file = folder_.write(mesh.name, mesh.content);
             const auto direct = loadScene(file);
             auto imported = importScene(file);
-            QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
+            VERIFY_RESULT(imported);
             QCOMPARE(imported->scene.objects.size(), std::size_t(1));
             auto& geometry = imported->scene.objects[0].geometry;
             QVERIFY(*geometry == *direct->scene.objects[0].geometry);
@@ -70,11 +71,13 @@ private slots:
     void knowsOurOwnScenes() {
         const auto mesh = folder_.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         const auto foreign = importScene(mesh);
-        QVERIFY(foreign && !foreign->ours);
+        VERIFY_RESULT(foreign);
+        QVERIFY(!foreign->ours);
         const auto file = folder_.path() / "own.glb";
-        QVERIFY(saveScene(foreign->scene, file));
+        VERIFY_RESULT(saveScene(foreign->scene, file));
         const auto own = importScene(file);
-        QVERIFY(own && own->ours);
+        VERIFY_RESULT(own);
+        QVERIFY(own->ours);
     }
 
     void errorsAreThoseOfTheReader() {
@@ -82,7 +85,8 @@ private slots:
         for (const char* name : {"broken.obj", "missing.obj", "mesh.xyz"}) {
             const auto direct = loadScene(folder_.path() / name),
                        imported = importScene(folder_.path() / name);
-            QVERIFY(!direct && !imported);
+            QVERIFY(!direct);
+            QVERIFY(!imported);
             QCOMPARE(imported.error().text, direct.error().text);
             QCOMPARE(imported.error().kind, direct.error().kind);
         }
@@ -92,7 +96,7 @@ private slots:
         folder_.write("red.mtl", "newmtl red\nKd 1 0 0\n");
         const auto inside = importScene(folder_.write("inside.obj", "mtllib red.mtl\nusemtl red\nv 0 0 0\n"
                                                                     "v 1 0 0\nv 0 1 0\nf 1 2 3\n"));
-        QVERIFY(inside);
+        VERIFY_RESULT(inside);
         QCOMPARE(inside->scene.objects[0].surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
     }
 
@@ -106,7 +110,7 @@ private slots:
         folder_.write("red.obj", "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         const auto alone = importScene("red.obj"), dotted = importScene("./red.obj");
         std::filesystem::current_path(before);
-        QVERIFY2(imported, imported ? "" : imported.error().text.c_str());
+        VERIFY_RESULT(imported);
         for (const auto* red : {&alone, &dotted}) // and what lies beside it
             QCOMPARE((*red)->scene.objects[0].surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
     }
@@ -115,15 +119,15 @@ private slots:
         FileFolder other;
         const auto file = other.write("real.off", asOff(grid(1)));
         std::filesystem::create_symlink(file, folder_.path() / "link.off");
-        QVERIFY(importScene(folder_.path() / "link.off"));
+        VERIFY_RESULT(importScene(folder_.path() / "link.off"));
     }
 
     void progressRisesToOne() {
         std::vector<double> fractions;
         Progress progress;
         progress.report = [&](double fraction) { fractions.push_back(fraction); };
-        QVERIFY(importScene(folder_.write("grid.obj", asObj(grid(150))), progress));
-        QVERIFY(fractions.size() > 2);
+        VERIFY_RESULT(importScene(folder_.write("grid.obj", asObj(grid(150))), progress));
+        QCOMPARE_GT(fractions.size(), 2);
         QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
         QCOMPARE(fractions.back(), 1.0);
     }
@@ -173,7 +177,7 @@ private slots:
         for (const char* does : {"lies", "zeros", "says-one-lives-on"}) {
             const auto answer = hostile(does);
             QVERIFY2(!answer, does);
-            QVERIFY(answer.error().text.find('\n') == std::string::npos);
+            COMPARE_LACKS(answer.error().text, "\n");
         }
     }
 
@@ -190,9 +194,8 @@ private slots:
         options.limits = ImportLimits{std::uint64_t(96) << 20, 60s, 300s};
         const auto answer = importScene(file, {}, options);
         QVERIFY(!answer);
-        QVERIFY2(answer.error().text.find("needed more than 0.1 GiB") != std::string::npos,
-                 answer.error().text.c_str());
-        QVERIFY(importScene(file));
+        COMPARE_CONTAINS(answer.error().text, "needed more than 0.1 GiB");
+        VERIFY_RESULT(importScene(file));
     }
 
     void cancellingEndsItAtOnce() {
@@ -243,7 +246,7 @@ private slots:
         const auto answer = importScene(folder_.write("a.off", asOff(grid(1))), {}, options);
         QVERIFY(!answer);
         QCOMPARE(answer.error().kind, Error::Kind::Machine);
-        QVERIFY(answer.error().text.find("nowhere") != std::string::npos);
+        COMPARE_CONTAINS(answer.error().text, "nowhere");
     }
 
     void hugeFilesMayUseMore() {
@@ -270,7 +273,7 @@ private slots:
             const auto imported = importScene(file);
             qInfo("%zu triangles: %.2f s here, %.2f s there", triangleCount(direct->scene), here,
                   since(begin));
-            QVERIFY(imported->scene.objects.size() == direct->scene.objects.size());
+            QCOMPARE_EQ(imported->scene.objects.size(), direct->scene.objects.size());
         }
     }
 

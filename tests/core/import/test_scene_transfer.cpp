@@ -7,6 +7,7 @@
 #include "core/dynamics/motion_build.h"
 #include "core/import/scene_transfer.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -100,16 +101,17 @@ void changeSoup(LoadedScene& loaded, const std::function<void(TriangleSoup&)>& c
 /// What the loops rely on.
 void checkPromises(const LoadedScene& loaded) {
     for (const SceneObject& object : loaded.scene.objects) {
-        QVERIFY(object.geometry && object.id != 0);
+        QVERIFY(object.geometry);
+        QCOMPARE_NE(object.id, 0);
         const TriangleSoup& soup = *object.geometry;
         QCOMPARE(soup.surfaceOf.size(), soup.triangles.size());
         for (const Index surface : soup.surfaceOf)
-            QVERIFY(surface < object.surfaces.size());
+            QCOMPARE_LT(surface, object.surfaces.size());
         for (const auto& triangle : soup.triangles)
             for (const Index corner : triangle)
-                QVERIFY(corner < soup.positions.size());
+                QCOMPARE_LT(corner, soup.positions.size());
         for (const Vec3& p : soup.positions)
-            QVERIFY(p.cwiseAbs().maxCoeff() <= 1e6);
+            QCOMPARE_LE(p.cwiseAbs().maxCoeff(), 1e6);
         for (const auto& n : soup.cornerNormals)
             QVERIFY(n.allFinite());
         for (const Surface& surface : object.surfaces)
@@ -133,8 +135,10 @@ private slots:
         QCOMPARE(back.scene.objects.size(), std::size_t(2));
         QCOMPARE(back.scene.proxyRadius, 0.003);
         const SceneObject &sent = loaded.scene.objects[0], &got = back.scene.objects[0];
-        QVERIFY(*got.geometry == *sent.geometry && *got.motion == *sent.motion);
-        QVERIFY(got.pose.translation == sent.pose.translation && got.visible == sent.visible);
+        QVERIFY(*got.geometry == *sent.geometry);
+        QVERIFY(*got.motion == *sent.motion);
+        QCOMPARE_EQ(got.pose.translation, sent.pose.translation);
+        QCOMPARE_EQ(got.visible, sent.visible);
         QVERIFY(got.pose.rotation.coeffs() == sent.pose.rotation.coeffs());
         const TextureImage &picture = *sent.surfaces[0].layers[0].pattern.image,
                            &copy = *got.surfaces[0].layers[0].pattern.image;
@@ -222,7 +226,8 @@ private slots:
             } catch (const ByteFault&) {
             }
         }
-        QVERIFY(accepted > rounds / 100 && accepted < rounds);
+        QCOMPARE_GT(accepted, rounds / 100);
+        QCOMPARE_LT(accepted, rounds);
     }
 
 private:

@@ -6,6 +6,7 @@
 
 #include "core/loop/metronome.h"
 #include "core/runtime/period_histogram.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -34,7 +35,7 @@ private slots:
         Tick tick;
         for (int i = 1; i <= 400; ++i) {
             tick = metronome.wait();
-            QVERIFY(tick.time >= i / 2000.0);
+            QCOMPARE_GE(tick.time, i / 2000.0);
         }
     }
 
@@ -48,7 +49,7 @@ private slots:
             tick = metronome.wait();
             sum += tick.elapsed;
         }
-        QVERIFY(std::abs(sum - tick.time) < 1e-9);
+        COMPARE_NEAR(sum, tick.time, 1e-9, "s");
     }
 
     void missedTicksAreNotCaughtUpInABurst() {
@@ -60,7 +61,7 @@ private slots:
         Tick after;
         for (int i = 1; i <= 10; ++i)
             after = metronome.wait();
-        QVERIFY(after.time - late.time >= 0.01 - 1e-9);
+        QCOMPARE_GE(after.time - late.time, 0.01 - 1e-9);
     }
 
     void overloadedLoopStillRests() {
@@ -69,7 +70,7 @@ private slots:
         metronome.wait();
         for (int i = 0; i < 20; ++i) {
             workFor(kWork);
-            QVERIFY(metronome.wait().elapsed >= kWork * (1 + kRest) - 1e-9);
+            QCOMPARE_GE(metronome.wait().elapsed, kWork * (1 + kRest) - 1e-9);
         }
     }
 
@@ -78,15 +79,17 @@ private slots:
         constexpr double kHour = 3600;
         Metronome metronome(1000, 0, sleepersClock);
         for (int i = 0; i < 20; ++i)
-            QVERIFY(metronome.wait().elapsed < kHour);
+            QCOMPARE_LT(metronome.wait().elapsed, kHour);
         slept += std::int64_t(kHour) * 1'000'000'000;
         const Tick after = metronome.wait();
-        QVERIFY(after.elapsed > 0.99 * kHour && after.missed);
-        QVERIFY(after.time < kHour);
+        QCOMPARE_GT(after.elapsed, 0.99 * kHour);
+        QVERIFY(after.missed);
+        QCOMPARE_LT(after.time, kHour);
         double sum = after.elapsed; // the same hour does not count twice
         for (int i = 0; i < 20; ++i)
             sum += metronome.wait().elapsed;
-        QVERIFY(sum >= kHour && sum < 1.5 * kHour);
+        QCOMPARE_GE(sum, kHour);
+        QCOMPARE_LT(sum, 1.5 * kHour);
     }
 
     /// A loop that becomes worse after hours, and well again.
@@ -106,7 +109,8 @@ private slots:
         std::uint64_t ticks = 0;
         for (const std::uint32_t count : periods.counted().count)
             ticks += count;
-        QVERIFY(ticks > 4900 && ticks < 10100);
+        QCOMPARE_GT(ticks, 4900);
+        QCOMPARE_LT(ticks, 10100);
         now += 3600; // the machine slept
         periods.add(now, 9000);
         QCOMPARE(periods.counted().quantile(0.001), 10000.0);
@@ -121,8 +125,8 @@ private slots:
         QCOMPARE(statistics.rate(), 202.0);
         for (int i = 1; i <= 250; ++i)
             statistics.add(0.5 + 0.002 * i, i % 2 ? 1 : 3);
-        QVERIFY(std::abs(statistics.rate() - 500) < 1e-6);
-        QVERIFY(std::abs(statistics.mean() - 2) < 1e-9);
+        COMPARE_NEAR(statistics.rate(), 500, 1e-6, "Hz");
+        COMPARE_NEAR(statistics.mean(), 2, 1e-9, "");
         QCOMPARE(statistics.worst(), 3.0);
     }
 
@@ -134,7 +138,7 @@ private slots:
             statistics.add(60 + 0.002 * i, 1);
             if (i < 200) QCOMPARE(statistics.rate(), 0.0); // no half second yet
         }
-        QVERIFY(std::abs(statistics.rate() - 500) < 20);
+        COMPARE_NEAR(statistics.rate(), 500, 20, "Hz");
     }
 };
 

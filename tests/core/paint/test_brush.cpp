@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/paint/paint_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -70,14 +71,18 @@ private slots:
         for (std::size_t i = 0; i < soup->positions.size(); ++i) {
             const double d = (soup->positions[i] - centre).norm(),
                          part = strength * expectedFalloff(d / radius, falloff);
-            QVERIFY(std::abs(double(added[i]) - (0.3 + part)) < kSmall);
-            QVERIFY(std::abs(double(less[i]) - (0.7 - part)) < kSmall);
-            QVERIFY(std::abs(double(set[i]) - (0.9 - 0.7 * part)) < kSmall);
-            QVERIFY(std::abs(double(over[i]) - std::min(0.8 + part, 1.0)) < kSmall);
-            if (d > radius) QVERIFY(added[i] == 0.3F && less[i] == 0.7F && set[i] == 0.9F); // to the bit
+            COMPARE_NEAR(double(added[i]), 0.3 + part, kSmall, "");
+            COMPARE_NEAR(double(less[i]), 0.7 - part, kSmall, "");
+            COMPARE_NEAR(double(set[i]), 0.9 - 0.7 * part, kSmall, "");
+            COMPARE_NEAR(double(over[i]), std::min(0.8 + part, 1.0), kSmall, "");
+            if (d > radius) {
+                QCOMPARE_EQ(added[i], 0.3F);
+                QCOMPARE_EQ(less[i], 0.7F);
+                QCOMPARE_EQ(set[i], 0.9F);
+            } // to the bit
             inside += d <= radius;
         }
-        QVERIFY(inside > 100);
+        QCOMPARE_GT(inside, 100);
     }
 
     /// Turned about the middle, or mirrored, a dab is the same.
@@ -91,8 +96,8 @@ private slots:
         };
         for (std::size_t i = 0; i < soup->positions.size(); i += 7) {
             const Vec3& p = soup->positions[i];
-            QVERIFY(std::abs(valueAt({-p.y(), p.x(), 0}) - values[i]) < 1e-6F);
-            QVERIFY(std::abs(valueAt({p.x(), -p.y(), 0}) - values[i]) < 1e-6F);
+            COMPARE_NEAR(valueAt({-p.y(), p.x(), 0}), values[i], 1e-6F, "");
+            COMPARE_NEAR(valueAt({p.x(), -p.y(), 0}), values[i], 1e-6F, "");
         }
     }
 
@@ -125,10 +130,10 @@ private slots:
             onVertices(soup, brushOf(BrushMode::Add, 8e-3, 1, 0.5), {{Vec3::Zero()}}, {}, {{true, false}});
         double left = 0;
         for (std::size_t i = 0; i < soup->positions.size(); ++i) {
-            if (soup->positions[i].x() > 1e-9) QVERIFY(values[i] == 0);
+            if (soup->positions[i].x() > 1e-9) QCOMPARE_EQ(values[i], 0);
             left += double(values[i]);
         }
-        QVERIFY(left > 10);
+        QCOMPARE_GT(left, 10);
     }
 
     void segmentsAndPointsArePaintedFromEverySide() {
@@ -138,7 +143,7 @@ private slots:
         soup->surfaceOf = {0, 0};
         const auto values =
             onVertices(soup, brushOf(BrushMode::Add, 0.01, 1, 0), {{Vec3::Zero(), -Vec3::UnitX()}});
-        QVERIFY(values == std::vector<float>({1, 1, 1, 0})); // what no triangle uses is not there
+        QCOMPARE_EQ(values, std::vector<float>({1, 1, 1, 0})); // what no triangle uses is not there
     }
 
     /// However often a stroke crosses itself, and wherever the pointer was read, add goes up to strength.
@@ -162,11 +167,11 @@ private slots:
                 const double nearest = std::hypot(d, radius / 8);
                 const double reached =
                     std::abs(double(values[i] - start)) / (mode == BrushMode::Set ? 0.5 : 1);
-                QVERIFY(reached <= strength * expectedFalloff(d / radius, 1) + kSmall);
-                QVERIFY(reached >= strength * expectedFalloff(nearest / radius, 1) - 0.02);
+                QCOMPARE_LE(reached, strength * expectedFalloff(d / radius, 1) + kSmall);
+                QCOMPARE_GE(reached, strength * expectedFalloff(nearest / radius, 1) - 0.02);
                 most = std::max(most, reached);
             }
-            QVERIFY(std::abs(most - strength) < 0.02);
+            COMPARE_NEAR(most, strength, 0.02, "");
         }
     }
 
@@ -187,11 +192,11 @@ private slots:
         };
         const auto slow = dabsOf(1), fast = dabsOf(150);
         QCOMPARE(slow.size(), fast.size());
-        QVERIFY(slow.size() > 20);
+        QCOMPARE_GT(slow.size(), 20);
         for (std::size_t i = 0; i < slow.size(); ++i)
-            QVERIFY((slow[i] - fast[i]).norm() < 1e-12);
+            COMPARE_NEAR(slow[i], fast[i], 1e-12, "");
         for (std::size_t i = 0; i + 1 < slow.size(); ++i) // around the corner it is nearer
-            QVERIFY((slow[i + 1] - slow[i]).norm() < 5e-3 / 4 + 1e-12);
+            COMPARE_NEAR(slow[i + 1], slow[i], 5e-3 / 4 + 1e-12, "");
         std::size_t straight = 0;
         for (std::size_t i = 0; i + 1 < slow.size(); ++i)
             straight += std::abs((slow[i + 1] - slow[i]).norm() - 5e-3 / 4) < 1e-12;
@@ -215,15 +220,17 @@ private slots:
                     sum += double(values[i]), squares += double(values[i]) * double(values[i]), ++count;
             return std::sqrt(squares / count - sum * sum / count / count);
         };
-        QVERIFY(spread(onVertices(soup, brush, {{Vec3::Zero()}}, noisy)) < 0.25 * spread(noisy));
+        QCOMPARE_LT(spread(onVertices(soup, brush, {{Vec3::Zero()}}, noisy)), 0.25 * spread(noisy));
         for (const float value : onVertices(soup, brush, {{Vec3::Zero()}}, flat))
-            QVERIFY(std::abs(value - 0.3F) < 1e-6F);
+            COMPARE_NEAR(value, 0.3F, 1e-6F, "");
         const auto softened = onVertices(soup, brush, {{Vec3::Zero()}}, edge);
         for (std::size_t i = 0; i < soup->positions.size(); ++i) {
             const Vec3& p = soup->positions[i];
-            if (p.norm() > 8e-3) QVERIFY(softened[i] == edge[i]);
-            if (std::abs(p.y()) < 1e-9 && std::abs(p.x()) < 1.5e-3)
-                QVERIFY(softened[i] > 0.05F && softened[i] < 0.95F);
+            if (p.norm() > 8e-3) QCOMPARE_EQ(softened[i], edge[i]);
+            if (std::abs(p.y()) < 1e-9 && std::abs(p.x()) < 1.5e-3) {
+                QCOMPARE_GT(softened[i], 0.05F);
+                QCOMPARE_LT(softened[i], 0.95F);
+            }
         }
     }
 
@@ -237,7 +244,7 @@ private slots:
         const auto after =
             onVertices(soup, brushOf(BrushMode::Smooth, radius, 1, 0.5), {{Vec3::Zero()}}, slope);
         for (std::size_t i = 0; i < after.size(); ++i)
-            QVERIFY2(std::abs(double(after[i] - slope[i])) < 0.05 * rise, qPrintable(QString::number(i)));
+            QCOMPARE_LT(std::abs(double(after[i] - slope[i])), 0.05 * rise);
     }
 
     /// Any soup, brush and path: values stay from 0 to 1, nothing changes beyond reach, the same bits twice.
@@ -260,18 +267,19 @@ private slots:
                 path.push_back(places.back().centre);
             }
             const auto after = onVertices(soup, brush, places, before, surfaces);
-            QVERIFY(after == onVertices(soup, brush, places, before, surfaces));
+            QCOMPARE_EQ(after, onVertices(soup, brush, places, before, surfaces));
             std::vector<char> allowed(before.size(), 0);
             for (std::size_t i = 0; i < soup->triangles.size(); ++i)
                 for (const Index corner : soup->triangles[i])
                     allowed[corner] = allowed[corner] || surfaces(soup->surfaceOf[i]);
             for (std::size_t i = 0; i < after.size(); ++i) {
-                QVERIFY(after[i] >= 0 && after[i] <= 1);
+                QCOMPARE_GE(after[i], 0);
+                QCOMPARE_LE(after[i], 1);
                 if (after[i] == before[i]) continue;
                 QVERIFY(allowed[i]);
-                QVERIFY(distanceTo(path, soup->positions[i]) <= brush.radius + 1e-12);
+                QCOMPARE_LE(distanceTo(path, soup->positions[i]), brush.radius + 1e-12);
                 if (brush.mode == BrushMode::Add)
-                    QVERIFY(double(after[i] - before[i]) <= brush.strength + kSmall);
+                    QCOMPARE_LE(double(after[i] - before[i]), brush.strength + kSmall);
             }
         }
     }

@@ -5,6 +5,7 @@
 
 #include "core/geometry/mend.h"
 #include "core/paint/carry.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -51,11 +52,12 @@ std::shared_ptr<const PaintedValues> paint(const TriangleSoup& soup) {
 void TestCarriedPaint::weldedCornersKeepTheirValue() {
     const auto split = std::make_shared<const TriangleSoup>(splitPlate(12));
     const auto welded = weldVertices(split);
-    QVERIFY(welded && welded->soup->positions.size() == 13 * 13);
+    VERIFY_RESULT(welded);
+    QCOMPARE_EQ(welded->soup->positions.size(), 13 * 13);
     const auto carried = carriedPaint(paint(*split), *split, *welded->soup);
     QCOMPARE(carried->size(), std::size_t(13 * 13));
     for (std::size_t i = 0; i < carried->size(); ++i)
-        QVERIFY(std::abs((*carried)[i] - double(painted(welded->soup->positions[i]))) < 1e-6);
+        COMPARE_NEAR((*carried)[i], double(painted(welded->soup->positions[i])), 1e-6, "");
     // A vertex that moves as far as a repair moves one takes its value along; one in the open has none.
     TriangleSoup moved = *welded->soup;
     const double diagonal = 0.12 * std::sqrt(2);
@@ -64,7 +66,7 @@ void TestCarriedPaint::weldedCornersKeepTheirValue() {
     moved.positions.emplace_back(0.05, 0.05, 0.03);
     const auto again = carriedPaint(carried, *welded->soup, moved);
     for (std::size_t i = 0; i + 1 < again->size(); ++i)
-        QVERIFY(std::abs((*again)[i] - (*carried)[i]) < 1e-6);
+        COMPARE_NEAR((*again)[i], (*carried)[i], 1e-6, "");
     QCOMPARE(again->all().back(), 0.0F);
 }
 

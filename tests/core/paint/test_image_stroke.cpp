@@ -4,6 +4,7 @@
 #include "core/surface/image_sample.h"
 #include "tests/core/paint/paint_rig.h"
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -109,7 +110,7 @@ private slots:
                                             .arg(expected)));
                     inside += apart < radius;
                 }
-            QVERIFY(inside > 1000);
+            QCOMPARE_GT(inside, 1000);
         }
     }
 
@@ -287,7 +288,7 @@ private slots:
                 changed = std::max(changed, std::abs(double(values[i]) - 0.5));
             }
             QVERIFY2(apart < most, qPrintable(QString("%1: %2").arg(int(mode)).arg(apart)));
-            QVERIFY(mode == BrushMode::Smooth || changed > 0.25);
+            if (mode != BrushMode::Smooth) QCOMPARE_GT(changed, 0.25);
         }
     }
 
@@ -317,10 +318,10 @@ private slots:
             Vector2d uv = Vector2d::Zero();
             for (std::size_t k = 0; k < 3; ++k)
                 uv += w[int(k)] * soup->cornerUvs[3 * triangle + k].cast<double>();
-            QVERIFY2(valueAt(*after, uv) > 1 - 1e-4, qPrintable(QString::number(valueAt(*after, uv))));
+            QCOMPARE_GT(valueAt(*after, uv), 1 - 1e-4);
             ++read;
         }
-        QVERIFY(read > 5000);
+        QCOMPARE_GT(read, 5000);
     }
 
     /// Neither by its own surface nor by the margin of its neighbour.
@@ -337,10 +338,10 @@ private slots:
             for (int x = 0; x < 128; ++x) {
                 const bool changed =
                     after->texel(after->level(0), x, y) != before->texel(before->level(0), x, y);
-                QVERIFY(!changed || x < 64);
+                if (changed) QCOMPARE_LT(x, 64);
                 painted += changed;
             }
-        QVERIFY(painted > 1000);
+        QCOMPARE_GT(painted, 1000);
     }
 
     /// Where the layer moves, turns and scales its image the texels are those that the layer shows.
@@ -358,7 +359,7 @@ private slots:
                 point.uv = {uniform(rng, 0, 1), uniform(rng, 0, 1)};
                 const Vector2d texel = map.perUv * point.uv + map.shift;
                 const double there = valueAt(*image, texel.cwiseQuotient(Vector2d(64, 40)));
-                QVERIFY(std::abs(feel(*stack, point, 0).height - 1e-3 * there) < 1e-9);
+                COMPARE_NEAR(feel(*stack, point, 0).height, 1e-3 * there, 1e-9, "m");
             }
         }
     }
@@ -373,8 +374,8 @@ private slots:
             const Brush brush = brushOf(BrushMode(mode), 4e-3, 0.7, 0.5, 0.9);
             const Image one = onImage(soup, before, brush, places),
                         two = onImage(soup, before, brush, places);
-            QVERIFY(texels(*one) == texels(*two));
-            QVERIFY(texels(*one) != texels(*before));
+            QCOMPARE_EQ(texels(*one), texels(*two));
+            QCOMPARE_NE(texels(*one), texels(*before));
             const TextureImage whole(90, 70, texels(*one)); // its levels as well
             const auto& top = whole.level(3);
             for (int y = 0; y < top.height; ++y)
@@ -447,7 +448,7 @@ private slots:
             const Soup soup = laidOut(0.02, 3, scale * Eigen::Matrix2d::Identity(), {0, 0});
             const Image after = onImage(soup, before, brushOf(BrushMode::Add, 5e-3, 1, 1), {{Vec3::Zero()}});
             for (const std::uint16_t texel : texels(*after))
-                QVERIFY(texel <= 65535);
+                QCOMPARE_LE(texel, 65535);
         }
         const Soup bare = sheet(0.02, 3);
         QVERIFY(onImage(bare, before, Brush{}, {{Vec3::Zero()}}) == before);

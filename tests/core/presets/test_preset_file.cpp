@@ -9,6 +9,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/presets/base64.h"
 #include "core/presets/preset_file.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -88,7 +89,7 @@ void TestPresetFile::everythingComesBack() {
     made.preset.category = "Wood";
     const std::string text = presetText(made.preset);
     const auto read = parsed(text);
-    QVERIFY2(read, read ? "" : read.error().text.c_str());
+    VERIFY_RESULT(read);
     QCOMPARE(presetText(read->preset), text);
     QVERIFY(sourceOf(read->preset, "staticFriction") == source);
     Surface given = applied({}, read->preset);
@@ -123,7 +124,7 @@ void TestPresetFile::whatBelongsToAMeshStaysBehind() {
     QCOMPARE(made.notes.size(), std::size_t(3));
     QCOMPARE(made.preset.layers->size(), std::size_t(1));
     QVERIFY(!made.preset.layers->front().mask);
-    QVERIFY(parsed(presetText(made.preset)));
+    VERIFY_RESULT(parsed(presetText(made.preset)));
 }
 
 void TestPresetFile::unknownMembersStay() {
@@ -131,20 +132,22 @@ void TestPresetFile::unknownMembersStay() {
         parsed(with(R"({"staticFriction":0.5,"smell":"sweet",
         "layers":[{"name":"a","later":[1,2]}]})",
                     R"(,"sources":{"staticFriction":{"words":"w","page":7}},"author":{"is":"x"})"));
-    QVERIFY2(read, read ? "" : read.error().text.c_str());
+    VERIFY_RESULT(read);
     Preset renamed = read->preset;
     renamed.name = "other";
     Json json = Json::parse(presetText(renamed));
     QVERIFY(json["name"] == "other");
-    QVERIFY(json.contains("author") && json["author"] == (Json{{"is", "x"}}));
-    QVERIFY(json["feel"].contains("smell") && json["feel"]["smell"] == "sweet");
+    QVERIFY(json.contains("author"));
+    QVERIFY(json["author"] == (Json{{"is", "x"}}));
+    QVERIFY(json["feel"].contains("smell"));
+    QVERIFY(json["feel"]["smell"] == "sweet");
     QVERIFY(json["feel"]["layers"][0].contains("later"));
     QVERIFY(json["sources"]["staticFriction"].contains("page"));
 }
 
 void TestPresetFile::onlyWhatIsSetIsChanged() {
     const auto read = parsed(with(R"({"staticFriction":0.5,"dynamicFriction":0.25})"));
-    QVERIFY(read);
+    VERIFY_RESULT(read);
     const Surface before = richSurface();
     Surface after = applied(before, read->preset);
     QCOMPARE(after.material.staticFriction, 0.5);
@@ -152,7 +155,8 @@ void TestPresetFile::onlyWhatIsSetIsChanged() {
     after.material.staticFriction = before.material.staticFriction;
     after.material.dynamicFriction = before.material.dynamicFriction;
     QVERIFY(after == before);
-    QVERIFY(!read->preset.layers && !read->preset.shading);
+    QVERIFY(!read->preset.layers);
+    QVERIFY(!read->preset.shading);
 }
 
 void TestPresetFile::frictionStaysInOrder() {
@@ -160,7 +164,8 @@ void TestPresetFile::frictionStaysInOrder() {
     surface.material.staticFriction = surface.material.dynamicFriction = 0.5;
     const auto low = parsed(with(R"({"staticFriction":0.1})")),
                high = parsed(with(R"({"dynamicFriction":0.9})"));
-    QVERIFY(low && high);
+    VERIFY_RESULT(low);
+    VERIFY_RESULT(high);
     QCOMPARE(applied(surface, low->preset).material.dynamicFriction, 0.1);
     QCOMPARE(applied(surface, high->preset).material.staticFriction, 0.9);
 }
@@ -190,14 +195,14 @@ void TestPresetFile::namesBecomeFileNames() {
     QCOMPARE(presetFileName("Steel on steel, dry"), std::string("steel-on-steel-dry"));
     QCOMPARE(presetFileName("../../etc/passwd"), std::string("etc-passwd"));
     QCOMPARE(presetFileName("\xE6\x9C\xA8"), std::string("preset"));
-    QVERIFY(presetFileName(std::string(500, 'a')).size() < 100);
+    QCOMPARE_LT(presetFileName(std::string(500, 'a')).size(), 100);
 }
 
 void TestPresetFile::shippedPresetsAreWhole_data() {
     QTest::addColumn<QString>("file");
     const QDir folder(QStringLiteral(TACTUM_PRESETS));
     const QStringList files = folder.entryList({QStringLiteral("*.tactum-preset")}, QDir::Files);
-    QVERIFY(files.size() >= 20);
+    QCOMPARE_GE(files.size(), 20);
     for (const QString& file : files)
         QTest::newRow(qPrintable(file)) << folder.filePath(file);
 }
@@ -206,13 +211,13 @@ void TestPresetFile::shippedPresetsAreWhole() {
     QFETCH(QString, file);
     const std::string text = contentOf(file);
     const auto read = parsePreset(text, file.toStdString());
-    QVERIFY2(read, read ? "" : read.error().text.c_str());
+    VERIFY_RESULT(read);
     QVERIFY(read->notes.empty());
     const Preset& preset = read->preset;
     QCOMPARE(QString::fromStdString(presetFileName(preset.name) + ".tactum-preset"),
              QFileInfo(file).fileName());
     QVERIFY(!preset.category.empty());
-    QVERIFY(preset.colour != Preset().colour);
+    QCOMPARE_NE(preset.colour, Preset().colour);
     // Written again, it is the same: nothing in it is unknown or out of its order.
     Preset known = preset;
     known.kept = nullptr;
@@ -231,14 +236,18 @@ void TestPresetFile::shippedPresetsAreWhole() {
         QVERIFY2(hasSource(jsonKey(parameter.key)), parameter.label.data());
     }
     if (preset.values[kStatic] || preset.values[kDynamic]) {
-        QVERIFY(preset.values[kStatic] && preset.values[kDynamic]);
-        QVERIFY(*preset.values[kStatic] >= *preset.values[kDynamic]);
+        QVERIFY(preset.values[kStatic]);
+        QVERIFY(preset.values[kDynamic]);
+        QCOMPARE_GE(*preset.values[kStatic], *preset.values[kDynamic]);
     }
-    if (preset.layers) QVERIFY(!preset.layers->empty() && hasSource(kLayersPart));
+    if (preset.layers) {
+        QVERIFY(!preset.layers->empty());
+        QVERIFY(hasSource(kLayersPart));
+    }
     if (preset.shading) QVERIFY(hasSource(kShadingPart));
     QVERIFY(set > 0 || preset.layers || preset.shading);
-    QVERIFY(preset.sources.size() ==
-            std::size_t(set) + preset.layers.has_value() + preset.shading.has_value());
+    QCOMPARE_EQ(preset.sources.size(),
+                std::size_t(set) + preset.layers.has_value() + preset.shading.has_value());
 }
 
 void TestPresetFile::badFilesAreOneLine_data() {
@@ -311,9 +320,9 @@ void TestPresetFile::badFilesAreOneLine() {
     QVERIFY(!read);
     const QString line = QString::fromStdString(read.error().text);
     QVERIFY2(line.startsWith(QStringLiteral("a.tactum-preset:")), qPrintable(line));
-    QVERIFY2(line.contains(QString::fromUtf8(says)), qPrintable(line));
+    COMPARE_CONTAINS(line, QString::fromUtf8(says));
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
-    QVERIFY(read.error().kind == Error::Kind::Input);
+    QCOMPARE_EQ(read.error().kind, Error::Kind::Input);
 }
 
 void TestPresetFile::cutFilesAreOneLine() {
@@ -321,9 +330,10 @@ void TestPresetFile::cutFilesAreOneLine() {
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
         const auto read = parsed(whole.substr(0, length));
         QVERIFY2(!read, qPrintable(QString::number(length)));
-        QVERIFY(!read.error().text.empty() && read.error().text.find('\n') == std::string::npos);
+        QVERIFY(!read.error().text.empty());
+        COMPARE_LACKS(read.error().text, "\n");
     }
-    QVERIFY(parsed(whole));
+    VERIFY_RESULT(parsed(whole));
 }
 
 /// A picture that says it has 4 billion texels, and a file that is larger than any preset.
@@ -332,13 +342,15 @@ void TestPresetFile::hugeClaimsAreRefused() {
     const auto lying = parsed(with(R"({"layers":[{"pattern":{"source":"image","texture":{"index":0}}}]})",
                                    R"(,"images":[{"uri":"data:image/png;base64,)" + base64Of(png) + "\"}]"));
     QVERIFY(!lying);
-    QVERIFY2(lying.error().text.find("2048 texels") != std::string::npos, lying.error().text.c_str());
+    COMPARE_CONTAINS(lying.error().text, "2048 texels");
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("large.tactum-preset"));
     QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(1) << 30));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(file.resize(qint64(1) << 30));
     const auto large = readPreset(path.toStdString());
-    QVERIFY(!large && large.error().text.find('\n') == std::string::npos);
+    QVERIFY(!large);
+    COMPARE_LACKS(large.error().text, "\n");
     QVERIFY(!readPreset(folder.path().toStdString()));
     QVERIFY(!readPreset(folder.filePath(QStringLiteral("none")).toStdString()));
 }

@@ -9,6 +9,7 @@
 #include "core/presets/read_hatt.h"
 #include "core/presets/vibration_model.h"
 #include "core/surface/texture_feel.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -57,10 +58,6 @@ Result<LoadedPreset> parsed(const std::string& text) {
     return parseHatt(text, "a.xml");
 }
 
-bool isNear(double value, double expected, double part) {
-    return std::abs(value - expected) <= part * std::abs(expected);
-}
-
 } // namespace
 
 class TestReadHatt : public QObject {
@@ -97,7 +94,7 @@ void TestReadHatt::spectrumIsThatOfThePolynomial() {
     for (double f = 1; f < kRate / 2; f += 37) {
         const std::complex<double> z = std::polar(1.0, -2 * kPi * f / kRate);
         const double power = 2 * 0.4 / kRate / std::norm(1.0 + a1 * z + a2 * z * z);
-        QVERIFY(isNear(accelerationSpectrum(model, kRate, f), power, 1e-9));
+        COMPARE_NEAR(accelerationSpectrum(model, kRate, f), power, 1e-9 * power, "");
     }
 }
 
@@ -115,8 +112,8 @@ void TestReadHatt::whiteNoiseHasAClosedForm() {
     const double turn = 2 * kPi;
     const double height = std::sqrt(s / std::pow(turn, 4) * (std::pow(low, -3) - std::pow(high, -3)) / 3);
     const double slope = std::sqrt(s / (turn * turn) * (1 / low - 1 / high)) / speed;
-    QVERIFY(isNear(relief.height, height, 1e-5));
-    QVERIFY(isNear(relief.slope, slope, 1e-5));
+    COMPARE_NEAR(relief.height, height, 1e-5 * height, "m");
+    COMPARE_NEAR(relief.slope, slope, 1e-5 * slope, "");
 }
 
 // Another sum, of the polynomial itself over steps that grow with the frequency.
@@ -133,9 +130,10 @@ void TestReadHatt::aResonanceAgreesWithAnotherSum() {
         velocity += width * power / std::pow(turn, 2);
     }
     const ReliefFigures relief = reliefOf({lsfOf(a1, a2), 0.4, speed, 1}, kRate);
-    QVERIFY(isNear(relief.height, std::sqrt(height), 1e-3));
-    QVERIFY(isNear(relief.slope, std::sqrt(velocity) / speed, 1e-3));
-    QVERIFY(isNear(relief.wavelength(), 2 * kPi * relief.height / relief.slope, 1e-12));
+    COMPARE_NEAR(relief.height, std::sqrt(height), 1e-3 * std::sqrt(height), "m");
+    COMPARE_NEAR(relief.slope, std::sqrt(velocity) / speed, 1e-3 * std::sqrt(velocity) / speed, "");
+    COMPARE_NEAR(relief.wavelength(), 2 * kPi * relief.height / relief.slope,
+                 1e-12 * 2 * kPi * relief.height / relief.slope, "m");
 }
 
 // Felt through the haptic step's own sampling, along many lines.
@@ -159,14 +157,14 @@ void TestReadHatt::theLayerHasTheRelief() {
         slopes += felt.slope.x() * felt.slope.x();
     }
     const double mean = sum / kCount;
-    QVERIFY(isNear(std::sqrt(squares / kCount - mean * mean), wanted.height, 0.03));
-    QVERIFY(isNear(std::sqrt(slopes / kCount), wanted.slope, 0.03));
+    COMPARE_NEAR(std::sqrt(squares / kCount - mean * mean), wanted.height, 0.03 * wanted.height, "");
+    COMPARE_NEAR(std::sqrt(slopes / kCount), wanted.slope, 0.03 * wanted.slope, "");
 }
 
 void TestReadHatt::aFileBecomesAPreset() {
     const VibrationModel model{flat(10), 0.5, 0.1, 1};
     const auto read = parsed(setXml({model}));
-    QVERIFY2(read, read ? "" : read.error().text.c_str());
+    VERIFY_RESULT(read);
     const Preset& preset = read->preset;
     QCOMPARE(preset.name, std::string("felt & fur"));
     const Surface surface = applied({}, preset);
@@ -174,13 +172,13 @@ void TestReadHatt::aFileBecomesAPreset() {
     QCOMPARE(surface.material.staticFriction, 0.35);
     QCOMPARE(surface.layers.size(), std::size_t(1));
     const TextureLayer expected = noiseLike(reliefOf(model, kRate));
-    QVERIFY(isNear(surface.layers[0].strength, expected.strength, 1e-9));
-    QVERIFY(isNear(surface.layers[0].pattern.size, expected.pattern.size, 1e-9));
+    COMPARE_NEAR(surface.layers[0].strength, expected.strength, 1e-9 * expected.strength, "");
+    COMPARE_NEAR(surface.layers[0].pattern.size, expected.pattern.size, 1e-9 * expected.pattern.size, "");
     for (const char* part : {"dynamicFriction", "staticFriction", kLayersPart})
         QVERIFY2(!sourceOf(preset, part).words.empty(), part);
-    QVERIFY(sourceOf(preset, kLayersPart).words.find("100 mm/s and 1 N") != std::string::npos);
-    QVERIFY(read->notes.back().find("licence") != std::string::npos);
-    QVERIFY(parsePreset(presetText(preset), "a"));
+    COMPARE_CONTAINS(sourceOf(preset, kLayersPart).words, "100 mm/s and 1 N");
+    COMPARE_CONTAINS(read->notes.back(), "licence");
+    VERIFY_RESULT(parsePreset(presetText(preset), "a"));
 }
 
 void TestReadHatt::theMiddleModelIsTaken() {
@@ -189,9 +187,9 @@ void TestReadHatt::theMiddleModelIsTaken() {
         for (const double force : {0.5, 1.5, 3.0})
             models.push_back({flat(4), 0.1, speed, force});
     const auto read = parsed(setXml(models));
-    QVERIFY(read);
+    VERIFY_RESULT(read);
     const std::string& words = sourceOf(read->preset, kLayersPart).words;
-    QVERIFY2(words.find("100 mm/s and 1.5 N") != std::string::npos, words.c_str());
+    COMPARE_CONTAINS(words, "100 mm/s and 1.5 N");
 }
 
 void TestReadHatt::whatIsNotReadIsSaid() {
@@ -199,12 +197,14 @@ void TestReadHatt::whatIsNotReadIsSaid() {
     const auto moving = parsed(setXml({model}, "0.35", "<numMACoeff>8</numMACoeff>")),
                none = parsed(setXml({}));
     for (const auto& read : {moving, none}) {
-        QVERIFY(read && !read->preset.layers);
+        VERIFY_RESULT(read);
+        QVERIFY(!read->preset.layers);
         QCOMPARE(applied({}, read->preset).material.dynamicFriction, 0.35);
-        QVERIFY(read->notes.front().find("friction came over") != std::string::npos);
+        COMPARE_CONTAINS(read->notes.front(), "friction came over");
     }
     const auto still = parsed(setXml({{flat(4), 0, 0.1, 1}, {flat(4), 0.5, 0, 1}}));
-    QVERIFY(still && !still->preset.layers);
+    VERIFY_RESULT(still);
+    QVERIFY(!still->preset.layers);
 }
 
 void TestReadHatt::badFilesAreOneLine_data() {
@@ -246,7 +246,7 @@ void TestReadHatt::badFilesAreOneLine() {
     QVERIFY(!read);
     const QString line = QString::fromStdString(read.error().text);
     QVERIFY2(line.startsWith(QStringLiteral("a.xml:")), qPrintable(line));
-    QVERIFY2(line.contains(QString::fromUtf8(says)), qPrintable(line));
+    COMPARE_CONTAINS(line, QString::fromUtf8(says));
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
 }
 

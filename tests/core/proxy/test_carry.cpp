@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/proxy/carry_stage.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -75,7 +76,7 @@ void CarryTest::aFallingPlateIsFollowed() {
             stage.put(mover, at({0, 0, -3e-4 * i}));
             stage.step(finger);
             const double expected = std::max(finger.z(), -3e-4 * i + kRadius);
-            QVERIFY(std::abs(stage.state.position.z() - expected) <= kMicrometre);
+            QCOMPARE_LE(std::abs(stage.state.position.z() - expected), kMicrometre);
         }
     }
 }
@@ -104,7 +105,8 @@ void CarryTest::neverPassesASheet() {
         if (i % 3) finger += 3e-4 * direction(rng);
         if (finger.norm() > 0.03) finger *= 0.5;
         const ProxyReport report = stage.step(finger);
-        QVERIFY(!report.squeezed && !report.passed);
+        QVERIFY(!report.squeezed);
+        QVERIFY(!report.passed);
         const double height = stage.inBody(mover).z();
         QVERIFY2(height >= kRadius - kMicrometre, (std::to_string(i) + ": at " + inMicrons(height)).c_str());
     }
@@ -137,7 +139,7 @@ void CarryTest::staysInsideAMovingBox() {
                  (std::to_string(i) + ": " + inMicrons(stage.clear())).c_str());
         touching += stage.state.contactCount > 0;
     }
-    QVERIFY(touching > 2000);
+    QCOMPARE_GT(touching, 2000);
 }
 
 void CarryTest::staysOutsideAMovingBall() {
@@ -191,7 +193,7 @@ void CarryTest::aPaddleTakesTheProxyAround() {
         met = met || stage.state.contactCount > 0;
         const bool beyondRim = p_B.x() > 0.055 || p_B.x() < inner;
         QVERIFY2(p_B.z() <= -kRadius + kMicrometre || beyondRim, std::to_string(angle).c_str());
-        QVERIFY(stage.clear() >= kRadius - kMicrometre);
+        QCOMPARE_GE(stage.clear(), kRadius - kMicrometre);
     }
     if (turn < 0.7) QVERIFY(met);
 }
@@ -208,9 +210,10 @@ void CarryTest::aNarrowBladeIsMetOnItsArc() {
     stage.step(where);
     stage.put(mover, turned(0.7, Vec3::UnitY()));
     stage.step(stage.pose(mover).apply({0.051, 0, 0.01})); // a finger behind the blade by now
-    QVERIFY(stage.state.contactCount > 0);
-    QVERIFY(std::abs(stage.inBody(mover).z() + kRadius) <= kMicrometre);
-    QVERIFY(stage.inBody(mover).x() > 0.049 && stage.inBody(mover).x() < 0.052);
+    QCOMPARE_GT(stage.state.contactCount, 0);
+    QCOMPARE_LE(std::abs(stage.inBody(mover).z() + kRadius), kMicrometre);
+    QCOMPARE_GT(stage.inBody(mover).x(), 0.049);
+    QCOMPARE_LT(stage.inBody(mover).x(), 0.052);
 }
 
 // Pushed toward a wall at rest the proxy stops at it, and slips off sideways where that is open.
@@ -227,7 +230,7 @@ void CarryTest::isSweptAgainstWalls() {
         const ProxyReport report = stage.step(finger);
         QVERIFY(!report.passed);
         QVERIFY2(stage.clear() >= kRadius - kMicrometre || report.squeezed, std::to_string(i).c_str());
-        QVERIFY(stage.state.position.z() <= 0.0205 - (report.squeezed ? 0 : kRadius - kMicrometre));
+        QCOMPARE_LE(stage.state.position.z(), 0.0205 - (report.squeezed ? 0 : kRadius - kMicrometre));
     }
 }
 
@@ -253,7 +256,7 @@ void CarryTest::isPushedAlongASlope() {
             QVERIFY2((stage.state.position - expected).norm() <= kMicrometre,
                      inMicrons((stage.state.position - expected).norm()).c_str());
     }
-    QVERIFY(stage.state.position.x() > 0.04);
+    QCOMPARE_GT(stage.state.position.x(), 0.04);
 }
 
 // Held by static friction the proxy keeps its place on the body, whatever that does.
@@ -282,7 +285,7 @@ void CarryTest::doesNotRideWithoutFriction() {
     for (int i = 1; i < 500; ++i) {
         stage.put(mover, at({1e-3 * i, -3e-4 * i, 0}));
         stage.step({0, 0, -0.001});
-        QVERIFY((stage.state.position - Vec3(0, 0, kRadius)).norm() < 1e-9);
+        COMPARE_NEAR(stage.state.position, Vec3(0, 0, kRadius), 1e-9, "m");
     }
 }
 
@@ -342,7 +345,7 @@ void CarryTest::halfThroughItGoesOnPassing() {
     stage.put(0, at({0.01 * kRadius, 0, 0}), jumped);
     for (const Vec3& finger : {Vec3(0, 0, 0.3 * kRadius), Vec3(0.1 * kRadius, 0, 0.2 * kRadius)}) {
         stage.step(finger);
-        QVERIFY((stage.state.position - finger).norm() <= 1e-12);
+        QCOMPARE_LE((stage.state.position - finger).norm(), 1e-12);
     }
 }
 
@@ -358,8 +361,9 @@ void CarryTest::whatTurnsOverItFromBehindIsNotFelt() {
         stage.put(0, turned(turn, Vec3::UnitZ(), {0.01, 0, -0.7 * kRadius}));
         stage.put(1, at({0, 0, 0.5 * kRadius}));
         const ProxyReport report = stage.step(Vec3::Zero());
-        QVERIFY(!report.squeezed && !report.passed);
-        QVERIFY(std::abs(stage.state.position.z() + 0.5 * kRadius) <= kMicrometre);
+        QVERIFY(!report.squeezed);
+        QVERIFY(!report.passed);
+        QCOMPARE_LE(std::abs(stage.state.position.z() + 0.5 * kRadius), kMicrometre);
     }
 }
 

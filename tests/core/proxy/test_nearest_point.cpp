@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/reference.h"
 
 using namespace tactum;
@@ -102,7 +103,7 @@ void NearestPointTest::agreesWithEverySubset() {
         QVERIFY2(breach(u, planes, found) < allowed,
                  qPrintable(describe(i, "breach", breach(u, planes, found))));
     }
-    QVERIFY(infeasible > 1000);
+    QCOMPARE_GT(infeasible, 1000);
 }
 
 // Two planes that differ by an angle d: the line in which they meet is known to 1e-16 / d.
@@ -121,13 +122,13 @@ void NearestPointTest::nearlyParallelPlanes() {
             Vec3 pushed = found.x - u;
             for (int k = 0; k < 6; ++k) {
                 violation = std::max(violation, -planes[k].normal.dot(found.x));
-                QVERIFY(found.lambda[k] >= 0);
+                QCOMPARE_GE(found.lambda[k], 0);
                 pushed -= found.lambda[k] * planes[k].normal;
             }
             QVERIFY2(violation < 1e-12, qPrintable(describe(i, "violation", violation)));
             QVERIFY2(pushed.norm() < 1e-14, qPrintable(describe(i, "unbalanced", pushed.norm())));
             // Whatever the corner is, it is within the angle of the foot point on the one plane.
-            QVERIFY((found.x - (u - n * n.dot(u))).norm() < 10 * angle + 1e-12);
+            COMPARE_NEAR(found.x, u - n * n.dot(u), 10 * angle + 1e-12, "");
         }
 }
 
@@ -140,7 +141,7 @@ void NearestPointTest::exactlyOppositePlanes() {
         const Vec3 u = 2 * inBox(rng, 1);
         const NearestPoint found = nearestPoint(u, planes);
         QVERIFY(found.feasible);
-        QVERIFY((found.x - (u + (where - n.dot(u)) * n)).norm() < 1e-13);
+        COMPARE_NEAR(found.x, u + (where - n.dot(u)) * n, 1e-13, "");
     }
 }
 
@@ -189,7 +190,7 @@ void NearestPointTest::doesNotDependOnOrder() {
         Planes planes = randomPlanes(rng, 2 + int(rng() % 12), false);
         const Vec3 u = direction(rng), first = nearestPoint(u, planes).x;
         std::reverse(planes.begin(), planes.end());
-        QVERIFY((nearestPoint(u, planes).x - first).norm() < 1e-12);
+        COMPARE_NEAR(nearestPoint(u, planes).x, first, 1e-12, "");
     }
 }
 
@@ -203,7 +204,8 @@ void NearestPointTest::whatIsNoNumberEndsTheSearch() {
             for (double* value : {&plane.normal.x(), &plane.normal.y(), &plane.normal.z(), &plane.offset})
                 if (rng() % 4 == 0) *value = std::array{infinity, -infinity, nan, 1e200, -1e300}[rng() % 5];
         const NearestPoint nearest = nearestPoint(direction(rng), planes);
-        QVERIFY(nearest.active >= 0 && nearest.active <= 3);
+        QCOMPARE_GE(nearest.active, 0);
+        QCOMPARE_LE(nearest.active, 3);
     }
 }
 

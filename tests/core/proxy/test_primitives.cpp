@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
 
@@ -90,7 +91,7 @@ void PrimitivesTest::thePointIsSlidOffExactlyAtItsEquator() {
                  qPrintable(QString::number(finger.x())));
         if (h.output().contacts > 0) let = finger.x();
     });
-    QVERIFY(std::abs(let - std::sqrt(kRadius * kRadius - 1e-8)) < 2e-5); // a stride of the finger
+    COMPARE_NEAR(let, std::sqrt(kRadius * kRadius - 1e-8), 2e-5, ""); // a stride of the finger
 }
 
 void PrimitivesTest::aSegmentPushesAcross() {
@@ -133,10 +134,11 @@ void PrimitivesTest::aCrossOfWiresHoldsInItsCorner() {
         hand.to({0.0005 - 1e-6 * i, 0.0005 - 1e-6 * i, height});
     const Vec3 p = hand.output().proxy;
     QCOMPARE(hand.output().contacts, 2);
-    QVERIFY(std::abs(std::hypot(p.y(), p.z()) - kRadius) <= kMicrometre);
-    QVERIFY(std::abs(std::hypot(p.x(), p.z()) - kRadius) <= kMicrometre);
-    QVERIFY(p.z() >= height && p.x() <= beside + kMicrometre);
-    QVERIFY(std::abs(p.x() - p.y()) <= kMicrometre);
+    QCOMPARE_LE(std::abs(std::hypot(p.y(), p.z()) - kRadius), kMicrometre);
+    QCOMPARE_LE(std::abs(std::hypot(p.x(), p.z()) - kRadius), kMicrometre);
+    QCOMPARE_GE(p.z(), height);
+    QCOMPARE_LE(p.x(), beside + kMicrometre);
+    QCOMPARE_LE(std::abs(p.x() - p.y()), kMicrometre);
 }
 
 // Points on a grid of spacing a carry the proxy like a floor: in the pit between four, and on each.
@@ -153,9 +155,9 @@ void PrimitivesTest::aCloudOfPointsIsAFloor() {
     for (int i = 0; i < 20; ++i)
         hand.go({uniform(rng, -0.01, 0.01), uniform(rng, -0.01, 0.01), -0.002}, kHandSpeed,
                 [&](const Hand& h) {
-                    QVERIFY(clearance(*soup, h.output().proxy) >= kRadius - kMicrometre);
-                    QVERIFY(h.output().proxy.z() >
-                            std::sqrt(kRadius * kRadius - spacing * spacing / 2) - kMicrometre);
+                    QCOMPARE_GE(clearance(*soup, h.output().proxy), kRadius - kMicrometre);
+                    QCOMPARE_GT(h.output().proxy.z(),
+                                std::sqrt(kRadius * kRadius - spacing * spacing / 2) - kMicrometre);
                 });
     const double pit = std::sqrt(kRadius * kRadius - spacing * spacing / 2);
     const Vec3 middle(spacing / 2, spacing / 2, 0);
@@ -172,8 +174,8 @@ void PrimitivesTest::frictionHoldsOnAWire() {
     double peak = 0;
     hand.go({0.002, 0, kRadius - depth}, 1e-3,
             [&](const Hand& h) { peak = std::max(peak, -h.output().force.x() / h.output().force.z()); });
-    QVERIFY2(std::abs(peak - mu) <= 0.005 * mu, qPrintable(QString::number(peak)));
-    QVERIFY(std::abs(-hand.output().force.x() / hand.output().force.z() - 0.6 * mu) <= 0.005 * mu);
+    QCOMPARE_LE(std::abs(peak - mu), 0.005 * mu);
+    QCOMPARE_LE(std::abs(-hand.output().force.x() / hand.output().force.z() - 0.6 * mu), 0.005 * mu);
 }
 
 void PrimitivesTest::sidesOfASheet_data() {
@@ -192,7 +194,7 @@ void PrimitivesTest::sidesOfASheet() {
             const bool felt =
                 sides != Sides::None && (sides == Sides::Both || (sides == Sides::Front) == (from > 0));
             QCOMPARE(hand.output().contacts > 0, felt);
-            QVERIFY(std::abs(hand.output().proxy.z() - from * (felt ? kRadius : -0.004)) <= kMicrometre);
+            QCOMPARE_LE(std::abs(hand.output().proxy.z() - from * (felt ? kRadius : -0.004)), kMicrometre);
         }
 }
 
@@ -218,10 +220,10 @@ void PrimitivesTest::aOneSidedBallLetsOutOrIn() {
             hand.go(outward ? outside : inside, 0.3,
                     [&](const Hand& h) { most = std::max(most, h.output().force.norm()); });
             QCOMPARE(hand.output().contacts, 0);
-            QVERIFY2(most == 0, qPrintable(QString::number(most)));
+            QCOMPARE_EQ(most, 0);
             hand.go(outward ? inside : outside, 0.3);
-            QVERIFY(hand.output().contacts > 0);
-            QVERIFY(clearance(*soup, hand.output().proxy) >= kRadius - kMicrometre);
+            QCOMPARE_GT(hand.output().contacts, 0);
+            QCOMPARE_GE(clearance(*soup, hand.output().proxy), kRadius - kMicrometre);
         }
 }
 
@@ -281,7 +283,7 @@ void PrimitivesTest::aSheetThatTurnsHalfWayGoesOnPassing() {
         moveTo(height);
     for (int i = 0; i <= 10; ++i)
         moveTo(-0.0015 + 0.0002 * i);
-    QVERIFY((state.position - Vec3(0, 0, 0.0005 + kRadius)).norm() < kMicrometre);
+    COMPARE_NEAR(state.position, Vec3(0, 0, 0.0005 + kRadius), kMicrometre, "m");
 }
 
 // A corner of a room, felt from inside: half through its floor from below, its wall holds all the same.

@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
 
@@ -142,7 +143,7 @@ void ProxyPropertiesTest::farFromTheOriginItComesToRest() {
             for (int k = 1; k <= 100; ++k, ++steps) {
                 finger = from + 0.01 * k * (target - from);
                 spent += rig.step(finger).boundHit;
-                QVERIFY(clearance(*soup, rig.position()) >= kRadius - kMicrometre);
+                QCOMPARE_GE(clearance(*soup, rig.position()), kRadius - kMicrometre);
             }
         }
         QVERIFY2(spent <= steps / 1000, qPrintable(QString("%1 of %2").arg(spent).arg(steps)));

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
 
@@ -110,7 +111,7 @@ void ProxyShapesTest::wedge() {
     ProxyRig rig(test::wedge(opening, 0.2), kRadius);
     rig.startAt({0, 0, 0.06});
     rig.walk({0, 0, 0.06}, {0, 0.003, -0.004}, kStride, 1);
-    QVERIFY((rig.position() - Vec3(0, 0.003, kRadius / std::sin(opening / 2))).norm() <= kAtRest);
+    QCOMPARE_LE((rig.position() - Vec3(0, 0.003, kRadius / std::sin(opening / 2))).norm(), kAtRest);
 }
 
 void ProxyShapesTest::corner() {
@@ -142,7 +143,7 @@ void ProxyShapesTest::pits() {
     rig.startAt({0, 0, 0.05});
     rig.walk({0, 0, 0.05}, {0, 0, -0.004}, kStride, 1);
     const double apothem = std::cos(std::numbers::pi / faces) / std::tan(elevation);
-    QVERIFY((rig.position() - Vec3(0, 0, kRadius * std::hypot(1, apothem) / apothem)).norm() <= kAtRest);
+    QCOMPARE_LE((rig.position() - Vec3(0, 0, kRadius * std::hypot(1, apothem) / apothem)).norm(), kAtRest);
 }
 
 void ProxyShapesTest::insideOfAPipe() {
@@ -250,7 +251,7 @@ void ProxyShapesTest::cracksCarryAtTheExactHeight() {
                  qPrintable(QString("width %1 r: z %2").arg(width).arg(rig.position().z())));
         // Along the slit, and pulled hard into it.
         rig.walk({0, 0, -0.003}, {0, 0.02, -0.015}, kStride, 5);
-        QVERIFY((rig.position() - Vec3(0, 0.02, height)).norm() <= kAtRest);
+        QCOMPARE_LE((rig.position() - Vec3(0, 0.02, height)).norm(), kAtRest);
     }
 }
 
@@ -268,9 +269,9 @@ void ProxyShapesTest::channelAsWideAsTheProxyLetsItGo() {
             const double error = (rig.position() - Vec3(0, pressed.y(), pressed.z())).norm();
             QVERIFY2(error <= kAtRest, qPrintable(micrometres(qPrintable(QString::number(excess)), error)));
         }
-        QVERIFY(clearance(*walls, rig.position()) >= kRadius - kAtRest);
+        QCOMPARE_GE(clearance(*walls, rig.position()), kRadius - kAtRest);
         rig.walk({0.0005, 0.002, 0.005}, {0, -0.005, 0.03}, kStride, 1);
-        QVERIFY((rig.position() - Vec3(0, -0.005, 0.03)).norm() <= kAtRest);
+        QCOMPARE_LE((rig.position() - Vec3(0, -0.005, 0.03)).norm(), kAtRest);
     }
 }
 
@@ -279,10 +280,10 @@ void ProxyShapesTest::sheetHoldsFromBothSides() {
         ProxyRig rig(sheet(0.05), kRadius);
         rig.startAt({0.01, 0.002, side * 0.004});
         rig.walk({0.01, 0.002, side * 0.004}, {0.01, 0.002, -side * 0.008}, kStride, 1);
-        QVERIFY((rig.position() - Vec3(0.01, 0.002, side * kRadius)).norm() <= kAtRest);
+        QCOMPARE_LE((rig.position() - Vec3(0.01, 0.002, side * kRadius)).norm(), kAtRest);
         // Over the diagonal that the two triangles share.
         rig.walk({0.01, 0.002, -side * 0.008}, {-0.01, 0.013, -side * 0.008}, kStride, 1);
-        QVERIFY((rig.position() - Vec3(-0.01, 0.013, side * kRadius)).norm() <= kAtRest);
+        QCOMPARE_LE((rig.position() - Vec3(-0.01, 0.013, side * kRadius)).norm(), kAtRest);
     }
 }
 
@@ -296,9 +297,9 @@ void ProxyShapesTest::fastStrokesDoNotPassAThinPlate() {
         const Vec3 way = speed * kMillisecond * Vec3(uniform(rng, -0.5, 0.5), uniform(rng, -0.5, 0.5), -1);
         for (int k = 0; k < 3; ++k) {
             rig.step(finger += way);
-            QVERIFY(rig.position().z() >= thickness / 2 + kRadius - kAtRest || finger.z() > 0);
+            if (!(finger.z() > 0)) QCOMPARE_GE(rig.position().z(), thickness / 2 + kRadius - kAtRest);
         }
-        QVERIFY((rig.position() - Vec3(finger.x(), finger.y(), thickness / 2 + kRadius)).norm() <= kAtRest);
+        QCOMPARE_LE((rig.position() - Vec3(finger.x(), finger.y(), thickness / 2 + kRadius)).norm(), kAtRest);
     }
 }
 
@@ -306,13 +307,13 @@ void ProxyShapesTest::edgesAndPointsAreTouched() {
     ProxyRig point(SoupBuilder().point(Vec3::Zero()).build(), kRadius);
     point.startAt({0, 0, 0.005});
     point.walk({0, 0, 0.005}, {0, 0, 0.0002}, kStride, 1);
-    QVERIFY((point.position() - Vec3(0, 0, kRadius)).norm() <= kAtRest);
+    QCOMPARE_LE((point.position() - Vec3(0, 0, kRadius)).norm(), kAtRest);
     point.walk({0, 0, 0.0002}, {0.0003, 0, 0.0004}, kStride, 3);
-    QVERIFY((point.position() - Vec3(0.6, 0, 0.8) * kRadius).norm() <= kAtRest);
+    QCOMPARE_LE((point.position() - Vec3(0.6, 0, 0.8) * kRadius).norm(), kAtRest);
     ProxyRig wire(SoupBuilder().segment({0, -1, 0}, {0, 1, 0}).build(), kRadius);
     wire.startAt({0, 0, 0.005});
     wire.walk({0, 0, 0.005}, {0.0003, 0.02, 0.0004}, kStride, 3);
-    QVERIFY((wire.position() - Vec3(0.6 * kRadius, 0.02, 0.8 * kRadius)).norm() <= kAtRest);
+    QCOMPARE_LE((wire.position() - Vec3(0.6 * kRadius, 0.02, 0.8 * kRadius)).norm(), kAtRest);
 }
 
 QTEST_APPLESS_MAIN(ProxyShapesTest)

@@ -5,6 +5,7 @@
 #include "core/proxy/carry_bounds.h"
 #include "tests/core/proxy/carry_stage.h"
 #include "tests/core/proxy/random_trial.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -179,8 +180,8 @@ void RandomMoversTest::everyStepKeepsTheInvariants() {
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     qInfo("of %d steps %d clear, %d squeezed", counted.steps, counted.clear, counted.squeezed);
     // Else the invariants would say nothing, for a step that squeezes is excused from them.
-    QVERIFY(counted.clear > 0.8 * counted.steps);
-    QVERIFY(counted.squeezed < 0.01 * counted.steps);
+    QCOMPARE_GT(counted.clear, 0.8 * counted.steps);
+    QCOMPARE_LT(counted.squeezed, 0.01 * counted.steps);
 }
 
 QTEST_APPLESS_MAIN(RandomMoversTest)

@@ -5,6 +5,7 @@
 #include "core/geometry/topology.h"
 #include "core/proxy/felt_planes.h"
 #include "tests/core/proxy/felt_rig.h"
+#include "tests/support/compare.h"
 #include "tests/support/reference.h"
 
 using namespace tactum;
@@ -236,7 +237,7 @@ void ShadingTest::creviceHoldsUpToTheFeltNormals() {
     const auto world = shadedWorld(two, frictionless(), r);
     const Vec3 seat(0, 0.001, (apothem + r - half * std::cos(facet)) / std::sin(facet));
     const double felt = std::atan2(seat.z() - r * std::sin(facet), half - r * std::cos(facet));
-    QVERIFY(std::abs(felt - facet) > 0.05);
+    QCOMPARE_GT(std::abs(felt - facet), 0.05);
     for (double angle : {felt + 0.01, 0.5 * kPi, kPi - felt - 0.01, felt - 0.01, kPi - felt + 0.01}) {
         const bool holds = angle > felt && angle < kPi - felt;
         const Vec3 push = -0.003 * Vec3(std::cos(angle), 0, std::sin(angle));
@@ -265,28 +266,28 @@ void ShadingTest::grooveLeansAlong() {
     Hand hand(shadedWorld(soup, frictionless(), r));
     hand.to({0, 0.003, 4e-3});
     hand.go({0, 0.003, 0}, 0.05, [&](const Hand& h) {
-        QVERIFY(clearance(*soup, h.output().proxy) < r + kMicrometre || h.output().contacts == 0);
+        if (h.output().contacts != 0) QCOMPARE_LT(clearance(*soup, h.output().proxy), r + kMicrometre);
     });
     for (int i = 0; i < 5; ++i)
         hand.to(hand.finger());
     const Vec3 force = hand.output().force;
-    QVERIFY(std::abs(force.y() / force.z() + s * std::numbers::sqrt2) < 1e-5);
-    QVERIFY(std::abs(hand.output().proxy.z() - r * std::numbers::sqrt2) < 1e-8);
+    QCOMPARE_LT(std::abs(force.y() / force.z() + s * std::numbers::sqrt2), 1e-5);
+    COMPARE_NEAR(hand.output().proxy.z(), r * std::numbers::sqrt2, 1e-8, "m");
     // The multipliers hold the finger: each face takes its part of the depth.
     QCOMPARE(hand.output().contacts, 2);
     for (int i = 0; i < 2; ++i)
-        QVERIFY(std::abs(hand.output().contact[std::size_t(i)].normalForce -
-                         force.z() / std::numbers::sqrt2) < 1e-6);
+        COMPARE_NEAR(hand.output().contact[std::size_t(i)].normalForce, force.z() / std::numbers::sqrt2, 1e-6,
+                     "N");
     // Uphill along the groove the sub-goal is above both faces. It goes back onto them.
     ProxyState state = hand.state.proxy;
     const NearestPoint uphill = updateFelt(
         state,
         {hand.world().obstacles, {}, {state.contacts.data(), 2}, r, hand.finger() + Vec3(0, 0.002, 0), 0});
-    QVERIFY(uphill.x.y() > 1e-3);
+    QCOMPARE_GT(uphill.x.y(), 1e-3);
     double height = 1;
     for (int i = 0; i < 2; ++i)
         height = std::min(height, state.contacts[i].normal.dot(uphill.x) + state.contacts[i].gap);
-    QVERIFY2(std::abs(height) < 1e-9, qPrintable(QString::number(height)));
+    QCOMPARE_LT(std::abs(height), 1e-9);
 }
 
 void ShadingTest::frictionAlongALeaningGroove_data() {
@@ -348,8 +349,8 @@ void ShadingTest::frictionConeStandsOnTheFeltNormal() {
             largest = std::max(largest, -sign * h.output().force.x() / h.output().force.z());
             worst = std::max(worst, std::abs(h.output().contact[0].normalForce - kStiffness.initial * depth));
         });
-        QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst)));
-        QVERIFY2(std::abs(largest / (mu + sign * s) - 1) < 0.005, qPrintable(QString::number(largest)));
+        QCOMPARE_LT(worst, 1e-3);
+        COMPARE_NEAR(largest / (mu + sign * s), 1, 0.005, "");
     }
 }
 
@@ -366,7 +367,7 @@ void ShadingTest::aFingerOutsideIsFree() {
             ++outside;
             QCOMPARE(h.output().force, Vec3(Vec3::Zero()));
         });
-        QVERIFY(outside > 10);
+        QCOMPARE_GT(outside, 10);
     }
 }
 

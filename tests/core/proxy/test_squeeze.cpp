@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/proxy/carry_stage.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -55,8 +56,8 @@ void SqueezeTest::isSqueezedEvenlyAndFreed() {
                     QVERIFY2(std::abs(z - room / 2) < kMicrometre, inMicrons(z - room / 2).c_str());
                 }
             }
-            QVERIFY(squeezed > 20);
-            QVERIFY(std::abs(stage.state.position.z() - kRadius) < kMicrometre);
+            QCOMPARE_GT(squeezed, 20);
+            COMPARE_NEAR(stage.state.position.z(), kRadius, kMicrometre, "m");
         }
 }
 
@@ -77,19 +78,19 @@ void SqueezeTest::isPassedWithoutRoomAndFelt() {
             stage.put(mover, at({1e-3 * std::sin(0.1 * i), 0, room + half.z()}));
             finger += 2e-4 * Vec3(uniform(rng, -1, 1), uniform(rng, -1, 1), 0);
             passed += stage.step(finger).passed;
-            QVERIFY(stage.state.position.z() > 0);
+            QCOMPARE_GT(stage.state.position.z(), 0);
             if (room < 0)
                 QVERIFY2(stage.state.position.z() >= kRadius - kMicrometre,
                          inMicrons(stage.state.position.z()).c_str());
         }
         QCOMPARE(passed, 1);
         QCOMPARE(stage.state.passedCount, 0);
-        QVERIFY(stage.clear() >= kRadius - kMicrometre);
+        QCOMPARE_GE(stage.clear(), kRadius - kMicrometre);
         // Pressed up against the box from below: it holds.
         for (int i = 0; i < 40; ++i)
             stage.step(finger + Vec3(0, 0, 5e-4 * i));
-        QVERIFY(stage.state.position.z() < 0.005 - kRadius + kMicrometre);
-        QVERIFY(stage.state.position.z() > 0.005 - kRadius - 1e-5);
+        QCOMPARE_LT(stage.state.position.z(), 0.005 - kRadius + kMicrometre);
+        QCOMPARE_GT(stage.state.position.z(), 0.005 - kRadius - 1e-5);
     }
 }
 
@@ -180,7 +181,7 @@ void SqueezeTest::aJumpLetsGo() {
     stage.step(finger);
     QCOMPARE(stage.state.position, finger);
     stage.step({0, 0, -0.04});
-    QVERIFY(std::abs(stage.state.position.z() - (-0.03 + kRadius)) < kMicrometre);
+    COMPARE_NEAR(stage.state.position.z(), -0.03 + kRadius, kMicrometre, "m");
 }
 
 void SqueezeTest::aSmallJumpIsSwept() {
@@ -192,7 +193,7 @@ void SqueezeTest::aSmallJumpIsSwept() {
     for (int i = 1; i <= 20; ++i) {
         stage.put(mover, at({0, 0, 1.5e-3 * i}), true);
         stage.step(finger);
-        QVERIFY(std::abs(stage.state.position.z() - (1.5e-3 * i + kRadius)) < kMicrometre);
+        COMPARE_NEAR(stage.state.position.z(), 1.5e-3 * i + kRadius, kMicrometre, "m");
     }
 }
 

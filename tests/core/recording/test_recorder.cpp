@@ -15,6 +15,7 @@
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 #include "tests/realtime/bumpy_scene.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -78,10 +79,11 @@ private slots:
         const Felt felt = feltRun(6000);
         run_ = felt.run;
         servo_ = felt.servo;
-        QVERIFY(run_.servo.rows.size() >= 6000);
-        QVERIFY(run_.proxy.rows.size() > 6000);
-        QVERIFY(run_.scenes.size() > 10);
-        QVERIFY(run_.proxyStates.size() >= 4 && run_.servoStates.size() >= 4);
+        QCOMPARE_GE(run_.servo.rows.size(), 6000);
+        QCOMPARE_GT(run_.proxy.rows.size(), 6000);
+        QCOMPARE_GT(run_.scenes.size(), 10);
+        QCOMPARE_GE(run_.proxyStates.size(), 4);
+        QCOMPARE_GE(run_.servoStates.size(), 4);
     }
 
     void theWholeRunGivesTheSameBits() {
@@ -94,7 +96,8 @@ private slots:
             touching += row.contacts > 0;
         for (const ServoRow& row : run_.servo.rows)
             pushed += vectorOf(row.force).norm() > 0;
-        QVERIFY(touching > 1000 && pushed > 500);
+        QCOMPARE_GT(touching, 1000);
+        QCOMPARE_GT(pushed, 500);
     }
 
     void theGuardIsSeenAsItWasSeenLive() {
@@ -102,7 +105,8 @@ private slots:
         QVERIFY(player.has_value());
         player->advanceTo(kForEver);
         const ServoTelemetry &live = servo_, &again = player->servo();
-        QVERIFY(live.ticks >= 6000 && live.pauses > 0);
+        QCOMPARE_GE(live.ticks, 6000);
+        QCOMPARE_GT(live.pauses, 0);
         QCOMPARE(again.ticks, live.ticks);
         QCOMPARE(again.finger, live.finger);
         QCOMPARE(again.force, live.force);
@@ -127,19 +131,20 @@ private slots:
         const double length = run_.end() - run_.begin();
         for (const double part : {0.9, 0.1, 0.5, 0.7, 0.3}) {
             player->seek(run_.begin() + part * length);
-            QVERIFY(player->check().servoSteps < 3000); // from a kept state, not from the beginning
+            QCOMPARE_LT(player->check().servoSteps, 3000); // from a kept state, not from the beginning
             player->advanceTo(player->time() + 0.2 * length);
             QVERIFY2(player->check().differ == 0, player->check().first.c_str());
-            QVERIFY(player->check().proxySteps > 0);
+            QCOMPARE_GT(player->check().proxySteps, 0);
         }
     }
 
     void whatIsCutOffAtTheFrontDoesNotMatter() {
         RecordedRun cut = run_;
         trim(cut, 2);
-        QVERIFY(cut.proxy.first > 0 && cut.servo.first > 0);
-        QVERIFY(cut.scenes.size() < run_.scenes.size());
-        QVERIFY(cut.end() - cut.begin() < 5);
+        QCOMPARE_GT(cut.proxy.first, 0);
+        QCOMPARE_GT(cut.servo.first, 0);
+        QCOMPARE_LT(cut.scenes.size(), run_.scenes.size());
+        QCOMPARE_LT(cut.end() - cut.begin(), 5);
         const ReplayCheck check = replayed(cut);
         QVERIFY2(check.differ == 0, check.first.c_str());
         QCOMPARE(check.servoSteps, cut.servo.rows.size());
@@ -148,11 +153,13 @@ private slots:
     void whatHasNoRowsCanBeCut() {
         RecordedRun none;
         trim(none);
-        QVERIFY(none.proxy.rows.empty() && none.servo.rows.empty());
+        QVERIFY(none.proxy.rows.empty());
+        QVERIFY(none.servo.rows.empty());
         RecordedRun half = run_;
         half.servo = {};
         trim(half);
-        QVERIFY(!half.proxy.rows.empty() && half.servo.rows.empty());
+        QVERIFY(!half.proxy.rows.empty());
+        QVERIFY(half.servo.rows.empty());
         half = run_;
         half.proxy = {};
         trim(half);
@@ -188,7 +195,7 @@ private slots:
         }
         trim(silent);
         QVERIFY(!silent.proxy.rows.empty());
-        QVERIFY(silent.servo.rows.size() > 5900);
+        QCOMPARE_GT(silent.servo.rows.size(), 5900);
         QVERIFY(Player::open(shared(silent)).has_value());
     }
 
@@ -215,9 +222,9 @@ private slots:
             armed += event.text == "forces on" || event.text == "forces off";
             restarts += event.text == "the proxy was put on the finger";
         }
-        QVERIFY(edits > 10);
-        QVERIFY(armed >= 2);
-        QVERIFY(restarts >= 2);
+        QCOMPARE_GT(edits, 10);
+        QCOMPARE_GE(armed, 2);
+        QCOMPARE_GE(restarts, 2);
     }
 
     void faultsAreReplayed() {
@@ -304,8 +311,8 @@ private slots:
         done = true;
         writer.join();
         QCOMPARE(torn, 0u);
-        QVERIFY(seen > 0);
-        QVERIFY(dropped > 0); // it was overtaken, and noticed
+        QCOMPARE_GT(seen, 0);
+        QCOMPARE_GT(dropped, 0); // it was overtaken, and noticed
         const auto last = ring.copy();
         QVERIFY(last.rows.size() == std::min<std::size_t>(kRows, last.end()));
     }

@@ -15,6 +15,7 @@
 #include "core/runtime/compile.h"
 #include "tests/core/recording/hand_made_run.h"
 #include "tests/realtime/bumpy_scene.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -55,7 +56,7 @@ private slots:
     void readBackItIsTheSame() {
         const Recording written = shortRecording();
         const auto read = parseRecording(bytes_, "whole.tactum-recording");
-        QVERIFY2(read.has_value(), read ? "" : read.error().text.c_str());
+        VERIFY_RESULT(read);
         QCOMPARE(read->reason, written.reason);
         QCOMPARE(read->run.scenes.size(), written.run.scenes.size());
         for (std::size_t i = 0; i < written.run.scenes.size(); ++i) {
@@ -63,12 +64,12 @@ private slots:
             QCOMPARE(a.objects.size(), b.objects.size());
             for (std::size_t k = 0; k < a.objects.size(); ++k) {
                 QVERIFY(*a.objects[k].geometry == *b.objects[k].geometry);
-                QVERIFY(a.objects[k].pose == b.objects[k].pose);
+                QCOMPARE_EQ(a.objects[k].pose, b.objects[k].pose);
                 QVERIFY(a.objects[k].surfaces == b.objects[k].surfaces);
             }
         }
         auto player = Player::open(std::make_shared<const RecordedRun>(read->run));
-        QVERIFY2(player.has_value(), player ? "" : player.error().text.c_str());
+        VERIFY_RESULT(player);
         player->advanceTo(kForEver);
         QVERIFY2(player->check().differ == 0, player->check().first.c_str());
         QCOMPARE(player->check().proxySteps, written.run.proxy.rows.size());
@@ -80,11 +81,11 @@ private slots:
         // Forty edits of one plate: the plate is there once.
         const Recording recording = shortRecording();
         const auto& soup = *recording.run.scenes.front().scene->objects.front().geometry;
-        QVERIFY(recording.run.scenes.size() >= 8);
+        QCOMPARE_GE(recording.run.scenes.size(), 8);
         const std::size_t rows = recording.run.proxy.rows.size() * sizeof(ProxyRow) +
                                  recording.run.servo.rows.size() * sizeof(ServoRow);
         const std::size_t plates = 2 * soup.triangles.size() * (12 + 4 + 24);
-        QVERIFY(bytes_.size() < rows + 2 * plates + 100'000);
+        QCOMPARE_LT(bytes_.size(), rows + 2 * plates + 100'000);
     }
 
     void cutShortItIsRefused() {
@@ -124,7 +125,8 @@ private slots:
             QVERIFY2(text.empty() || isSentence(text), text.c_str());
         }
         qInfo("%d refused, %d played", refused, played);
-        QVERIFY(refused > 40 && played > 40); // both ways are taken;
+        QCOMPARE_GT(refused, 40);
+        QCOMPARE_GT(played, 40); // both ways are taken;
     }
 
     void aReasonThatIsNoneIsRefused() {
@@ -155,7 +157,7 @@ private slots:
         const std::filesystem::path model = folder.filePath("grid.obj").toStdString();
         writeGrid(model, 330);
         const auto loaded = loadScene(model);
-        QVERIFY(loaded.has_value());
+        VERIFY_RESULT(loaded);
         Scene mended = loaded->scene;
         TriangleSoup fewer = *mended.objects[0].geometry;
         fewer.triangles.pop_back();
@@ -174,7 +176,7 @@ private slots:
         layer.pattern.size = 0.01;
         layered.objects[0].surfaces[0].layers = {layer};
         const std::string bytes = recordingBytes({handMadeRun(50, layered), "a picture more", {model}});
-        QVERIFY(bytes.size() < 1'000'000); // the grid itself is left out
+        QCOMPARE_LT(bytes.size(), 1'000'000); // the grid itself is left out
         QCOMPARE(refusal(bytes), std::string());
     }
 
@@ -183,10 +185,10 @@ private slots:
         const std::filesystem::path model = folder.filePath("grid.obj").toStdString();
         writeGrid(model, 330); // 217 800 triangles
         const auto loaded = loadScene(model);
-        QVERIFY(loaded.has_value());
+        VERIFY_RESULT(loaded);
         const Recording recording{handMadeRun(50, loaded->scene), "it is large", {model}};
         const std::string bytes = recordingBytes(recording);
-        QVERIFY(bytes.size() < 1'000'000);
+        QCOMPARE_LT(bytes.size(), 1'000'000);
         QCOMPARE(refusal(bytes), std::string());
 
         std::ofstream(model, std::ios::app) << "v 0 0 1\nf 1 2 -1\n";
@@ -245,34 +247,34 @@ private slots:
         std::filesystem::resize_file(huge, std::uintmax_t(5) << 30); // a hole
         const auto model = readRecording(huge);
         QVERIFY(!model);
-        QVERIFY2(model.error().text.find("is no recording") != std::string::npos, model.error().text.c_str());
+        COMPARE_CONTAINS(model.error().text, "is no recording");
 
         std::ofstream(huge) << bytes_;
         std::filesystem::resize_file(huge, std::uintmax_t(5) << 30);
         const auto recording = readRecording(huge);
         QVERIFY(!recording);
-        QVERIFY2(recording.error().text.find("is larger than") != std::string::npos,
-                 recording.error().text.c_str());
+        COMPARE_CONTAINS(recording.error().text, "is larger than");
     }
 
     void whatIsNoFileIsNotMissing() {
         const auto device = readRecording("/dev/zero");
-        QVERIFY(!device && isSentence(device.error().text));
-        QVERIFY2(device.error().text.find("cannot be read as a file") != std::string::npos,
-                 device.error().text.c_str());
+        QVERIFY(!device);
+        QVERIFY(isSentence(device.error().text));
+        COMPARE_CONTAINS(device.error().text, "cannot be read as a file");
         const auto missing = readRecording("/nowhere/at-all.tactum-recording");
-        QVERIFY(!missing && missing.error().text.find("no such file") != std::string::npos);
+        QVERIFY(!missing);
+        COMPARE_CONTAINS(missing.error().text, "no such file");
     }
 
     void otherFilesAreRefused() {
-        QVERIFY(refusal("").find("is no recording of Tactum") != std::string::npos);
-        QVERIFY(refusal("solid cube\nfacet normal 0 0 1\nouter loop\n").find("is no recording") !=
-                std::string::npos);
+        COMPARE_CONTAINS(refusal(""), "is no recording of Tactum");
+        COMPARE_CONTAINS(refusal("solid cube\nfacet normal 0 0 1\nouter loop\n"), "is no recording");
         std::string newer = bytes_;
         ++newer[8];
-        QVERIFY(refusal(newer).find("another version") != std::string::npos);
+        COMPARE_CONTAINS(refusal(newer), "another version");
         const auto missing = readRecording("/nowhere/at-all.tactum-recording");
-        QVERIFY(!missing && isSentence(missing.error().text));
+        QVERIFY(!missing);
+        QVERIFY(isSentence(missing.error().text));
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/runtime/canary.h"
+#include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 
 using namespace tactum;
@@ -106,7 +107,7 @@ private slots:
         const std::optional<int> missed =
             counted(rate, 99, [](auto&&... how) { return unseen(how..., 3, 0.9); });
         if (!missed) QSKIP("nobody goes before the canary here");
-        QVERIFY2(*missed <= 3, qPrintable(QString::number(*missed))); // of 300, where the machine is away too
+        QCOMPARE_LE(*missed, 3); // of 300, where the machine is away too
     }
 
     void ownOverrunsAreOurs_data() { whoTakesTheProcessorIsSeen_data(); }
@@ -116,7 +117,7 @@ private slots:
         const std::optional<int> blamed =
             counted(rate, 80, [](auto&&... how) { return excused(how..., 5, false); });
         if (!blamed) QSKIP("the canary goes before nobody here");
-        QVERIFY2(*blamed <= 3, qPrintable(QString::number(*blamed))); // a machine may stand still meanwhile
+        QCOMPARE_LE(*blamed, 3); // a machine may stand still meanwhile
     }
 
     void whoGoesBeforeASleepingServoIsNoMachine_data() { whoTakesTheProcessorIsSeen_data(); }
@@ -128,7 +129,7 @@ private slots:
         if (!blamed) QSKIP("the canary goes before nobody here");
         // Of 300: a quarter of a period is little at 4 kHz, and a busy machine is late by it now and then.
         qInfo("%d", *blamed);
-        QVERIFY2(*blamed <= 60, qPrintable(QString::number(*blamed)));
+        QCOMPARE_LE(*blamed, 60);
     }
 
     /// At a rate at which hardly any machine is late.

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -36,7 +37,7 @@ void CompileTest::materialEditRebuildsNothing() {
     QCOMPARE(second->bodies[0].mesh.get(), first->bodies[0].mesh.get());
     QCOMPARE(second->obstacles[0].mesh, first->obstacles[0].mesh);
     QCOMPARE(second->obstacles[0].materials[0].staticFriction, 0.5);
-    QVERIFY(second->revision > first->revision);
+    QCOMPARE_GT(second->revision, first->revision);
     QCOMPARE(second->shapeRevision, first->shapeRevision);
 }
 
@@ -45,14 +46,14 @@ void CompileTest::poseAndRadiusChangeTheShape() {
     const auto first = compile(scene).value();
     scene.objects[0].pose.translation.z() = 0.001;
     const auto moved = compile(scene, first.get()).value();
-    QVERIFY(moved->shapeRevision > first->shapeRevision);
+    QCOMPARE_GT(moved->shapeRevision, first->shapeRevision);
     QCOMPARE(moved->bodies[0].mesh.get(), first->bodies[0].mesh.get());
     scene.proxyRadius *= 2;
     const auto wider = compile(scene, moved.get()).value();
-    QVERIFY(wider->shapeRevision > moved->shapeRevision);
+    QCOMPARE_GT(wider->shapeRevision, moved->shapeRevision);
     scene.objects[0].geometry = ball(0.01, 2);
     const auto other = compile(scene, wider.get()).value();
-    QVERIFY(other->shapeRevision > wider->shapeRevision);
+    QCOMPARE_GT(other->shapeRevision, wider->shapeRevision);
     QVERIFY(other->bodies[0].mesh != first->bodies[0].mesh);
     QCOMPARE(compile(scene, other.get()).value()->shapeRevision, other->shapeRevision);
 }
@@ -65,13 +66,13 @@ void CompileTest::objectsThatShareASoupShareTheMesh() {
     const auto world = compile(scene).value();
     QCOMPARE(world->bodies.size(), std::size_t(2));
     QCOMPARE(world->bodies[0].mesh.get(), world->bodies[1].mesh.get());
-    QVERIFY(world->bodies[0].object != world->bodies[1].object);
+    QCOMPARE_NE(world->bodies[0].object, world->bodies[1].object);
     // Both are touched where they are.
     for (double x : {0.0, 0.1}) {
         Hand hand(world);
         hand.to({x, 0, 0.02});
         hand.go({x, 0, 0.008}, 0.05);
-        QVERIFY(hand.output().force.z() > 0.1);
+        QCOMPARE_GT(hand.output().force.z(), 0.1);
     }
 }
 
@@ -111,7 +112,7 @@ void CompileTest::sidesAreAShape() {
     QVERIFY(both->obstacles[0].sides.empty());
     scene.objects[0].surfaces[0].sides = Sides::Front;
     const auto front = compile(scene, both.get()).value();
-    QVERIFY(front->shapeRevision != both->shapeRevision);
+    QCOMPARE_NE(front->shapeRevision, both->shapeRevision);
     QCOMPARE(front->bodies[0].mesh.get(), both->bodies[0].mesh.get());
     for (double side : {1.0, -1.0}) {
         Hand hand(front);
@@ -166,7 +167,8 @@ void CompileTest::plainSurfacesHaveNoFeels() {
     scene.objects[0].surfaces[2].shading.on = true;
     const auto world = compile(scene).value();
     QCOMPARE(world->obstacles[0].feels.size(), std::size_t(3));
-    QVERIFY(!world->obstacles[0].feels[0].normals && world->obstacles[0].feels[2].normals);
+    QVERIFY(!world->obstacles[0].feels[0].normals);
+    QVERIFY(world->obstacles[0].feels[2].normals);
 }
 
 // A slider of friction must not wait for normals, and an edit of them not for a hierarchy.
@@ -185,7 +187,7 @@ void CompileTest::normalsAreComputedOnceAndShared() {
         QCOMPARE(second->obstacles[i].feels[0].normals, first->obstacles[0].feels[0].normals);
     scene.objects[0].surfaces[0].shading.creaseAngle = 0.1;
     const auto sharp = compile(scene, second.get()).value();
-    QVERIFY(sharp->obstacles[0].feels[0].normals != first->obstacles[0].feels[0].normals);
+    QCOMPARE_NE(sharp->obstacles[0].feels[0].normals, first->obstacles[0].feels[0].normals);
     QCOMPARE(sharp->obstacles[1].feels[0].normals, first->obstacles[0].feels[0].normals);
 }
 
@@ -199,7 +201,7 @@ void CompileTest::texturesAreShared() {
     QCOMPARE(second->obstacles[0].feels[0].texture, first->obstacles[0].feels[0].texture);
     scene.objects[0].surfaces[0].layers[1].strength *= 2;
     const auto third = compile(scene, second.get()).value();
-    QVERIFY(third->obstacles[0].feels[0].texture != first->obstacles[0].feels[0].texture);
+    QCOMPARE_NE(third->obstacles[0].feels[0].texture, first->obstacles[0].feels[0].texture);
 }
 
 QTEST_APPLESS_MAIN(CompileTest)

@@ -12,6 +12,7 @@
 #include "core/runtime/engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
+#include "tests/support/compare.h"
 #include "tests/support/page_faults.h"
 #include "tests/support/quiet.h"
 
@@ -120,7 +121,7 @@ private slots:
         QCOMPARE(engine.proxy().updates, 0u);
         QCOMPARE(engine.servo().force, Vec3(0, 0, 0));
         QVERIFY(!engine.priorityNote().empty());
-        QVERIFY(engine.priorityNote().find('\n') == std::string::npos);
+        COMPARE_LACKS(engine.priorityNote(), "\n");
     }
 
     void pressedFingerIsPushedOnlyWhenArmed() {
@@ -157,7 +158,8 @@ private slots:
             QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == edited->revision; }));
             const std::uint64_t since = plate.engine.proxy().worldSince,
                                 before = plate.engine.publishedAfter();
-            QVERIFY(since > before && since <= before + 2);
+            QCOMPARE_GT(since, before);
+            QCOMPARE_LE(since, before + 2);
         }
     }
 
@@ -169,7 +171,7 @@ private slots:
         QVERIFY(eventually([&] { return plate.polled().servo().clamped > 10; }));
         plate.engine.stop();
         for (const Exchange& exchange : plate.probe->log)
-            QVERIFY(exchange.force.norm() <= ProbeDevice::kMaxForce);
+            QCOMPARE_LE(exchange.force.norm(), ProbeDevice::kMaxForce);
     }
 
     void restartPutsTheProxyOntoTheFinger() {
@@ -199,10 +201,10 @@ private slots:
         qInfo("%d ticks, %d missed of our own", int(ticks), int(own));
         if (plate.engine.hasRealtimePriority()) { // without it everybody may go first
             QCOMPARE(own, std::uint64_t(0));
-            QVERIFY2(ticks >= 9500, qPrintable(QString::number(ticks)));
+            QCOMPARE_GE(ticks, 9500);
         }
-        QVERIFY(plate.engine.proxy().updates - updates >= ticks / 2);
-        QVERIFY(plate.engine.proxy().output.contacts > 0);
+        QCOMPARE_GE(plate.engine.proxy().updates - updates, ticks / 2);
+        QCOMPARE_GT(plate.engine.proxy().output.contacts, 0);
     }
 
     void beforeTheFirstTouchNothingIsRecorded() {
@@ -211,7 +213,8 @@ private slots:
         QVERIFY(untouched.start().has_value()); // and without a World
         QVERIFY(eventually([&] { return untouched.poll(), untouched.servo().ticks > 10; }));
         const RecordedRun run = untouched.recorded();
-        QVERIFY(run.proxy.rows.empty() && !run.servo.rows.empty());
+        QVERIFY(run.proxy.rows.empty());
+        QVERIFY(!run.servo.rows.empty());
     }
 
     /// A driver that does not come back: what the servo told last is not told for ever.
@@ -247,16 +250,18 @@ private slots:
         QVERIFY2(seconds > 0.9, qPrintable(QString::number(seconds)));
         QVERIFY(hung->hanging && hung->isOpen && hung->stopped);
         QVERIFY(!plate.engine.running());
-        QVERIFY(!stopped && stopped.error().text.find("Probe did not come back") == 0);
-        QVERIFY(rows > 10);
+        QVERIFY(!stopped);
+        QCOMPARE_EQ(stopped.error().text.find("Probe did not come back"), 0);
+        QCOMPARE_GT(rows, 10);
         QCOMPARE(plate.engine.recorded().servo.rows.size(), rows);
         const Result<void> again = plate.engine.start();
-        QVERIFY(!again && again.error().text.find("Probe did not come back") == 0);
+        QVERIFY(!again);
+        QCOMPARE_EQ(again.error().text.find("Probe did not come back"), 0);
         QVERIFY(!plate.engine.trouble().empty());
 
         plate.probe = std::make_shared<Probe>();
         plate.probe->buttons = 1;
-        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)).has_value());
+        VERIFY_RESULT(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
         QVERIFY(plate.engine.deadMan());
         plate.engine.setDeadMan(false);
         QVERIFY(eventually([&] { return plate.polled().proxy().updates > 10; }));
@@ -334,9 +339,12 @@ private slots:
         QVERIFY(plate.pushesWith(500 * kDepth));
         const std::shared_ptr<Probe> first = plate.probe;
         plate.probe = std::make_shared<Probe>();
-        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
-        QVERIFY(!first->isOpen && first->log.back().force.isZero(0));
-        QVERIFY(plate.probe->isOpen && plate.engine.running() && !plate.engine.armed());
+        VERIFY_RESULT(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
+        QVERIFY(!first->isOpen);
+        QCOMPARE_EQ(first->log.back().force, Vec3(0, 0, 0));
+        QVERIFY(plate.probe->isOpen);
+        QVERIFY(plate.engine.running());
+        QVERIFY(!plate.engine.armed());
         QVERIFY(plate.touch(kDepth));
         plate.engine.setArmed(true);
         QVERIFY(plate.pushesWith(500 * kDepth));
@@ -348,28 +356,29 @@ private slots:
         const auto other = std::make_shared<Probe>();
         other->refusesToOpen = true;
         QVERIFY(!plate.engine.setDevice(std::make_unique<ProbeDevice>(other)));
-        QVERIFY(!plate.engine.running() && !plate.probe->isOpen);
+        QVERIFY(!plate.engine.running());
+        QVERIFY(!plate.probe->isOpen);
         other->refusesToOpen = false;
-        QVERIFY(plate.engine.start());
+        VERIFY_RESULT(plate.engine.start());
         QVERIFY(other->isOpen);
     }
 
     /// A hand at half the scene's measure presses half as deep and meets twice the stiffness.
     void theWorkspaceLiesWhereThePersonWants() {
         TouchedPlate plate(500);
-        QVERIFY(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.02}}));
+        VERIFY_RESULT(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.02}}));
         QVERIFY(!plate.engine.setWorkspace({.scale = 0}));
         plate.probe->height = 0.01;
         plate.engine.publish(plate.world);
-        QVERIFY(plate.engine.start());
+        VERIFY_RESULT(plate.engine.start());
         plate.engine.setArmed(true);
         QVERIFY(eventually([&] { return plate.polled().proxy().updates > 10; }));
         plate.probe->height = 0.5 * (kRadius - kDepth - 0.02);
         QVERIFY(plate.pushesWith(500 * kDepth));
         QCOMPARE(plate.polled().servo().handle.z(), plate.probe->height.load());
-        QVERIFY(std::abs(plate.engine.servo().finger.z() - (kRadius - kDepth)) < 1e-12);
+        COMPARE_NEAR(plate.engine.servo().finger.z(), kRadius - kDepth, 1e-12, "m");
         // Elsewhere: the proxy begins at the finger, and nothing is touched.
-        QVERIFY(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.04}}));
+        VERIFY_RESULT(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.04}}));
         QVERIFY(eventually(
             [&] { return plate.probe->push == 0 && plate.polled().proxy().output.contacts == 0; }));
         QCOMPARE(plate.engine.servo().faults, 0u);
@@ -398,14 +407,14 @@ private slots:
         const auto other = std::make_shared<Probe>();
         other->name = "Another";
         other->continuousForce = 0.1;
-        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(other)).has_value());
+        VERIFY_RESULT(plate.engine.setDevice(std::make_unique<ProbeDevice>(other)));
         QVERIFY(eventually([&] { return plate.polled().servo().ticks > 20; }));
         QCOMPARE(plate.engine.servo().heat, 0.0);
 
         plate.probe->refusesToOpen = true;
         QVERIFY(!plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
         plate.probe->refusesToOpen = false;
-        QVERIFY(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)).has_value());
+        VERIFY_RESULT(plate.engine.setDevice(std::make_unique<ProbeDevice>(plate.probe)));
         QVERIFY(eventually([&] { return plate.polled().servo().ticks > 20; }));
         QVERIFY2(isWarm(), qPrintable(QString::number(plate.engine.servo().heat)));
     }
@@ -443,7 +452,7 @@ private slots:
                 taken += plate.engine.proxy().worldRevision !=
                          std::exchange(seen, plate.engine.proxy().worldRevision);
             }
-            QVERIFY(taken > 10);
+            QCOMPARE_GT(taken, 10);
             QVERIFY(eventually([&] {
                 plate.engine.poll();
                 return plate.engine.proxy().worldRevision == last->revision && census.alive == 1;
@@ -461,8 +470,9 @@ private slots:
             probe->rate = rate;
             Engine engine(std::make_unique<ProbeDevice>(probe));
             const auto refused = engine.start();
-            QVERIFY(!refused.has_value() && !engine.running());
-            QVERIFY2(refused.error().text.find("rate") != std::string::npos, refused.error().text.c_str());
+            QVERIFY(!refused.has_value());
+            QVERIFY(!engine.running());
+            COMPARE_CONTAINS(refused.error().text, "rate");
             QVERIFY(!probe->isOpen);
             probe->rate = 1000; // another driver
             QVERIFY(engine.start().has_value());

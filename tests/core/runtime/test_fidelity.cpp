@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "core/runtime/fidelity.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -70,7 +71,7 @@ private slots:
         // Without texture there is half of the time to spare, with it there is none.
         Machine machine{.took = {2e-3, 0.1e-3, 0.1e-3, 0.1e-3}};
         machine.run(120);
-        QVERIFY2(machine.changes < 30, qPrintable(QString::number(machine.changes)));
+        QCOMPARE_LT(machine.changes, 30);
     }
 
     void aLevelThatJustFitsIsKept() {
@@ -79,7 +80,7 @@ private slots:
         QCOMPARE(machine.changes, 1);
         machine.run(600); // now and then the better one is tried
         QCOMPARE(machine.ladder.fidelity(), Fidelity::NoTexture);
-        QVERIFY2(machine.changes < 12, qPrintable(QString::number(machine.changes)));
+        QCOMPARE_LT(machine.changes, 12);
     }
 
     void whatAnotherProgramTookComesBack() {
@@ -106,8 +107,8 @@ private slots:
             hapticStep(*world, state, {hand.finger(), Vec3::Zero(), false, fidelity}, kMillisecond);
             return state.proxy.feltCount;
         };
-        QVERIFY(feltAt(Fidelity::Full) > 0);
-        QVERIFY(feltAt(Fidelity::NoTexture) > 0);
+        QCOMPARE_GT(feltAt(Fidelity::Full), 0);
+        QCOMPARE_GT(feltAt(Fidelity::NoTexture), 0);
         QCOMPARE(feltAt(Fidelity::NoShading), 0);
         QCOMPARE(feltAt(Fidelity::PlaneOnly), 0);
     }
@@ -137,7 +138,7 @@ private slots:
             return std::pair(most, (output.proxy - rested).norm());
         };
         const auto full = roundsAndDrift(Fidelity::Full), few = roundsAndDrift(Fidelity::PlaneOnly);
-        QVERIFY2(full.first > kFewRounds, qPrintable(QString::number(full.first)));
+        QCOMPARE_GT(full.first, kFewRounds);
         QCOMPARE(few.first, kFewRounds);
         QVERIFY2(full.second < 1e-7 && few.second < 1e-7, "it comes to a place of rest in the end");
     }

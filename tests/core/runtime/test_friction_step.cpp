@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -14,8 +15,8 @@ constexpr double kDepth = 1e-3; // of the finger below where the proxy rests: 0.
 constexpr double kPart = 0.005; // every law holds to half a percent
 constexpr double kFine = 1e-3;  // m/s: a ramp of 1 um a step
 
-bool about(double value, double expected, double part = kPart) {
-    return std::abs(value - expected) <= part * std::abs(expected);
+bool about(double value, double expected) {
+    return std::abs(value - expected) <= kPart * std::abs(expected);
 }
 
 double tangential(const Hand& hand) {
@@ -84,8 +85,7 @@ void FrictionStepTest::aSeamRubsAsTheFloorBesideIt() {
     Hand hand = pressed(tiles.build(), rough(0.6, 0.5));
     hand.go({0, 0.02, hand.finger().z()}, 0.02);
     QVERIFY(slips(hand));
-    QVERIFY2(about(tangential(hand) / normalForce(hand), 0.5),
-             qPrintable(QString::number(tangential(hand) / normalForce(hand))));
+    COMPARE_NEAR(tangential(hand) / normalForce(hand), 0.5, kPart * 0.5, "");
 }
 
 void FrictionStepTest::breaksAwayAtStaticFriction() {
@@ -98,9 +98,9 @@ void FrictionStepTest::breaksAwayAtStaticFriction() {
         Hand again = pressed(sheet(0.05), rough(mu, 0.5 * mu));
         const double peak =
             breakAway(again, Vec3(0.6, 0.8, 0), mu * kFine); // a thousandth of the cone a step
-        QVERIFY2(about(peak, mu), qPrintable(QString("%1 at %2").arg(peak).arg(mu)));
+        COMPARE_NEAR(peak, mu, kPart * mu, "");
         QVERIFY(slips(again));
-        QVERIFY(about(tangential(again) / normalForce(again), 0.5 * mu));
+        COMPARE_NEAR(tangential(again) / normalForce(again), 0.5 * mu, kPart * 0.5 * mu, "");
     }
 }
 
@@ -120,11 +120,10 @@ void FrictionStepTest::slidesAtDynamicFrictionAndViscosity() {
         Hand hand = pressed(sheet(0.3), material, {-0.15, 0, 0}, dt);
         hand.go(hand.finger() + Vec3(0.25, 0, 0), speed);
         const double pressing = material.stiffness * kDepth;
-        QVERIFY(about(normalForce(hand), pressing));
+        COMPARE_NEAR(normalForce(hand), pressing, kPart * pressing, "N");
         const double expected = material.dynamicFriction * pressing + viscosity * speed;
-        QVERIFY2(about(tangential(hand), expected),
-                 qPrintable(QString("%1 N instead of %2 N").arg(tangential(hand)).arg(expected)));
-        QVERIFY(hand.output().force.x() < 0);
+        COMPARE_NEAR(tangential(hand), expected, kPart * expected, "N");
+        QCOMPARE_LT(hand.output().force.x(), 0);
     }
 }
 
@@ -133,14 +132,14 @@ void FrictionStepTest::reversalSwingsTwice() {
     constexpr double mu = 0.5;
     Hand hand = pressed(sheet(0.05), rough(mu, mu));
     hand.go(hand.finger() + Vec3(0.003, 0, 0), kFine);
-    QVERIFY(about(-hand.output().force.x() / normalForce(hand), mu));
+    COMPARE_NEAR(-hand.output().force.x() / normalForce(hand), mu, kPart * mu, "");
     const Vec3 turned = hand.finger(), held = hand.output().proxy;
     double swing = 0;
     hand.go(turned - Vec3(0.003, 0, 0), kFine, [&](const Hand& h) {
         if (h.output().proxy == held) swing = turned.x() - h.finger().x();
     });
-    QVERIFY2(about(swing, 2 * mu * kDepth), qPrintable(QString::number(swing)));
-    QVERIFY(about(hand.output().force.x() / normalForce(hand), mu));
+    COMPARE_NEAR(swing, 2 * mu * kDepth, kPart * 2 * mu * kDepth, "m");
+    COMPARE_NEAR(hand.output().force.x() / normalForce(hand), mu, kPart * mu, "");
 }
 
 // A slide that comes to rest is held by static friction again, on the same face and the other way round.
@@ -152,7 +151,7 @@ void FrictionStepTest::sticksAgainAtRest() {
     QVERIFY(!slips(hand));
     for (double sign : {1.0, -1.0}) {
         const double peak = breakAway(hand, Vec3(sign, 0, 0));
-        QVERIFY2(about(peak, 0.6), qPrintable(QString::number(peak)));
+        COMPARE_NEAR(peak, 0.6, kPart * 0.6, "");
         hand.to(hand.finger());
     }
 }
@@ -204,7 +203,7 @@ void FrictionStepTest::closedPathsGiveNoEnergy() {
             QCOMPARE(hand.output().force.norm(), 0.0);
             QVERIFY2(given + taken <= 1e-9,
                      qPrintable(QString("run %1 gives %2 J").arg(run).arg(given + taken)));
-            QVERIFY(taken < -1e-5);
+            QCOMPARE_LT(taken, -1e-5);
         }
 }
 
@@ -236,8 +235,8 @@ void FrictionStepTest::steadySlideDoesNotBuzz() {
 void FrictionStepTest::frictionlessSurfaceHasNoTangentialForce() {
     Hand hand = pressed(sheet(0.05, 50), frictionless(), {-0.03, 0.001, 0});
     hand.go(hand.finger() + Vec3(0.05, 0.01, 0), 0.2, [&](const Hand& h) {
-        QVERIFY(tangential(h) <= 1e-6 * normalForce(h));
-        QVERIFY(about(normalForce(h), 800 * kDepth, 1e-6));
+        QCOMPARE_LE(tangential(h), 1e-6 * normalForce(h));
+        COMPARE_NEAR(normalForce(h), 800 * kDepth, 1e-6 * 800 * kDepth, "N");
     });
 }
 
@@ -252,9 +251,9 @@ void FrictionStepTest::anyStickingPlaneHolds() {
     const Vec3 held = hand.output().proxy;
     const double each = kDepth / std::numbers::sqrt2; // the multiplier of each face
     hand.go(hand.finger() + Vec3(0, 0.99 * mu * each, 0), kFine);
-    QVERIFY((hand.output().proxy - held).norm() < 1e-8);
+    COMPARE_NEAR(hand.output().proxy, held, 1e-8, "m");
     hand.go(hand.finger() + Vec3(0, 0.003, 0), kFine);
-    QVERIFY(about(-hand.output().force.y(), mu * each * 800));
+    COMPARE_NEAR(-hand.output().force.y(), mu * each * 800, kPart * mu * each * 800, "N");
 }
 
 QTEST_APPLESS_MAIN(FrictionStepTest)

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -61,11 +62,11 @@ void HapticStepTest::forceIsStiffnessTimesStretch() {
         Material material = frictionless();
         material.stiffness = stiffness;
         const Hand hand = onSheet(material);
-        QVERIFY((hand.output().force - Vec3(0, 0, stiffness * kRadius)).norm() < 1e-9 * stiffness);
+        COMPARE_NEAR(hand.output().force, Vec3(0, 0, stiffness * kRadius), 1e-9 * stiffness, "N");
         QCOMPARE(hand.output().contacts, 1);
-        QVERIFY((hand.output().contact[0].normal - Vec3::UnitZ()).norm() < 1e-12);
-        QVERIFY(hand.output().contact[0].point.norm() < 1e-12);
-        QVERIFY(std::abs(hand.output().contact[0].normalForce - stiffness * kRadius) < 1e-9 * stiffness);
+        COMPARE_NEAR(hand.output().contact[0].normal, Vec3::UnitZ(), 1e-12, "");
+        QCOMPARE_LT(hand.output().contact[0].point.norm(), 1e-12);
+        COMPARE_NEAR(hand.output().contact[0].normalForce, stiffness * kRadius, 1e-9 * stiffness, "N");
     }
 }
 
@@ -78,8 +79,8 @@ void HapticStepTest::dampingOnlyPushes() {
         const HapticOutput output =
             hapticStep(hand.world(), state, {Vec3::Zero(), {0, 0, speed}}, kMillisecond);
         const double expected = 800 * kRadius + 10 * std::max(0.0, -speed);
-        QVERIFY(std::abs(output.force.z() - expected) < 1e-6);
-        QVERIFY(output.force.head<2>().norm() < 1e-9);
+        COMPARE_NEAR(output.force.z(), expected, 1e-6, "N");
+        QCOMPARE_LT(output.force.head<2>().norm(), 1e-9);
     }
 }
 
@@ -93,7 +94,7 @@ void HapticStepTest::contactForcesAddUp() {
     for (int i = 0; i < hand.output().contacts; ++i)
         sum += hand.output().contact[i].normalForce * hand.output().contact[i].normal;
     QCOMPARE(hand.output().contacts, 3);
-    QVERIFY((sum - hand.output().force).norm() < 1e-6);
+    COMPARE_NEAR(sum, hand.output().force, 1e-6, "N");
 }
 
 void HapticStepTest::freeFingerFeelsNothing() {
@@ -121,7 +122,7 @@ void HapticStepTest::badInputChangesNothing() {
         QCOMPARE(output.force, Vec3(Vec3::Zero()));
         QVERIFY(sameState(hand.state, before));
     }
-    QVERIFY(hand.to(here).force.norm() > 0.1);
+    QCOMPARE_GT(hand.to(here).force.norm(), 0.1);
 }
 
 // The contacts belong to the world before: they name bodies that the new one does not have.
@@ -153,13 +154,13 @@ void HapticStepTest::materialEditKeepsTheContact() {
     const Vec3 held = hand.output().proxy;
     hand.to(hand.finger());
     QCOMPARE(hand.output().proxy, held);
-    QVERIFY(std::abs(hand.output().force.z() - 1600 * kRadius) < 1e-6);
+    COMPARE_NEAR(hand.output().force.z(), 1600 * kRadius, 1e-6, "N");
     // So does a pose that leaves the surface where the proxy is.
     const auto second = compile(scene, first.get()).value();
     scene.objects[0].pose.translation.x() = 0.01;
     hand.take(compile(scene, second.get()).value());
-    QVERIFY((hand.to(hand.finger()).proxy - held).norm() < 2 * kSkin * kRadius);
-    QVERIFY(std::abs(hand.output().force.z() - 1600 * kRadius) < 1e-4);
+    COMPARE_NEAR(hand.to(hand.finger()).proxy, held, 2 * kSkin * kRadius, "m");
+    COMPARE_NEAR(hand.output().force.z(), 1600 * kRadius, 1e-4, "N");
 }
 
 void HapticStepTest::modelGivesTheForceOfTheStep_data() {
@@ -194,13 +195,13 @@ void HapticStepTest::modelGivesTheForceOfTheStep() {
 void HapticStepTest::modelFollowsTheFingerAlongThePlane() {
     const Hand hand = onSheet(frictionless());
     const Vec3 force = contactModelForce(hand.state.model, {0.01, -0.02, -0.001}, Vec3::Zero());
-    QVERIFY((force - Vec3(0, 0, 800 * 0.002)).norm() < 1e-6);
+    COMPARE_NEAR(force, Vec3(0, 0, 800 * 0.002), 1e-6, "N");
     QCOMPARE(contactModelForce(hand.state.model, {0, 0, 0.002}, Vec3::Zero()).norm(), 0.0);
     const Hand held = onSheet(rough(0.5, 0.5));
     const Vec3 within = contactModelForce(held.state.model, {0.0004, 0, 0}, Vec3::Zero());
-    QVERIFY((within - 800 * Vec3(-0.0004, 0, kRadius)).norm() < 1e-6);
+    COMPARE_NEAR(within, 800 * Vec3(-0.0004, 0, kRadius), 1e-6, "N");
     const Vec3 beyond = contactModelForce(held.state.model, {0.002, 0, 0}, Vec3::Zero());
-    QVERIFY((beyond - 800 * Vec3(-0.0005, 0, kRadius)).norm() < 1e-5);
+    COMPARE_NEAR(beyond, 800 * Vec3(-0.0005, 0, kRadius), 1e-5, "N");
 }
 
 // Along a shallow groove, faces leaning by a to either side: each carries d / (2 cos a) and bears on the
@@ -232,8 +233,8 @@ void HapticStepTest::mixesMaterialsByTheirPush() {
     hand.go({0, 0, bottom - 0.001}, 0.05);
     hand.to(hand.finger());
     QCOMPARE(hand.output().contacts, 2);
-    QVERIFY(std::abs(hand.output().force.z() - 1000 * 0.001) < 1e-5);
-    QVERIFY(hand.output().contact[0].surface != hand.output().contact[1].surface);
+    COMPARE_NEAR(hand.output().force.z(), 1000 * 0.001, 1e-5, "N");
+    QCOMPARE_NE(hand.output().contact[0].surface, hand.output().contact[1].surface);
 }
 
 QTEST_APPLESS_MAIN(HapticStepTest)

@@ -4,6 +4,7 @@
 
 #include "core/collision/nearest.h"
 #include "core/proxy/place.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -74,10 +75,10 @@ private slots:
         edit.scene.objects[0].visible = true;
         edit.recompile();
         const Vec3 proxy = edit.hand.output().proxy;
-        QVERIFY(clearanceOf(*edit.world, proxy) >= kRadius * (1 - 2 * kSkin));
+        QCOMPARE_GE(clearanceOf(*edit.world, proxy), kRadius * (1 - 2 * kSkin));
         QVERIFY(!isInside(edit.world->obstacles[0], proxy));
         // Through the nearest wall: straight outward, but for the facets of the ball.
-        QVERIFY((proxy - (kBall + kRadius) * finger.normalized()).norm() < 2e-3);
+        COMPARE_NEAR(proxy, (kBall + kRadius) * finger.normalized(), 2e-3, "m");
         QCOMPARE(edit.hand.state.model.restarts, restarts + 1);
     }
 
@@ -87,11 +88,11 @@ private slots:
         edit.hand.go({0, 0, kBall - 0.003}, 0.05);
         const HapticOutput before = edit.hand.output();
         const std::uint32_t restarts = edit.hand.state.model.restarts;
-        QVERIFY(before.force.z() > 1);
+        QCOMPARE_GT(before.force.z(), 1);
         edit.scene.objects[1].visible = false;
         edit.recompile();
-        QVERIFY((edit.hand.output().proxy - before.proxy).norm() < 1e-9);
-        QVERIFY((edit.hand.output().force - before.force).norm() < 1e-6);
+        COMPARE_NEAR(edit.hand.output().proxy, before.proxy, 1e-9, "m");
+        COMPARE_NEAR(edit.hand.output().force, before.force, 1e-6, "N");
         QCOMPARE(edit.hand.output().contacts, before.contacts);
         QCOMPARE(edit.hand.state.model.restarts, restarts);
     }
@@ -107,14 +108,14 @@ private slots:
                 edit.hand.to(edit.hand.finger());
             QCOMPARE(edit.hand.output().contacts > 0, visible);
         }
-        QVERIFY(edit.hand.output().proxy.z() > kBall);
+        QCOMPARE_GT(edit.hand.output().proxy.z(), kBall);
     }
 
     void theFirstPlaceIsTheFingersAlsoInsideAHollow() {
         Hand hand(worldOf(ball(kBall, 3), frictionless(), kRadius));
         QCOMPARE(hand.to({0, 0, 0.01}).proxy, Vec3(0, 0, 0.01));
         hand.go({0, 0, 0.05}, 0.05); // held by the wall, from inside
-        QVERIFY(hand.output().proxy.norm() < kBall);
+        QCOMPARE_LT(hand.output().proxy.norm(), kBall);
     }
 
     void aFingerThatIsFoundInsideHasItsProxyOutside() {
@@ -124,9 +125,9 @@ private slots:
         const std::uint32_t restarts = edit.hand.state.model.restarts;
         const Vec3 finger(0.021, 0, 0.004); // elsewhere inside of it, near another wall
         const Vec3 proxy = edit.hand.find(finger).proxy;
-        QVERIFY(clearanceOf(*edit.world, proxy) >= kRadius * (1 - 2 * kSkin));
+        QCOMPARE_GE(clearanceOf(*edit.world, proxy), kRadius * (1 - 2 * kSkin));
         QVERIFY(!isInside(edit.world->obstacles[0], proxy));
-        QVERIFY((proxy - (kBall + kRadius) * finger.normalized()).norm() < 2e-3);
+        COMPARE_NEAR(proxy, (kBall + kRadius) * finger.normalized(), 2e-3, "m");
         QCOMPARE(edit.hand.state.model.restarts, restarts + 1);
         // Outside of everything it begins at the finger, wherever the proxy was.
         QCOMPARE(edit.hand.find({0, 0.05, 0}).proxy, Vec3(0, 0.05, 0));
@@ -138,7 +139,7 @@ private slots:
         QCOMPARE(hand.find({0, 0.01, 0}).proxy, Vec3(0, 0.01, 0));
         // Having left it unseen, it is outside, and the hollow is closed to it from then on.
         QCOMPARE(hand.find({0, 0, 0.04}).proxy, Vec3(0, 0, 0.04));
-        QVERIFY(hand.find({0, 0, 0.01}).proxy.norm() > kBall);
+        QCOMPARE_GT(hand.find({0, 0, 0.01}).proxy.norm(), kBall);
     }
 
     void anEditElsewhereLeavesTheProxyInItsHollow() {
@@ -149,7 +150,7 @@ private slots:
         QCOMPARE(edit.hand.output().proxy, Vec3(0, 0, 0.01));
         edit.scene.objects[0].pose.translation.x() += 0.001; // now it is the hollow that lands on the finger
         edit.recompile();
-        QVERIFY(edit.hand.output().proxy.norm() > kBall);
+        QCOMPARE_GT(edit.hand.output().proxy.norm(), kBall);
     }
 
     void aStartOnASurfaceIsBesideIt_data() {
@@ -163,7 +164,7 @@ private slots:
         QFETCH(double, height);
         Hand hand(worldOf(sheet(0.05), frictionless(), kRadius));
         const double side = height < 0 ? -1 : 1;
-        QVERIFY(side * hand.to({0, 0, height}).proxy.z() >= kRadius * (1 - 2 * kSkin));
+        QCOMPARE_GE(side * hand.to({0, 0, height}).proxy.z(), kRadius * (1 - 2 * kSkin));
     }
 
     void aStartExactlyInASheetIsBesideItToo() {
@@ -172,7 +173,7 @@ private slots:
             Hand hand(worldOf(sheet(0.1), frictionless(), kRadius));
             const Vec3 start(uniform(rng, -0.09, 0.09), uniform(rng, -0.09, 0.09), 0);
             const Vec3 proxy = hand.to(start).proxy;
-            QVERIFY((proxy - start - kRadius * Vec3::UnitZ()).norm() < 2e-3 * kRadius);
+            COMPARE_NEAR(proxy - start, kRadius * Vec3::UnitZ(), 2e-3 * kRadius, "m");
         }
     }
 
@@ -180,7 +181,7 @@ private slots:
         Hand hand(worldOf(sheet(0.05), frictionless(), kRadius));
         hand.to({0, 0, 0.01});
         hand.go({0, 0, -0.02}, 0.05);
-        QVERIFY(hand.output().proxy.z() > 0);
+        QCOMPARE_GT(hand.output().proxy.z(), 0);
         const HapticOutput output =
             hapticStep(hand.world(), hand.state, {hand.finger(), Vec3::Zero(), true}, kMillisecond);
         QCOMPARE(output.proxy, hand.finger());
@@ -201,11 +202,11 @@ private slots:
             edit.recompile();
             const Vec3 proxy = edit.hand.output().proxy;
             moved += proxy != before;
-            QVERIFY(clearanceOf(*edit.world, proxy) >= kRadius * (1 - 2 * kSkin));
+            QCOMPARE_GE(clearanceOf(*edit.world, proxy), kRadius * (1 - 2 * kSkin));
             for (const Obstacle& obstacle : edit.world->obstacles)
                 QVERIFY(!isInside(obstacle, proxy));
         }
-        QVERIFY(moved > 100);
+        QCOMPARE_GT(moved, 100);
     }
 
     void aSlotThatIsTooNarrowHasNoPlace() {
@@ -213,7 +214,7 @@ private slots:
         const CollisionMesh mesh{walls, SphereTree(*walls)};
         const std::vector<Obstacle> obstacles{{.mesh = &mesh}};
         const auto place = clearPlace(obstacles, {}, kRadius, Vec3::Zero(), {kNoShape});
-        QVERIFY(!place || nearestOn(mesh, *place).distance >= kRadius);
+        if (place) QCOMPARE_GE(nearestOn(mesh, *place).distance, kRadius);
     }
 };
 

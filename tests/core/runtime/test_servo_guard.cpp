@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "tests/core/runtime/held_servo.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -16,7 +17,7 @@ void pressTo(Held& held, double depth, double force) {
     held.rest({0, 0, 0});
     for (double z = 0; z > -depth; z -= 1e-5)
         held.tick({0, 0, z});
-    QVERIFY(std::abs(held.tick({0, 0, -depth}).z() - force) < 1e-9);
+    COMPARE_NEAR(held.tick({0, 0, -depth}).z(), force, 1e-9, "N");
 }
 
 } // namespace
@@ -36,20 +37,19 @@ private slots:
         held.rest({0, 0, -kDepth});
         QCOMPARE(held.state.calm, 1.0);
         const double before = held.output.force.z();
-        QVERIFY(std::abs(before - kStiffness * kDepth) < 1e-6);
+        COMPARE_NEAR(before, kStiffness * kDepth, 1e-6, "N");
 
         int shaken = 0;
         for (; shaken < 100 && held.state.oscillations == 0; ++shaken)
             held.tick({0, 0, -kDepth + 5e-4 * std::sin(2 * M_PI * 50 * shaken * kTick)});
         QCOMPARE(held.state.oscillations, std::uint64_t(1));
         held.rest({0, 0, -kDepth}, 51);
-        QVERIFY2(held.state.calm <= 0.5 + 1e-9, qPrintable(QString::number(held.state.calm)));
-        QVERIFY2(held.output.force.z() <= 0.5 * before + 1e-6,
-                 qPrintable(QString::number(held.output.force.z())));
+        QCOMPARE_LE(held.state.calm, 0.5 + 1e-9);
+        QCOMPARE_LE(held.output.force.z(), 0.5 * before + 1e-6);
 
         // What the swing has given before it was noticed softens a little more.
         const double softened = held.state.calm;
-        QVERIFY2(softened > 0.48, qPrintable(QString::number(softened)));
+        QCOMPARE_GT(softened, 0.48);
         held.rest({0, 0, -kDepth}, 5000); // under load it does not come back
         QCOMPARE(held.state.calm, softened);
         held.go(-kDepth, 0.01);
@@ -73,8 +73,8 @@ private slots:
             highest = std::max(highest, held.state.heat.heat());
         }
         qInfo("%.3f N, heat up to %.3f", held.output.force.z(), highest);
-        QVERIFY(std::abs(held.output.force.z() - info.continuousForce) <= 0.01 * info.continuousForce);
-        QVERIFY(highest <= 1.01);
+        QCOMPARE_LE(std::abs(held.output.force.z() - info.continuousForce), 0.01 * info.continuousForce);
+        QCOMPARE_LE(highest, 1.01);
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
@@ -163,7 +163,7 @@ private slots:
         held.rest({0, 0, -0.001});
         held.model.velocity = Vec3::Constant(std::nan(""));
         const Vec3 force = held.tick({0, 0, -0.001});
-        QVERIFY(force.isZero(0));
+        QCOMPARE_EQ(force, Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::NotFinite);
     }
 
@@ -173,17 +173,17 @@ private slots:
         held.model = wall(1000);
         held.buttons = 2; // stuck since the device came: nobody holds it
         held.rest({0, 0, -0.001});
-        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.001}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
         held.buttons = 0;
         held.rest({0, 0, -0.001});
-        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.001}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::DeadMan);
         held.buttons = 2;
         held.rest({0, 0, -0.001});
-        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        QCOMPARE_GT(held.tick({0, 0, -0.001}).z(), 0.9);
         held.buttons = 1;
-        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.001}), Vec3(0, 0, 0));
     }
 
     /// A button that is held while the cable goes in and out may be stuck by now.
@@ -194,7 +194,7 @@ private slots:
         held.rest({0, 0, -0.001}, 10);
         held.buttons = 1;
         held.rest({0, 0, -0.001});
-        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        QCOMPARE_GT(held.tick({0, 0, -0.001}).z(), 0.9);
         for (int i = 0; i < kBadSamplesToLoss; ++i)
             held.tick(Vec3::Constant(std::nan("")));
         held.settings.armed = false;
@@ -206,7 +206,7 @@ private slots:
         held.tick({0, 0, -0.001});
         held.buttons = 1;
         held.rest({0, 0, -0.001});
-        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        QCOMPARE_GT(held.tick({0, 0, -0.001}).z(), 0.9);
     }
 
     /// The servo loop sends nothing but zero after a stall: the force of before it has done no work.
@@ -216,11 +216,10 @@ private slots:
         held.rest({0, 0, 0});
         for (int i = 0; i <= 180; ++i)
             held.tick({0, 0, -1e-5 * i});
-        QVERIFY(held.tick({0, 0, -0.0018}).z() > 17);
+        QCOMPARE_GT(held.tick({0, 0, -0.0018}).z(), 17);
         held.tick({0, 0, -0.0018}, 0.05);
         held.tick({0, 0, 0.0007});
-        QVERIFY2(held.state.passivity.energy() <= 0,
-                 qPrintable(QString::number(held.state.passivity.energy())));
+        QCOMPARE_LE(held.state.passivity.energy(), 0);
     }
 
     /// Sharp edges and hard hits are no fault.
@@ -233,7 +232,7 @@ private slots:
             for (double z = 0.02; z > -0.006; z -= speed * kTick)
                 held.tick({0, 0, z});
             QCOMPARE(held.state.guard.faults(), 0u);
-            QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
+            QCOMPARE_GT(held.tick({0, 0, -0.006}).z(), 10);
         }
     }
 
@@ -243,7 +242,7 @@ private slots:
         pressTo(held, 0.004, 8);
         held.fresh = false;
         held.model.plane[0] = {-Vec3::UnitZ(), 0.008};
-        QVERIFY(held.tick({0, 0, -0.004}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.004}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
     }
 
@@ -254,10 +253,10 @@ private slots:
         held.model.plane[0] = {-Vec3::UnitZ(), 0.008};
         const Vec3 at_W(0, 0, -0.004);
         const Vec3 met = held.tick(at_W);
-        QVERIFY2(met.norm() < 1e-9, qPrintable(QString::number(met.norm())));
+        QCOMPARE_LT(met.norm(), 1e-9);
         const double change = largestChange(held, at_W, met);
-        QVERIFY2(change <= 2000 * kReturnSpeed * kTick * 1.01, qPrintable(QString::number(change)));
-        QVERIFY(std::abs(held.tick(at_W).z() + 8) < 1e-6);
+        QCOMPARE_LE(change, 2000 * kReturnSpeed * kTick * 1.01);
+        COMPARE_NEAR(held.tick(at_W).z(), -8, 1e-6, "N");
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
@@ -271,7 +270,7 @@ private slots:
         const Vec3 met = held.tick(at_W);
         QVERIFY2((met - 9 * aside).norm() < 1e-6, qPrintable(QString::number(met.norm())));
         largestChange(held, at_W, met);
-        QVERIFY((held.tick(at_W) - 18 * aside).norm() < 1e-6);
+        COMPARE_NEAR(held.tick(at_W), 18 * aside, 1e-6, "N");
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
@@ -289,7 +288,7 @@ private slots:
         const double before = held.tick({0, 0, -0.012}).z();
         QVERIFY2(before > 12 && before < 20, qPrintable(QString::number(before)));
         held.model.plane[0] = {-Vec3::UnitZ(), 0.01};
-        QVERIFY(held.tick({0, 0, -0.012}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.012}), Vec3(0, 0, 0));
         QVERIFY(!held.state.ease.easing());
         QCOMPARE(held.state.guard.faults(), 0u);
     }
@@ -300,7 +299,7 @@ private slots:
         pressTo(held, 0.009, 18);
         held.model.plane[0] = {-Vec3::UnitZ(), 0.009 + 1e-4};
         const Vec3 felt = held.tick({0, 0, -0.009});
-        QVERIFY2(std::abs(felt.z() + 0.2) < 1e-9, qPrintable(QString::number(felt.z())));
+        COMPARE_NEAR(felt.z(), -0.2, 1e-9, "N");
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
@@ -314,7 +313,7 @@ private slots:
             held.tick({0, 0, z});
         QCOMPARE(held.state.guard.faults(), 0u);
         held.model.damping = 20;
-        QVERIFY(held.tick({0, 0, z}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, z}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::ForceJump);
     }
 
@@ -323,7 +322,7 @@ private slots:
         Held held;
         pressTo(held, 0.009, 18);
         held.model.planes = 0;
-        QVERIFY(held.tick({0, 0, -0.009}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.009}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.faults(), 0u);
     }
 
@@ -339,7 +338,7 @@ private slots:
             held.tick({0, 0, z});
         }
         QCOMPARE(held.state.guard.faults(), 0u);
-        QVERIFY(held.tick({0, 0, -0.006}).z() > 10);
+        QCOMPARE_GT(held.tick({0, 0, -0.006}).z(), 10);
     }
 
     /// From a soft surface onto a stiff one, deep in.
@@ -353,8 +352,8 @@ private slots:
         held.model.stiffness = 3000;
         const double change = largestChange(held, {0, 0, -0.006}, before);
         QCOMPARE(held.state.guard.faults(), 0u);
-        QVERIFY2(change <= kSurfaceRate * kTick * 1.01, qPrintable(QString::number(change)));
-        QVERIFY(held.tick({0, 0, -0.006}).z() > 17.9);
+        QCOMPARE_LE(change, kSurfaceRate * kTick * 1.01);
+        QCOMPARE_GT(held.tick({0, 0, -0.006}).z(), 17.9);
     }
 };
 

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/core/runtime/held_servo.h"
+#include "tests/support/compare.h"
 #include "tests/support/repeats.h"
 
 using namespace tactum;
@@ -58,7 +59,7 @@ private slots:
         held.settings.overrideCeiling = false;
         held.model = wall(10000);
         held.rest({0, 0, 0.01});
-        QVERIFY(held.state.guard.gain() == 1);
+        QCOMPARE_EQ(held.state.guard.gain(), 1);
         for (int i = 0; i < 100; ++i) {
             held.tick({0, 0, -3e-4 * i});
             QVERIFY2(held.state.ease.rendered().stiffness <= held.state.ceiling.value,
@@ -101,7 +102,7 @@ private slots:
             if (output.force.norm() > info.maxForce) QFAIL(qPrintable(QString("too strong at %1").arg(i)));
             pushed += !output.force.isZero(0);
         }
-        QVERIFY(pushed > times / 10);
+        QCOMPARE_GT(pushed, times / 10);
         // Nothing of it stays: it works again when all is well.
         Vec3 force = Vec3::Zero();
         for (int i = 0; i < 3000; ++i) {
@@ -113,7 +114,7 @@ private slots:
             model.anchoring = state.guard.anchoring();
             force = servoStep(state, settings, {.sample = sample, .dt = kTick, .fresh = true}, model).force;
         }
-        QVERIFY2(force.z() > 0.1, qPrintable(QString::number(force.z())));
+        QCOMPARE_GT(force.z(), 0.1);
     }
 
     void editsAreContinuous_data() {
@@ -138,12 +139,13 @@ private slots:
         for (int i = 0; i <= 300; ++i)
             held.tick(finger * (i / 300.0));
         const Vec3 before = held.tick(finger);
-        QVERIFY(std::abs(before.z() - 3) < 1e-6 && std::abs(before.x() + 1) < 1e-6);
+        COMPARE_NEAR(before.z(), 3, 1e-6, "N");
+        COMPARE_NEAR(before.x(), -1, 1e-6, "N");
         held.model = wall(stiffness, friction);
         held.model.plane[0].normal = Vec3(std::sin(tilt), 0, std::cos(tilt));
         ++held.model.revision;
         const double change = largestChange(held, finger, before);
-        QVERIFY2(change <= 0.05, qPrintable(QString::number(change)));
+        QCOMPARE_LE(change, 0.05);
         const Vec3 after = held.tick(finger);
         const Vec3 wanted = contactModelForce(held.model, finger, Vec3::Zero());
         QVERIFY2((after - wanted).norm() < 1e-6, qPrintable(QString("%1 %2").arg(after.x()).arg(wanted.x())));
@@ -159,8 +161,8 @@ private slots:
         held.model.planes = 0;
         ++held.model.restarts;
         const double change = largestChange(held, {0, 0, -0.003}, before);
-        QVERIFY2(change <= 0.06, qPrintable(QString::number(change)));
-        QVERIFY(held.tick({0, 0, -0.003}).isZero(0));
+        QCOMPARE_LE(change, 0.06);
+        QCOMPARE_EQ(held.tick({0, 0, -0.003}), Vec3(0, 0, 0));
     }
 
     /// What is being left is no stiffer than the device bears either, when that becomes less.
@@ -175,7 +177,8 @@ private slots:
         held.model.planes = 0;
         ++held.model.restarts;
         held.tick(finger);
-        QVERIFY(held.state.ease.easing() && held.state.ease.rendered().stiffness > 900);
+        QVERIFY(held.state.ease.easing());
+        QCOMPARE_GT(held.state.ease.rendered().stiffness, 900);
         held.settings.period = 5e-3;
         for (int i = 0; i < 20; ++i)
             held.tick(finger);
@@ -195,7 +198,8 @@ private slots:
             held.model.damping = 20;
             held.rest({0, 0, -0.001});
             const double most = held.state.ceiling.damping;
-            QVERIFY(most > 0.1 && most < 2);
+            QCOMPARE_GT(most, 0.1);
+            QCOMPARE_LT(most, 2);
             QCOMPARE(held.state.ease.rendered().damping, knowsBetter ? 20.0 : most);
         }
     }
@@ -221,12 +225,11 @@ private slots:
             const Vec3 one = there.tick(finger), other = here.tick(finger);
             strongest = std::max(strongest, other.norm());
             QVERIFY2((one - other).norm() < 1e-9, qPrintable(QString("tick %1").arg(i)));
-            QVERIFY((there.output.finger.position - there.frame.pointInWorld(finger)).norm() < 1e-15);
-            QVERIFY(
-                (there.output.finger.velocity - there.frame.wayInWorld(here.output.finger.velocity)).norm() <
-                1e-9);
+            COMPARE_NEAR(there.output.finger.position, there.frame.pointInWorld(finger), 1e-15, "m");
+            COMPARE_NEAR(there.output.finger.velocity, there.frame.wayInWorld(here.output.finger.velocity),
+                         1e-9, "m/s");
         }
-        QVERIFY(strongest > 1);
+        QCOMPARE_GT(strongest, 1);
     }
 
     /// The ceiling is the hand's, whatever the scale.
@@ -238,7 +241,7 @@ private slots:
         held.rest({0, 0, 0.01});
         for (int i = 0; i < 100; ++i) {
             held.tick({0, 0, -3e-5 * i});
-            QVERIFY(held.state.ease.rendered().stiffness <= held.state.ceiling.value);
+            QCOMPARE_LE(held.state.ease.rendered().stiffness, held.state.ceiling.value);
         }
     }
 
@@ -248,25 +251,25 @@ private slots:
         held.rest({0, 0, 0});
         for (int i = 0; i <= 100; ++i)
             held.tick({0, 0, -1e-5 * i});
-        QVERIFY(held.tick({0, 0, -0.001}).z() > 0.9);
+        QCOMPARE_GT(held.tick({0, 0, -0.001}).z(), 0.9);
         held.clutched = true;
-        QVERIFY(held.tick({0, 0, -0.001}).isZero(0));
+        QCOMPARE_EQ(held.tick({0, 0, -0.001}), Vec3(0, 0, 0));
         QCOMPARE(held.state.guard.withheld(), Withheld::Clutched);
         QCOMPARE(held.state.guard.faults(), 0u);
         for (int i = 1; i <= 100; ++i) { // the handle moves, the finger does not
             held.frame.offset.z() -= 1e-4;
             held.tick({0, 0, -0.001 + 1e-4 * i});
-            QVERIFY(held.output.finger.velocity.isZero(0));
-            QVERIFY((held.output.finger.position - Vec3(0, 0, -0.001)).norm() < 1e-12);
+            QCOMPARE_EQ(held.output.finger.velocity, Vec3(0, 0, 0));
+            COMPARE_NEAR(held.output.finger.position, Vec3(0, 0, -0.001), 1e-12, "m");
         }
         held.clutched = false;
         Vec3 last = Vec3::Zero();
         for (int i = 0; i < 3000; ++i) {
             const Vec3 force = held.tick({0, 0, 0.009});
-            QVERIFY((force - last).norm() < 0.05);
+            COMPARE_NEAR(force, last, 0.05, "N");
             last = force;
         }
-        QVERIFY(last.z() > 0.9);
+        QCOMPARE_GT(last.z(), 0.9);
     }
 };
 

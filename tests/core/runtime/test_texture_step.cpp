@@ -4,6 +4,7 @@
 
 #include "tests/core/surface/spectrum.h"
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
 
@@ -174,11 +175,11 @@ void TextureStepTest::valleyOfTwoPlanesHolds() {
     for (double sign : {1.0, -1.0}) {
         Hand held = pressedAt(world, 0.009, 0.002);
         const double kept = wentWith(held, sign * 0.98 * s * kDepth);
-        QVERIFY2(std::abs(kept) < 1e-9, qPrintable(QString::number(kept)));
+        QCOMPARE_LT(std::abs(kept), 1e-9);
         Hand loose = pressedAt(world, 0.009, 0.002);
         const double went = wentWith(loose, sign * (s * kDepth + 2e-4));
-        QVERIFY2(std::abs(sign * went - 2e-4) < 1e-5, qPrintable(QString::number(went)));
-        QVERIFY(std::abs(ratio(loose).x() + sign * s) < 0.02 * s);
+        COMPARE_NEAR(sign * went, 2e-4, 1e-5, "m");
+        QCOMPARE_LT(std::abs(ratio(loose).x() + sign * s), 0.02 * s);
     }
 }
 
@@ -201,10 +202,10 @@ void TextureStepTest::valleyOfTwoFlanksHolds() {
     }
     for (double sign : {1.0, -1.0}) {
         Hand held = pressedAt(world, middle, 0.002);
-        QVERIFY(std::abs(wentWith(held, sign * 0.95 * s * kDepth)) < 2 * texel);
+        QCOMPARE_LT(std::abs(wentWith(held, sign * 0.95 * s * kDepth)), 2 * texel);
         Hand loose = pressedAt(world, middle, 0.002);
         const double went = wentWith(loose, sign * (s * kDepth + 1e-3));
-        QVERIFY2(std::abs(sign * went - 1e-3) < 2 * texel, qPrintable(QString::number(went)));
+        COMPARE_NEAR(sign * went, 1e-3, 2 * texel, "m");
     }
 }
 
@@ -221,12 +222,12 @@ void TextureStepTest::frictionFollowsItsMap() {
         double most = 0;
         hand.go(hand.finger() + Vec3(0.001, 0, 0), 1e-3,
                 [&](const Hand& h) { most = std::max(most, ratio(h).norm()); });
-        QVERIFY2(std::abs(most / (high ? 0.6 : 0.3) - 1) < 0.005, qPrintable(QString::number(most)));
-        QVERIFY(std::abs(ratio(hand).norm() / (high ? 0.3 : 0.2) - 1) < 0.005);
+        COMPARE_NEAR(most / (high ? 0.6 : 0.3), 1, 0.005, "");
+        COMPARE_NEAR(ratio(hand).norm() / (high ? 0.3 : 0.2), 1, 0.005, "");
         // What is shown of it is what counts there.
         const ContactReport& contact = hand.output().contact[0];
-        QVERIFY(std::abs(contact.staticFriction - (high ? 0.6 : 0.3)) < 0.005);
-        QVERIFY(std::abs(contact.dynamicFriction - (high ? 0.3 : 0.2)) < 0.005);
+        COMPARE_NEAR(contact.staticFriction, high ? 0.6 : 0.3, 0.005, "");
+        COMPARE_NEAR(contact.dynamicFriction, high ? 0.3 : 0.2, 0.005, "");
     }
 }
 
@@ -235,8 +236,8 @@ void TextureStepTest::stiffnessFollowsItsMap() {
         imageLayer(imageOf(4, 4, [](double, double) { return 1; }), TextureMapping::Planar, kRepeat, -0.5);
     layer.target = TextureTarget::Stiffness;
     const Hand hand = pressedAt(texturedWorld(sheet(0.05), {layer}), 0, 0);
-    QVERIFY(std::abs(hand.output().force.z() - 0.5 * kStiffness.initial * kDepth) < 1e-6);
-    QVERIFY(std::abs(hand.output().contact[0].normalForce - hand.output().force.z()) < 1e-9);
+    COMPARE_NEAR(hand.output().force.z(), 0.5 * kStiffness.initial * kDepth, 1e-6, "N");
+    COMPARE_NEAR(hand.output().contact[0].normalForce, hand.output().force.z(), 1e-9, "N");
 }
 
 // The factor rises from 1 to 2 across the sheet: so does what holds at rest.
@@ -273,8 +274,8 @@ void TextureStepTest::paintedHeightTiltsTheForce() {
                 texturedWorld(soup, {paintedLayer(ramped, TextureTarget::Height, s / rise)}), 0.0013, 0.0007);
             const Vec3 force = hand.output().force;
             const double angle = std::atan2(force.head<2>().norm(), force.z());
-            QVERIFY2(std::abs(angle - std::atan(s)) < 0.01 * s, qPrintable(QString::number(angle)));
-            QVERIFY((ratio(hand) + s * uphill).norm() < 0.01 * s);
+            COMPARE_NEAR(angle, std::atan(s), 0.01 * s, "rad");
+            QCOMPARE_LT((ratio(hand) + s * uphill).norm(), 0.01 * s);
         }
 }
 
@@ -341,7 +342,7 @@ void TextureStepTest::comesToRest() {
             QCOMPARE(hand.to(hand.finger()).proxy, rest);
     }
     qInfo() << slow << "of 200 needed more than eight steps";
-    QVERIFY(slow < 10);
+    QCOMPARE_LT(slow, 10);
 }
 
 // Between two updates of the proxy the servo renders the felt planes, not the facets.
@@ -356,7 +357,7 @@ void TextureStepTest::servoFeelsTheSame() {
             next.to(hand.finger() + way);
         QVERIFY2((served - next.output().force).norm() < 0.05 * served.norm(),
                  qPrintable(text(served) + " and " + text(next.output().force)));
-        if (way.isZero()) QVERIFY((served - hand.output().force).norm() < 1e-6);
+        if (way.isZero()) COMPARE_NEAR(served, hand.output().force, 1e-6, "N");
     }
 }
 
@@ -381,8 +382,8 @@ void TextureStepTest::aliasOfASlide() {
     const Spectrum ripple = spectrumOf(force, rate, 300);
     qInfo("force above 300 Hz: %.3g mN of %.3g mN", 1e3 * std::sqrt(ripple.above),
           1e3 * std::sqrt(ripple.whole));
-    QVERIFY(ripple.whole > 0);
-    QVERIFY(ripple.above < 0.25 * ripple.whole);
+    QCOMPARE_GT(ripple.whole, 0);
+    QCOMPARE_LT(ripple.above, 0.25 * ripple.whole);
 }
 
 QTEST_APPLESS_MAIN(TextureStepTest)

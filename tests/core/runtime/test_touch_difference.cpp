@@ -3,6 +3,7 @@
 
 #include "core/runtime/compile.h"
 #include "core/runtime/touch_difference.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 
 using namespace tactum;
@@ -36,12 +37,6 @@ TouchTrace touch(const Scene& scene, const std::vector<FingerPoint>& path) {
     return replay(**world, path);
 }
 
-bool isNear(double value, double expected, double tolerance) {
-    if (std::abs(value - expected) <= tolerance) return true;
-    qWarning("%.9g instead of %.9g", value, expected);
-    return false;
-}
-
 } // namespace
 
 class TestTouchDifference : public QObject {
@@ -59,9 +54,12 @@ private slots:
 void TestTouchDifference::equalScenesDifferByNothing() {
     const Scene scene = plane(500, 0.4);
     const TouchDifference same = differenceOf(touch(scene, stroke(0.003)), touch(scene, stroke(0.003)));
-    QVERIFY(same.rms == 0 && same.largest == 0);
-    QVERIFY(same.workA == same.workB && same.ratioA == same.ratioB);
-    QVERIFY(same.workA != 0 && same.ratioA > 0);
+    QCOMPARE_EQ(same.rms, 0);
+    QCOMPARE_EQ(same.largest, 0);
+    QCOMPARE_EQ(same.workA, same.workB);
+    QCOMPARE_EQ(same.ratioA, same.ratioB);
+    QCOMPARE_NE(same.workA, 0);
+    QCOMPARE_GT(same.ratioA, 0);
     QCOMPARE(same.steps, std::size_t(1001));
 }
 
@@ -74,14 +72,15 @@ void TestTouchDifference::twiceTheStiffnessIsTwiceTheForce() {
     double squares = 0;
     for (const FingerPoint& point : path)
         squares += std::pow(kStiffness1 * std::max(0.0, kRadius - point.position.z()), 2);
-    QVERIFY(isNear(said.rms, std::sqrt(squares / double(path.size())), 1e-9));
-    QVERIFY(isNear(said.largest, kStiffness1 * kDepth, 1e-9));
-    QVERIFY(isNear(said.largestWhere.z(), kRadius - kDepth, 1e-9));
-    QVERIFY(isNear(said.largestAt, 1, 1e-9));
+    COMPARE_NEAR(said.rms, std::sqrt(squares / double(path.size())), 1e-9, "N");
+    COMPARE_NEAR(said.largest, kStiffness1 * kDepth, 1e-9, "N");
+    COMPARE_NEAR(said.largestWhere.z(), kRadius - kDepth, 1e-9, "m");
+    COMPARE_NEAR(said.largestAt, 1, 1e-9, "s");
     // To press a spring takes half its stiffness times the square of the way.
-    QVERIFY(isNear(said.workA, 0.5 * kStiffness1 * kDepth * kDepth, 1e-9));
-    QVERIFY(isNear(said.workB, kStiffness1 * kDepth * kDepth, 1e-9));
-    QVERIFY(said.ratioA < 1e-9 && said.ratioB < 1e-9);
+    COMPARE_NEAR(said.workA, 0.5 * kStiffness1 * kDepth * kDepth, 1e-9, "J");
+    COMPARE_NEAR(said.workB, kStiffness1 * kDepth * kDepth, 1e-9, "J");
+    QCOMPARE_LT(said.ratioA, 1e-9);
+    QCOMPARE_LT(said.ratioB, 1e-9);
 }
 
 void TestTouchDifference::frictionShowsInRatioAndWork() {
@@ -91,11 +90,12 @@ void TestTouchDifference::frictionShowsInRatioAndWork() {
         path.push_back(
             {kStep * i, Vec3(-0.08 + 4e-5 * std::max(0, i), 0.001, kRadius - 0.002 - 4e-4 * std::min(0, i))});
     const TouchDifference said = differenceOf(touch(plane(500, 0.2), path), touch(plane(500, 0.5), path));
-    QVERIFY(isNear(said.ratioA, 0.2, 0.004) && isNear(said.ratioB, 0.5, 0.01));
+    COMPARE_NEAR(said.ratioA, 0.2, 0.004, "");
+    COMPARE_NEAR(said.ratioB, 0.5, 0.01, "");
     const double normal = 500 * 0.002, way = 0.16, press = 0.5 * normal * 0.002;
-    QVERIFY(isNear(said.workA, 0.2 * normal * way + press, 0.02 * normal * way));
-    QVERIFY(isNear(said.workB, 0.5 * normal * way + press, 0.02 * normal * way));
-    QVERIFY(isNear(said.largest, 0.3 * normal, 0.02 * normal));
+    COMPARE_NEAR(said.workA, 0.2 * normal * way + press, 0.02 * normal * way, "J");
+    COMPARE_NEAR(said.workB, 0.5 * normal * way + press, 0.02 * normal * way, "J");
+    COMPARE_NEAR(said.largest, 0.3 * normal, 0.02 * normal, "N");
 }
 
 void TestTouchDifference::theLongerOneIsCut() {

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "core/runtime/trace_point.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -21,10 +22,6 @@ TracePoint pointOf(const Vec3& force) {
     return point;
 }
 
-bool near(double a, double b) {
-    return std::abs(a - b) < 1e-12;
-}
-
 } // namespace
 
 class TestTracePoint : public QObject {
@@ -32,23 +29,29 @@ class TestTracePoint : public QObject {
 private slots:
     void onePlaneDividesTheForceByItsNormal() {
         const TracePoint point = tracePoint(pointOf({0.3, 2, 0.4}), modelOf({Vec3::UnitY()}));
-        QVERIFY(point.touching && point.proxy == Vec3(1, 2, 3));
-        QVERIFY(near(point.normalForce, 2) && near(point.tangentialForce, 0.5));
+        QVERIFY(point.touching);
+        QCOMPARE_EQ(point.proxy, Vec3(1, 2, 3));
+        COMPARE_NEAR(point.normalForce, 2, 1e-12, "N");
+        COMPARE_NEAR(point.tangentialForce, 0.5, 1e-12, "N");
     }
 
     void aGrooveTakesAllAcrossItAndLeavesWhatIsAlongIt() {
         const auto groove = modelOf({{1, 1, 0}, {-1, 1, 0}});
         const TracePoint point = tracePoint(pointOf({0.4, 1, 0.3}), groove);
-        QVERIFY(near(point.normalForce, std::hypot(0.4, 1)) && near(point.tangentialForce, 0.3));
+        COMPARE_NEAR(point.normalForce, std::hypot(0.4, 1), 1e-12, "N");
+        COMPARE_NEAR(point.tangentialForce, 0.3, 1e-12, "N");
     }
 
     void withoutAPushNothingIsTouched() {
         const TracePoint free = tracePoint(pointOf(Vec3::Zero()), modelOf({Vec3::UnitY()}));
-        QVERIFY(!free.touching && free.normalForce == 0 && free.tangentialForce == 0);
+        QVERIFY(!free.touching);
+        QCOMPARE_EQ(free.normalForce, 0);
+        QCOMPARE_EQ(free.tangentialForce, 0);
         TracePoint unknown = pointOf({0, 1, 0});
         unknown.finger = {5, 5, 5};
         unknown = tracePoint(unknown, {});
-        QVERIFY(!unknown.touching && unknown.proxy == Vec3(5, 5, 5));
+        QVERIFY(!unknown.touching);
+        QCOMPARE_EQ(unknown.proxy, Vec3(5, 5, 5));
     }
 };
 

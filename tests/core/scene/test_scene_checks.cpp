@@ -9,6 +9,7 @@
 #include "core/files/read_finger_path.h"
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -69,13 +70,19 @@ private slots:
         layer.strength = 3;
         top.layers = {layer};
         const std::vector<SurfaceDescription> surfaces = describe(scene).objects.at(0).surfaces;
-        QVERIFY(surfaces[0].shading == top.shading && !surfaces[1].shading.on);
+        QVERIFY(surfaces[0].shading == top.shading);
+        QVERIFY(!surfaces[1].shading.on);
         QVERIFY(surfaces[1].layers.empty());
         const LayerDescription& grip = surfaces[0].layers.at(0);
         QCOMPARE(grip.name, std::string("grip"));
-        QVERIFY(!grip.enabled && grip.image.empty());
-        QVERIFY(grip.source == "dots" && grip.mapping == "triplanar" && grip.blend == "multiply");
-        QVERIFY(grip.target == "viscosity" && grip.strength.unit.empty() && grip.strength.value == 3);
+        QVERIFY(!grip.enabled);
+        QVERIFY(grip.image.empty());
+        QCOMPARE_EQ(grip.source, "dots");
+        QCOMPARE_EQ(grip.mapping, "triplanar");
+        QCOMPARE_EQ(grip.blend, "multiply");
+        QCOMPARE_EQ(grip.target, "viscosity");
+        QVERIFY(grip.strength.unit.empty());
+        QCOMPARE_EQ(grip.strength.value, 3);
     }
 
     void oneSideOfAnUnevenMeshIsDoubted() {
@@ -173,15 +180,16 @@ private slots:
     void fingerPathsAreReadToTheLastBit() {
         const auto path = readFingerPath(
             folder_.write("a.csv", "t,x,y,z\r\n0,0.1,-2e-3,+3\r\n0.001, 0.30000000000000004 ,0,0\r\n\r\n\n"));
-        QVERIFY(path);
+        VERIFY_RESULT(path);
         QCOMPARE(path->size(), std::size_t(2));
         QCOMPARE((*path)[0].position, Vec3(0.1, -0.002, 3));
-        QVERIFY((*path)[1].t == 0.001 && (*path)[1].position.x() == 0.30000000000000004);
+        QCOMPARE_EQ((*path)[1].t, 0.001);
+        QCOMPARE_EQ((*path)[1].position.x(), 0.30000000000000004);
     }
 
     void aByteOrderMarkIsNoPartOfTheHeader() {
         const auto path = readFingerPath(folder_.write("mark.csv", "\xEF\xBB\xBFt,x,y,z\n0,1,2,3\n  \n"));
-        QVERIFY2(path, path ? "" : path.error().text.c_str());
+        VERIFY_RESULT(path);
         QCOMPARE(path->front().position, Vec3(1, 2, 3));
     }
 
@@ -191,7 +199,7 @@ private slots:
         // Not waited for: it would wait for a reader that refuses the pipe.
         std::thread([pipe] { std::ofstream(pipe) << "t,x,y,z\n0,1,2,3\n1,1,2,4\n"; }).detach();
         const auto path = readFingerPath(pipe);
-        QVERIFY2(path, path ? "" : path.error().text.c_str());
+        VERIFY_RESULT(path);
         QCOMPARE(path->size(), std::size_t(2));
         // A scene is no stream: nothing may wait for a writer that never comes.
         const auto model = folder_.path() / "pipe.obj";

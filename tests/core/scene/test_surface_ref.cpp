@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/scene/surface_ref.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "core/surface/friction.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 
 using namespace tactum;
@@ -65,7 +66,7 @@ void FrictionTest::splitsIntoShorterTimes() {
     const double whole = allowedSlide(limit, before + speed * dt, depth, speed, dt);
     const double first = allowedSlide(limit, before + speed * dt / 2, depth, speed, dt / 2);
     const double second = allowedSlide(limit, before + speed * dt - first, depth, speed, dt / 2);
-    QVERIFY(std::abs(first + second - whole) < 1e-15);
+    COMPARE_NEAR(first + second, whole, 1e-15, "m");
 }
 
 void FrictionTest::holdsInsideTheCone() {
@@ -78,7 +79,7 @@ void FrictionTest::holdsInsideTheCone() {
 
 void FrictionTest::withoutViscosityEndsOnTheCone() {
     for (double speed : {-0.2, 0.0, 0.2})
-        QVERIFY(std::abs(allowedSlide({0.5, 0}, 0.9e-3, 1e-3, speed, 1e-3) - 0.4e-3) < 1e-18);
+        COMPARE_NEAR(allowedSlide({0.5, 0}, 0.9e-3, 1e-3, speed, 1e-3), 0.4e-3, 1e-18, "m");
     QCOMPARE(allowedSlide({0, 0}, 0.9e-3, 1e-3, 0.2, 1e-3), 0.9e-3);
 }
 
@@ -86,8 +87,8 @@ void FrictionTest::smallViscosityTendsToNone() {
     for (double lag : {1e-6, 1e-9, 1e-12, 1e-300}) {
         const double slide = allowedSlide({0.5, lag}, 0.9e-3, 1e-3, 0.1, 1e-3);
         QVERIFY(std::isfinite(slide));
-        QVERIFY(slide <= 0.4e-3);
-        QVERIFY(0.4e-3 - slide <= 1.001 * 0.1 * lag + 1e-18);
+        QCOMPARE_LE(slide, 0.4e-3);
+        QCOMPARE_LE(0.4e-3 - slide, 1.001 * 0.1 * lag + 1e-18);
     }
 }
 
@@ -99,16 +100,16 @@ void FrictionTest::steadySlideLagsByViscosity() {
     for (int i = 0; i < 300; ++i) {
         excess += speed * dt;
         excess -= allowedSlide(limit, excess, depth, speed, dt);
-        QVERIFY(excess >= last - 1e-18);
+        QCOMPARE_GE(excess, last - 1e-18);
         last = excess;
     }
-    QVERIFY(std::abs(excess - (limit.coefficient * depth + speed * limit.lag)) < 1e-9);
+    COMPARE_NEAR(excess, limit.coefficient * depth + speed * limit.lag, 1e-9, "m");
     // The finger comes back at the same speed: what is outside the cone goes on sliding, and never back.
     for (int i = 0; i < 300; ++i) {
         excess -= speed * dt;
         const double slide = allowedSlide(limit, excess, depth, -speed, dt);
-        QVERIFY(slide >= 0);
-        QVERIFY(slide <= std::max(0.0, excess - limit.coefficient * depth) + 1e-18);
+        QCOMPARE_GE(slide, 0);
+        QCOMPARE_LE(slide, std::max(0.0, excess - limit.coefficient * depth) + 1e-18);
         excess -= slide;
     }
 }

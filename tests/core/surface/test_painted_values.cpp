@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -61,7 +62,7 @@ private slots:
                 const Vec3 normal = across.normalized();
                 const TexturePoint point = pointOn(*soup, triangle, randomWeights(rng), normal);
                 const TextureFeel touch = feel(*stack, point, 1e-3);
-                QVERIFY(std::abs(touch.height - 0.01 * (0.5 + gradient.dot(point.position))) < 1e-8);
+                COMPARE_NEAR(touch.height, 0.01 * (0.5 + gradient.dot(point.position)), 1e-8, "m");
                 const Vec3 expected = 0.01 * (gradient - gradient.dot(normal) * normal);
                 QVERIFY2((touch.slope - expected).norm() < 1e-6,
                          qPrintable(QString::number((touch.slope - expected).norm())));
@@ -76,10 +77,11 @@ private slots:
         soup->surfaceOf = {0, 0};
         const auto stack = stackOf({paintedLayer(painted({0.25F, 0.75F, 1}), 0.01)}, soup);
         const TextureFeel along = feel(*stack, pointOn(*soup, 0, {0.5, 0.2, 0.3}, Vec3::UnitZ()), 0);
-        QVERIFY(std::abs(along.height - 0.005) < 1e-9);
-        QVERIFY((along.slope - Vec3(0.01 * 0.5 / 0.02, 0, 0)).norm() < 1e-9);
+        COMPARE_NEAR(along.height, 0.005, 1e-9, "m");
+        COMPARE_NEAR(along.slope, Vec3(0.01 * 0.5 / 0.02, 0, 0), 1e-9, "");
         const TextureFeel there = feel(*stack, pointOn(*soup, 1, {0, 0, 1}, Vec3::UnitZ()), 0);
-        QVERIFY(std::abs(there.height - 0.01) < 1e-9 && there.slope.norm() == 0);
+        COMPARE_NEAR(there.height, 0.01, 1e-9, "m");
+        QCOMPARE_EQ(there.slope.norm(), 0);
     }
 
     /// The product rule of a mask holds, whatever the two are made of.
@@ -97,8 +99,8 @@ private slots:
             const TextureFeel h = feel(*bare, point, 0), m = feel(*mask, point, 0),
                               both = feel(*masked, point, 0);
             const double part = m.height / 1e-3;
-            QVERIFY(std::abs(both.height - part * h.height) < 1e-12);
-            QVERIFY((both.slope - (part * h.slope + h.height / 1e-3 * m.slope)).norm() < 1e-9);
+            COMPARE_NEAR(both.height, part * h.height, 1e-12, "m");
+            COMPARE_NEAR(both.slope, part * h.slope + h.height / 1e-3 * m.slope, 1e-9, "");
         }
     }
 
@@ -128,7 +130,7 @@ private slots:
         other.pattern.painted = {};
         QVERIFY(!(one == other));
         const PaintedValues safe({-1, 2, std::numeric_limits<float>::quiet_NaN(), 0.5F});
-        QVERIFY(safe.all() == std::vector<float>({0, 1, 0, 0.5F}));
+        QCOMPARE_EQ(safe.all(), std::vector<float>({0, 1, 0, 0.5F}));
     }
 
     /// Every level, to the bit, for sizes that are no powers of two.

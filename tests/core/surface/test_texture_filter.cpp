@@ -4,6 +4,7 @@
 
 #include "tests/core/surface/spectrum.h"
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -89,7 +90,7 @@ void TextureFilterTest::withoutAFeatureEverythingStays() {
     // The slope of height / 2 sin(2 pi x / wavelength) has the mean square of pi height / wavelength /
     // root 2.
     const Stack stack = stackOf({imageLayer(grating(61, 4000), TextureMapping::Planar, 0.061, 2e-5)});
-    QVERIFY(std::abs(meanSlope(*stack, 0, 0.03, 20000) / (kPi * 0.02 / std::numbers::sqrt2) - 1) < 0.02);
+    COMPARE_NEAR(meanSlope(*stack, 0, 0.03, 20000) / (kPi * 0.02 / std::numbers::sqrt2), 1, 0.02, "");
 }
 
 // The image lies six times finer in one direction: its waves are judged by their length in metres alone.
@@ -133,11 +134,11 @@ void TextureFilterTest::stretchedUvsAreFilteredInMetres() {
 void TextureFilterTest::proceduralPatternsFadeByTheirWaves() {
     for (TextureSource source :
          {TextureSource::Noise, TextureSource::Grooves, TextureSource::Dots, TextureSource::Weave}) {
-        QVERIFY(keptOfPattern(source, kFeature) == 0);
+        QCOMPARE_EQ(keptOfPattern(source, kFeature), 0);
         QVERIFY2(keptOfPattern(source, 6 * kFeature) >= 0.9, qPrintable(QString::number(int(source))));
     }
-    QVERIFY(keptOfPattern(TextureSource::Grooves, 2 * kFeature) > 0.999);
-    QVERIFY(keptOfPattern(TextureSource::Noise, 2 * kFeature) > 0.999);
+    QCOMPARE_GT(keptOfPattern(TextureSource::Grooves, 2 * kFeature), 0.999);
+    QCOMPARE_GT(keptOfPattern(TextureSource::Noise, 2 * kFeature), 0.999);
 }
 
 // Noise of 8 octaves from 8 mm on, with features of 1 mm: what is left is the noise of its first two octaves
@@ -154,7 +155,7 @@ void TextureFilterTest::fineOctavesGoFirst() {
         TexturePoint point;
         point.position = inBox(rng, 0.1);
         const Vec3 slope = feel(*fine, point, kFeature).slope;
-        QVERIFY((slope - feel(*coarse, point, 0).slope).norm() < 1e-12);
+        COMPARE_NEAR(slope, feel(*coarse, point, 0).slope, 1e-12, "");
     }
 }
 
@@ -181,9 +182,9 @@ void TextureFilterTest::aliasOfASlide() {
     qInfo("force above 300 Hz: %.3g mN, %.1f %% of the energy; unfiltered %.3g mN, %.1f %%",
           1e3 * std::sqrt(soft.above), 100 * soft.above / soft.whole, 1e3 * std::sqrt(sharp.above),
           100 * sharp.above / sharp.whole);
-    QVERIFY(soft.above < bound * soft.whole);
-    QVERIFY(soft.above < 1e-3 * sharp.above);
-    QVERIFY(soft.whole > 0);
+    QCOMPARE_LT(soft.above, bound * soft.whole);
+    QCOMPARE_LT(soft.above, 1e-3 * sharp.above);
+    QCOMPARE_GT(soft.whole, 0);
 }
 
 QTEST_APPLESS_MAIN(TextureFilterTest)

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -87,7 +88,7 @@ void TextureSlopeTest::everySourceInEveryMappingAgreesWithDifferences() {
                 const double detail = round || i % 2 == 0 ? 0 : 1e-3;
                 const Vec3 slope = feel(*stack, point, detail).slope;
                 if (slope.norm() > 0.99 * kSteepestSlope) continue; // cut
-                QVERIFY(std::abs(slope.dot(point.normal)) < 1e-12);
+                QCOMPARE_LT(std::abs(slope.dot(point.normal)), 1e-12);
                 steepest = std::max(steepest, slope.norm());
                 // A bilinear surface has creases: a step across one of them says nothing.
                 const Vec3 coarse = measuredSlope(*stack, point, detail, 2e-9),
@@ -114,7 +115,7 @@ void TextureSlopeTest::imageRampHasTheSlopeOfItsHeights() {
             const TextureFeel felt = feel(*stack, point, detail);
             // A texel's step is 256 of 65536 values, here and there 255.
             QVERIFY2((felt.slope - Vec3(0.1, 0, 0)).norm() < 5e-4, qPrintable(text(felt.slope)));
-            QVERIFY(std::abs(felt.height - 0.1 * x) < 1e-7);
+            COMPARE_NEAR(felt.height, 0.1 * x, 1e-7, "m");
         }
     }
 }
@@ -168,9 +169,9 @@ void TextureSlopeTest::uvGradientIsThatOfTheLinearMap() {
         const auto gradient = uvGradientOf(t, uvs);
         const Vec3 n = (t.b - t.a).cross(t.c - t.a);
         if (n.norm() < 1e-3 * scale * scale) continue;
-        QVERIFY((gradient * (t.b - t.a) - (uvs[1] - uvs[0])).norm() < 1e-6);
-        QVERIFY((gradient * (t.c - t.b) - (uvs[2] - uvs[1])).norm() < 1e-6);
-        QVERIFY((gradient * n.normalized()).norm() * scale < 1e-6);
+        QCOMPARE_LT((gradient * (t.b - t.a) - (uvs[1] - uvs[0])).norm(), 1e-6);
+        QCOMPARE_LT((gradient * (t.c - t.b) - (uvs[2] - uvs[1])).norm(), 1e-6);
+        QCOMPARE_LT((gradient * n.normalized()).norm() * scale, 1e-6);
     }
 }
 
@@ -199,8 +200,8 @@ void TextureSlopeTest::forceRatioIsTheSlope() {
         const Vec3 n = direction(rng), uphill = n.unitOrthogonal();
         const Vec3 force = bumpedNormal(n, s * uphill);
         const double normal = force.dot(n), tangential = force.dot(uphill);
-        QVERIFY(std::abs(force.norm() - 1) < 1e-15);
-        QVERIFY(std::abs(-tangential / normal - s) < 1e-12);
+        COMPARE_NEAR(force.norm(), 1, 1e-15, "N");
+        COMPARE_NEAR(-tangential / normal, s, 1e-12, "");
     }
 }
 
@@ -213,15 +214,15 @@ void TextureSlopeTest::eightBitsRenderARampToo() {
     for (int i = 0; i < 400; ++i) {
         TexturePoint point;
         point.position = {0.003 + 1e-5 * i, 0.001, 0};
-        QVERIFY(std::abs(feel(*coarse, point, 0).slope.x() - 0.1) < 0.002);
+        COMPARE_NEAR(feel(*coarse, point, 0).slope.x(), 0.1, 0.002, "");
         const double slope = feel(*fine, point, 0).slope.x();
         mean += slope / 400;
         stairs = std::max(stairs, std::abs(slope - 0.1));
         smooth = std::max(smooth, std::abs(feel(*deep, point, 0).slope.x() - 0.1));
     }
-    QVERIFY(std::abs(mean - 0.1) < 0.004);
-    QVERIFY(stairs > 0.05); // what 16 bits are for
-    QVERIFY(smooth < 0.002);
+    COMPARE_NEAR(mean, 0.1, 0.004, "");
+    QCOMPARE_GT(stairs, 0.05); // what 16 bits are for
+    QCOMPARE_LT(smooth, 0.002);
 }
 
 void TextureSlopeTest::cylinderAndSphereFollowTheirFormulas() {
@@ -279,7 +280,7 @@ void TextureSlopeTest::wholeRepeatsFillATurn() {
             TexturePoint east, west;
             east.position = {-0.05, 1e-12, 0.003}, west.position = {-0.05, -1e-12, 0.003};
             east.normal = west.normal = -Vec3::UnitX();
-            QVERIFY(std::abs(feel(*stack, east, 0).height - feel(*stack, west, 0).height) < 1e-9);
+            COMPARE_NEAR(feel(*stack, east, 0).height, feel(*stack, west, 0).height, 1e-9, "m");
         }
 }
 
@@ -296,7 +297,7 @@ void TextureSlopeTest::triplanarOfAnAxisIsPlanar() {
         TexturePoint plain;
         plain.position = {0.002, 0.003, 0};
         plain.normal = side * Vec3::UnitZ();
-        QVERIFY((feel(*rising, plain, 0).slope - Vec3(side * 0.1, 0, 0)).norm() < 5e-4);
+        COMPARE_NEAR(feel(*rising, plain, 0).slope, Vec3(side * 0.1, 0, 0), 5e-4, "");
     }
     // Over an edge it blends: half of the one, half of the other.
     point.normal = Vec3(1, 0, 1).normalized();
@@ -305,7 +306,7 @@ void TextureSlopeTest::triplanarOfAnAxisIsPlanar() {
     const double x = feel(*stackOf({triplanar}), point, 0).height;
     point.normal = Vec3::UnitZ();
     const double z = feel(*stackOf({triplanar}), point, 0).height;
-    QVERIFY(std::abs(between - 0.5 * (x + z)) < 1e-12);
+    COMPARE_NEAR(between, 0.5 * (x + z), 1e-12, "");
 }
 
 // A ramp under a mask that is a ramp across it: height = k x y, its slope k (y, x).
@@ -336,9 +337,10 @@ void TextureSlopeTest::strangeInputGivesThePlainSurface() {
                 QVERIFY(feel(*stack, point, wrong).slope.allFinite());
                 point.position.x() = point.uv.x() = wrong;
                 const TextureFeel felt = feel(*stack, point, 1e-3);
-                QVERIFY(felt.slope.norm() <= kSteepestSlope * (1 + 1e-12) && std::isfinite(felt.height));
+                QCOMPARE_LE(felt.slope.norm(), kSteepestSlope * (1 + 1e-12));
+                QVERIFY(std::isfinite(felt.height));
                 point.uvGradient(0, 0) = point.normal.y() = wrong;
-                QVERIFY(feel(*stack, point, 1e-3).slope.norm() <= kSteepestSlope * (1 + 1e-12));
+                QCOMPARE_LE(feel(*stack, point, 1e-3).slope.norm(), kSteepestSlope * (1 + 1e-12));
             }
 }
 

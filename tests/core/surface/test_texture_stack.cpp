@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/core/surface/texture_rig.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -28,8 +29,9 @@ TextureFeel felt(std::vector<TextureLayer> layers, const Vec3& position = {0.003
     return feel(*stackOf(std::move(layers)), point, 0);
 }
 
-bool near(double a, double b) {
-    return std::abs(a - b) < 2e-5 * std::max(1.0, std::abs(b)); // a texel has 16 bits
+/// How near a texel of 16 bits comes to a value.
+double texel(double value) {
+    return 2e-5 * std::max(1.0, std::abs(value));
 }
 
 /// A square of 10 mm with the coordinates 0 to 1, or none.
@@ -68,12 +70,12 @@ void TextureStackTest::heightsBlend() {
                    .height /
                1e-3;
     };
-    QVERIFY(near(of(TextureBlend::Add), 0.7));
-    QVERIFY(near(of(TextureBlend::Subtract), 0.3));
-    QVERIFY(near(of(TextureBlend::Multiply), 0.125));
-    QVERIFY(near(of(TextureBlend::Maximum), 0.5));
-    QVERIFY(near(of(TextureBlend::Minimum), 0.2));
-    QVERIFY(near(of(TextureBlend::Replace), 0.2));
+    COMPARE_NEAR(of(TextureBlend::Add), 0.7, texel(0.7), "");
+    COMPARE_NEAR(of(TextureBlend::Subtract), 0.3, texel(0.3), "");
+    COMPARE_NEAR(of(TextureBlend::Multiply), 0.125, texel(0.125), "");
+    COMPARE_NEAR(of(TextureBlend::Maximum), 0.5, texel(0.5), "");
+    COMPARE_NEAR(of(TextureBlend::Minimum), 0.2, texel(0.2), "");
+    COMPARE_NEAR(of(TextureBlend::Replace), 0.2, texel(0.2), "");
 }
 
 void TextureStackTest::factorsBlend() {
@@ -82,25 +84,29 @@ void TextureStackTest::factorsBlend() {
                      evenLayer(0.5, TextureTarget::Viscosity, 0.8, blend)})
             .viscosity;
     };
-    QVERIFY(near(of(TextureBlend::Add), 2.4));
-    QVERIFY(near(of(TextureBlend::Subtract), 1.6));
-    QVERIFY(near(of(TextureBlend::Multiply), 2.8));
-    QVERIFY(near(of(TextureBlend::Maximum), 2));
-    QVERIFY(near(of(TextureBlend::Minimum), 1.4));
-    QVERIFY(near(of(TextureBlend::Replace), 1.4));
+    COMPARE_NEAR(of(TextureBlend::Add), 2.4, texel(2.4), "");
+    COMPARE_NEAR(of(TextureBlend::Subtract), 1.6, texel(1.6), "");
+    COMPARE_NEAR(of(TextureBlend::Multiply), 2.8, texel(2.8), "");
+    COMPARE_NEAR(of(TextureBlend::Maximum), 2, texel(2), "");
+    COMPARE_NEAR(of(TextureBlend::Minimum), 1.4, texel(1.4), "");
+    COMPARE_NEAR(of(TextureBlend::Replace), 1.4, texel(1.4), "");
     // Each target has a sum of its own.
     const TextureFeel one = felt({evenLayer(1, TextureTarget::Stiffness, -0.5)});
-    QVERIFY(near(one.stiffness, 0.5) && one.viscosity == 1 && one.staticFriction == 1 && one.height == 0);
+    COMPARE_NEAR(one.stiffness, 0.5, texel(0.5), "N/m");
+    QCOMPARE_EQ(one.viscosity, 1);
+    QCOMPARE_EQ(one.staticFriction, 1);
+    QCOMPARE_EQ(one.height, 0);
 }
 
 void TextureStackTest::opacityAndMaskScaleTheLayer() {
     TextureLayer layer = evenLayer(1, TextureTarget::Height, 1e-3);
     layer.opacity = 0.5;
     layer.mask = evenLayer(0.5, TextureTarget::Height, 1).pattern;
-    QVERIFY(near(felt({layer}).height / 1e-3, 0.25));
+    COMPARE_NEAR(felt({layer}).height / 1e-3, 0.25, texel(0.25), "");
     // Under a replacing layer that counts for a quarter, three quarters of the lower one stay.
     layer.blend = TextureBlend::Replace;
-    QVERIFY(near(felt({evenLayer(1, TextureTarget::Height, 2e-3), layer}).height / 1e-3, 1.75));
+    COMPARE_NEAR(felt({evenLayer(1, TextureTarget::Height, 2e-3), layer}).height / 1e-3, 1.75, texel(1.75),
+                 "");
 }
 
 void TextureStackTest::ownPlanesStayApart() {
@@ -112,13 +118,14 @@ void TextureStackTest::ownPlanesStayApart() {
     const TextureFeel all = felt(layers);
     QCOMPARE(all.ownPlanes, kMostOwnPlanes);
     for (int i = 0; i < kMostOwnPlanes; ++i)
-        QVERIFY(near(all.ownSlopes[std::size_t(i)].x(), 0.01 * (i + 1)));
-    QVERIFY(near(all.slope.x(), 0.01 * (kMostOwnPlanes + 1))); // one too many: it joins the blend
+        COMPARE_NEAR(all.ownSlopes[std::size_t(i)].x(), 0.01 * (i + 1), texel(0.01 * (i + 1)), "");
+    COMPARE_NEAR(all.slope.x(), 0.01 * (kMostOwnPlanes + 1), texel(0.01 * (kMostOwnPlanes + 1)),
+                 ""); // one too many: it joins the blend
     // A plane for a layer that is no height is none.
     TextureLayer friction = evenLayer(1, TextureTarget::DynamicFriction, 1);
     friction.ownPlane = true;
     QCOMPARE(felt({friction}).ownPlanes, 0);
-    QVERIFY(near(felt({friction}).dynamicFriction, 2));
+    COMPARE_NEAR(felt({friction}).dynamicFriction, 2, texel(2), "");
 }
 
 // A V along x = 5 mm: one layer falls to the right, the other rises. In the valley both flanks are there.
@@ -128,10 +135,11 @@ void TextureStackTest::aGrooveOfTwoLayersHasTwoFlanks() {
     down.ownPlane = up.ownPlane = true;
     const TextureFeel valley = felt({down, up}, {0.005, 0.002, 0});
     QCOMPARE(valley.ownPlanes, 2);
-    QVERIFY(valley.slope.isZero(0));
+    QCOMPARE_EQ(valley.slope, Vec3(0, 0, 0));
     const Vec3 left = bumpedNormal(Vec3::UnitZ(), valley.ownSlopes[0]),
                right = bumpedNormal(Vec3::UnitZ(), valley.ownSlopes[1]);
-    QVERIFY(std::abs(left.x() / left.z() - 0.1) < 5e-4 && std::abs(right.x() / right.z() + 0.1) < 5e-4);
+    COMPARE_NEAR(left.x() / left.z(), 0.1, 5e-4, "");
+    COMPARE_NEAR(right.x() / right.z(), -0.1, 5e-4, "");
 }
 
 void TextureStackTest::modulationStaysInsideTheRanges() {
@@ -152,8 +160,8 @@ void TextureStackTest::modulationStaysInsideTheRanges() {
     const Material least = modulated(material, felt({evenLayer(1, TextureTarget::Stiffness, -1),
                                                      evenLayer(1, TextureTarget::StaticFriction, -0.5)}));
     QCOMPARE(least.stiffness, kStiffness.minimum);
-    QVERIFY(near(least.staticFriction, 0.3));
-    QVERIFY(least.dynamicFriction == least.staticFriction);
+    COMPARE_NEAR(least.staticFriction, 0.3, texel(0.3), "");
+    QCOMPARE_EQ(least.dynamicFriction, least.staticFriction);
 }
 
 void TextureStackTest::whatCannotBeFeltIsLeftOut() {
@@ -175,19 +183,19 @@ void TextureStackTest::whatCannotBeFeltIsLeftOut() {
 void TextureStackTest::layersBeyondTheBoundAreLeftOut() {
     const std::vector<TextureLayer> many(100, evenLayer(1, TextureTarget::Height, 1e-4));
     QCOMPARE(stackOf(many)->layers.size(), std::size_t(kMostTextureLayers));
-    QVERIFY(near(felt(many).height / 1e-4, kMostTextureLayers));
+    COMPARE_NEAR(felt(many).height / 1e-4, kMostTextureLayers, texel(kMostTextureLayers), "");
 }
 
 void TextureStackTest::unchangedLayersShareTheirStack() {
     const Soup soup = square(true);
     TextureLayer layer = imageLayer(ramp(), TextureMapping::Uv, 0.005, 1e-3);
     const std::vector<Stack> first{nullptr, compileTextures({layer}, soup, 0)};
-    QVERIFY(compileTextures({layer}, soup, 0, first) == first[1]);
-    QVERIFY(compileTextures({layer}, square(true), 0, first) != first[1]);
+    QCOMPARE_EQ(compileTextures({layer}, soup, 0, first), first[1]);
+    QCOMPARE_NE(compileTextures({layer}, square(true), 0, first), first[1]);
     layer.strength = 2e-3;
     const Stack second = compileTextures({layer}, soup, 0, first);
-    QVERIFY(second != first[1]);
-    QVERIFY(second->layers[0].pattern.image == first[1]->layers[0].pattern.image);
+    QCOMPARE_NE(second, first[1]);
+    QCOMPARE_EQ(second->layers[0].pattern.image, first[1]->layers[0].pattern.image);
     QCOMPARE(second->metresPerUv, first[1]->metresPerUv);
 }
 
@@ -205,18 +213,20 @@ void TextureStackTest::levelsAreMeansOfWhatTheyCover() {
             return sum / (l.width * l.height);
         };
         const TextureImage::Level& last = image->level(image->levelCount() - 1);
-        QVERIFY(last.width == 1 && last.height == 1);
+        QCOMPARE_EQ(last.width, 1);
+        QCOMPARE_EQ(last.height, 1);
         for (int i = 1; i < image->levelCount(); ++i) {
             QCOMPARE(image->level(i).width, (image->level(i - 1).width + 1) / 2);
-            QVERIFY(std::abs(mean(i) - mean(0)) < 1e-4);
+            COMPARE_NEAR(mean(i), mean(0), 1e-4, "");
         }
     }
     const Image steps = imageOf(3, 1, [](double x, double) { return x < 0.5 ? 0 : x < 0.6 ? 0.5 : 1; });
-    QVERIFY(near(steps->texel(steps->level(1), 0, 0), 0.5 / 3)); // one texel of 0 and half of the 0.5 or so
+    COMPARE_NEAR(steps->texel(steps->level(1), 0, 0), 0.5 / 3, texel(0.5 / 3),
+                 ""); // one texel of 0 and half of the 0.5 or so
 }
 
 void TextureStackTest::scaleOfUvsIsThatOfTheSurface() {
-    QVERIFY(near(metresPerUvOf(*square(true), 0) / 0.01, 1));
+    COMPARE_NEAR(metresPerUvOf(*square(true), 0) / 0.01, 1, texel(1), "");
     QCOMPARE(metresPerUvOf(*square(true), 1), 0.0);
     QCOMPARE(metresPerUvOf(*square(false), 0), 0.0);
     auto same = std::make_shared<TriangleSoup>(*square(true));

@@ -108,12 +108,4 @@ inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero())
     return run;
 }
 
-inline bool says(const Result<void>& result, const std::string& words) {
-    return !result && result.error().text.find(words) != std::string::npos &&
-           result.error().text.find('\n') == std::string::npos;
-}
-inline bool says(const std::string& text, const std::string& words) {
-    return text.find(words) != std::string::npos;
-}
-
 } // namespace tactum::test

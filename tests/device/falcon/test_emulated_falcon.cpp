@@ -7,6 +7,7 @@
 #include "device/falcon/falcon_kinematics.h"
 #include "tests/device/falcon/boot_stream.h"
 #include "tests/device/falcon/emulated_falcon.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -78,14 +79,16 @@ private slots:
         host.hear(40);
         host.packets.clear();
         QCOMPARE(host.hear(161), std::string());
-        QVERIFY(host.packets.size() >= 10 && host.packets.size() <= 11);
+        QCOMPARE_GE(host.packets.size(), 10);
+        QCOMPARE_LE(host.packets.size(), 11);
         for (const Bytes& packet : host.packets)
             QCOMPARE(packet, (Bytes{0x01, 0x60}));
         host.request(9, 1);
         host.hear(10);
         host.packets.clear();
         host.hear(100);
-        QVERIFY(host.packets.size() >= 95 && host.packets.size() <= 101);
+        QCOMPARE_GE(host.packets.size(), 95);
+        QCOMPARE_LE(host.packets.size(), 101);
     }
 
     void refusesRequestsThatItDoesNotKnow() {
@@ -94,7 +97,8 @@ private slots:
              {std::pair(0, 3), {2, 0x100}, {4, 7}, {5, 0}, {6, 0x013e}, {9, 0}, {11, 0}})
             QVERIFY(!host.request(std::uint8_t(number), value));
         const auto timer = host.device.control({0xc0, 10, 0, 0, 1}, {}, host.now);
-        QVERIFY(timer && *timer == Bytes{16});
+        QVERIFY(timer);
+        QCOMPARE_EQ(*timer, Bytes{16});
     }
 
     void answersTheCallAtTheRightRateOnly() {
@@ -111,14 +115,14 @@ private slots:
     void takesAProgramByItsOwnLength() {
         Host host;
         QVERIFY(host.load(makeBootStream()));
-        QVERIFY(host.device.state() == EmulatedFalcon::State::Running);
+        QCOMPARE_EQ(host.device.state(), EmulatedFalcon::State::Running);
         QCOMPARE(host.device.uploads(), 1);
         host.request(1, 0x0101); // DTR rises
-        QVERIFY(host.device.state() == EmulatedFalcon::State::Boot);
+        QCOMPARE_EQ(host.device.state(), EmulatedFalcon::State::Boot);
         Bytes half = makeBootStream();
         half.resize(half.size() - 2);
         QVERIFY(host.load(half));
-        QVERIFY(host.device.state() == EmulatedFalcon::State::Loading);
+        QCOMPARE_EQ(host.device.state(), EmulatedFalcon::State::Loading);
     }
 
     void aFullPacketOfEchoesComesBeforeTheTimer() {
@@ -129,7 +133,7 @@ private slots:
         host.device.out(Bytes(62, 0x55), host.now);
         while (host.packets.empty() || host.packets.back().size() < 64)
             host.hear(1);
-        QVERIFY(host.now - begun < 6 * kMs); // 62 bytes of 70 us
+        QCOMPARE_LT(host.now - begun, 6 * kMs); // 62 bytes of 70 us
     }
 
     void sixteenForSixteen() {
@@ -157,7 +161,8 @@ private slots:
         host.device.homeByHand();
         for (int i = 0; i < 1500; ++i) // without the bit nothing happens
             host.say("<AAAAAAAAAAAAAA>"), host.hear(1);
-        QVERIFY(!host.device.homed() && host.device.gripArrived());
+        QVERIFY(!host.device.homed());
+        QVERIFY(host.device.gripArrived());
         host.device.homeByHand();
         for (int i = 0; i < 1500; ++i)
             host.say("<AAAAAAAAAAAABA>"), host.hear(1);
@@ -172,10 +177,10 @@ private slots:
             const Vec3 p(side(random), side(random), side(random));
             const auto arm = falconArmAt(p);
             const Vec3 inBase = p + Vec3(0, 0, kFalconCentre);
-            QVERIFY((legDegrees(inBase) - arm->angles * 180 / 3.14159265358979323846).norm() < 1e-9);
+            COMPARE_NEAR(legDegrees(inBase), arm->angles * 180 / 3.14159265358979323846, 1e-9, "degrees");
             const Vec3 torques = Vec3::Random();
             const Vec3 force = arm->jacobian.transpose() * torques;
-            QVERIFY((forceAtGrip(inBase, torques) - force).norm() < 1e-6 * force.norm());
+            COMPARE_NEAR(forceAtGrip(inBase, torques), force, 1e-6 * force.norm(), "N");
         }
     }
 
@@ -187,8 +192,9 @@ private slots:
         for (int i = 0; i < 20'000; ++i)
             body.step(2e-4, torques);
         const Vec3 way = body.position() - Vec3(0, 0, 0.125);
-        QVERIFY((way * body.hand.stiffness - forceAtGrip(body.position(), torques)).norm() < 1e-3);
-        QVERIFY(way.z() > 0.005 && body.velocity().norm() < 1e-6);
+        COMPARE_NEAR(way * body.hand.stiffness, forceAtGrip(body.position(), torques), 1e-3, "N");
+        QCOMPARE_GT(way.z(), 0.005);
+        QCOMPARE_LT(body.velocity().norm(), 1e-6);
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include "device/falcon/falcon_preparation.h"
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -86,18 +87,19 @@ private slots:
         const auto falcon = bench.driver();
         Person person(bench.device);
         const auto ready = falcon->prepare(person);
-        QVERIFY2(ready, ready ? "" : ready.error().text.c_str());
+        VERIFY_RESULT(ready);
         QCOMPARE(person.steps, falcon->steps());
-        QVERIFY(says(person.asked, "Pull the grip"));
+        COMPARE_CONTAINS(person.asked, "Pull the grip");
         QCOMPARE(person.most, 1.0);
-        QVERIFY(bench.device->state() == State::Running && bench.device->homed());
+        QCOMPARE_EQ(bench.device->state(), State::Running);
+        QVERIFY(bench.device->homed());
         QCOMPARE(bench.device->uploads(), 1);
         QCOMPARE(bench.device->latency(), 1);
         QCOMPARE(bench.device->torqueCommands(), 0);
-        QVERIFY(bench.device->light() == FalconLight::Red);
-        QVERIFY(falcon->open());
-        QVERIFY(exchange(*falcon, 50).valid > 40);
-        QVERIFY(bench.device->light() == FalconLight::Blue);
+        QCOMPARE_EQ(bench.device->light(), FalconLight::Red);
+        VERIFY_RESULT(falcon->open());
+        QCOMPARE_GT(exchange(*falcon, 50).valid, 40);
+        QCOMPARE_EQ(bench.device->light(), FalconLight::Blue);
         QCOMPARE(falcon->trouble(), std::string());
     }
 
@@ -105,11 +107,11 @@ private slots:
         FalconBench bench;
         bench.device->startFirmware(true);
         const auto falcon = bench.driver();
-        QVERIFY(falcon->open()); // nobody at hand
+        VERIFY_RESULT(falcon->open()); // nobody at hand
         QCOMPARE(bench.device->uploads(), 0);
         falcon->close();
         Person person(bench.device);
-        QVERIFY(falcon->prepare(person));
+        VERIFY_RESULT(falcon->prepare(person));
         QVERIFY(person.asked.empty());
     }
 
@@ -221,7 +223,8 @@ private slots:
         FalconBench bench;
         const auto falcon = bench.driver();
         const auto opened = falcon->open();
-        QVERIFY(says(opened, "\"Home\"") && says(opened, "grip"));
+        COMPARE_CONTAINS(refusal(opened), "\"Home\"");
+        COMPARE_CONTAINS(refusal(opened), "grip");
         QCOMPARE(bench.device->uploads(), 1);
         QVERIFY(!falcon->exchange({kPush}, 1e-3).valid);
         QCOMPARE(bench.device->torqueCommands(), 0);
@@ -237,8 +240,8 @@ private slots:
             QTest::qSleep(300);
             person.gaveUp = true;
         });
-        QVERIFY(says(falcon->prepare(person), "\"Home\""));
-        QVERIFY(bench.device->light() == FalconLight::Red);
+        COMPARE_CONTAINS(refusal(falcon->prepare(person)), "\"Home\"");
+        QCOMPARE_EQ(bench.device->light(), FalconLight::Red);
         QVERIFY(!bench.device->homed());
     }
 
@@ -248,10 +251,10 @@ private slots:
             const auto falcon = bench.driver();
             Person person(bench.device);
             person.givesUpAt = step;
-            QVERIFY(says(falcon->prepare(person), step));
+            COMPARE_CONTAINS(refusal(falcon->prepare(person)), step);
             QCOMPARE(person.steps.back(), std::string(step));
             Person patient(bench.device);
-            QVERIFY(falcon->prepare(patient));
+            VERIFY_RESULT(falcon->prepare(patient));
         }
     }
 
@@ -261,7 +264,8 @@ private slots:
         const auto falcon = bench.driver();
         Person person(bench.device);
         const auto ready = falcon->prepare(person);
-        QVERIFY(says(ready, "\"Firmware\"") && says(ready, "power supply"));
+        COMPARE_CONTAINS(refusal(ready), "\"Firmware\"");
+        COMPARE_CONTAINS(refusal(ready), "power supply");
     }
 
     void notThereOrNotAllowed() {
@@ -269,20 +273,20 @@ private slots:
         const auto falcon = bench.driver();
         Person person(bench.device);
         EmulatedBus::the().setForbidden(kSocket, true);
-        QVERIFY(says(falcon->prepare(person), "70-tactum.rules"));
+        COMPARE_CONTAINS(refusal(falcon->prepare(person)), "70-tactum.rules");
         FalconBench::unplug();
-        QVERIFY(says(falcon->prepare(person), "plug in its USB cable"));
+        COMPARE_CONTAINS(refusal(falcon->prepare(person)), "plug in its USB cable");
         EmulatedFalcon::plug(5, bench.device); // another socket
-        QVERIFY(falcon->prepare(person));
+        VERIFY_RESULT(falcon->prepare(person));
     }
 
     void withoutFirmwareItSaysWhereToGetIt() {
         FalconBench bench;
         Falcon falcon(bench.place(), FalconBench::profile(), {"/nowhere/firmware.bin"});
         Person person(bench.device);
-        QVERIFY(says(falcon.prepare(person), "/nowhere/firmware.bin"));
+        COMPARE_CONTAINS(refusal(falcon.prepare(person)), "/nowhere/firmware.bin");
         bench.device->startFirmware(true);
-        QVERIFY(falcon.prepare(person)); // then it needs none
+        VERIFY_RESULT(falcon.prepare(person)); // then it needs none
     }
 
     void troubleWithLoading_data() {
@@ -309,7 +313,7 @@ private slots:
         const auto falcon = bench.driver();
         const auto ready = falcon->prepare(person);
         QVERIFY2(words.isEmpty() == ready.has_value(), ready ? "it worked" : ready.error().text.c_str());
-        if (!words.isEmpty()) QVERIFY2(says(ready, words.toStdString()), ready.error().text.c_str());
+        if (!words.isEmpty()) COMPARE_CONTAINS(refusal(ready), words.toStdString());
         QCOMPARE(bench.device->torqueCommands(), 0);
     }
 
@@ -324,8 +328,8 @@ private slots:
             bench.device->putGrip(p);
             exchange(*falcon, 60); // it jumped there
             const Run run = exchange(*falcon, 50);
-            QVERIFY(run.valid > 40);
-            QVERIFY((run.last.position - p).norm() < 1e-4);
+            QCOMPARE_GT(run.valid, 40);
+            COMPARE_NEAR(run.last.position, p, 1e-4, "m");
         }
         for (const std::uint8_t buttons : {0, 1, 2, 4, 8, 15}) {
             bench.device->setButtons(buttons);
@@ -339,7 +343,7 @@ private slots:
         bench.device->setHand({.stiffness = 2000, .damping = 40});
         for (const Vec3& force : {Vec3(1, 0, 0), Vec3(0, -2, 0), Vec3(0, 0, 4), Vec3(-1, 2, -3)}) {
             exchange(*falcon, 100, force);
-            QVERIFY((bench.device->force() - force).norm() < 0.01 * force.norm() + 0.005);
+            COMPARE_NEAR(bench.device->force(), force, 0.01 * force.norm() + 0.005, "N");
         }
         QVERIFY(!bench.device->overdriven());
     }
@@ -350,11 +354,13 @@ private slots:
         bench.device->setHand({.stiffness = 5000, .damping = 60});
         for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
             exchange(*falcon, 100, 1000 * direction);
-            QVERIFY((bench.device->force() - 8 * direction).norm() < 0.08);
+            COMPARE_NEAR(bench.device->force(), 8 * direction, 0.08, "N");
         }
         exchange(*falcon, 100, {1e30, 0, 0}); // the motors end before the 8 N
         const Vec3 sideways = bench.device->force();
-        QVERIFY(sideways.x() > 5 && sideways.x() < 8 && std::hypot(sideways.y(), sideways.z()) < 0.05);
+        QCOMPARE_GT(sideways.x(), 5);
+        QCOMPARE_LT(sideways.x(), 8);
+        QCOMPARE_LT(std::hypot(sideways.y(), sideways.z()), 0.05);
         for (const double bad : {std::nan(""), 1.0 / 0.0}) {
             exchange(*falcon, 20, {bad, 0, 0});
             QCOMPARE(bench.device->motors(), kNoTorque);
@@ -371,7 +377,7 @@ private slots:
         QVERIFY(bench.device->motors() != kNoTorque);
         falcon->close();
         QCOMPARE(bench.device->motors(), kNoTorque);
-        QVERIFY(falcon->open());
+        VERIFY_RESULT(falcon->open());
         exchange(*falcon, 50, kPush);
         QVERIFY(bench.device->motors() != kNoTorque);
         falcon.reset();
@@ -383,7 +389,7 @@ private slots:
         const auto falcon = bench.driver();
         falcon->emergencyStop(); // of nothing
         bench.device->startFirmware(true);
-        QVERIFY(falcon->open());
+        VERIFY_RESULT(falcon->open());
         exchange(*falcon, 50, kPush);
         QVERIFY(bench.device->motors() != kNoTorque);
         falcon->emergencyStop();
@@ -442,28 +448,28 @@ private slots:
         const Fault& fault = faults()[std::size_t(number)];
         FalconBench bench;
         const auto falcon = bench.opened();
-        QVERIFY(exchange(*falcon, 100, kPush).valid > 80);
+        QCOMPARE_GT(exchange(*falcon, 100, kPush).valid, 80);
         QVERIFY(bench.device->motors() != kNoTorque);
         const int before = bench.device->torqueCommands();
         fault.begin(bench);
         exchange(*falcon, 12, kPush);
         if (fault.heard) QCOMPARE(bench.device->motors(), kNoTorque);
-        QVERIFY(bench.device->torqueCommands() <= before + 10);
+        QCOMPARE_LE(bench.device->torqueCommands(), before + 10);
         const int then = bench.device->torqueCommands();
         QCOMPARE(exchange(*falcon, 3, kPush).valid, 0);
         if (std::string_view(fault.words) != "jumped") {
             QCOMPARE(exchange(*falcon, 150, kPush).valid, 0);
             QCOMPARE(bench.device->torqueCommands(), then);
         }
-        QVERIFY2(says(falcon->trouble(), fault.words), falcon->trouble().c_str());
+        COMPARE_CONTAINS(falcon->trouble(), fault.words);
         QVERIFY(!falcon->trouble().empty());
 
         fault.end(bench);
         exchange(*falcon, 200);
         QCOMPARE(bench.device->motors(), kNoTorque);
         const int valid = exchange(*falcon, 50).valid;
-        QVERIFY2(valid > 40, qPrintable(QString::number(valid)));
-        QVERIFY(exchange(*falcon, 50, kPush).valid > 40);
+        QCOMPARE_GT(valid, 40);
+        QCOMPARE_GT(exchange(*falcon, 50, kPush).valid, 40);
         QVERIFY(bench.device->motors() != kNoTorque);
         QVERIFY(!bench.device->overdriven());
         QCOMPARE(bench.device->malformed(), 0);
@@ -492,9 +498,9 @@ private slots:
         bench.device->setFaults(harmless[fault]);
         const int before = bench.device->torqueCommands();
         const Run run = exchange(*falcon, 400, kPush);
-        QVERIFY2(run.valid > 300, qPrintable(QString::number(run.valid)));
-        QVERIFY((run.last.position - bench.device->grip()).norm() < 5e-4);
-        QVERIFY(bench.device->torqueCommands() > before + 300);
+        QCOMPARE_GT(run.valid, 300);
+        COMPARE_NEAR(run.last.position, bench.device->grip(), 5e-4, "m");
+        QCOMPARE_GT(bench.device->torqueCommands(), before + 300);
     }
 
     /// A frozen encoder looks like a hand that holds still: the force stays what it was. The moment it moves
@@ -504,13 +510,13 @@ private slots:
         const auto falcon = bench.opened();
         exchange(*falcon, 50, kPush);
         bench.device->setFaults({.frozenEncoders = true});
-        QVERIFY(exchange(*falcon, 50, kPush).valid > 40);
+        QCOMPARE_GT(exchange(*falcon, 50, kPush).valid, 40);
         bench.device->putGrip({0.01, 0, 0});
         exchange(*falcon, 20, kPush);
         bench.device->setFaults({});
         exchange(*falcon, 10, kPush);
         QCOMPARE(bench.device->motors(), kNoTorque);
-        QVERIFY(says(falcon->trouble(), "jumped"));
+        COMPARE_CONTAINS(falcon->trouble(), "jumped");
     }
 
     void unpluggedWhileItPushes() {
@@ -521,17 +527,17 @@ private slots:
             FalconBench::unplug();
             QCOMPARE(exchange(*falcon, 1, kPush).valid, 0);
             exchange(*falcon, 2, kPush);
-            QVERIFY2(says(falcon->trouble(), "unplugged"), falcon->trouble().c_str());
+            COMPARE_CONTAINS(falcon->trouble(), "unplugged");
             falcon->emergencyStop();
             const auto without = falcon->open();
-            QVERIFY(says(without, "plug in its USB cable"));
+            COMPARE_CONTAINS(refusal(without), "plug in its USB cable");
             QVERIFY(bench.device->motors() != kNoTorque); // it has power of its own, and knows no better
             bench.plug();
-            QVERIFY(falcon->open());
+            VERIFY_RESULT(falcon->open());
             QVERIFY(!bench.device->firstHadTorque());
             QCOMPARE(bench.device->motors(), kNoTorque);
             QCOMPARE(falcon->trouble(), std::string());
-            QVERIFY(exchange(*falcon, 30).valid > 20);
+            QCOMPARE_GT(exchange(*falcon, 30).valid, 20);
         }
     }
 
@@ -542,13 +548,13 @@ private slots:
         bench.device->setPower(false);
         bench.device->setPower(true);
         exchange(*falcon, 150, kPush);
-        QVERIFY(says(falcon->trouble(), "power supply"));
+        COMPARE_CONTAINS(falcon->trouble(), "power supply");
         Person person(bench.device);
-        QVERIFY(falcon->prepare(person));
-        QVERIFY(says(person.asked, "Pull the grip"));
+        VERIFY_RESULT(falcon->prepare(person));
+        COMPARE_CONTAINS(person.asked, "Pull the grip");
         QCOMPARE(bench.device->uploads(), 1);
-        QVERIFY(falcon->open());
-        QVERIFY(exchange(*falcon, 50).valid > 40);
+        VERIFY_RESULT(falcon->open());
+        QCOMPARE_GT(exchange(*falcon, 50).valid, 40);
     }
 
     void unpluggedWhileItIsMadeReady() {
@@ -563,7 +569,7 @@ private slots:
                 FalconBench::unplug();
             });
             const auto ready = falcon->prepare(person);
-            if (!ready) QVERIFY(says(ready, "Falcon"));
+            if (!ready) COMPARE_CONTAINS(refusal(ready), "Falcon");
             puller.join();
             exchange(*falcon, 3, kPush);
             QCOMPARE(bench.device->torqueCommands(), 0);

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;

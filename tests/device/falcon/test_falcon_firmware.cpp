@@ -6,9 +6,11 @@
 
 #include "device/falcon/falcon_firmware.h"
 #include "tests/device/falcon/boot_stream.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using test::makeBootStream;
+using test::refusal;
 
 namespace {
 
@@ -27,11 +29,6 @@ struct Folder {
     QTemporaryDir made;
     fs::path path = made.path().toStdString();
 };
-
-bool says(const Result<FalconFirmware>& result, const char* words) {
-    return !result && result.error().text.find(words) != std::string::npos &&
-           result.error().text.find('\n') == std::string::npos;
-}
 
 } // namespace
 
@@ -67,16 +64,19 @@ private slots:
         const Folder folder;
         const Bytes whole = makeBootStream();
         const auto read = readFalconFirmware(folder.put("good.bin", whole));
-        QVERIFY(read && read->bytes == whole && read->name.empty());
+        VERIFY_RESULT(read);
+        QCOMPARE_EQ(read->bytes, whole);
+        QVERIFY(read->name.empty());
         QCOMPARE(read->file, folder.path / "good.bin");
 
         Bytes longer = whole;
         longer.push_back(0);
         const Bytes shorter(whole.begin(), whole.end() - 2);
         for (const Bytes& bad : {Bytes{}, longer, shorter, Bytes(100, 7), Bytes(1'000'000, 0)})
-            QVERIFY(says(readFalconFirmware(folder.put("bad.bin", bad)), "no firmware of a Falcon"));
-        QVERIFY(says(readFalconFirmware(folder.path / "missing.bin"), "There is no file"));
-        QVERIFY(says(readFalconFirmware(folder.path), "There is no file"));
+            COMPARE_CONTAINS(refusal(readFalconFirmware(folder.put("bad.bin", bad))),
+                             "no firmware of a Falcon");
+        COMPARE_CONTAINS(refusal(readFalconFirmware(folder.path / "missing.bin")), "There is no file");
+        COMPARE_CONTAINS(refusal(readFalconFirmware(folder.path)), "There is no file");
     }
 
     void theChosenFileIsTakenAndNoOther() {
@@ -87,9 +87,9 @@ private slots:
         qputenv("TACTUM_FALCON_FIRMWARE", other.c_str());
         QCOMPARE(findFalconFirmware(chosen, {other})->file, chosen);
         QCOMPARE(findFalconFirmware({}, {chosen})->file, other);
-        QVERIFY(says(findFalconFirmware(bad, {other}), "bad"));
+        COMPARE_CONTAINS(refusal(findFalconFirmware(bad, {other})), "bad");
         qputenv("TACTUM_FALCON_FIRMWARE", bad.c_str());
-        QVERIFY(says(findFalconFirmware({}, {other}), "bad"));
+        COMPARE_CONTAINS(refusal(findFalconFirmware({}, {other})), "bad");
     }
 
     void placesAreLookedAtInTheirOrder() {
@@ -110,8 +110,8 @@ private slots:
     void whoHasNoneIsToldWhereToGetOne() {
         const Folder folder;
         const auto none = findFalconFirmware({}, {folder.path / "falcon"});
-        QVERIFY(says(none, "nvent_firmware.bin"));
-        QVERIFY(says(none, (folder.path / "falcon").c_str()));
+        COMPARE_CONTAINS(refusal(none), "nvent_firmware.bin");
+        COMPARE_CONTAINS(refusal(none), (folder.path / "falcon").c_str());
         QCOMPARE(none.error().kind, Error::Kind::Input);
     }
 
@@ -120,19 +120,24 @@ private slots:
         qputenv("XDG_CONFIG_HOME", folder.path.c_str());
         const Bytes bytes = makeBootStream({7});
         const auto kept = keepFalconFirmware(folder.put("from elsewhere/novint.fw", bytes));
-        QVERIFY(kept && kept->file == folder.path / "Tactum/falcon/novint.bin");
+        VERIFY_RESULT(kept);
+        QCOMPARE_EQ(kept->file, folder.path / "Tactum/falcon/novint.bin");
         fs::remove_all(folder.path / "from elsewhere");
         const auto found = findFalconFirmware({});
-        QVERIFY(found && found->file == kept->file && found->bytes == bytes);
+        VERIFY_RESULT(found);
+        QCOMPARE_EQ(found->file, kept->file);
+        QCOMPARE_EQ(found->bytes, bytes);
         // What is none replaces nothing.
-        QVERIFY(says(keepFalconFirmware(folder.put("novint.bin", Bytes(50, 1))), "no firmware of a Falcon"));
-        QVERIFY(findFalconFirmware({})->bytes == bytes);
+        COMPARE_CONTAINS(refusal(keepFalconFirmware(folder.put("novint.bin", Bytes(50, 1)))),
+                         "no firmware of a Falcon");
+        QCOMPARE_EQ(findFalconFirmware({})->bytes, bytes);
         // Chosen where it is already.
-        QVERIFY(keepFalconFirmware(kept->file) && findFalconFirmware({})->bytes == bytes);
+        VERIFY_RESULT(keepFalconFirmware(kept->file));
+        QCOMPARE_EQ(findFalconFirmware({})->bytes, bytes);
         // A file where the folder should be.
         fs::remove_all(folder.path / "Tactum");
         folder.put("Tactum", {1});
-        QVERIFY(says(keepFalconFirmware(folder.put("novint.bin", bytes)), "cannot be made"));
+        COMPARE_CONTAINS(refusal(keepFalconFirmware(folder.put("novint.bin", bytes))), "cannot be made");
         qunsetenv("XDG_CONFIG_HOME");
     }
 

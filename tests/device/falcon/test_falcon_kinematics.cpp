@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "device/falcon/falcon_kinematics.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -83,8 +84,9 @@ Mat3 differences(const Vec3& p) {
     return result;
 }
 
-bool close(const Vec3& a, const Vec3& b, double tolerance) {
-    return (a - b).cwiseAbs().maxCoeff() <= tolerance;
+/// The largest of the three differences.
+double apart(const Vec3& a, const Vec3& b) {
+    return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 Vec3 asVector(const FalconLegs& legs) {
@@ -101,14 +103,14 @@ private slots:
         for (const Known& known : kKnown) {
             const auto arm = falconArmAt(fromBase(known.position));
             QVERIFY(arm);
-            QVERIFY(close(arm->angles / kDegree, known.degrees, 6e-5));
+            QCOMPARE_LE(apart(arm->angles / kDegree, known.degrees), 6e-5);
             const FalconLegs counts{std::int16_t(known.counts[0]), std::int16_t(known.counts[1]),
                                     std::int16_t(known.counts[2])};
-            QVERIFY(close(falconAngles(counts), arm->angles, 0.51 * 0.0364347 * kDegree));
+            QCOMPARE_LE(apart(falconAngles(counts), arm->angles), 0.51 * 0.0364347 * kDegree);
             // A fine scale, and a limit that is not reached: rounding leaves 5e-6 of a newton metre.
             for (int axis = 0; axis < 3; ++axis) {
                 const auto motors = falconMotors(arm->jacobian, Vec3::Unit(axis), {.countsPerTorque = 4e4});
-                QVERIFY(close(asVector(motors) / -4e4, known.torque[axis], 5e-6 + 0.5 / 4e4));
+                QCOMPARE_LE(apart(asVector(motors) / -4e4, known.torque[axis]), 5e-6 + 0.5 / 4e4);
             }
         }
     }
@@ -121,7 +123,8 @@ private slots:
                                                      {{300, -200, 50}, {.013087, -.013208, .135362}}};
         for (const auto& [counts, position] : known) {
             const auto found = falconPosition(falconAngles(counts), Vec3::Zero());
-            QVERIFY(found && close(*found, fromBase(position), 6e-7));
+            QVERIFY(found);
+            QCOMPARE_LE(apart(*found, fromBase(position)), 6e-7);
         }
     }
 
@@ -135,7 +138,7 @@ private slots:
             const double size = arm->jacobian.cwiseAbs().maxCoeff();
             worst = std::max(worst, (arm->jacobian - differences(p)).cwiseAbs().maxCoeff() / size);
         }
-        QVERIFY2(worst < 1e-9, qPrintable(QString::number(worst)));
+        QCOMPARE_LT(worst, 1e-9);
     }
 
     void forwardFindsWhereTheInverseBegan() {
@@ -145,7 +148,7 @@ private slots:
             const Vec3 nearby = i % 2 ? Vec3(p + 0.003 * Vec3::Random()) : Vec3(0, 0, 0);
             const auto found = falconPosition(falconArmAt(p)->angles, nearby);
             QVERIFY2(found, qPrintable(QString("%1 %2 %3").arg(p.x()).arg(p.y()).arg(p.z())));
-            QVERIFY(close(*found, p, 1e-11));
+            QCOMPARE_LE(apart(*found, p), 1e-11);
         }
     }
 
@@ -155,7 +158,7 @@ private slots:
         for (int i = 0; i < 20'000; ++i) {
             const Vec3 p = places.inside(), nearby = places.inside();
             if (const auto there = falconPosition(falconArmAt(p)->angles, nearby)) {
-                QVERIFY(close(*there, p, 1e-11));
+                QCOMPARE_LE(apart(*there, p), 1e-11);
                 ++found;
             }
         }
@@ -171,7 +174,7 @@ private slots:
     void aStepOfTheEncoderIsOfTheKnownSize() {
         const Vec3 at = *falconPosition(falconAngles({-200, -200, -200}), Vec3::Zero());
         const Vec3 out = *falconPosition(falconAngles({-199, -199, -199}), Vec3::Zero());
-        QVERIFY(close(out - at, {0, 0, 4.8e-5}, 1e-6));
+        QCOMPARE_LE(apart(out - at, {0, 0, 4.8e-5}), 1e-6);
     }
 
     /// Virtual work: what the motors do while the legs turn is what the force does while the grip moves.
@@ -185,7 +188,7 @@ private slots:
                 asVector(falconMotors(arm->jacobian, force, {.countsPerTorque = 5000})) / -5000;
             // Half a count of each motor is lost to rounding.
             const double rounding = 0.5 / 5000 * turned.cwiseAbs().sum();
-            QVERIFY(std::abs(torque.dot(turned) - force.dot(2 * way)) < rounding + 1e-6 * 2 * way.norm());
+            COMPARE_NEAR(torque.dot(turned), force.dot(2 * way), rounding + 1e-6 * 2 * way.norm(), "N m");
         }
     }
 
@@ -205,15 +208,15 @@ private slots:
             const FalconMotorSettings settings{.countsPerTorque = places.between(100, 40'000)};
             const Vec3 force = std::pow(10, i % 100) * 0.1 * direction;
             const Vec3 motors = asVector(falconMotors(jacobian, force, settings));
-            QVERIFY(motors.cwiseAbs().maxCoeff() <= kFalconMostMotor);
+            QCOMPARE_LE(motors.cwiseAbs().maxCoeff(), kFalconMostMotor);
             Vec3 expected = jacobian.transpose().fullPivLu().solve(std::min(force.norm(), 8.0) * direction);
             expected *= -settings.countsPerTorque;
             const double most = expected.cwiseAbs().maxCoeff();
             limited += most > kFalconMostMotor;
             if (most > kFalconMostMotor) expected *= kFalconMostMotor / most;
-            QVERIFY(close(motors, expected, 0.5 + 1e-6));
+            QCOMPARE_LE(apart(motors, expected), 0.5 + 1e-6);
         }
-        QVERIFY(limited > 1000);
+        QCOMPARE_GT(limited, 1000);
     }
 
     /// A force at the limit goes out as it is, one above as if it were at the limit.
@@ -233,7 +236,8 @@ private slots:
                 QVERIFY(!falconArmAt(v));
                 QVERIFY(!falconPosition(v, Vec3::Zero()));
                 const auto found = falconPosition(falconAngles({0, 0, 0}), v);
-                QVERIFY(found && close(*found, fromBase({0, 0, .134602}), 1e-6));
+                QVERIFY(found);
+                QCOMPARE_LE(apart(*found, fromBase({0, 0, .134602})), 1e-6);
                 QCOMPARE(falconMotors(jacobian, v, {}), FalconLegs{});
                 QCOMPARE(falconMotors(bad * jacobian, {1, 1, 1}, {}), FalconLegs{});
             }
@@ -251,12 +255,14 @@ private slots:
             const Vec3 p = range * Vec3::Random();
             if (const auto arm = falconArmAt(p)) {
                 ++reached;
-                QVERIFY(arm->angles.allFinite() && arm->jacobian.allFinite());
+                QVERIFY(arm->angles.allFinite());
+                QVERIFY(arm->jacobian.allFinite());
             } else {
                 ++unreached;
             }
         }
-        QVERIFY(reached > 10'000 && unreached > 10'000);
+        QCOMPARE_GT(reached, 10'000);
+        QCOMPARE_GT(unreached, 10'000);
     }
 
     /// Whatever the counts: a place that has these angles, or none. No more than a few microseconds either
@@ -277,9 +283,10 @@ private slots:
             }
             ++reached;
             QVERIFY(found->allFinite());
-            QVERIFY(close(falconArmAt(*found)->angles, angles, 1e-11));
+            QCOMPARE_LE(apart(falconArmAt(*found)->angles, angles), 1e-11);
         }
-        QVERIFY(reached > 10'000 && unreached > 1000);
+        QCOMPARE_GT(reached, 10'000);
+        QCOMPARE_GT(unreached, 1000);
     }
 };
 

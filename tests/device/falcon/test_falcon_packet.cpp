@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "device/falcon/falcon_packet.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -102,14 +103,17 @@ private slots:
                 const FalconPacket packet = encodeCommand(command);
                 QCOMPARE(textOf(packet).substr(1 + 4 * leg, 4), letters(value));
                 const auto report = decodeReport(packet);
-                QVERIFY(report && report->counts == command.motors);
+                QVERIFY(report);
+                QVERIFY(report->counts == command.motors);
             }
     }
 
     void flagsOfAReport() {
         const auto ready = decodeReport(packetOf("<AAAAAAAAAAAA\xb1"
                                                  "A>"));
-        QVERIFY(ready && ready->homed == FalconReport::kAllHomed && ready->buttons == 0);
+        QVERIFY(ready);
+        QCOMPARE_EQ(ready->homed, FalconReport::kAllHomed);
+        QCOMPARE_EQ(ready->buttons, 0);
         for (int flags = 0; flags < 128; ++flags) {
             FalconPacket packet = packetOf("<AAAAAAAAAAAAAA>");
             packet[13] = std::uint8_t(0x41 + flags);
@@ -166,8 +170,10 @@ private slots:
                 std::string bytes = reportText(broken);
                 bytes.insert(at, 1, char(byte));
                 const auto found = reportsIn(reportText(before) + bytes + reportText(after));
-                QVERIFY(found.size() >= 2 && found.size() <= 3);
-                QVERIFY(found.front() == before && found.back() == after);
+                QCOMPARE_GE(found.size(), 2);
+                QCOMPARE_LE(found.size(), 3);
+                QVERIFY(found.front() == before);
+                QVERIFY(found.back() == after);
             }
     }
 
@@ -211,15 +217,15 @@ private slots:
                 const auto report = stream(std::uint8_t(bytes[i]));
                 if (!report) continue;
                 ++found;
-                QVERIFY(i >= 15);
+                QCOMPARE_GE(i, 15);
                 const std::string window = bytes.substr(i - 15, 16);
                 std::string expected = reportText(*report);
                 expected[14] = window[14];
                 QCOMPARE(window, expected);
             }
-            QVERIFY(stream.dropped() < bytes.size());
+            QCOMPARE_LT(stream.dropped(), bytes.size());
         }
-        QVERIFY(found > 10'000);
+        QCOMPARE_GT(found, 10'000);
     }
 
     void aRestartForgetsWhatWasBegun() {

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "device/falcon/falcon_readings.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -40,12 +41,14 @@ private slots:
         FalconReport report = at({0.01, -0.02, 0.015});
         report.buttons = 5;
         const DeviceSample sample = readings(report, kTick);
-        QVERIFY(sample.valid && !sample.jumped);
-        QVERIFY((sample.position - Vec3(0.01, -0.02, 0.015)).norm() < 5e-5);
+        QVERIFY(sample.valid);
+        QVERIFY(!sample.jumped);
+        COMPARE_NEAR(sample.position, Vec3(0.01, -0.02, 0.015), 5e-5, "m");
         QCOMPARE(sample.buttons, 5u);
         const Mat3* jacobian = readings.whereToPush();
-        QVERIFY(jacobian && jacobian->isApprox(falconArmAt(sample.position)->jacobian));
-        QVERIFY(readings.trouble() == FalconTrouble::None);
+        QVERIFY(jacobian);
+        QVERIFY(jacobian->isApprox(falconArmAt(sample.position)->jacobian));
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::None);
     }
 
     void withoutAReportNothingIsNew() {
@@ -55,11 +58,12 @@ private slots:
         QVERIFY(readings.whereToPush()); // one may be late
         QCOMPARE(valid(readings, 3, {}), 0);
         QVERIFY(!readings.whereToPush());
-        QVERIFY(readings.trouble() == FalconTrouble::None);
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::None);
         valid(readings, 100, {});
-        QVERIFY(readings.trouble() == FalconTrouble::Silent);
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::Silent);
         QCOMPARE(valid(readings, 1, kHere), 1);
-        QVERIFY(readings.trouble() == FalconTrouble::None && readings.whereToPush());
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::None);
+        QVERIFY(readings.whereToPush());
     }
 
     void withoutHomeNothingIsTrue() {
@@ -67,8 +71,9 @@ private slots:
         for (unsigned homed = 0; homed < 7; ++homed) {
             QCOMPARE(valid(readings, 1, kHere), 1);
             QCOMPARE(valid(readings, 5, at(Vec3::Zero(), homed)), 0);
-            QVERIFY(!readings.whereToPush() && !readings.homed());
-            QVERIFY(readings.trouble() == FalconTrouble::NotHomed);
+            QVERIFY(!readings.whereToPush());
+            QVERIFY(!readings.homed());
+            QCOMPARE_EQ(readings.trouble(), FalconTrouble::NotHomed);
         }
         // The counts leap to where they mean something.
         QCOMPARE(valid(readings, 1, at({0, 0.03, 0})), 1);
@@ -90,11 +95,11 @@ private slots:
         const FalconReport there = at({0.02, 0, 0});
         QCOMPARE(valid(readings, FalconReadings::kDistrust, there), 0);
         QVERIFY(!readings.whereToPush());
-        QVERIFY(readings.trouble() == FalconTrouble::Jumped);
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::Jumped);
         QCOMPARE(valid(readings, 10, there), 10);
         QVERIFY(readings.whereToPush());
         valid(readings, 2000, there);
-        QVERIFY(readings.trouble() == FalconTrouble::None);
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::None);
     }
 
     void aSlowStreamIsNoJump() {
@@ -130,14 +135,15 @@ private slots:
         absurd.counts = {30'000, -30'000, 30'000};
         QCOMPARE(valid(readings, 30, absurd), 0);
         QVERIFY(!readings.whereToPush());
-        QVERIFY(readings.trouble() == FalconTrouble::Impossible);
+        QCOMPARE_EQ(readings.trouble(), FalconTrouble::Impossible);
     }
 
     void aRestartForgets() {
         FalconReadings readings;
         valid(readings, 10, kHere);
         readings.restart();
-        QVERIFY(!readings.whereToPush() && !readings.homed());
+        QVERIFY(!readings.whereToPush());
+        QVERIFY(!readings.homed());
         QVERIFY(readings(at({0.03, 0, 0}), kTick).valid);
     }
 };

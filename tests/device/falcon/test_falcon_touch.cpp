@@ -8,6 +8,7 @@
 #include "tests/core/runtime/patience.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/quiet.h"
 
@@ -130,10 +131,6 @@ std::vector<double> periods(const EmulatedFalcon& device) {
     return all;
 }
 
-bool isWithin(const Vec3& value, const Vec3& answer, double part) {
-    return (value - answer).norm() <= part * answer.norm();
-}
-
 QString text(const Vec3& v) {
     return QString("(%1 %2 %3)").arg(v.x()).arg(v.y()).arg(v.z());
 }
@@ -155,10 +152,10 @@ private slots:
             const Vec3 answer(0, 0, depth * kWall * grip / (kWall + grip));
             const Vec3 ofThisPlace(0, 0, kWall * (kRadius - rest.grip.z()));
             qInfo("%g mm deep: %.4f N, %.4f N expected", 1e3 * depth, rest.force.z(), answer.z());
-            QVERIFY2(isWithin(rest.force, answer, 0.02), qPrintable(text(rest.force)));
-            QVERIFY2(isWithin(rest.force, ofThisPlace, 0.02), qPrintable(text(ofThisPlace)));
+            COMPARE_NEAR(rest.force, answer, 0.02 * answer.norm(), "N");
+            COMPARE_NEAR(rest.force, ofThisPlace, 0.02 * ofThisPlace.norm(), "N");
         }
-        QVERIFY(touch.restAt({0, 0, 0.01}).force.norm() < 1e-9);
+        QCOMPARE_LT(touch.restAt({0, 0, 0.01}).force.norm(), 1e-9);
         QVERIFY(!touch.bench.device->overdriven());
         QVERIFY(!touch.bench.device->firstHadTorque());
         touch.engine->stop();
@@ -182,8 +179,8 @@ private slots:
                 hand.to(rest.grip);
             const Vec3 answer = hand.output().force;
             qInfo("%s N, %s N expected", qPrintable(text(rest.force)), qPrintable(text(answer)));
-            QVERIFY(answer.z() > 1);
-            QVERIFY(isWithin(rest.force, answer, 0.02));
+            QCOMPARE_GT(answer.z(), 1);
+            COMPARE_NEAR(rest.force, answer, 0.02 * answer.norm(), "N");
             // Without texture the force would point away from the ball's middle.
             const Vec3 smooth = (rest.grip - Vec3(0, 0, -kBallRadius)).normalized();
             tilted = tilted || answer.normalized().cross(smooth).norm() > 0.05;
@@ -213,10 +210,10 @@ private slots:
               "%d of %d ticks without a new reading; %s",
               rate, part(0.5), part(0.99), all.back(), all.size(), int(invalid), int(ticks),
               realtime ? "real-time priority" : "no real-time priority");
-        QVERIFY(part(0.5) > 0.5);
+        QCOMPARE_GT(part(0.5), 0.5);
         if (!realtime) QSKIP("Without real-time priority everybody may go first: no bounds.");
-        QVERIFY(rate >= 900);
-        QVERIFY(part(0.99) < 5);
+        QCOMPARE_GE(rate, 900);
+        QCOMPARE_LT(part(0.99), 5);
     }
 
     void afterAFaultOnlyThePersonBringsTheForceBack_data() {
@@ -245,7 +242,7 @@ private slots:
         }));
         // Two commands were on the way, three readings may be missed.
         const int pushed = device.torqueCommands() - before;
-        QVERIFY2(pushed <= 10, qPrintable(QString::number(pushed)));
+        QCOMPARE_LE(pushed, 10);
 
         device.setFaults({.encoderJump = fault == 1 ? FalconLegs{0, -200, 0} : FalconLegs{}});
         if (fault == 2) device.startFirmware(true);
@@ -256,7 +253,7 @@ private slots:
             return touch.engine->servo().ticks > then + 500;
         }));
         QCOMPARE(device.torqueCommands(), torques);
-        QVERIFY(touch.driver->trouble().empty() || fault == 1);
+        if (fault != 1) QCOMPARE_EQ(touch.driver->trouble(), "");
         touch.engine->setArmed(false);
         device.leadGrip({0, 0, 0.01});
         QVERIFY(eventually([&] {
@@ -266,7 +263,7 @@ private slots:
         QCOMPARE(device.torqueCommands(), torques);
         touch.engine->restartProxy(); // it was lost below the sheet
         touch.engine->setArmed(true);
-        QVERIFY(touch.restAt({0, 0, -0.01}).force.z() > 1);
+        QCOMPARE_GT(touch.restAt({0, 0, -0.01}).force.z(), 1);
     }
 
     void pulledOutInContact() {
@@ -280,15 +277,16 @@ private slots:
             return touch.engine->servo().withheld == Withheld::DeviceLost;
         }));
         qInfo("noticed within %d ticks", int(touch.engine->servo().ticks - then));
-        QVERIFY(says(touch.driver->trouble(), "unplugged"));
+        COMPARE_CONTAINS(touch.driver->trouble(), "unplugged");
         touch.engine->stop();
         touch.bench.plug();
         touch.bench.device->putGrip({0, 0, 0.01});
-        QVERIFY(touch.engine->start()); // firmware and home were kept: nobody is needed
+        VERIFY_RESULT(touch.engine->start()); // firmware and home were kept: nobody is needed
         QCOMPARE(touch.bench.device->motors(), FalconLegs{});
-        QVERIFY(!touch.engine->armed() && !touch.bench.device->firstHadTorque());
+        QVERIFY(!touch.engine->armed());
+        QVERIFY(!touch.bench.device->firstHadTorque());
         touch.engine->setArmed(true);
-        QVERIFY(touch.restAt({0, 0, -0.01}).force.z() > 1);
+        QCOMPARE_GT(touch.restAt({0, 0, -0.01}).force.z(), 1);
     }
 };
 

@@ -8,6 +8,7 @@
 #include "device/vendor/open_haptics.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/realtime/interposer.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -21,7 +22,7 @@ class TestExchangeRealtime : public QObject {
 
     static void exchangeThousands(HapticDevice& device) {
         const auto opened = device.open();
-        QVERIFY2(opened, opened ? "" : opened.error().text.c_str());
+        VERIFY_RESULT(opened);
         QTest::qWait(50); // its first readings
         interposer::reset();
         int read = 0;
@@ -30,7 +31,7 @@ class TestExchangeRealtime : public QObject {
             read += device.exchange({{0.1, 0, 0.1}}, 1e-3).valid;
         }
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
-        QVERIFY(read > 0);
+        QCOMPARE_GT(read, 0);
         device.emergencyStop();
     }
 
@@ -45,7 +46,7 @@ private slots:
             void* memory = allocate(1);
             std::free(memory);
         }
-        QVERIFY(interposer::hits() > 0);
+        QCOMPARE_GT(interposer::hits(), 0);
     }
 
     void ofARemoteDevice() {
@@ -53,7 +54,7 @@ private slots:
         const std::string file = dir.filePath("served").toStdString();
         QVERIFY(mapServed(file.c_str()));
         const auto device = makeRemoteDevice(TACTUM_REMOTE_PROGRAM, {"serve", file, ""});
-        QVERIFY(device);
+        VERIFY_RESULT(device);
         exchangeThousands(**device);
     }
 

@@ -9,6 +9,7 @@
 #include "device/remote/remote_device.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/compare.h"
 #include "tests/support/repeats.h"
 #include "tests/support/waiting.h"
 
@@ -95,14 +96,15 @@ private slots:
 
     void figuresAndStepsComeThrough() {
         const auto device = make();
-        QVERIFY2(device, device ? "" : device.error().text.c_str());
+        VERIFY_RESULT(device);
         const DeviceInfo info = (*device)->info(), own = ServedDevice(*served_, "").info();
         QCOMPARE(info.name, own.name);
         QCOMPARE(info.maxStiffness, own.maxStiffness);
         QCOMPARE(info.damping, own.damping);
         QCOMPARE(info.buttons, own.buttons);
         QCOMPARE(info.handDamping, own.handDamping);
-        QVERIFY(info.real && info.measuresVelocity);
+        QVERIFY(info.real);
+        QVERIFY(info.measuresVelocity);
         QCOMPARE(info.delay, own.delay + 1);
         QVERIFY((*device)->steps() == ServedDevice(*served_, "").steps());
     }
@@ -111,7 +113,7 @@ private slots:
         const auto device = opened();
         Hand hand(*device, {0, 0, 2});
         QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
-        QVERIFY((hand.last.position - Vec3(0, 0.01, 0)).isZero());
+        COMPARE_NEAR(hand.last.position, Vec3(0, 0.01, 0), 1e-12, "m");
         QCOMPARE(hand.last.buttons, 2u);
         const double before = hand.last.velocity.x();
         QVERIFY(hand.until([&] { return hand.last.velocity.x() > before; })); // newer ones
@@ -124,20 +126,20 @@ private slots:
         for (const Vec3& wild : {Vec3(0, 0, 100), Vec3(0, -1e300, 1e300), Vec3(0, std::nan(""), 1),
                                  Vec3(0, inf, 0), Vec3(0, 0, -inf)})
             Hand(*device, wild).forTicks(20);
-        QVERIFY(served_->strongest <= 8 + 1e-9);
-        QVERIFY(served_->strongest > 7.9);
+        QCOMPARE_LE(served_->strongest, 8 + 1e-9);
+        QCOMPARE_GT(served_->strongest, 7.9);
     }
 
     void preparingIsShown() {
         const auto device = make();
         Watcher watcher;
-        QVERIFY((*device)->prepare(watcher));
+        VERIFY_RESULT((*device)->prepare(watcher));
         QVERIFY((watcher.steps == std::vector<std::string>{"Wake", "Home"}));
         QCOMPARE(watcher.request, std::string("Pull the handle."));
         QCOMPARE(watcher.parts, std::vector<double>{0.5});
         // The driver is open by then: who opens the device later does not wait for it.
         QCOMPARE(served_->opens.load(), 1);
-        QVERIFY((*device)->open());
+        VERIFY_RESULT((*device)->open());
         QCOMPARE(served_->opens.load(), 1);
         QCOMPARE(served_->strongest.load(), 0.0);
     }
@@ -147,7 +149,8 @@ private slots:
         const auto device = make("sleeps");
         Watcher watcher;
         const auto prepared = (*device)->prepare(watcher);
-        QVERIFY(!prepared && prepared.error().text.find("did not answer") != std::string::npos);
+        QVERIFY(!prepared);
+        COMPARE_CONTAINS(prepared.error().text, "did not answer");
     }
 
     void aPersonMayGiveUp() {
@@ -176,23 +179,24 @@ private slots:
         const auto result = (*device)->open();
         QVERIFY(!result);
         QCOMPARE(result.error().text, std::string("The lid of the device is shut: open it."));
-        QVERIFY(result.error().kind == Error::Kind::Input);
+        QCOMPARE_EQ(result.error().kind, Error::Kind::Input);
     }
 
     void aDriverThatDiesOpeningIsSaid() {
         const auto device = make("dies");
         const auto result = (*device)->open();
         QVERIFY(!result);
-        QVERIFY2(result.error().text.find("crashed (Aborted)") != std::string::npos,
-                 result.error().text.c_str());
-        QVERIFY((*device)->trouble().find("crashed") != std::string::npos);
+        COMPARE_CONTAINS(result.error().text, "crashed (Aborted)");
+        COMPARE_CONTAINS((*device)->trouble(), "crashed");
     }
 
     void whatCannotBeStartedIsSaid() {
         const auto none = makeRemoteDevice("/no/such/program", {});
-        QVERIFY(!none && none.error().text.find("cannot be started") != std::string::npos);
+        QVERIFY(!none);
+        COMPARE_CONTAINS(none.error().text, "cannot be started");
         const auto other = makeRemoteDevice("/bin/true", {});
-        QVERIFY(!other && other.error().text.find("ended by itself") != std::string::npos);
+        QVERIFY(!other);
+        COMPARE_CONTAINS(other.error().text, "ended by itself");
         const auto refused = make("unknown");
         QVERIFY(!refused);
         QCOMPARE(refused.error().text, std::string("There is no such device."));
@@ -229,7 +233,7 @@ private slots:
         // Opened again it is another process.
         hand.force.x() = 0;
         device->close();
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
         QVERIFY(device->trouble().empty());
     }
@@ -259,7 +263,7 @@ private slots:
             hand.forTicks(5);
             QVERIFY(!hand.last.valid);
             QCOMPARE(served_->push.load(), 0.0);
-            QVERIFY(device->trouble().find("crashed (Killed)") != std::string::npos);
+            COMPARE_CONTAINS(device->trouble(), "crashed (Killed)");
         }
         say("driver killed", delays);
     }
@@ -297,7 +301,7 @@ private slots:
             delays.push_back(served_->zeroAt - killed);
             QVERIFY(isGone(served_->server));    // it ends by itself,
             QCOMPARE(served_->closes.load(), 1); // the device closed
-            QVERIFY(served_->zerosAtClose >= 3);
+            QCOMPARE_GE(served_->zerosAtClose, 3);
             QCOMPARE(served_->push.load(), 0.0);
             QCOMPARE(served_->stops.load(), 0); // in order
         }
@@ -338,12 +342,12 @@ private slots:
         device->close();
         QCOMPARE(served_->push.load(), 0.0);
         QCOMPARE(served_->closes.load(), 1);
-        QVERIFY(served_->zerosAtClose >= 3);
+        QCOMPARE_GE(served_->zerosAtClose, 3);
         QCOMPARE(served_->stops.load(), 0);
         hand.forTicks(20);
         QVERIFY(!hand.last.valid);
         QCOMPARE(served_->push.load(), 0.0);
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QCOMPARE(served_->opens.load(), 2);
         QVERIFY(hand.until([&] { return served_->push == 2; }));
         const pid_t holder = fork(); // of its sockets, as a guardian is

@@ -10,6 +10,7 @@
 
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -153,7 +154,7 @@ private slots:
         const int address = places()[0].address;
         plugEcho();
         QCOMPARE(places().size(), 1u);
-        QVERIFY(places()[0].address != address);
+        QCOMPARE_NE(places()[0].address, address);
         EmulatedBus::the().unplug(kSocket);
         QVERIFY(places().empty());
     }
@@ -181,7 +182,7 @@ private slots:
         QVERIFY(first.has_value());
         const auto second = open();
         QVERIFY(!second);
-        QVERIFY(second.error().text.find("another program") != std::string::npos);
+        COMPARE_CONTAINS(second.error().text, "another program");
         first->reset();
         QTRY_VERIFY(open().has_value());
     }
@@ -192,7 +193,7 @@ private slots:
         EmulatedBus::the().unplug(kSocket);
         const auto late = UsbLink::open(place, {});
         QVERIFY(!late);
-        QVERIFY(late.error().text.find("not there") != std::string::npos);
+        COMPARE_CONTAINS(late.error().text, "not there");
     }
 
     void takesTheDeviceFromTheKernelAndGivesItBack() {
@@ -212,10 +213,10 @@ private slots:
         const auto device = plugEcho();
         const auto link = open().value();
         QVERIFY(link->request(7, 0x1234, 0x5678).has_value());
-        QVERIFY(inside([&] { return device->told; }) == std::pair(0x1234, 0x5678));
+        QCOMPARE_EQ(inside([&] { return device->told; }), std::pair(0x1234, 0x5678));
         QVERIFY(!link->request(8, 1, 0)); // one that it does not know
         QVERIFY(link->request(7, 5, 6).has_value());
-        QVERIFY(inside([&] { return device->told; }) == std::pair(5, 6));
+        QCOMPARE_EQ(inside([&] { return device->told; }), std::pair(5, 6));
     }
 
     void requestsWithData() {
@@ -273,7 +274,7 @@ private slots:
     void streamsEveryPacketBothWays() {
         const auto device = plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         std::mt19937 random(6);
         std::vector<Bytes> sent;
         QElapsedTimer time;
@@ -286,7 +287,7 @@ private slots:
         }
         qInfo("%.0f rounds of a command and its answer a second",
               2e6 / double(std::max(time.elapsed(), qint64{1})));
-        QVERIFY(inside([&] { return device->heard; }) == sent);
+        QCOMPARE_EQ(inside([&] { return device->heard; }), sent);
         QVERIFY(link->take().empty());
         QCOMPARE(link->failures(), 0);
     }
@@ -294,7 +295,7 @@ private slots:
     void streamsWhatComesUnasked() {
         const auto device = plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         std::mt19937 random(7);
         std::vector<Bytes> said;
         for (int i = 0; i < 60; ++i)
@@ -307,7 +308,7 @@ private slots:
     void shortPacketsAreTakenAsTheyAre() {
         const auto device = plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream(1).has_value());
+        VERIFY_RESULT(link->startStream(1));
         for (const std::size_t length : {2u, 63u, 64u, 1u, 16u}) {
             const Bytes packet(length, static_cast<std::uint8_t>(length));
             inside([&] { device->toSay.push_back(packet); });
@@ -320,7 +321,7 @@ private slots:
     void goesOnAfterAStall() {
         plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         QVERIFY(isEchoed(*link, kHello));
         UsbFaults faults;
         faults.stallIn = faults.stallOut = true;
@@ -340,7 +341,7 @@ private slots:
         const auto device = plugEcho();
         const auto link = open().value();
         for (int reads : {1, 3, 5}) {
-            QVERIFY(link->startStream(reads).has_value());
+            VERIFY_RESULT(link->startStream(reads));
             QVERIFY(isEchoed(*link, kHello));
             link->stopStream();
             QCOMPARE(EmulatedBus::the().pendingTransfers(), 0);
@@ -353,7 +354,7 @@ private slots:
     void sendsNowBesideTheStream() {
         const auto device = plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         const Bytes stop{'<', '0'};
         link->sendNow(stop);
         QCOMPARE(inside([&] { return device->heard.back(); }), stop);
@@ -366,7 +367,7 @@ private slots:
     void givesOutNothingOfADeviceThatIsGone() {
         const auto device = plugEcho();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         QVERIFY(isEchoed(*link, kHello));
         inside([&] { device->toSay.assign(3, kHello); });
         QVERIFY(
@@ -385,7 +386,7 @@ private slots:
         const auto device = plugEcho();
         auto link = open().value();
         for (int times = 0; times < 5; ++times) {
-            QVERIFY(link->startStream().has_value());
+            VERIFY_RESULT(link->startStream());
             QVERIFY(isEchoed(*link, kHello));
             EmulatedBus::the().unplug(kSocket);
             QVERIFY(pollUntil(*link, [&] { return link->gone(); }));
@@ -401,7 +402,7 @@ private slots:
         for (int i = 0; i < 20; ++i) {
             plugEcho();
             const auto link = open().value();
-            QVERIFY(link->startStream().has_value());
+            VERIFY_RESULT(link->startStream());
             const auto after = std::chrono::microseconds(random() % 5000);
             const std::jthread person([after] {
                 std::this_thread::sleep_for(after);

@@ -9,6 +9,7 @@
 #include "device/usb/usb_link.h"
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -55,18 +56,18 @@ private slots:
         EmulatedBus::the().setForbidden(kSocket, true);
         const auto forbidden = UsbLink::open(place, {});
         QVERIFY(!forbidden);
-        QVERIFY(forbidden.error().text.find("70-tactum.rules") != std::string::npos);
-        QVERIFY(forbidden.error().text.find("1-3") != std::string::npos);
+        COMPARE_CONTAINS(forbidden.error().text, "70-tactum.rules");
+        COMPARE_CONTAINS(forbidden.error().text, "1-3");
         EmulatedBus::the().setForbidden(kSocket, false);
         const auto first = UsbLink::open(place, {});
         QVERIFY(first.has_value());
         const auto second = UsbLink::open(place, {});
         QVERIFY(!second);
-        QVERIFY(second.error().text.find("another program") != std::string::npos);
+        COMPARE_CONTAINS(second.error().text, "another program");
         plugCounter(); // another one in the same socket
         const auto late = UsbLink::open(place, {});
         QVERIFY(!late);
-        QVERIFY(late.error().text.find("not there") != std::string::npos);
+        COMPARE_CONTAINS(late.error().text, "not there");
     }
 
     void aRequestThatStallsIsOneThatFailed() {
@@ -89,7 +90,7 @@ private slots:
         QVERIFY(link->read(5).value().empty());
         const auto mute = link->write(kHello, 5);
         QVERIFY(!mute);
-        QVERIFY(mute.error().text.find("power") != std::string::npos);
+        COMPARE_CONTAINS(mute.error().text, "power");
         faults = {};
         faults.stallIn = faults.stallOut = true;
         setFaults(faults);
@@ -114,7 +115,7 @@ private slots:
     void streamsEveryPacketInOrder() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         int expected = 0;
         for (int round = 0; round < 20'000; ++round) {
             device->left += round % 4;
@@ -133,7 +134,7 @@ private slots:
     void allocatesNothingOfItsOwn() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         ownAllocations = 0;
         counting = true;
         for (int round = 0; round < 1000; ++round) {
@@ -154,7 +155,7 @@ private slots:
     void keepsTheNewestPacketsForWhoDoesNotTakeThem() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         for (int round = 0; round < 100; ++round) {
             device->left = 3;
             link->poll();
@@ -169,7 +170,7 @@ private slots:
     void aSecondSendWaitsForTheFirst() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         UsbFaults faults;
         faults.delay = 2'000'000;
         setFaults(faults);
@@ -185,7 +186,7 @@ private slots:
     void babbleIsAFailureAndNoPacket() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         device->length = 80;
         device->left = 1;
         link->poll();
@@ -203,7 +204,7 @@ private slots:
     void goesOnAfterAStall() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         UsbFaults faults;
         faults.stallIn = faults.stallOut = true;
         setFaults(faults);
@@ -224,7 +225,7 @@ private slots:
     void silenceIsNoFailureButAnUnheardCommandIs() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         for (int i = 0; i < 100; ++i) {
             QVERIFY(link->send(kHello));
             link->poll();
@@ -249,7 +250,7 @@ private slots:
         UsbFaults faults;
         faults.failSubmits = 3;
         setFaults(faults);
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         QCOMPARE(link->failures(), 3);
         faults.failSubmits = 1;
         setFaults(faults);
@@ -264,13 +265,13 @@ private slots:
     void aFewBrokenTransfersAreNoUnplugging() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         UsbFaults faults;
         faults.errors = 20;
         setFaults(faults);
         for (int i = 0; i < 10; ++i)
             link->poll();
-        QVERIFY(link->failures() >= 20);
+        QCOMPARE_GE(link->failures(), 20);
         QVERIFY(!link->gone());
         device->left = 1;
         link->poll();
@@ -286,7 +287,7 @@ private slots:
         const auto device = plugCounter();
         const auto link = open().value();
         for (int reads : {1, 3, 5}) {
-            QVERIFY(link->startStream(reads).has_value());
+            VERIFY_RESULT(link->startStream(reads));
             QCOMPARE(EmulatedBus::the().pendingTransfers(), std::max(reads, 1));
             device->left = 1;
             link->poll();

@@ -10,6 +10,7 @@
 
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -26,7 +27,7 @@ private slots:
     void noticesTheUnpluggingAtTheNextPoll() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         device->left = 3;
         link->poll();
         EmulatedBus::the().unplug(kSocket);
@@ -43,7 +44,7 @@ private slots:
         for (int i = 0; i < 20; ++i) {
             const auto device = plugCounter();
             const auto link = open().value();
-            QVERIFY(link->startStream().has_value());
+            VERIFY_RESULT(link->startStream());
             std::thread person([] { EmulatedBus::the().unplug(kSocket); });
             while (!link->gone()) {
                 link->send(kHello);
@@ -57,7 +58,7 @@ private slots:
     void noticesItWhenSendingToo() {
         plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         EmulatedBus::the().unplug(kSocket);
         QVERIFY(!link->send(kHello));
         QVERIFY(link->gone());
@@ -69,7 +70,7 @@ private slots:
         open().value();
         const auto stream = [&](const UsbFaults& faults, int polls) {
             const auto link = open().value();
-            QVERIFY(link->startStream().has_value());
+            VERIFY_RESULT(link->startStream());
             setFaults(faults);
             device->left = 5;
             for (int i = 0; i < polls; ++i) {
@@ -102,7 +103,7 @@ private slots:
             std::unique_ptr<UsbLink> link;
             const int state = upTo(4);
             if (state > 0) link = open(cycle % 2).value();
-            if (state > 1) QVERIFY(link->startStream(1 + upTo(3)).has_value());
+            if (state > 1) VERIFY_RESULT(link->startStream(1 + upTo(3)));
             UsbFaults faults;
             faults.delay = upTo(1) * 1'000'000;
             faults.stallIn = upTo(9) == 0;
@@ -128,7 +129,7 @@ private slots:
     void sendsNowFromAForkedChild() {
         const auto device = plugCounter();
         const auto link = open().value();
-        QVERIFY(link->startStream().has_value());
+        VERIFY_RESULT(link->startStream());
         link->send(kHello);
         link->poll();
         QCOMPARE(device->lastByte->load(), int('o'));

@@ -8,6 +8,7 @@
 #include "device/vendor/force_dimension.h"
 #include "tests/device/vendor/fake_dhd.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -63,8 +64,8 @@ private slots:
         const auto device = opened();
         const DeviceSample sample = device->exchange({}, 1e-3);
         QVERIFY(sample.valid);
-        QVERIFY((sample.position - Vec3(0.02, 0.03, 0.01)).isZero());
-        QVERIFY((sample.velocity - Vec3(0, 0, -0.1)).isZero());
+        COMPARE_NEAR(sample.position, Vec3(0.02, 0.03, 0.01), 1e-12, "m");
+        COMPARE_NEAR(sample.velocity, Vec3(0, 0, -0.1), 1e-12, "m/s");
         QCOMPARE(sample.buttons, 1u);
         QCOMPARE(device->info().name, std::string("omega.3"));
         QVERIFY(device->info().real);
@@ -74,7 +75,7 @@ private slots:
     void forcesArriveInTheirs() {
         const auto device = opened();
         device->exchange({{1, 2, 3}}, 1e-3);
-        QVERIFY((motors() - Vec3(3, 1, 2)).isZero());
+        COMPARE_NEAR(motors(), Vec3(3, 1, 2), 1e-12, "N");
         QVERIFY(fake_->force);
     }
 
@@ -85,7 +86,7 @@ private slots:
             device->exchange({Vec3::Unit(axis)}, 1e-3);
             for (std::size_t i = 0; i < 3; ++i)
                 fake_->position[i] = 0.01 * fake_->motors[i];
-            QVERIFY((device->exchange({}, 1e-3).position - 0.01 * Vec3::Unit(axis)).isZero());
+            COMPARE_NEAR(device->exchange({}, 1e-3).position, 0.01 * Vec3::Unit(axis), 1e-12, "m");
         }
     }
 
@@ -95,8 +96,8 @@ private slots:
         for (const Vec3& wild : {Vec3(100, 0, 0), Vec3(0, -1e300, 1e300), Vec3(std::nan(""), 1, 0),
                                  Vec3(inf, 0, 0), Vec3(9, 9, 9)})
             device->exchange({wild}, 1e-3);
-        QVERIFY(fake_->strongest <= 12 + 1e-9);
-        QVERIFY(fake_->strongest > 11.9);
+        QCOMPARE_LE(fake_->strongest, 12 + 1e-9);
+        QCOMPARE_GT(fake_->strongest, 11.9);
     }
 
     void successHasThreeNumbers() {
@@ -131,16 +132,17 @@ private slots:
         QVERIFY(!motors().isZero());
         (sending ? fake_->sendError : fake_->readError) = error;
         QVERIFY(!device->exchange({{0, 1, 0}}, 1e-3).valid);
-        if (!sending) QVERIFY(motors().isZero()); // at once, in the same exchange
+        if (!sending) COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N"); // at once, in the same exchange
         const QString said = QString::fromStdString(device->trouble());
         QVERIFY2(said.contains(word) && said.endsWith('.'), qPrintable(said));
         fake_->sendError = fake_->readError = 0;
         QVERIFY(!device->exchange({{0, 1, 0}}, 1e-3).valid);
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         int waited = 0;
         while (!device->exchange({{0, 1, 0}}, 1e-3).valid && waited < 10'000)
             ++waited;
-        QVERIFY(waited > 100 && waited < 1000);
+        QCOMPARE_GT(waited, 100);
+        QCOMPARE_LT(waited, 1000);
         QVERIFY(device->trouble().empty());
     }
 
@@ -154,13 +156,13 @@ private slots:
         const auto device = opened();
         device->exchange({{1, 0, 0}}, 1e-3);
         device->close();
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(!fake_->force);
         QCOMPARE(fake_->closed.load(), 1);
         const long before = fake_->commands;
         QVERIFY(!device->exchange({{1, 0, 0}}, 1e-3).valid); // of one that is closed: nothing
         QCOMPARE(fake_->commands.load(), before);
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QVERIFY(device->exchange({}, 1e-3).valid);
     }
 
@@ -171,9 +173,10 @@ private slots:
         device->close();
         fake_->openError = 5;
         const auto gone = device->open();
-        QVERIFY(!gone && gone.error().text.find("not there") != std::string::npos);
+        QVERIFY(!gone);
+        COMPARE_CONTAINS(gone.error().text, "not there");
         fake_->openError = fake_->sendError = fake_->readError = 0;
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QVERIFY(device->exchange({}, 1e-3).valid);
         QVERIFY(device->trouble().empty());
     }
@@ -183,7 +186,7 @@ private slots:
         fake_->readError = 2;
         QVERIFY(!device->exchange({}, 1e-3).valid);
         fake_->readError = 0;
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QCOMPARE(fake_->opened.load(), 2);
         QCOMPARE(fake_->closed.load(), 1);
         QVERIFY(device->exchange({}, 1e-3).valid);
@@ -193,10 +196,10 @@ private slots:
         fake_->force = true; // as another program left it
         const auto made = device();
         Watcher watcher;
-        QVERIFY(made->prepare(watcher));
+        VERIFY_RESULT(made->prepare(watcher));
         QVERIFY(!fake_->force);
         QVERIFY(!made->exchange({{1, 0, 0}}, 1e-3).valid);
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(watcher.steps == made->steps());
         QVERIFY(watcher.request.empty());
     }
@@ -206,7 +209,7 @@ private slots:
         fake_->calibrateAt = 3;
         const auto made = device();
         Watcher watcher;
-        QVERIFY(made->prepare(watcher));
+        VERIFY_RESULT(made->prepare(watcher));
         QVERIFY(!watcher.request.empty());
         QCOMPARE(fake_->looks.load(), 3);
     }
@@ -214,24 +217,27 @@ private slots:
     void nobodyAtHandIsNotWaitedFor() {
         fake_->reset = 0;
         const auto result = device()->open();
-        QVERIFY(!result && result.error().text.find("not calibrated") != std::string::npos);
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "not calibrated");
         QVERIFY(!fake_->force);
     }
 
     void theDeviceItselfWatchesToo() {
         opened();
-        QVERIFY(fake_->watchdog * 0.125 >= 10 && fake_->watchdog * 0.125 <= 50); // ms
-        qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD_OLD);                           // which has no such function
-        QVERIFY(device()->open());
+        QCOMPARE_GE(fake_->watchdog * 0.125, 10);
+        QCOMPARE_LE(fake_->watchdog * 0.125, 50);      // ms
+        qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD_OLD); // which has no such function
+        VERIFY_RESULT(device()->open());
     }
 
     void withoutTheLibraryThereIsASentence() {
         qputenv("TACTUM_LIBDHD", "/no/such/libdhd.so");
         const auto listings = listForceDimension();
         QCOMPARE(listings.size(), std::size_t(1));
-        QVERIFY(!listings.front().usable && listings.front().id.empty());
+        QVERIFY(!listings.front().usable);
+        QVERIFY(listings.front().id.empty());
         for (const char* word : {"Force Dimension", "/no/such/libdhd.so", "install", "TACTUM_LIBDHD"})
-            QVERIFY2(listings.front().sentence.find(word) != std::string::npos, word);
+            COMPARE_CONTAINS(listings.front().sentence, word);
         QVERIFY(!device()->open());
     }
 
@@ -240,7 +246,8 @@ private slots:
         const auto listings = listForceDimension();
         QCOMPARE(listings.size(), std::size_t(2));
         QCOMPARE(listings[1].id, std::string("forcedimension:1"));
-        QVERIFY(listings[1].usable && listings[1].name.find("omega.3") != std::string::npos);
+        QVERIFY(listings[1].usable);
+        COMPARE_CONTAINS(listings[1].name, "omega.3");
         fake_->openError = 20;
         QVERIFY(!listForceDimension().front().usable);
         fake_->devices = 0;
@@ -255,7 +262,7 @@ private slots:
         QCOMPARE(fake_->closed.load(), 0);
         QVERIFY(listForceDimension().front().usable);
         device->close();
-        QVERIFY(listForceDimension().front().name.find("omega.3") != std::string::npos);
+        COMPARE_CONTAINS(listForceDimension().front().name, "omega.3");
     }
 
     void whatIsNoIdIsRefused() {

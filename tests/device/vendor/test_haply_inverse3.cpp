@@ -10,6 +10,7 @@
 #include "device/vendor/haply_messages.h"
 #include "tests/device/vendor/fake_haply.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/compare.h"
 #include "tests/support/waiting.h"
 
 using namespace tactum;
@@ -52,8 +53,8 @@ private slots:
         const auto device = opened();
         Hand hand(*device);
         QVERIFY(hand.until([&] { return hand.last.valid; }));
-        QVERIFY((hand.last.position - Vec3(0.01, 0.03, -0.02)).isZero());
-        QVERIFY((hand.last.velocity - Vec3(0, 0, -0.5)).isZero());
+        COMPARE_NEAR(hand.last.position, Vec3(0.01, 0.03, -0.02), 1e-12, "m");
+        COMPARE_NEAR(hand.last.velocity, Vec3(0, 0, -0.5), 1e-12, "m/s");
         QCOMPARE(hand.last.buttons, 2u);
         QVERIFY(device->trouble().empty());
         QCOMPARE(device->info().delay, 2.0);
@@ -84,8 +85,8 @@ private slots:
         for (const Vec3& wild : {Vec3(100, 0, 0), Vec3(0, -1e300, 1e300), Vec3(std::nan(""), 1, 0),
                                  Vec3(inf, 0, 0), Vec3(0, 0, -inf)})
             Hand(*device, wild).forTicks(30);
-        QVERIFY(service_->strongest <= 8 + 1e-9);
-        QVERIFY(service_->strongest > 7.9);
+        QCOMPARE_LE(service_->strongest, 8 + 1e-9);
+        QCOMPARE_GT(service_->strongest, 7.9);
     }
 
     void whatCannotBeReadIsNoReading_data() {
@@ -130,14 +131,14 @@ private slots:
         QVERIFY(hand.until([&] { return hand.last.valid && motors().x() == 1; }));
         service_->present = false;
         QVERIFY(hand.until([&] { return !hand.last.valid; }));
-        QVERIFY(motors().isZero());
-        QVERIFY(device->trouble().find("cable") != std::string::npos);
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
+        COMPARE_CONTAINS(device->trouble(), "cable");
         QVERIFY(!device->open());
         service_->present = true;
         Watcher watcher;
-        QVERIFY(device->prepare(watcher)); // begun anew
+        VERIFY_RESULT(device->prepare(watcher)); // begun anew
         QVERIFY(device->trouble().empty());
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QVERIFY(hand.until([&] { return hand.last.valid; }));
         QVERIFY(device->trouble().empty());
     }
@@ -182,22 +183,22 @@ private slots:
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device->close();
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(device->trouble().empty());
-        QVERIFY(device->open());
+        VERIFY_RESULT(device->open());
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device.reset();
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
     }
 
     void preparedItGivesNoForceYet() {
         const auto made = device();
         Watcher watcher;
-        QVERIFY(made->prepare(watcher));
+        VERIFY_RESULT(made->prepare(watcher));
         Hand hand(*made, {1, 0, 0});
         hand.forTicks(20);
         QVERIFY(!hand.last.valid);
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(watcher.steps == made->steps());
     }
 
@@ -207,7 +208,7 @@ private slots:
         QVERIFY(!made->open()); // nobody is at hand
         Watcher watcher;
         watcher.onRequest = [&](std::string_view) { service_->calibrated = true; };
-        QVERIFY(made->prepare(watcher));
+        VERIFY_RESULT(made->prepare(watcher));
         QVERIFY(!watcher.request.empty());
     }
 
@@ -215,9 +216,10 @@ private slots:
         service_->stop();
         const auto listings = listHaply();
         QCOMPARE(listings.size(), std::size_t(1));
-        QVERIFY(!listings.front().usable && listings.front().id.empty());
+        QVERIFY(!listings.front().usable);
+        QVERIFY(listings.front().id.empty());
         for (const char* word : {"Inverse Service", "install", "TACTUM_HAPLY_PORT"})
-            QVERIFY2(listings.front().sentence.find(word) != std::string::npos, word);
+            COMPARE_CONTAINS(listings.front().sentence, word);
         QVERIFY(!device()->open());
     }
 
@@ -234,7 +236,8 @@ private slots:
 
     void anotherIdIsSaid() {
         const auto result = device("haply:FFFF")->open();
-        QVERIFY(!result && result.error().text.find("FFFF") != std::string::npos);
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "FFFF");
         QVERIFY(!makeHaply("haply:", {}));
         QVERIFY(!makeHaply("falcon:1", {}));
     }

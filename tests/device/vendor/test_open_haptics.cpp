@@ -10,6 +10,7 @@
 #include "device/vendor/open_haptics.h"
 #include "tests/device/vendor/fake_hd.h"
 #include "tests/device/vendor/hand.h"
+#include "tests/support/compare.h"
 #include "tests/support/waiting.h"
 
 using namespace tactum;
@@ -71,8 +72,8 @@ private slots:
         const auto device = opened();
         Hand hand(*device);
         QVERIFY(hand.until([&] { return hand.last.buttons == 2; }));
-        QVERIFY((hand.last.position - Vec3(0.01, -0.02, 0.03)).norm() < 1e-12);
-        QVERIFY((hand.last.velocity - Vec3(0, 0, -0.25)).norm() < 1e-12);
+        COMPARE_NEAR(hand.last.position, Vec3(0.01, -0.02, 0.03), 1e-12, "m");
+        COMPARE_NEAR(hand.last.velocity, Vec3(0, 0, -0.25), 1e-12, "m/s");
         QVERIFY(device->trouble().empty());
     }
 
@@ -90,8 +91,8 @@ private slots:
             Hand hand(*device, wild);
             hand.forTicks(20);
         }
-        QVERIFY2(fake_->strongest <= 3 + 1e-9, qPrintable(QString::number(fake_->strongest)));
-        QVERIFY(fake_->strongest > 2.9);
+        QCOMPARE_LE(fake_->strongest, 3 + 1e-9);
+        QCOMPARE_GT(fake_->strongest, 2.9);
     }
 
     void itsOwnWordLowersTheLimits() {
@@ -101,7 +102,7 @@ private slots:
         QCOMPARE(device->info().maxStiffness, 420.0);
         QCOMPARE(device->info().workspaceRadius, 0.065);
         Hand(*device, {3, 0, 0}).forTicks(20);
-        QVERIFY(fake_->strongest <= 0.88 + 1e-9);
+        QCOMPARE_LE(fake_->strongest, 0.88 + 1e-9);
     }
 
     void itsOwnWordRaisesNone() {
@@ -142,7 +143,7 @@ private slots:
         fake_->frameError = 0;
         hand.forTicks(50);
         QVERIFY(!hand.last.valid);
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(hand.until([&] { return hand.last.valid; }));
         QVERIFY(device->trouble().empty());
     }
@@ -187,10 +188,10 @@ private slots:
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device->close();
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(!fake_->output);
         QCOMPARE(fake_->closed.load(), 1);
-        QVERIFY(device->open()); // and once more
+        VERIFY_RESULT(device->open()); // and once more
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
     }
 
@@ -199,18 +200,18 @@ private slots:
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));
         device.reset();
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QCOMPARE(fake_->closed.load(), 1);
     }
 
     void preparedItGivesNoForceYet() {
         const auto made = device();
         Watcher watcher;
-        QVERIFY(made->prepare(watcher));
+        VERIFY_RESULT(made->prepare(watcher));
         Hand hand(*made, {1, 0, 0});
         hand.forTicks(30);
         QVERIFY(!fake_->output);
-        QVERIFY(motors().isZero());
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
         QVERIFY(!hand.last.valid);
         QVERIFY(watcher.steps == made->steps());
     }
@@ -220,8 +221,8 @@ private slots:
         const auto made = device();
         Watcher watcher;
         watcher.onRequest = [&](std::string_view) { fake_->calibration = 0x5001; }; // the person does so
-        QVERIFY(made->prepare(watcher));
-        QVERIFY(watcher.request.find("inkwell") != std::string::npos);
+        VERIFY_RESULT(made->prepare(watcher));
+        COMPARE_CONTAINS(watcher.request, "inkwell");
         QCOMPARE(fake_->calibrated.load(), 1);
     }
 
@@ -231,28 +232,31 @@ private slots:
         Watcher watcher;
         watcher.onRequest = [&](std::string_view) { watcher.givesUp = true; };
         const auto result = made->prepare(watcher);
-        QVERIFY(!result && result.error().text.find("inkwell") != std::string::npos);
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "inkwell");
     }
 
     void nobodyAtHandIsNotWaitedFor() {
         fake_->calibration = 0x5002;
         const auto made = device();
         const auto result = made->open();
-        QVERIFY(!result && result.error().text.find("inkwell") != std::string::npos);
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "inkwell");
         QVERIFY(!fake_->output);
     }
 
     void aDeviceThatIsNotThereIsSaid() {
         fake_->initError = 0x0302;
         const auto result = device()->open();
-        QVERIFY(!result && result.error().text.find("does not answer") != std::string::npos);
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "does not answer");
         QCOMPARE(fake_->closed.load(), 0);
     }
 
     void theNameGoesToTheLibrary() {
-        QVERIFY(device("openhaptics:Left Device")->open());
+        VERIFY_RESULT(device("openhaptics:Left Device")->open());
         QCOMPARE(std::string(fake_->name.data()), std::string("Left Device"));
-        QVERIFY(device()->open());
+        VERIFY_RESULT(device()->open());
         QCOMPARE(std::string(fake_->name.data()), std::string("(default)"));
         QVERIFY(!makeOpenHaptics("falcon:1", figures));
         QVERIFY(!makeOpenHaptics("openhaptics:", figures));
@@ -262,19 +266,20 @@ private slots:
         qputenv("TACTUM_LIBHD", "/no/such/libHD.so");
         const auto listings = listOpenHaptics();
         QCOMPARE(listings.size(), std::size_t(1));
-        QVERIFY(!listings.front().usable && listings.front().id.empty());
+        QVERIFY(!listings.front().usable);
+        QVERIFY(listings.front().id.empty());
         for (const char* word : {"OpenHaptics", "/no/such/libHD.so", "install", "TACTUM_LIBHD"})
-            QVERIFY2(listings.front().sentence.find(word) != std::string::npos, word);
+            COMPARE_CONTAINS(listings.front().sentence, word);
         QVERIFY(!device()->open());
         qunsetenv("TACTUM_LIBHD");
-        QVERIFY(listOpenHaptics().front().sentence.find("libHD.so") != std::string::npos);
+        COMPARE_CONTAINS(listOpenHaptics().front().sentence, "libHD.so");
     }
 
     void aLibraryWithoutAFunctionIsRefused() {
         qputenv("TACTUM_LIBHD", TACTUM_FAKE_HD_TOO_OLD);
         const auto listings = listOpenHaptics();
         QVERIFY(!listings.front().usable);
-        QVERIFY(listings.front().sentence.find("hdStartScheduler") != std::string::npos);
+        COMPARE_CONTAINS(listings.front().sentence, "hdStartScheduler");
         QVERIFY(!device()->open());
     }
 

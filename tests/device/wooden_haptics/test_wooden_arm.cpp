@@ -5,6 +5,7 @@
 
 #include "device/wooden_haptics/arm.h"
 #include "device/wooden_haptics/report.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 
@@ -23,8 +24,9 @@ std::vector<Vec3> workspace() {
     return points;
 }
 
-bool near(const Vec3& a, const Vec3& b, double tolerance = 1e-12) {
-    return (a - b).cwiseAbs().maxCoeff() <= tolerance;
+/// The largest of the three differences.
+double apart(const Vec3& a, const Vec3& b) {
+    return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 } // namespace
@@ -36,20 +38,21 @@ private slots:
     void standsWhereTheDrawingHasIt() {
         // At rest the forearm hangs beside the column: above its foot, as high as column and arm less the
         // forearm.
-        QVERIFY(near(positionOf(kArm, Vec3::Zero()) + kArm.origin, {0, 0.080 + 0.205 - 0.245, 0}));
+        QCOMPARE_LE(apart(positionOf(kArm, Vec3::Zero()) + kArm.origin, {0, 0.080 + 0.205 - 0.245, 0}),
+                    1e-12);
         // Both horizontal: stretched out toward the person.
         const double right = kPi / 2;
-        QVERIFY(near(positionOf(kArm, {0, right, right}) + kArm.origin, {0, 0.080, 0.450}));
+        QCOMPARE_LE(apart(positionOf(kArm, {0, right, right}) + kArm.origin, {0, 0.080, 0.450}), 1e-12);
         // The column turned to the right.
-        QVERIFY(near(positionOf(kArm, {right, right, right}) + kArm.origin, {0.450, 0.080, 0}));
+        QCOMPARE_LE(apart(positionOf(kArm, {right, right, right}) + kArm.origin, {0.450, 0.080, 0}), 1e-12);
     }
 
     void inverseAndForwardAgree() {
         for (const Vec3& p : workspace()) {
             const auto joints = jointsAt(kArm, p);
             QVERIFY(joints.has_value());
-            QVERIFY(near(positionOf(kArm, *joints), p));
-            QVERIFY((*joints)[1] < kPi - (*joints)[2]); // the elbow is up
+            QCOMPARE_LE(apart(positionOf(kArm, *joints), p), 1e-12);
+            QCOMPARE_LT((*joints)[1], kPi - (*joints)[2]); // the elbow is up
         }
         QVERIFY(!jointsAt(kArm, {0, 0, 0.3}));
         QVERIFY(!jointsAt(kArm, Vec3::Constant(std::nan(""))));
@@ -65,7 +68,7 @@ private slots:
                     return positionOf(kArm, joints + steps * h * Vec3::Unit(i));
                 };
                 const Vec3 slope = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
-                QVERIFY(near(jacobian.col(i), slope, 1e-9));
+                QCOMPARE_LE(apart(jacobian.col(i), slope), 1e-9);
             }
         }
     }
@@ -73,9 +76,11 @@ private slots:
     void countsTurnJoints() {
         // One turn of a motor is 10/160 of a turn of the column, the other way round.
         const Vec3 joints = jointsOf(kArm, {2000, -4000, 0}, {0, 0, 0});
-        QVERIFY(near(joints, {-2 * kPi / 16, 4 * kPi / 12, 0}));
+        QCOMPARE_LE(apart(joints, {-2 * kPi / 16, 4 * kPi / 12, 0}), 1e-12);
         // Counts wrap: from 32700 by 100 forward.
-        QVERIFY(near(jointsOf(kArm, {-32736, 0, 0}, {32700, 0, 0}), jointsOf(kArm, {100, 0, 0}, {0, 0, 0})));
+        QCOMPARE_LE(
+            apart(jointsOf(kArm, {-32736, 0, 0}, {32700, 0, 0}), jointsOf(kArm, {100, 0, 0}, {0, 0, 0})),
+            1e-12);
     }
 
     void motorsDoTheWorkOfTheForce() {
@@ -92,7 +97,7 @@ private slots:
                     positionOf(kArm, joints + kPart * turn) - positionOf(kArm, joints - kPart * turn);
                 const double angle = 2 * kPart * 2 * kPi / kArm.countsPerTurn;
                 const double work = kArm.torqueConstant * currents[motor] * angle;
-                QVERIFY(std::abs(work - force.dot(way)) < 1e-12);
+                COMPARE_NEAR(work, force.dot(way), 1e-12, "J");
             }
         }
     }
@@ -101,11 +106,11 @@ private slots:
         const Vec3 joints = *jointsAt(kArm, {0, 0, 0});
         const Vec3 small = currentsFor(kArm, {0.1, 0.2, 0.1}, joints);
         const Vec3 large = currentsFor(kArm, {100, 200, 100}, joints);
-        QVERIFY(std::abs(large.cwiseAbs().maxCoeff() - kArm.maxCurrent) < 1e-12);
-        QVERIFY(small.cross(large).norm() < 1e-12);
-        QVERIFY(small.dot(large) > 0);
-        QVERIFY(near(currentsFor(kArm, {std::nan(""), 0, 0}, joints), Vec3::Zero()));
-        QVERIFY(near(currentsFor(kArm, Vec3::Constant(HUGE_VAL), joints), Vec3::Zero()));
+        COMPARE_NEAR(large.cwiseAbs().maxCoeff(), kArm.maxCurrent, 1e-12, "A");
+        QCOMPARE_LT(small.cross(large).norm(), 1e-12);
+        QCOMPARE_GT(small.dot(large), 0);
+        QCOMPARE_LE(apart(currentsFor(kArm, {std::nan(""), 0, 0}, joints), Vec3::Zero()), 1e-12);
+        QCOMPARE_LE(apart(currentsFor(kArm, Vec3::Constant(HUGE_VAL), joints), Vec3::Zero()), 1e-12);
     }
 
     void reportsKeepTheirNumbers() {

@@ -5,6 +5,7 @@
 
 #include "device/wooden_haptics/wooden_haptics.h"
 #include "tests/device/wooden_haptics/emulated_wooden_haptics.h"
+#include "tests/support/compare.h"
 
 using namespace tactum;
 using namespace tactum::test;
@@ -59,7 +60,7 @@ private:
     void prepare() {
         Person person(*arm_);
         const auto ready = device_->prepare(person);
-        QVERIFY2(ready.has_value(), ready ? "" : ready.error().text.c_str());
+        VERIFY_RESULT(ready);
     }
     /// Ready, open, and the finger at `position`.
     void openAt(const Vec3& position) {
@@ -70,7 +71,7 @@ private:
         for (int i = 0; i < 5; ++i)
             sample = exchange(kNoForce);
         QVERIFY(sample.valid);
-        QVERIFY((sample.position - position).norm() < 1e-4);
+        COMPARE_NEAR(sample.position, position, 1e-4, "m");
     }
     DeviceSample exchange(const Vec3& force) {
         arm_->tick();
@@ -98,7 +99,7 @@ private slots:
 
     void asksForTheRestPosition() {
         Person person(*arm_);
-        QVERIFY(device_->prepare(person).has_value());
+        VERIFY_RESULT(device_->prepare(person));
         QVERIFY(person.begun == device_->steps());
         QVERIFY(person.asked);
         QCOMPARE(person.done, 1.0);
@@ -106,7 +107,7 @@ private slots:
         // It is ready now, and asks no second time.
         Person again(*arm_);
         again.patience = 0;
-        QVERIFY(device_->prepare(again).has_value());
+        VERIFY_RESULT(device_->prepare(again));
         QVERIFY(again.begun.empty());
     }
 
@@ -115,13 +116,13 @@ private slots:
         person.moves = false;
         const auto ready = device_->prepare(person);
         QVERIFY(!ready);
-        QVERIFY(ready.error().text.find("hand") != std::string::npos);
+        COMPARE_CONTAINS(ready.error().text, "hand");
     }
 
     void doesNotOpenWithoutIt() {
         const auto opened = device_->open();
         QVERIFY(!opened);
-        QVERIFY(opened.error().text.find("rest position") != std::string::npos);
+        COMPARE_CONTAINS(opened.error().text, "rest position");
         prepare();
         QVERIFY(device_->open().has_value());
         device_->close();
@@ -133,7 +134,7 @@ private slots:
         person.speaks = false;
         const auto ready = device_->prepare(person);
         QVERIFY(!ready);
-        QVERIFY(ready.error().text.find("nothing") != std::string::npos);
+        COMPARE_CONTAINS(ready.error().text, "nothing");
     }
 
     void tellsWhereTheFingerIs() {
@@ -166,10 +167,10 @@ private slots:
         exchange(force);
         exchange(force);
         const Vec3 felt = arm_->motorForce();
-        QVERIFY(felt.norm() < force.norm());
-        QVERIFY(felt.normalized().dot(force.normalized()) > 0.9998);
+        QCOMPARE_LT(felt.norm(), force.norm());
+        QCOMPARE_GT(felt.normalized().dot(force.normalized()), 0.9998);
         for (std::size_t i = 0; i < 3; ++i)
-            QVERIFY(std::abs(arm_->milliamperes(i)) <= 2000);
+            QCOMPARE_LE(std::abs(arm_->milliamperes(i)), 2000);
         exchange(Vec3::Constant(std::nan("")));
         exchange(Vec3::Constant(std::nan("")));
         QVERIFY(motorsRest());
@@ -206,7 +207,7 @@ private slots:
         exchange({1, 0, 0});
         exchange({1, 0, 0});
         const int before = arm_->milliamperes(0);
-        QVERIFY(before != 0);
+        QCOMPARE_NE(before, 0);
         QVERIFY(!device_->exchange({Vec3(1, 0, 0)}, kTick).valid);
         QCOMPARE(arm_->milliamperes(0), before);
         QVERIFY(exchange({1, 0, 0}).valid || exchange({1, 0, 0}).valid);
@@ -221,7 +222,7 @@ private slots:
         QVERIFY(motorsRest());
         for (int i = 0; i < 60; ++i)
             device_->exchange({Vec3(2, 0, 0)}, kTick);
-        QVERIFY(device_->trouble().find("nothing") != std::string::npos);
+        COMPARE_CONTAINS(device_->trouble(), "nothing");
         for (int i = 0; i < 3; ++i)
             exchange({2, 0, 0});
         QVERIFY(device_->trouble().empty());
@@ -236,7 +237,7 @@ private slots:
         for (int i = 0; i < 60; ++i)
             QVERIFY(!exchange({2, 0, 0}).valid);
         QVERIFY(motorsRest());
-        QVERIFY(device_->trouble().find("hangs") != std::string::npos);
+        COMPARE_CONTAINS(device_->trouble(), "hangs");
     }
 
     void aJumpingCounterMeansThatItStartedAnew() {
@@ -249,7 +250,7 @@ private slots:
         for (int i = 0; i < 300; ++i)
             QVERIFY(!exchange({2, 0, 0}).valid); // also when it counts on
         QVERIFY(motorsRest());
-        QVERIFY(device_->trouble().find("Prepare it again") != std::string::npos);
+        COMPARE_CONTAINS(device_->trouble(), "Prepare it again");
         device_->close();
         QVERIFY(!device_->open());
         prepare();
@@ -286,7 +287,7 @@ private slots:
         EmulatedBus::the().unplug(1);
         for (int i = 0; i < 5; ++i)
             QVERIFY(!exchange({1, 0, 0}).valid);
-        QVERIFY(device_->trouble().find("unplugged") != std::string::npos);
+        COMPARE_CONTAINS(device_->trouble(), "unplugged");
         device_->close();
         QVERIFY(!device_->open());
         // Plugged in again it counts from somewhere else, whatever was known before.
@@ -314,7 +315,7 @@ private slots:
         EmulatedBus::the().setFaults(1, faults);
         for (int i = 0; i < 60; ++i)
             QVERIFY(exchange(kNoForce).valid); // it says where it is all the time
-        QVERIFY(device_->trouble().find("commands") != std::string::npos);
+        COMPARE_CONTAINS(device_->trouble(), "commands");
         EmulatedBus::the().setFaults(1, {});
         for (int i = 0; i < 5; ++i)
             exchange(kNoForce);

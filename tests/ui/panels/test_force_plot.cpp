@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "tests/support/compare.h"
 #include "tests/ui/panels/touch_traces.h"
 #include "ui/panels/force_plot.h"
 #include "ui/style.h"
@@ -88,18 +89,21 @@ private slots:
         // The largest is the tangential by normal force at the end: 2 / 2.
         const StripAxis axis = axisFor(0, 0.9995, stripLines(stripArea(chart.rect(), time)));
         for (const double t : {0.3, 1.0, 1.5})
-            QVERIFY(nearest(chart, shown.at(chart, t, t / 2, axis), theme().stick) < 60);
-        QVERIFY(nearest(chart, shown.at(chart, 1.0, 0.9, axis), theme().stick) > 100);
+            QCOMPARE_LT(nearest(chart, shown.at(chart, t, t / 2, axis), theme().stick), 60);
+        QCOMPARE_GT(nearest(chart, shown.at(chart, 1.0, 0.9, axis), theme().stick), 100);
     }
 
     void buttonsChooseAndRemember() {
         {
             Shown shown;
-            QVERIFY(shown.plot.isShown("force") && !shown.plot.isShown("lag"));
+            QVERIFY(shown.plot.isShown("force"));
+            QVERIFY(!shown.plot.isShown("lag"));
             auto* lag = shown.plot.findChild<QToolButton*>(QStringLiteral("plot-lag"));
-            QVERIFY(lag && !lag->accessibleName().isEmpty());
+            QVERIFY(lag);
+            QVERIFY(!lag->accessibleName().isEmpty());
             QTest::mouseClick(lag, Qt::LeftButton);
-            QVERIFY(shown.plot.isShown("lag") && shown.chart("lag").isVisible());
+            QVERIFY(shown.plot.isShown("lag"));
+            QVERIFY(shown.chart("lag").isVisible());
         }
         Shown again;
         QVERIFY(again.plot.isShown("lag"));
@@ -121,7 +125,7 @@ private slots:
         QWheelEvent event(chart.rect().center(), chart.mapToGlobal(chart.rect().center()), {}, {0, 120},
                           Qt::NoButton, {}, Qt::NoScrollPhase, false);
         QApplication::sendEvent(&chart, &event);
-        QVERIFY(std::abs(shown.plot.span() - 1.6) < 1e-9);
+        COMPARE_NEAR(shown.plot.span(), 1.6, 1e-9, "s");
         shown.plot.setSpan(1e6);
         QCOMPARE(shown.plot.span(), TouchHistory::kSpan);
     }
@@ -134,13 +138,13 @@ private slots:
         const StripAxis any{0, 1, 1};
         const QPointF in = shown.at(force, 1.0, 0.5, any, false);
         const QPointF below = shown.at(lag, 1.0, 0.06, any);
-        QVERIFY(nearest(lag, below, theme().text) > 100);
+        QCOMPARE_GT(nearest(lag, below, theme().text), 100);
         QMouseEvent move(QEvent::MouseMove, in, force.mapToGlobal(in), Qt::NoButton, {}, {});
         QApplication::sendEvent(&force, &move);
-        QVERIFY(nearest(lag, below, theme().text) < 60);
+        QCOMPARE_LT(nearest(lag, below, theme().text), 60);
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&force, &leave);
-        QVERIFY(nearest(lag, below, theme().text) > 100);
+        QCOMPARE_GT(nearest(lag, below, theme().text), 100);
     }
 
     void filesHoldWhatIsSeen() {
@@ -150,14 +154,17 @@ private slots:
         QVERIFY(shown.plot.exportTo(folder.filePath("touch.csv")).has_value());
         const QByteArray csv = contentOf(folder.filePath("touch.csv"));
         QCOMPARE(csv.count('\n'), 502); // names, and half a second with both of its ends
-        QVERIFY(csv.startsWith("time (s),finger x (m),"));
+        COMPARE_BEGINS(csv, "time (s),finger x (m),");
         QVERIFY(shown.plot.exportTo(folder.filePath("touch.png")).has_value());
         QCOMPARE(QImage(folder.filePath("touch.png")).size(), QSize(1920, 320));
         QVERIFY(shown.plot.exportTo(folder.filePath("touch.svg")).has_value());
         const QByteArray svg = contentOf(folder.filePath("touch.svg"));
-        QVERIFY(svg.contains("<svg") && svg.contains("Force, N") && svg.contains("polyline"));
+        QVERIFY(svg.contains("<svg"));
+        QVERIFY(svg.contains("Force, N"));
+        QVERIFY(svg.contains("polyline"));
         const auto refused = shown.plot.exportTo(folder.filePath("touch.xyz"));
-        QVERIFY(!refused && refused.error().text.find(".svg") != std::string::npos);
+        QVERIFY(!refused);
+        COMPARE_CONTAINS(refused.error().text, ".svg");
         QVERIFY(!shown.plot.exportTo(folder.filePath("none/touch.csv")).has_value());
     }
 };

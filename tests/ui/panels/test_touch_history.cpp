@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/panels/touch_traces.h"
 #include "ui/panels/strip_chart.h"
 #include "ui/panels/touch_history.h"
@@ -10,10 +11,6 @@ using namespace tactum;
 using namespace tactum::testing;
 
 namespace {
-
-bool near(double a, double b, double tolerance = 1e-9) {
-    return std::abs(a - b) <= tolerance;
-}
 
 TouchHistory historyOf(const std::vector<TracePoint>& points) {
     TouchHistory history;
@@ -31,10 +28,19 @@ private slots:
         const TouchHistory history = historyOf(pulled(0, 1.5));
         QCOMPARE(history.samples().size(), std::size_t(1500));
         const TouchSample& s = *history.at(0.8004);
-        QVERIFY(near(s.t, 0.8) && near(s.normal, 2) && near(s.tangential, 0.8) && near(s.ratio, 0.4));
-        QVERIFY(near(s.magnitude, std::hypot(2, 0.8)) && near(s.lag, 1e-3) && near(s.energy, -0.8e-3));
-        QVERIFY(near(s.servoRate, 1000, 1e-6) && s.proxyRate == 2000);
-        QVERIFY(s.staticFriction == 0.8 && s.dynamicFriction == 0.5 && s.touching && !s.slipping);
+        COMPARE_NEAR(s.t, 0.8, 1e-9, "s");
+        COMPARE_NEAR(s.normal, 2, 1e-9, "N");
+        COMPARE_NEAR(s.tangential, 0.8, 1e-9, "N");
+        COMPARE_NEAR(s.ratio, 0.4, 1e-9, "");
+        COMPARE_NEAR(s.magnitude, std::hypot(2, 0.8), 1e-9, "N");
+        COMPARE_NEAR(s.lag, 1e-3, 1e-9, "m");
+        COMPARE_NEAR(s.energy, -0.8e-3, 1e-9, "J");
+        COMPARE_NEAR(s.servoRate, 1000, 1e-6, "Hz");
+        QCOMPARE_EQ(s.proxyRate, 2000);
+        QCOMPARE_EQ(s.staticFriction, 0.8);
+        QCOMPARE_EQ(s.dynamicFriction, 0.5);
+        QVERIFY(s.touching);
+        QVERIFY(!s.slipping);
         QCOMPARE(history.at(-3), &history.samples().front());
         QCOMPARE(history.at(9), &history.samples().back());
     }
@@ -44,7 +50,8 @@ private slots:
         for (std::size_t i = 100; i < points.size(); ++i)
             points[i].proxy.x() = 1e-5 * double(i - 100); // 10 mm/s
         const TouchHistory history = historyOf(points);
-        QVERIFY(!history.at(0.095)->slipping && history.at(0.12)->slipping);
+        QVERIFY(!history.at(0.095)->slipping);
+        QVERIFY(history.at(0.12)->slipping);
     }
 
     void freeMotionHasNoFriction() {
@@ -54,15 +61,17 @@ private slots:
             point.normalForce = point.tangentialForce = 0;
         }
         const TouchSample s = *historyOf(points).at(0.05);
-        QVERIFY(s.ratio == 0 && s.staticFriction == 0 && !s.slipping);
+        QCOMPARE_EQ(s.ratio, 0);
+        QCOMPARE_EQ(s.staticFriction, 0);
+        QVERIFY(!s.slipping);
     }
 
     void onlyTheLastHalfMinuteIsKept() {
         TouchHistory history = historyOf(pulled(0, TouchHistory::kSpan + 5, 0.01));
-        QVERIFY(near(history.samples().front().t, 5, 0.02));
+        COMPARE_NEAR(history.samples().front().t, 5, 0.02, "s");
         const HapticOutput touch = pulledTouch();
         history.add(pulled(2, 2.5), {&touch, 0}); // a recording jumped back
-        QVERIFY(near(history.samples().front().t, 2));
+        COMPARE_NEAR(history.samples().front().t, 2, 1e-9, "s");
     }
 
     void csvHoldsEveryTickWithUnitsAndPoints() {
@@ -79,16 +88,21 @@ private slots:
             "0,0,-0.001,0,0,0,0,0.5,2,0,2.0615528128088303,2,0.5,0.25,0.8,0.5,0.001,-5e-04,0,2000,1,0\n"
             "0.25,0,-0.001,0,0,0,0,0.75,2,0,2.1360009363293826,2,0.75,0.375,0.8,0.5,0.001,-0.00075,4,2000,"
             "1,0\n";
-        QVERIFY2(csv == expected, csv.c_str());
+        QCOMPARE_EQ(csv, expected);
         QCOMPARE(QString::fromStdString(csvOf(historyOf(points), 0.6)).count('\n'), 2);
     }
 
     void axesHoldTheirCurvesAndHaveRoundSteps() {
         const StripAxis force = axisFor(0, 3.9, 5);
-        QVERIFY(near(force.step, 1) && force.low == 0 && force.high > 3.9 && force.high < 4.5);
+        COMPARE_NEAR(force.step, 1, 1e-9, "N");
+        QCOMPARE_EQ(force.low, 0);
+        QCOMPARE_GT(force.high, 3.9);
+        QCOMPARE_LT(force.high, 4.5);
         const StripAxis energy = axisFor(-0.7, 0.1, 4);
-        QVERIFY(energy.low <= -0.7 && energy.high >= 0.1 && near(energy.step, 0.5));
-        QVERIFY(axisFor(0, 0, 3).high > 0);
+        QCOMPARE_LE(energy.low, -0.7);
+        QCOMPARE_GE(energy.high, 0.1);
+        COMPARE_NEAR(energy.step, 0.5, 1e-9, "J");
+        QCOMPARE_GT(axisFor(0, 0, 3).high, 0);
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "ui/sound/contact_sound.h"
 
 using namespace tactum;
@@ -53,14 +54,14 @@ private slots:
     void silenceGivesSilence() {
         ContactSound sound;
         const auto samples = sound(forces(0.5, [](double) { return Vec3(Vec3::Zero()); }));
-        QVERIFY(std::abs(int(samples.size()) - kSoundRate / 2) <= 1);
+        QCOMPARE_LE(std::abs(int(samples.size()) - kSoundRate / 2), 1);
         QCOMPARE(rms(samples), 0.0);
     }
 
     void aConstantForceIsSilent() {
         ContactSound sound;
         const auto samples = sound(forces(0.5, [](double) { return Vec3(1, 5, -2); }));
-        QVERIFY2(rms(samples) < 1e-9, qPrintable(QString::number(rms(samples))));
+        QCOMPARE_LT(rms(samples), 1e-9);
     }
 
     void whatShakesIsHeardWithItsFrequency_data() {
@@ -84,7 +85,7 @@ private slots:
     void slowerThanTwentyHertzIsNotHeard() {
         ContactSound sound;
         const auto samples = sound(forces(4, [](double t) { return Vec3(0, 1 + sine(1, t), 0); }));
-        QVERIFY2(rms(lastHalf(samples)) < 2e-3, qPrintable(QString::number(rms(lastHalf(samples)))));
+        QCOMPARE_LT(rms(lastHalf(samples)), 2e-3);
     }
 
     void noForceIsLouderThanFullScale() {
@@ -93,8 +94,8 @@ private slots:
         const auto loud = sound(forces(1, [](double t) { return Vec3(0, 1e4 * sine(80, t), 0); }));
         QCOMPARE(rms(samples), 0.0); // not a force
         for (float s : loud)
-            QVERIFY(std::abs(s) <= 1);
-        QVERIFY(rms(loud) > 0.7);
+            QCOMPARE_LE(std::abs(s), 1);
+        QCOMPARE_GT(rms(loud), 0.7);
     }
 
     void piecesSoundAsTheWhole() {
@@ -106,14 +107,14 @@ private slots:
             const auto piece = parts(std::span(all).subspan(i, std::min<std::size_t>(17, all.size() - i)));
             joined.insert(joined.end(), piece.begin(), piece.end());
         }
-        QVERIFY(joined == expected);
+        QCOMPARE_EQ(joined, expected);
     }
 
     void everyServoRateGivesASecondOfSamplesForASecond() {
         for (const double rate : {1000.0, 3000.0, 4096.0}) {
             ContactSound sound(rate);
             const std::vector<Vec3> second(std::size_t(rate), Vec3::UnitX());
-            QVERIFY(std::abs(int(sound(second).size()) - kSoundRate) <= 1);
+            QCOMPARE_LE(std::abs(int(sound(second).size()) - kSoundRate), 1);
         }
     }
 };

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/display_mesh.h"
 
@@ -41,7 +42,7 @@ private slots:
         for (int corner : surfaces[kUpper].triangles) {
             const Eigen::Map<const Eigen::Vector3f> p(&mesh.positions[3 * corner]),
                 n(&mesh.normals[3 * corner]);
-            QVERIFY(n.dot(p.normalized()) > 0.98f);
+            QCOMPARE_GT(n.dot(p.normalized()), 0.98f);
         }
     }
 

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "core/runtime/compile.h"
+#include "tests/support/compare.h"
 #include "tests/support/soups.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/felt_mesh.h"
@@ -57,10 +58,6 @@ Span spanOf(const std::vector<float>& list, std::size_t first, std::size_t step)
     return span;
 }
 
-bool near(double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance;
-}
-
 double largestLean(const std::vector<Needle>& needles) {
     double most = 0;
     for (const Needle& n : needles)
@@ -78,10 +75,9 @@ private slots:
         for (const double factor : {1.0, 10.0, 100.0}) {
             const FeltMesh mesh = meshOf(*world, {.value = {}, .bumps = factor});
             const Span z = spanOf(mesh.positions, 2, 3);
-            QVERIFY2(near(z.low, 0, 0.05 * factor * kHeight), qPrintable(QString::number(double(z.low))));
-            QVERIFY2(near(z.high, factor * kHeight, 0.05 * factor * kHeight),
-                     qPrintable(QString::number(double(z.high))));
-            QVERIFY(mesh.lost < 0.05);
+            COMPARE_NEAR(z.low, 0, 0.05 * factor * kHeight, "m");
+            COMPARE_NEAR(z.high, factor * kHeight, 0.05 * factor * kHeight, "m");
+            QCOMPARE_LT(mesh.lost, 0.05);
         }
     }
 
@@ -97,12 +93,12 @@ private slots:
             const double part = x - std::floor(x);
             // By docs/physics the middle of the raised half is at the beginning of a repeat.
             if (part < 0.1 || part > 0.9) {
-                QVERIFY(z > middle);
+                QCOMPARE_GT(z, middle);
                 ++ridges;
             }
-            if (part > 0.4 && part < 0.6) QVERIFY(z < middle);
+            if (part > 0.4 && part < 0.6) QCOMPARE_LT(z, middle);
         }
-        QVERIFY(ridges > 100);
+        QCOMPARE_GT(ridges, 100);
     }
 
     void whatIsTooFineIsFlatAndSaid() {
@@ -112,17 +108,19 @@ private slots:
         const FeltMesh mesh = meshOf(*world, {.value = {}, .bumps = 100, .mostTriangles = 8});
         QCOMPARE(mesh.triangles.size(), std::size_t(3 * 8));
         const Span z = spanOf(mesh.positions, 2, 3);
-        QVERIFY(z.high - z.low < 1e-6f);
-        QVERIFY2(mesh.lost > 0.95, qPrintable(QString::number(mesh.lost)));
+        QCOMPARE_LT(z.high - z.low, 1e-6f);
+        QCOMPARE_GT(mesh.lost, 0.95);
     }
 
     void frictionIsSampledWithItsLayers() {
         const auto world = sheetWorld({grooves(TextureTarget::StaticFriction, 0.5)});
         const FeltMesh mesh = meshOf(*world, {.value = FeltValue::StaticFriction});
         QCOMPARE(mesh.values.size(), mesh.positions.size() / 3);
-        QVERIFY(near(mesh.low, 0.4, 0.01) && near(mesh.high, 0.6, 0.01));
+        COMPARE_NEAR(mesh.low, 0.4, 0.01, "");
+        COMPARE_NEAR(mesh.high, 0.6, 0.01, "");
         const Span z = spanOf(mesh.positions, 2, 3);
-        QVERIFY(z.low == 0 && z.high == 0);
+        QCOMPARE_EQ(z.low, 0);
+        QCOMPARE_EQ(z.high, 0);
     }
 
     void onlyWhatALayerChangesVaries() {
@@ -140,7 +138,8 @@ private slots:
         const std::atomic<bool> cancelled{true};
         const FeltMesh mesh = feltMesh(world->bodies[0], 0, drawnNormalsOf(*world->bodies[0].mesh->soup),
                                        {.value = {}, .bumps = 1}, Progress{{}, &cancelled});
-        QVERIFY(mesh.positions.empty() && mesh.triangles.empty());
+        QVERIFY(mesh.positions.empty());
+        QVERIFY(mesh.triangles.empty());
     }
 
     void aLevelHasTheSpheresOfTheTree() {
@@ -157,10 +156,11 @@ private slots:
     void ofTooManySpheresTheNearestAreDrawn() {
         const auto world = compile(ballScene(400, 400)).value();
         const SphereLevel spheres = sphereLevel(*world, kDeepestLevel, {0, 0, 2 * kBallRadius});
-        QVERIFY(spheres.all > 2 * kMostSpheres && spheres.drawn == kMostSpheres);
+        QCOMPARE_GT(spheres.all, 2 * kMostSpheres);
+        QCOMPARE_EQ(spheres.drawn, kMostSpheres);
         for (std::size_t i = 2; i < spheres.meshes[0].positions.size(); i += 3)
-            QVERIFY(spheres.meshes[0].positions[i] > -0.5f * float(kBallRadius));
-        QVERIFY(spheres.meshes[0].triangles.size() / 3 < 300'000);
+            QCOMPARE_GT(spheres.meshes[0].positions[i], -0.5f * float(kBallRadius));
+        QCOMPARE_LT(spheres.meshes[0].triangles.size() / 3, 300'000);
     }
 
     void normalsOfFacetsLeanFromThoseThatAreDrawnSmooth() {
@@ -170,15 +170,16 @@ private slots:
         const auto plain = needlesOf(facets->bodies[0], drawn, 100'000);
         QCOMPARE(plain.size(), facets->bodies[0].mesh->soup->triangles.size());
         // From the middle of a facet to its corner: about half of its 11 degrees, along both ways.
-        QVERIFY(largestLean(plain) > 0.08 && largestLean(plain) < 0.2);
+        QCOMPARE_GT(largestLean(plain), 0.08);
+        QCOMPARE_LT(largestLean(plain), 0.2);
         for (Surface& surface : scene.objects[0].surfaces)
             surface.shading = {true, NormalSource::Computed, kDrawnCreaseForTest};
         const auto shaded = compile(scene).value();
         const auto smooth = needlesOf(shaded->bodies[0], drawn, 100'000);
-        QVERIFY(smooth.size() > 400);
-        QVERIFY(largestLean(smooth) < 1e-3);
+        QCOMPARE_GT(smooth.size(), 400);
+        QCOMPARE_LT(largestLean(smooth), 1e-3);
         for (const Needle& n : smooth)
-            QVERIFY(n.normal.dot(n.at.normalized()) > 0.99);
+            QCOMPARE_GT(n.normal.dot(n.at.normalized()), 0.99);
     }
 
     void whatIsNotFeltHasNoNormals() {
@@ -188,21 +189,24 @@ private slots:
                 surface.shading = {shaded, NormalSource::Computed, kDrawnCreaseForTest};
             scene.objects[0].surfaces[kLower].visible = false;
             const auto world = compile(scene).value();
-            QVERIFY(!isFelt(world->bodies[0], kLower) && isFelt(world->bodies[0], kUpper));
+            QVERIFY(!isFelt(world->bodies[0], kLower));
+            QVERIFY(isFelt(world->bodies[0], kUpper));
             const auto needles =
                 needlesOf(world->bodies[0], drawnNormalsOf(*world->bodies[0].mesh->soup), 100'000);
-            QVERIFY(needles.size() > 200);
+            QCOMPARE_GT(needles.size(), 200);
             for (const Needle& n : needles)
-                QVERIFY(n.at.y() > -1e-9);
+                QCOMPARE_GT(n.at.y(), -1e-9);
         }
     }
 
     void ofTooManyNormalsSomeAreShownEvenly() {
         const auto world = compile(ballScene(200, 100)).value();
         const auto needles = needlesOf(world->bodies[0], drawnNormalsOf(*world->bodies[0].mesh->soup), 500);
-        QVERIFY(needles.size() > 450 && needles.size() <= 500);
+        QCOMPARE_GT(needles.size(), 450);
+        QCOMPARE_LE(needles.size(), 500);
         const auto below = std::ranges::count_if(needles, [](const Needle& n) { return n.at.y() < 0; });
-        QVERIFY(below > 200 && below < 300);
+        QCOMPARE_GT(below, 200);
+        QCOMPARE_LT(below, 300);
     }
 
     void scalesBeginAtZeroWhereAllIsTheSame() {
@@ -210,7 +214,7 @@ private slots:
         QVERIFY((rangeOf(800, 800) == MapRange{0, 800}));
         QVERIFY((rangeOf(0, 0) == MapRange{0, 1}));
         QVERIFY((rangeOf(0, 0, 1e-3) == MapRange{0, 1e-3}));
-        QVERIFY(near(rangeOf(2, 4).part(3), 0.5, 1e-12));
+        COMPARE_NEAR(rangeOf(2, 4).part(3), 0.5, 1e-12, "");
         QCOMPARE(wordsOf(FeltValue::Height).unit, QStringLiteral("mm"));
         QCOMPARE(wordsOf(FeltValue::Stiffness).unit, QStringLiteral("N/m"));
     }

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/runtime/compile.h"
+#include "tests/support/compare.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
@@ -130,12 +131,12 @@ private slots:
         shown.options.cone = true;
         shown.show();
         const QImage sticks = shown.picture();
-        QVERIFY(hued(sticks, atStatic, kDarkTheme.stick) > 3);
-        QVERIFY(hued(sticks, apex + QPointF(120, 60), kDarkTheme.stick) > 3);
+        QCOMPARE_GT(hued(sticks, atStatic, kDarkTheme.stick), 3);
+        QCOMPARE_GT(hued(sticks, apex + QPointF(120, 60), kDarkTheme.stick), 3);
         QCOMPARE(hued(sticks, apex + QPointF(120, -70), kDarkTheme.stick), 0);
         shown.touch(true);
         const QImage slips = shown.picture();
-        QVERIFY(hued(slips, atDynamic, kDarkTheme.slip) > 3);
+        QCOMPARE_GT(hued(slips, atDynamic, kDarkTheme.slip), 3);
         QCOMPARE(hued(slips, atStatic, kDarkTheme.slip), 0);
         shown.options.cone = false;
         shown.show();
@@ -150,12 +151,13 @@ private slots:
         shown.options.planes = true;
         shown.show();
         const QImage planes = shown.picture();
-        QVERIFY(changedShare(bare, planes) > 1e-4);
+        QCOMPARE_GT(changedShare(bare, planes), 1e-4);
         shown.options.planes = false;
         shown.options.normals = true;
         shown.show();
         // Beside the arrow of the force, which lies along it.
-        QVERIFY(hued(shown.picture(), tip, kDarkTheme.contact, 6) > hued(bare, tip, kDarkTheme.contact, 6));
+        QCOMPARE_GT(hued(shown.picture(), tip, kDarkTheme.contact, 6),
+                    hued(bare, tip, kDarkTheme.contact, 6));
         shown.options.normals = false;
         shown.show();
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);
@@ -173,8 +175,8 @@ private slots:
         shown.view.addTrail(slide, Shown::touchOf(true));
         shown.view.addTrail(rest, Shown::touchOf(false));
         const QImage picture = shown.picture();
-        QVERIFY(hued(picture, shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.slip) > 5);
-        QVERIFY(hued(picture, shown.pixelOf(kProxy + Vec3(0.04, 0, 0)), kDarkTheme.stick, 4) > 20);
+        QCOMPARE_GT(hued(picture, shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.slip), 5);
+        QCOMPARE_GT(hued(picture, shown.pixelOf(kProxy + Vec3(0.04, 0, 0)), kDarkTheme.stick, 4), 20);
         QCOMPARE(hued(picture, shown.pixelOf(kProxy + Vec3(0.03, 0, 0)), kDarkTheme.stick), 0);
         shown.options.trail = false;
         shown.show();
@@ -190,7 +192,7 @@ private slots:
             slide.push_back(placeAt(1e-3 * i, kProxy + Vec3(2e-4 * i, 0, 0)));
         shown.view.addTrail(slide, Shown::touchOf(true));
         const QPointF middle = shown.pixelOf(kProxy + Vec3(0.02, 0, 0));
-        QVERIFY(hued(shown.picture(), middle, kDarkTheme.slip) > 5);
+        QCOMPARE_GT(hued(shown.picture(), middle, kDarkTheme.slip), 5);
         std::vector<TracePoint> later;
         for (int i = 1; i <= 5000; ++i)
             later.push_back(placeAt(0.2 + 1e-3 * i, kProxy + Vec3(0.04, 0, 0)));
@@ -205,12 +207,13 @@ private slots:
         shown.options.sphereLevel = 0;
         shown.show();
         const QImage coarse = shown.picture();
-        QVERIFY(changedShare(bare, coarse) > 0.05);
+        QCOMPARE_GT(changedShare(bare, coarse), 0.05);
         // Around the ball as well: the coarse spheres reach beyond it.
-        QVERIFY(hued(coarse, shown.pixelOf({0, kBallRadius, 0}) - QPointF(0, 10), kDarkTheme.accent, 8) > 0);
+        QCOMPARE_GT(hued(coarse, shown.pixelOf({0, kBallRadius, 0}) - QPointF(0, 10), kDarkTheme.accent, 8),
+                    0);
         shown.options.sphereLevel = 2;
         shown.show();
-        QVERIFY(changedShare(coarse, shown.picture()) > 0.05);
+        QCOMPARE_GT(changedShare(coarse, shown.picture()), 0.05);
         shown.options.spheres = false;
         shown.show();
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);
@@ -222,7 +225,7 @@ private slots:
         shown.show();
         shown.options.sphereLevel = kDeepestLevel;
         shown.show();
-        QVERIFY(shown.view.felt().sphereLevel < 6);
+        QCOMPARE_LT(shown.view.felt().sphereLevel, 6);
     }
 
     void feltNormalsStandOnTheModel() {
@@ -231,7 +234,7 @@ private slots:
         QCOMPARE(hued(shown.picture(), above, kDarkTheme.contact, 4), 0);
         shown.options.feltNormals = true;
         shown.show();
-        QVERIFY(hued(shown.picture(), above, kDarkTheme.contact, 4) > 0);
+        QCOMPARE_GT(hued(shown.picture(), above, kDarkTheme.contact, 4), 0);
         shown.options.feltNormals = false;
         shown.show();
         QCOMPARE(hued(shown.picture(), above, kDarkTheme.contact, 4), 0);
@@ -247,22 +250,22 @@ private slots:
         shown.show();
         const QImage map = shown.picture();
         const QPointF upper(320, 170), lower(320, 310);
-        QVERIFY(hued(map, upper, QColor(253, 231, 37)) > 40); // the upper end of the scale
-        QVERIFY(hued(map, lower, QColor(68, 1, 84)) > 40);    // and its lower one
+        QCOMPARE_GT(hued(map, upper, QColor(253, 231, 37)), 40); // the upper end of the scale
+        QCOMPARE_GT(hued(map, lower, QColor(68, 1, 84)), 40);    // and its lower one
         // The scale itself, in the lower left corner.
         const QRectF edge(12, 240, 40, 230);
         int yellow = 0;
         for (double y = edge.top(); y < edge.bottom(); y += 4)
             for (double x = edge.left(); x < edge.right(); x += 4)
                 yellow += hued(map, {x, y}, QColor(253, 231, 37), 0) > 0;
-        QVERIFY(yellow > 0);
+        QCOMPARE_GT(yellow, 0);
         // An edit of a value is seen at once.
         shown.scene.objects[0].surfaces[kLower].material.stiffness = 1800;
         shown.view.setScene(shown.scene);
         shown.view.setWorld(compile(shown.scene, shown.world.get()).value());
         const QImage edited = shown.picture();
-        QVERIFY(hued(edited, lower, QColor(253, 231, 37)) > 40);
-        QVERIFY(hued(edited, upper, QColor(68, 1, 84)) > 40);
+        QCOMPARE_GT(hued(edited, lower, QColor(253, 231, 37)), 40);
+        QCOMPARE_GT(hued(edited, upper, QColor(68, 1, 84)), 40);
         shown.options.map.reset();
         shown.show();
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);
@@ -285,13 +288,14 @@ private slots:
         shown.options.bumps = 10;
         shown.show();
         const QImage tenfold = shown.picture();
-        QVERIFY(once > 1e-3 && changedShare(bare, tenfold) > 1.2 * once);
+        QCOMPARE_GT(once, 1e-3);
+        QCOMPARE_GT(changedShare(bare, tenfold), 1.2 * once);
         // A ridge runs over the middle: the ball is 10 mm higher there.
         const QPointF ridge = shown.pixelOf({0, kBallRadius + 8e-3, 0});
         const auto at = [&](const QImage& p) {
             return p.pixelColor((ridge * p.devicePixelRatio()).toPoint());
         };
-        QVERIFY(std::abs(at(tenfold).lightness() - at(bare).lightness()) > 25);
+        QCOMPARE_GT(std::abs(at(tenfold).lightness() - at(bare).lightness()), 25);
         shown.options.bumps = 0;
         shown.show();
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "core/surface/material.h"
+#include "tests/support/compare.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
@@ -44,7 +45,7 @@ private slots:
         desk.hand.moveTo({160, 70}, desk.camera, std::nullopt, false);
         const Vec3 moved = desk.hand.goal() - start;
         const double pixel = desk.camera.pixelSize(start);
-        QVERIFY((moved - pixel * Vec3(60, 30, 0)).norm() < 1e-12);
+        COMPARE_NEAR(moved, pixel * Vec3(60, 30, 0), 1e-12, "m");
     }
 
     void dragAlongTheViewChangesOnlyDepth() {
@@ -53,7 +54,7 @@ private slots:
         desk.hand.beginMove(Grip::Drag, {100, 100});
         desk.hand.moveTo({140, 60}, desk.camera, std::nullopt, true);
         const double pixel = desk.camera.pixelSize({0, 0, 0.1});
-        QVERIFY((desk.hand.goal() - Vec3(0, 0, 0.1 - 40 * pixel)).norm() < 1e-12);
+        COMPARE_NEAR(desk.hand.goal(), Vec3(0, 0, 0.1 - 40 * pixel), 1e-12, "m");
     }
 
     void wheelPushesAwayFromTheEye() {
@@ -61,7 +62,7 @@ private slots:
         desk.hand.setGoal({0, 0, 0.1});
         desk.hand.beginMove(Grip::Drag, {0, 0});
         desk.hand.push(2, desk.camera);
-        QVERIFY((desk.hand.goal() - Vec3(0, 0, 0.1 - 2 * 0.005 * desk.size())).norm() < 1e-12);
+        COMPARE_NEAR(desk.hand.goal(), Vec3(0, 0, 0.1 - 2 * 0.005 * desk.size()), 1e-12, "m");
     }
 
     void strokeEndsBeneathTheTouchedPoint() {
@@ -71,14 +72,15 @@ private slots:
         for (int i = 0; i < 1000 && desk.hand.advance(1e-3); ++i) {
         }
         QVERIFY(!desk.hand.gliding());
-        QVERIFY((desk.hand.goal() - kFront + HandTool::kPressDepth * desk.size() * Vec3::UnitZ()).norm() <
-                1e-9);
+        QCOMPARE_LT((desk.hand.goal() - kFront + HandTool::kPressDepth * desk.size() * Vec3::UnitZ()).norm(),
+                    1e-9);
     }
 
     // Deep enough to feel friction and textures, and below what the simulated hand can give.
     void aPressOnAFittedModelIsAFirmOne() {
         const double force = kStiffness.initial * HandTool::kPressDepth * 0.2;
-        QVERIFY(force > 4 && force < 8);
+        QCOMPARE_GT(force, 4);
+        QCOMPARE_LT(force, 8);
     }
 
     void strokeFollowsTheSurfaceUnderTheCursor() {
@@ -89,11 +91,11 @@ private slots:
         const Vec3 touched =
             desk.picker.cast(desk.camera.ray({430, 280}), ScenePicker::Patience::Wait)->point;
         desk.hand.moveTo({430, 280}, desk.camera, touched, false);
-        QVERIFY(std::abs((desk.hand.goal() - touched).norm() - HandTool::kPressDepth * desk.size()) < 1e-9);
-        QVERIFY(desk.hand.goal().norm() < kBallRadius);
+        COMPARE_NEAR((desk.hand.goal() - touched).norm(), HandTool::kPressDepth * desk.size(), 1e-9, "m");
+        QCOMPARE_LT(desk.hand.goal().norm(), kBallRadius);
         const double depth = desk.camera.depth(desk.hand.goal());
         desk.hand.moveTo({700, 280}, desk.camera, std::nullopt, false);
-        QVERIFY(std::abs(desk.camera.depth(desk.hand.goal()) - depth) < 1e-12);
+        COMPARE_NEAR(desk.camera.depth(desk.hand.goal()), depth, 1e-12, "m");
     }
 
     void aGlideGoesAroundTheModel() {
@@ -106,7 +108,7 @@ private slots:
             while (desk.hand.advance(2e-4))
                 if ((desk.hand.goal() - kFront).norm() > 0.02)
                     nearest = std::min(nearest, desk.hand.goal().norm());
-            QVERIFY2(nearest > kBallRadius, qPrintable(QString::number(nearest)));
+            QCOMPARE_GT(nearest, kBallRadius);
         }
     }
 

@@ -1,6 +1,7 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/scene_picker.h"
 
@@ -24,11 +25,13 @@ private slots:
         const Scene scene = ballScene(256, 128);
         const auto upper = cast(scene, {0, 0.02, 1}, -Vec3::UnitZ());
         const auto lower = cast(scene, {0, -0.02, 1}, -Vec3::UnitZ());
-        QVERIFY(upper && upper->surface == (SurfaceRef{scene.objects[0].id, kUpper}));
-        QVERIFY(lower && lower->surface == (SurfaceRef{scene.objects[0].id, kLower}));
-        QVERIFY(std::abs(upper->point.norm() - kBallRadius) < 1e-4 * kBallRadius + 2e-5);
-        QVERIFY(upper->point.z() > 0);
-        QVERIFY(std::abs(upper->distance - (1 - upper->point.z())) < 1e-9);
+        QVERIFY(upper);
+        QVERIFY(upper->surface == (SurfaceRef{scene.objects[0].id, kUpper}));
+        QVERIFY(lower);
+        QVERIFY(lower->surface == (SurfaceRef{scene.objects[0].id, kLower}));
+        COMPARE_NEAR(upper->point.norm(), kBallRadius, 1e-4 * kBallRadius + 2e-5, "m");
+        QCOMPARE_GT(upper->point.z(), 0);
+        COMPARE_NEAR(upper->distance, 1 - upper->point.z(), 1e-9, "m");
     }
 
     void missesWhatIsNotThere() { QVERIFY(!cast(ballScene(), {0.06, 0, 1}, -Vec3::UnitZ())); }
@@ -46,7 +49,8 @@ private slots:
         Scene scene = ballScene();
         scene.objects[0].pose = {Quat(Eigen::AngleAxisd(EIGEN_PI, Vec3::UnitX())), {0.3, 0, 0}};
         const auto hit = cast(scene, {0.3, 0.02, 1}, -Vec3::UnitZ());
-        QVERIFY(hit && hit->surface.surface == kLower); // upside down
+        QVERIFY(hit);
+        QCOMPARE_EQ(hit->surface.surface, kLower); // upside down
     }
 
     void whatIsHiddenIsNotHit() {
@@ -92,7 +96,7 @@ private slots:
             hits += expected == picker.cast({from, -Vec3::UnitZ()}, ScenePicker::Patience::Wait).has_value();
         }
         qInfo("one ray against a million triangles: %.2f us", 1e-3 * double(clock.nsecsElapsed()) / kRays);
-        QVERIFY(hits >= kRays - 2); // a ray may graze the rim
+        QCOMPARE_GE(hits, kRays - 2); // a ray may graze the rim
     }
 };
 

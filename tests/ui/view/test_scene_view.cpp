@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 
 #include "core/dynamics/motion_build.h"
+#include "tests/support/compare.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
@@ -130,16 +131,16 @@ private slots:
         Shown shown;
         const QImage picture = shown.view.grabPicture();
         QCOMPARE(picture.size(), kSize * shown.view.devicePixelRatioF());
-        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
-        QVERIFY(difference(shown.colourAt({12, 240}), shown.colourAt({12, 236})) < 12);
+        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
+        QCOMPARE_LT(difference(shown.colourAt({12, 240}), shown.colourAt({12, 236})), 12);
     }
 
     void itsColourIsTheSurfaces() {
         Shown shown;
         shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
         shown.view.setScene(shown.scene);
-        QVERIFY(shown.colourAt({320, 180}).red() > 2 * shown.colourAt({320, 180}).green());
-        QVERIFY(shown.colourAt({320, 300}).red() < 1.3 * shown.colourAt({320, 300}).green());
+        QCOMPARE_GT(shown.colourAt({320, 180}).red(), 2 * shown.colourAt({320, 180}).green());
+        QCOMPARE_LT(shown.colourAt({320, 300}).red(), 1.3 * shown.colourAt({320, 300}).green());
     }
 
     void bodiesThatMoveAreShownWhereTheyAre() {
@@ -155,7 +156,7 @@ private slots:
             proxy.time = time;
             shown.view.setHaptics(proxy, {}, 8, false);
             const QPoint there = shown.pixelOf({0.06 * time, 0, kBallRadius});
-            if (there.x() < kSize.width()) QVERIFY(difference(shown.colourAt(there), ball) < 40);
+            if (there.x() < kSize.width()) QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
             QCOMPARE(difference(shown.colourAt(kCentre), ball) < 40, time == 0);
         }
     }
@@ -165,7 +166,7 @@ private slots:
         shown.view.setTheme(false);
         const int light = shown.colourAt({12, 12}).lightness();
         shown.view.setTheme(true);
-        QVERIFY(light > shown.colourAt({12, 12}).lightness() + 100);
+        QCOMPARE_GT(light, shown.colourAt({12, 12}).lightness() + 100);
     }
 
     void aClickChoosesTheSurfaceThatIsThere() {
@@ -199,7 +200,7 @@ private slots:
         const int before = shown.colourAt(upper).lightness();
         QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
         QCOMPARE(hovered.last()[0].value<Picked>()->surface, kUpper);
-        QVERIFY(shown.colourAt(upper).lightness() > before + 4);
+        QCOMPARE_GT(shown.colourAt(upper).lightness(), before + 4);
         shown.move({5, 5}, Qt::NoButton);
         QVERIFY(!hovered.last()[0].value<Picked>());
         QCOMPARE(shown.colourAt(upper).lightness(), before);
@@ -214,7 +215,7 @@ private slots:
         shown.scene.objects[0].surfaces[kUpper].material.staticFriction = 0.5;
         shown.view.setScene(shown.scene);
         QCOMPARE(hovered.size(), 1);
-        QVERIFY(difference(shown.colourAt(upper), lit) < 3);
+        QCOMPARE_LT(difference(shown.colourAt(upper), lit), 3);
         shown.view.setScene(Scene{});
         QCOMPARE(hovered.size(), 2);
     }
@@ -227,15 +228,15 @@ private slots:
         double nearest = 1e3;
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
-        QVERIFY2(nearest < 60, qPrintable(QString::number(nearest)));
+        QCOMPARE_LT(nearest, 60);
         shown.wheel(kCentre, -4); // the outline goes with the model
         nearest = 1e3;
         for (int dy = -6; dy <= 6; ++dy)
             nearest = std::min(nearest, difference(shown.colourAt(rim + QPoint(0, dy)), kDarkTheme.accent));
-        QVERIFY(nearest > 100);
+        QCOMPARE_GT(nearest, 100);
         shown.view.setSelection({});
         shown.view.fit();
-        QVERIFY(difference(shown.colourAt(rim), before) < 3);
+        QCOMPARE_LT(difference(shown.colourAt(rim), before), 3);
     }
 
     void draggingTheFingerMovesItInTheCamerasPlane() {
@@ -248,9 +249,10 @@ private slots:
         QVERIFY(!moved.isEmpty());
         const Vec3 goal = goals(moved).back();
         QCOMPARE(shown.view.handGoal().x(), goal.x());
-        QVERIFY((goal - start - shown.camera().pixelSize(start) * Vec3(60, 30, 0)).norm() < 1e-9);
+        COMPARE_NEAR(goal - start, shown.camera().pixelSize(start) * Vec3(60, 30, 0), 1e-9, "m");
         QCOMPARE(grabbed.size(), 2);
-        QVERIFY(grabbed[0][0].toBool() && !grabbed[1][0].toBool());
+        QVERIFY(grabbed[0][0].toBool());
+        QVERIFY(!grabbed[1][0].toBool());
     }
 
     void wheelAndControlDragMoveTheHeldFingerInDepth() {
@@ -260,11 +262,11 @@ private slots:
         QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
         shown.wheel(kCentre, 3);
         const double notch = 0.005 * boundsOf(shown.scene).diagonal();
-        QVERIFY((shown.view.handGoal() - Vec3(0, 0, 0.09 - 3 * notch)).norm() < 1e-9);
+        COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, 0.09 - 3 * notch), 1e-9, "m");
         const Vec3 before = shown.view.handGoal();
         shown.move(kCentre - QPoint(0, 20), Qt::LeftButton, Qt::ControlModifier);
         const double pixel = shown.camera().pixelSize(before);
-        QVERIFY((shown.view.handGoal() - before + 20 * pixel * Vec3::UnitZ()).norm() < 1e-9);
+        QCOMPARE_LT((shown.view.handGoal() - before + 20 * pixel * Vec3::UnitZ()).norm(), 1e-9);
         QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre);
     }
 
@@ -274,14 +276,17 @@ private slots:
         shown.touch({0.09, 0.05, 0.1}, {0.09, 0.05, 0.1});
         QTest::mousePress(&shown.view, Qt::LeftButton, {}, kCentre);
         shown.waitForHand();
-        QVERIFY((shown.view.handGoal() - Vec3(0, 0, kBallRadius - depth)).norm() < 1e-4);
+        COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, kBallRadius - depth), 1e-4, "m");
         shown.move(kCentre + QPoint(60, 0), Qt::LeftButton);
         const Vec3 goal = shown.view.handGoal();
-        QVERIFY(goal.x() > 0.01 && goal.norm() < kBallRadius && goal.z() > 0);
+        QCOMPARE_GT(goal.x(), 0.01);
+        QCOMPARE_LT(goal.norm(), kBallRadius);
+        QCOMPARE_GT(goal.z(), 0);
         const auto seen = shown.camera().project(goal);
-        QVERIFY(std::abs(seen->x() - 380) < 1 && std::abs(seen->y() - 240) < 1);
+        COMPARE_NEAR(seen->x(), 380, 1, "pixels");
+        COMPARE_NEAR(seen->y(), 240, 1, "pixels");
         QTest::mouseRelease(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(60, 0));
-        QVERIFY((shown.view.handGoal() - goal).norm() < 1e-12); // it stays where it was put
+        COMPARE_NEAR(shown.view.handGoal(), goal, 1e-12, "m"); // it stays where it was put
     }
 
     void aFingerBehindTheModelComesAroundIt() {
@@ -290,9 +295,10 @@ private slots:
         QSignalSpy moved(&shown.view, &SceneView::handGoalMoved);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre + QPoint(0, 40));
         shown.waitForHand();
-        QVERIFY(shown.view.handGoal().z() > 0.03 && shown.view.handGoal().norm() < kBallRadius);
+        QCOMPARE_GT(shown.view.handGoal().z(), 0.03);
+        QCOMPARE_LT(shown.view.handGoal().norm(), kBallRadius);
         for (const Vec3& goal : goals(moved))
-            QVERIFY(goal.norm() > kBallRadius || goal.z() > 0.03);
+            if (!(goal.z() > 0.03)) QCOMPARE_GT(goal.norm(), kBallRadius);
     }
 
     void gLetsTheFingerFollowUntilAClickOrEsc() {
@@ -305,10 +311,10 @@ private slots:
         const Vec3 before = shown.view.handGoal();
         shown.move(kCentre + QPoint(40, 0), Qt::NoButton);
         const double pixel = shown.camera().pixelSize(before);
-        QVERIFY((shown.view.handGoal() - before - 40 * pixel * Vec3::UnitX()).norm() < 1e-9);
+        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QTest::keyClick(&shown.view, Qt::Key_Escape);
         shown.move(kCentre, Qt::NoButton);
-        QVERIFY((shown.view.handGoal() - before - 40 * pixel * Vec3::UnitX()).norm() < 1e-9);
+        COMPARE_NEAR(shown.view.handGoal() - before, 40 * pixel * Vec3::UnitX(), 1e-9, "m");
         QCOMPARE(grabbed.size(), 2);
         QTest::keyClick(&shown.view, Qt::Key_G);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
@@ -322,7 +328,7 @@ private slots:
         QTest::keyClick(&shown.view, Qt::Key_Right);
         QTest::keyClick(&shown.view, Qt::Key_PageUp);
         const double step = 0.005 * boundsOf(shown.scene).diagonal();
-        QVERIFY((shown.view.handGoal() - Vec3(step, 0, 0.09 - step)).norm() < 1e-9);
+        COMPARE_NEAR(shown.view.handGoal(), Vec3(step, 0, 0.09 - step), 1e-9, "m");
     }
 
     void theSelectToolLeavesTheFingerAlone() {
@@ -330,7 +336,7 @@ private slots:
         shown.view.setTool(ViewTool::Select);
         shown.touch({0, 0, 0.09}, {0, 0, 0.09});
         shown.drag(kCentre, kCentre + QPoint(80, 0));
-        QVERIFY((shown.view.handGoal() - Vec3(0, 0, 0.09)).norm() < 1e-12);
+        COMPARE_NEAR(shown.view.handGoal(), Vec3(0, 0, 0.09), 1e-12, "m");
     }
 
     void wheelZoomsToTheCursorAndHomeFits() {
@@ -338,9 +344,9 @@ private slots:
         const QPoint edge = shown.pixelOf({0, kBallRadius, 0}) - QPoint(0, 14);
         const QColor sky = shown.colourAt(edge);
         shown.wheel(kCentre, 4);
-        QVERIFY(difference(shown.colourAt(edge), sky) > 60); // the ball has grown over it
+        QCOMPARE_GT(difference(shown.colourAt(edge), sky), 60); // the ball has grown over it
         QTest::keyClick(&shown.view, Qt::Key_Home);
-        QVERIFY(difference(shown.colourAt(edge), sky) < 3);
+        QCOMPARE_LT(difference(shown.colourAt(edge), sky), 3);
     }
 
     void orbitAndPanTurnAndMoveThePicture() {
@@ -348,12 +354,12 @@ private slots:
         shown.scene.objects[0].surfaces[kUpper].colour = {0.6f, 0.05f, 0.05f};
         shown.view.setScene(shown.scene);
         const QPoint low = kCentre + QPoint(0, 50);
-        QVERIFY(shown.colourAt(low).red() < 1.3 * shown.colourAt(low).green());
+        QCOMPARE_LT(shown.colourAt(low).red(), 1.3 * shown.colourAt(low).green());
         shown.drag(kCentre, kCentre + QPoint(0, 150), Qt::MiddleButton); // look from above
-        QVERIFY(shown.colourAt(low).red() > 2 * shown.colourAt(low).green());
+        QCOMPARE_GT(shown.colourAt(low).red(), 2 * shown.colourAt(low).green());
         shown.view.showStandardView(StandardView::Front);
         shown.drag(kCentre, kCentre + QPoint(0, 120), Qt::MiddleButton, Qt::ShiftModifier);
-        QVERIFY(shown.colourAt(low).red() > 2 * shown.colourAt(low).green());
+        QCOMPARE_GT(shown.colourAt(low).red(), 2 * shown.colourAt(low).green());
     }
 
     void theProxyIsShownAndCanBeHidden() {
@@ -363,9 +369,10 @@ private slots:
         const QColor without = shown.colourAt(pixel);
         shown.touch({0.02, 0.03, 0.06}, proxy);
         const QColor with = shown.colourAt(pixel);
-        QVERIFY(with.red() > 1.5 * with.blue() && difference(with, without) > 60);
+        QCOMPARE_GT(with.red(), 1.5 * with.blue());
+        QCOMPARE_GT(difference(with, without), 60);
         shown.view.setOverlayVisible(false);
-        QVERIFY(difference(shown.colourAt(pixel), without) < 3);
+        QCOMPARE_LT(difference(shown.colourAt(pixel), without), 3);
     }
 
     void whatCannotBeSeenIsNotDrawnAgain() {
@@ -393,7 +400,8 @@ private slots:
         const QColor without = shown.colourAt(pixel);
         shown.touch({0.01, 0.01, 0.03}, {0.03, 0.04, 0.05});
         const QColor with = shown.colourAt(pixel);
-        QVERIFY(with.blue() > with.red() + 30 && difference(with, without) > 40);
+        QCOMPARE_GT(with.blue(), with.red() + 30);
+        QCOMPARE_GT(difference(with, without), 40);
     }
 
     void theForceIsWrittenBesideItsArrow() {
@@ -408,7 +416,7 @@ private slots:
             for (int y = 225; y < 260; ++y)
                 changed += difference(with.pixelColor(int(x * ratio), int(y * ratio)),
                                       without.pixelColor(int(x * ratio), int(y * ratio))) > 30;
-        QVERIFY2(changed > 200, qPrintable(QString::number(changed)));
+        QCOMPARE_GT(changed, 200);
     }
 
     void survivesAFloatingDock() {
@@ -439,7 +447,7 @@ private slots:
         const QImage picture = shown.view.grabPicture();
         QCOMPARE(picture.size(), QSize(300, 500) * shown.view.devicePixelRatioF());
         shown.view.fit();
-        QVERIFY(difference(shown.colourAt({150, 250}), shown.colourAt({4, 250})) > 100);
+        QCOMPARE_GT(difference(shown.colourAt({150, 250}), shown.colourAt({4, 250})), 100);
     }
 
     void goesInAnyOrder() {
@@ -465,16 +473,16 @@ private slots:
         Shown shown;
         shown.view.setScene(Scene{});
         shown.view.fit();
-        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) < 12);
+        QCOMPARE_LT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 12);
         QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
     }
 
     void largeModelsGetTheirNormalsLater() {
         Shown shown;
         shown.view.setScene(ballScene(300, 150)); // 90 000 triangles
-        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
+        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
         QTest::qWait(600);
-        QVERIFY(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})) > 120);
+        QCOMPARE_GT(difference(shown.colourAt(kCentre), shown.colourAt({12, 240})), 120);
     }
 };
 

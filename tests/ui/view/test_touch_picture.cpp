@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/surface_format.h"
@@ -60,32 +61,34 @@ private slots:
     void showsBothPathsAndTheForce() {
         QTemporaryDir folder;
         const auto file = std::filesystem::path(folder.path().toStdString()) / "touch.png";
-        QVERIFY(writeTouchPicture(ballScene(), circle(), file, {800, 600}));
+        VERIFY_RESULT(writeTouchPicture(ballScene(), circle(), file, {800, 600}));
         const QImage picture(QString::fromStdString(file.string()));
         QCOMPARE(picture.size(), QSize(800, 600));
         const QRect middle(200, 80, 400, 320), plot(60, 430, 700, 130);
-        QVERIFY(count(picture, middle, kLightTheme.proxy) > 200);
-        QVERIFY(countBluish(picture, middle) > 100); // dimmed by the ball that it is in
-        QVERIFY(count(picture, plot, kLightTheme.proxy) > 500);
+        QCOMPARE_GT(count(picture, middle, kLightTheme.proxy), 200);
+        QCOMPARE_GT(countBluish(picture, middle), 100); // dimmed by the ball that it is in
+        QCOMPARE_GT(count(picture, plot, kLightTheme.proxy), 500);
         // The ball stands in the middle of a background that is brighter.
-        QVERIFY(picture.pixelColor(400, 260).lightness() + 15 < picture.pixelColor(20, 200).lightness());
+        QCOMPARE_LT(picture.pixelColor(400, 260).lightness() + 15, picture.pixelColor(20, 200).lightness());
     }
 
     void aTraceWithoutRowsIsTheInputsFault() {
         const auto result = writeTouchPicture(ballScene(), {}, "unused.png", {800, 600});
-        QVERIFY(!result && result.error().kind == Error::Kind::Input);
+        QVERIFY(!result);
+        QCOMPARE_EQ(result.error().kind, Error::Kind::Input);
     }
 
     void aFolderThatIsNotThereIsNamed() {
         const auto result = writeTouchPicture(ballScene(), circle(), "/nowhere/touch.png", {400, 300});
-        QVERIFY(!result && result.error().kind == Error::Kind::Machine);
-        QVERIFY(result.error().text.find("/nowhere/touch.png") != std::string::npos);
+        QVERIFY(!result);
+        QCOMPARE_EQ(result.error().kind, Error::Kind::Machine);
+        COMPARE_CONTAINS(result.error().text, "/nowhere/touch.png");
     }
 
     void anEmptySceneAndAFingerAtRestAreDrawn() {
         QTemporaryDir folder;
         const auto file = std::filesystem::path(folder.path().toStdString()) / "rest.png";
-        QVERIFY(writeTouchPicture(Scene{}, TouchTrace(5), file, {400, 300}));
+        VERIFY_RESULT(writeTouchPicture(Scene{}, TouchTrace(5), file, {400, 300}));
         QVERIFY(!QImage(QString::fromStdString(file.string())).isNull());
     }
 };

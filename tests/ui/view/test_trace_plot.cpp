@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "ui/view/trace_plot.h"
 
 using namespace tactum;
@@ -25,7 +26,7 @@ private slots:
         QCOMPARE(tickStep(10, 5), 2.0);
         QCOMPARE(tickStep(10, 10), 1.0);
         QCOMPARE(tickStep(0.9, 4), 0.5);
-        QVERIFY(std::abs(tickStep(0.0031, 5) - 0.001) < 1e-15);
+        COMPARE_NEAR(tickStep(0.0031, 5), 0.001, 1e-15, "");
         QCOMPARE(tickStep(9.9, 1), 10.0);
     }
 
@@ -43,7 +44,7 @@ private slots:
         int tallest = 0;
         for (int x = 0; x < image.width(); ++x)
             tallest = std::max(tallest, rowsOfColour(image, x, kLightTheme.proxy));
-        QVERIFY(tallest > 100);
+        QCOMPARE_GT(tallest, 100);
     }
 
     void aSingleRowIsNoTrouble() {

@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "ui/view/view_camera.h"
 
 using namespace tactum;
@@ -27,22 +28,23 @@ class TestViewCamera : public QObject {
 private slots:
     void frontLooksAlongMinusZWithYUp() {
         ViewCamera front;
-        QVERIFY((front.forward() + Vec3::UnitZ()).norm() < 1e-12);
-        QVERIFY((front.up() - Vec3::UnitY()).norm() < 1e-12);
-        QVERIFY((front.right() - Vec3::UnitX()).norm() < 1e-12);
+        QCOMPARE_LT((front.forward() + Vec3::UnitZ()).norm(), 1e-12);
+        COMPARE_NEAR(front.up(), Vec3::UnitY(), 1e-12, "");
+        COMPARE_NEAR(front.right(), Vec3::UnitX(), 1e-12, "");
     }
 
     void topKeepsAnUprightPicture() {
         ViewCamera top;
         top.pitch = 0.5 * EIGEN_PI;
-        QVERIFY((top.forward() + Vec3::UnitY()).norm() < 1e-12);
-        QVERIFY((top.up() + Vec3::UnitZ()).norm() < 1e-12);
+        QCOMPARE_LT((top.forward() + Vec3::UnitY()).norm(), 1e-12);
+        QCOMPARE_LT((top.up() + Vec3::UnitZ()).norm(), 1e-12);
     }
 
     void aRayShowsItsOwnPixel() {
         for (QPointF pixel : {QPointF(0, 0), QPointF(450, 300), QPointF(123, 577)}) {
             const auto seen = camera().project(camera().ray(pixel).at(0.37));
-            QVERIFY(seen && apart(*seen, pixel) < 1e-6);
+            QVERIFY(seen);
+            QCOMPARE_LT(apart(*seen, pixel), 1e-6);
         }
     }
 
@@ -54,23 +56,24 @@ private slots:
         const Vec3 p = camera().focus + Vec3(0.05, 0.02, 0.1);
         const QPointF drag(37, -21);
         const Vec3 moved = p + camera().dragVector(p, drag);
-        QVERIFY(apart(*camera().project(moved) - *camera().project(p), drag) < 1e-9);
-        QVERIFY(std::abs(camera().depth(moved) - camera().depth(p)) < 1e-12);
+        QCOMPARE_LT(apart(*camera().project(moved) - *camera().project(p), drag), 1e-9);
+        COMPARE_NEAR(camera().depth(moved), camera().depth(p), 1e-12, "m");
     }
 
     void zoomLeavesTheAnchorUnderTheCursor() {
         const Vec3 anchor(0.2, -0.1, 0.25);
         ViewCamera zoomed = camera();
         zoomed.zoomTo(anchor, 0.6);
-        QVERIFY(apart(*zoomed.project(anchor), *camera().project(anchor)) < 1e-9);
-        QVERIFY(std::abs(zoomed.depth(anchor) - 0.6 * camera().depth(anchor)) < 1e-12);
+        QCOMPARE_LT(apart(*zoomed.project(anchor), *camera().project(anchor)), 1e-9);
+        COMPARE_NEAR(zoomed.depth(anchor), 0.6 * camera().depth(anchor), 1e-12, "m");
     }
 
     void orbitKeepsTheFocusInPlace() {
         ViewCamera turned = camera();
         turned.orbit({80, 45});
-        QVERIFY(apart(*turned.project(camera().focus), QPointF(450, 300)) < 1e-9);
-        QVERIFY(turned.yaw != camera().yaw && turned.pitch > camera().pitch);
+        QCOMPARE_LT(apart(*turned.project(camera().focus), QPointF(450, 300)), 1e-9);
+        QCOMPARE_NE(turned.yaw, camera().yaw);
+        QCOMPARE_GT(turned.pitch, camera().pitch);
         turned.orbit({0, 1e6});
         QVERIFY(turned.pitch <= 0.5 * EIGEN_PI);
     }
@@ -78,7 +81,7 @@ private slots:
     void panMovesTheFocusWithTheCursor() {
         ViewCamera moved = camera();
         moved.pan({30, -12});
-        QVERIFY(apart(*moved.project(camera().focus), QPointF(480, 288)) < 1e-9);
+        QCOMPARE_LT(apart(*moved.project(camera().focus), QPointF(480, 288)), 1e-9);
     }
 
     void fitShowsEveryPointAndFillsTheView() {
@@ -94,7 +97,8 @@ private slots:
                 fill = std::max({fill, std::abs(2 * seen.x() / size.width() - 1),
                                  std::abs(2 * seen.y() / size.height() - 1)});
             }
-            QVERIFY(fill > 0.75 && fill < 0.95);
+            QCOMPARE_GT(fill, 0.75);
+            QCOMPARE_LT(fill, 0.95);
         }
     }
 };

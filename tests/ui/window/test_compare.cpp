@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/runtime/compile.h"
+#include "tests/support/compare.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/comparison.h"
@@ -73,7 +74,7 @@ void TestCompare::theSameSceneDiffersByNothing() {
     QVERIFY(isCompared(comparison));
     QCOMPARE(comparison.result()->difference.rms, 0.0);
     QCOMPARE(comparison.result()->difference.largest, 0.0);
-    QVERIFY(comparison.result()->difference.workA > 0);
+    QCOMPARE_GT(comparison.result()->difference.workA, 0);
     QCOMPARE(comparison.result()->difference.workA, comparison.result()->difference.workB);
 }
 
@@ -93,11 +94,11 @@ void TestCompare::anEditIsComparedByItself() {
     const double damping = program.document.scene().objects[0].surfaces[2].material.damping;
     QCOMPARE(damping, kDamping.initial);
     const TouchRow& lastA = comparison.result()->a->back();
-    QVERIFY(std::abs(lastA.force.y() - 400 * depth) < 1e-6 + damping * 0.01);
-    QVERIFY(std::abs(comparison.result()->difference.largest - 400 * depth) < 1e-6 + damping * 0.01);
+    COMPARE_NEAR(lastA.force.y(), 400 * depth, 1e-6 + damping * 0.01, "N");
+    COMPARE_NEAR(comparison.result()->difference.largest, 400 * depth, 1e-6 + damping * 0.01, "");
     const auto* figures = program.window->findChild<QLabel*>(QStringLiteral("compare-figures"));
-    QVERIFY(figures->text().contains(QStringLiteral("rms")) &&
-            !figures->text().contains(u',' + QStringLiteral("0")));
+    COMPARE_CONTAINS(figures->text(), QStringLiteral("rms"));
+    QVERIFY(!figures->text().contains(u',' + QStringLiteral("0")));
     // Without it nothing is compared until somebody asks.
     comparison.setAutomatic(false);
     setStiffness(program.document, 400);
@@ -141,23 +142,24 @@ void TestCompare::whatTheFingerDidIsAStroke() {
     QVERIFY(isCalled(program, "compare-record"));
     QVERIFY(!comparison.recording());
     const auto& stroke = comparison.stroke();
-    QVERIFY(stroke.size() > 100 && isFingerPath(stroke));
+    QCOMPARE_GT(stroke.size(), 100);
+    QVERIFY(isFingerPath(stroke));
     QCOMPARE(stroke.front().t, 0.0);
     comparison.markA();
     QVERIFY(isCompared(comparison));
-    QVERIFY(comparison.result()->difference.workA != 0); // it did touch
+    QCOMPARE_NE(comparison.result()->difference.workA, 0); // it did touch
     // Once more from where it is now, inside: it feels what the finger feels.
     QVERIFY(isCalled(program, "compare-record"));
     program.frames(20);
     QVERIFY(isCalled(program, "compare-record"));
     QVERIFY(isCompared(comparison));
     const Vec3 felt = comparison.result()->b->back().force;
-    QVERIFY(felt.norm() > 0.1);
-    QVERIFY((felt - program.touch().force).norm() < 0.05 * felt.norm());
+    QCOMPARE_GT(felt.norm(), 0.1);
+    COMPARE_NEAR(felt, program.touch().force, 0.05 * felt.norm(), "");
     program.release(program.centre());
     // From the middle of it on: a finger that is inside at the beginning feels what it felt.
     QVERIFY(isCalled(program, "compare-last"));
-    QVERIFY(comparison.stroke().back().t <= 10.0 + 1e-9);
+    QCOMPARE_LE(comparison.stroke().back().t, 10.0 + 1e-9);
 }
 
 void TestCompare::theNewestEditWins() {
@@ -172,7 +174,7 @@ void TestCompare::theNewestEditWins() {
     setStiffness(program.document, 800);
     QVERIFY(isCompared(comparison));
     const double last = comparison.result()->b->back().force.y() / comparison.result()->a->back().force.y();
-    QVERIFY2(std::abs(last - 2) < 0.01, qPrintable(QString::number(last)));
+    COMPARE_NEAR(last, 2, 0.01, "");
     comparison.setStroke(press(200'000));
     comparison.cancel();
     QTRY_VERIFY_WITH_TIMEOUT(!comparison.working(), kPatience);
@@ -187,7 +189,8 @@ void TestCompare::anotherSceneForgetsA() {
     comparison.markA();
     QVERIFY(isCompared(comparison));
     QVERIFY(program.open(writeCube(folder_, 2)));
-    QVERIFY(!comparison.hasA() && !comparison.result());
+    QVERIFY(!comparison.hasA());
+    QVERIFY(!comparison.result());
     QVERIFY(!comparison.stroke().empty());
 }
 
@@ -227,9 +230,10 @@ void TestCompare::aLargeMeshDoesNotHoldTheWindowUp() {
     Comparison& comparison = program.window->comparison();
     comparison.setStroke(press(100'000));
     comparison.markA();
-    QVERIFY(comparison.working() && !comparison.result());
+    QVERIFY(comparison.working());
+    QVERIFY(!comparison.result());
     QVERIFY(isCompared(comparison));
-    QVERIFY(comparison.result()->a->size() == 100'000);
+    QCOMPARE_EQ(comparison.result()->a->size(), 100'000);
 }
 
 QTEST_MAIN(TestCompare)

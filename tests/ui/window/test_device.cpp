@@ -15,6 +15,7 @@
 
 #include "core/recording/events.h"
 #include "core/recording/recording_file.h"
+#include "tests/support/compare.h"
 #include "tests/ui/window/device_desk.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "ui/axis_capture.h"
@@ -65,9 +66,10 @@ private slots:
 void TestDevice::withoutACatalogueAllIsAsBefore() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
-    QVERIFY(program.engine.armed() && !program.window->devices().hasCatalogue());
-    QVERIFY(!program.command("device-connect").isEnabled() &&
-            !program.command("device-disconnect").isEnabled());
+    QVERIFY(program.engine.armed());
+    QVERIFY(!program.window->devices().hasCatalogue());
+    QVERIFY(!program.command("device-connect").isEnabled());
+    QVERIFY(!program.command("device-disconnect").isEnabled());
     program.window->view().showStandardView(StandardView::Front);
     program.press(program.centre());
     QTRY_VERIFY_WITH_TIMEOUT(program.touch().contacts == 1, kPatience);
@@ -78,8 +80,8 @@ void TestDevice::theListSaysWhatIsThereAndWhyNot() {
     desk.catalogue->locked = true;
     QVERIFY(desk.listed("Locked arm"));
     const QString all = desk.rows().join(u'\n');
-    QVERIFY2(all.contains(QStringLiteral("Simulated hand \u00b7 in use")), qPrintable(all));
-    QVERIFY(all.contains(QStringLiteral("Locked arm \u00b7 not usable\nAt USB 1-3; you have no permission")));
+    COMPARE_CONTAINS(all, QStringLiteral("Simulated hand \u00b7 in use"));
+    COMPARE_CONTAINS(all, QStringLiteral("Locked arm \u00b7 not usable\nAt USB 1-3; you have no permission"));
     desk.chooseRow("Locked arm");
     QVERIFY(!desk.widget("device-connect-button").isEnabled());
     QVERIFY(!desk.program.command("device-connect").isEnabled());
@@ -109,7 +111,8 @@ void TestDevice::everyStepIsShown() {
     QCOMPARE(desk.text("device-preparing"), QStringLiteral("Making Example arm ready"));
     QTRY_COMPARE_WITH_TIMEOUT(static_cast<QProgressBar&>(desk.widget("device-progress")).value(), 500,
                               kPatience);
-    QVERIFY(desk.widget("device-give-up").isVisible() && !desk.widget("device-again").isVisible());
+    QVERIFY(desk.widget("device-give-up").isVisible());
+    QVERIFY(!desk.widget("device-again").isVisible());
     QCOMPARE(desk.text("device-request"), QString());
     desk.desk->go = 1;
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-request"), QStringLiteral("Push the grip in and out."),
@@ -117,19 +120,22 @@ void TestDevice::everyStepIsShown() {
     QCOMPARE(steps(), QStringLiteral("Load the firmware done, Find home now, Rest"));
     desk.desk->go = 3;
     QVERIFY(desk.ready());
-    QVERIFY(!desk.widget("device-give-up").isVisible() && !desk.widget("device-preparing").isVisible());
+    QVERIFY(!desk.widget("device-give-up").isVisible());
+    QVERIFY(!desk.widget("device-preparing").isVisible());
     // The forces are off until a person arms; the window offers it.
     QCOMPARE(desk.engine().device().name, std::string("Example arm"));
-    QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked());
-    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Example arm is ready. The forces are off")),
-             qPrintable(desk.text("notice-text")));
-    QVERIFY(desk.rows().join(u'\n').contains(QStringLiteral("Example arm \u00b7 in use")));
+    QVERIFY(!desk.engine().armed());
+    QVERIFY(!desk.program.command("armed").isChecked());
+    COMPARE_BEGINS(desk.text("notice-text"), QStringLiteral("Example arm is ready. The forces are off"));
+    COMPARE_CONTAINS(desk.rows().join(u'\n'), QStringLiteral("Example arm \u00b7 in use"));
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-name"), QStringLiteral("Example arm"), kPatience);
     desk.click("notice-act");
-    QVERIFY(desk.engine().armed() && desk.program.command("armed").isChecked());
+    QVERIFY(desk.engine().armed());
+    QVERIFY(desk.program.command("armed").isChecked());
     QTRY_VERIFY_WITH_TIMEOUT(desk.text("device-state").startsWith(QStringLiteral("forces on")), kPatience);
     desk.click("device-arm");
-    QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked());
+    QVERIFY(!desk.engine().armed());
+    QVERIFY(!desk.program.command("armed").isChecked());
 }
 
 void TestDevice::aFailingStepIsNamedAndTriedAgain() {
@@ -142,7 +148,8 @@ void TestDevice::aFailingStepIsNamedAndTriedAgain() {
     QCOMPARE(desk.steps(), QStringLiteral("Load the firmware done, Find home failed, Rest"));
     QCOMPARE(desk.text("notice-text"), QStringLiteral("Example arm, step \"Find home\": ") + sentence);
     QCOMPARE(desk.text("device-preparing"), QStringLiteral("Example arm could not be made ready"));
-    QVERIFY(desk.engine().running() && desk.link().current() == kSimulatedDevice);
+    QVERIFY(desk.engine().running());
+    QCOMPARE_EQ(desk.link().current(), kSimulatedDevice);
     QCOMPARE(desk.desk->made.load(), 0); // nobody keeps it
     // What failed is not tried without end, but when the person says so.
     const int lists = desk.catalogue->lists;
@@ -162,7 +169,8 @@ void TestDevice::aDeviceThatDoesNotOpenLeavesTheSimulatedHand() {
     desk.begin();
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("device-failure"),
                               QStringLiteral("The arm did not wake: switch it off and on."), kPatience);
-    QVERIFY(desk.engine().running() && !desk.engine().armed());
+    QVERIFY(desk.engine().running());
+    QVERIFY(!desk.engine().armed());
     QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
     QCOMPARE(desk.link().current(), kSimulatedDevice);
     QCOMPARE(desk.desk->made.load(), 0);
@@ -175,7 +183,8 @@ void TestDevice::givingUpLeavesTheSimulatedHand() {
     desk.click("device-give-up");
     QTRY_VERIFY_WITH_TIMEOUT(desk.widget("device-again").isVisible(), kPatience);
     QCOMPARE(desk.text("device-preparing"), QStringLiteral("Example arm: given up"));
-    QVERIFY(!desk.desk->preparing && desk.desk->made == 0);
+    QVERIFY(!desk.desk->preparing);
+    QCOMPARE_EQ(desk.desk->made, 0);
     QVERIFY(!desk.widget("device-failure").isVisible()); // nothing failed
     QCOMPARE(desk.link().current(), kSimulatedDevice);
     const int lists = desk.catalogue->lists;
@@ -193,7 +202,7 @@ void TestDevice::givingUpIsSeenUntilItIsDone() {
     QVERIFY(!desk.widget("device-give-up").isEnabled());
     desk.desk->stubborn = false;
     QTRY_VERIFY_WITH_TIMEOUT(!desk.link().preparing(), kPatience);
-    QVERIFY(!desk.steps().contains(QStringLiteral("now")));
+    COMPARE_LACKS(desk.steps(), QStringLiteral("now"));
 }
 
 /// As of a device that was remembered and is made ready by itself.
@@ -209,7 +218,7 @@ void TestDevice::whatAHiddenDockAsksForIsSaid() {
                               kPatience);
     desk.desk->go = 3;
     QVERIFY(desk.ready());
-    QVERIFY(!desk.text("notice-text").contains(QStringLiteral("Push the grip")));
+    COMPARE_LACKS(desk.text("notice-text"), QStringLiteral("Push the grip"));
 }
 
 void TestDevice::disconnectingWhileItIsMadeReadyGivesUp() {
@@ -236,7 +245,7 @@ void TestDevice::aBrokenDriverIsOpenedAgain() {
     desk.desk->broken = true;
     QTRY_COMPARE_WITH_TIMEOUT(desk.text("notice-act"), QStringLiteral("Open again"), kPatience);
     QVERIFY(!desk.engine().armed());
-    QVERIFY(desk.text("notice-text").contains(QStringLiteral("The driver crashed.")));
+    COMPARE_CONTAINS(desk.text("notice-text"), QStringLiteral("The driver crashed."));
     desk.click("notice-act");
     QTRY_COMPARE_WITH_TIMEOUT(int(desk.desk->prepared), 2, kPatience);
     QVERIFY(desk.ready());
@@ -269,14 +278,14 @@ void TestDevice::theMouseDoesNotLeadARealDevice() {
     desk.program.moveTo(desk.program.centre() + QPoint(80, 0));
     desk.program.release(desk.program.centre() + QPoint(80, 0));
     desk.program.frames(20);
-    QVERIFY(desk.program.hand->read().position == before.position);
+    QCOMPARE_EQ(desk.program.hand->read().position, before.position);
     QCOMPARE(desk.program.finger().z(), 0.04);
     desk.click("device-disconnect-button");
     desk.program.press(desk.program.centre());
     desk.program.moveTo(desk.program.centre() + QPoint(80, 0));
     desk.program.frames(20);
     desk.program.release(desk.program.centre());
-    QVERIFY(desk.program.finger().z() != 0.04);
+    QCOMPARE_NE(desk.program.finger().z(), 0.04);
 }
 
 void TestDevice::disconnectingGivesItBack() {
@@ -287,7 +296,8 @@ void TestDevice::disconnectingGivesItBack() {
     desk.program.command("device-disconnect").trigger();
     QCOMPARE(desk.desk->made.load(), 0);
     QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
-    QVERIFY(desk.engine().running() && !desk.engine().armed());
+    QVERIFY(desk.engine().running());
+    QVERIFY(!desk.engine().armed());
     QVERIFY(!desk.program.command("armed").isChecked());
     // It does not come back by itself.
     const int lists = desk.catalogue->lists;
@@ -307,7 +317,8 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
     desk.desk->plugged = false;
     QTRY_VERIFY_WITH_TIMEOUT(
         desk.text("notice-text").startsWith(QStringLiteral("Example arm is not there any more")), kPatience);
-    QVERIFY(desk.link().lost() && !desk.engine().armed());
+    QVERIFY(desk.link().lost());
+    QVERIFY(!desk.engine().armed());
     QCOMPARE(desk.engine().device().name, std::string("Simulated hand"));
     QCOMPARE(desk.desk->made.load(), 0);
     // The recording of the fault is the one of the device that was lost, and not of the hand that took its
@@ -318,16 +329,17 @@ void TestDevice::aLostDeviceIsSaidAndComesBackWithoutForce() {
              qPrintable(desk.text("notice-text")));
     const QString saved = QDir(RecordingSaver::folder()).entryInfoList(QDir::Files).first().filePath();
     const auto recording = readRecording(saved.toStdString());
-    QVERIFY2(recording.has_value(), recording ? "" : recording.error().text.c_str());
+    VERIFY_RESULT(recording);
     QCOMPARE(recording->run.device.name, std::string("Example arm"));
     QVERIFY(std::ranges::any_of(eventsOf(recording->run), &RecordedEvent::fault));
     desk.engine().setArmed(true); // the simulated hand meanwhile
     desk.desk->plugged = true;
     QVERIFY(desk.ready());
     QCOMPARE(desk.desk->prepared.load(), 2);
-    QVERIFY(!desk.link().lost() && !desk.engine().armed() && !desk.program.command("armed").isChecked());
-    QVERIFY2(desk.text("notice-text").startsWith(QStringLiteral("Example arm is there and ready")),
-             qPrintable(desk.text("notice-text")));
+    QVERIFY(!desk.link().lost());
+    QVERIFY(!desk.engine().armed());
+    QVERIFY(!desk.program.command("armed").isChecked());
+    COMPARE_BEGINS(desk.text("notice-text"), QStringLiteral("Example arm is there and ready"));
     desk.program.frames(60);
     QVERIFY(!desk.engine().armed());
     QCOMPARE(desk.desk->force.load(), 0.0);
@@ -404,7 +416,8 @@ void TestDevice::theRuleForUsbIsOffered() {
     const QDir share(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/tactum/udev"));
     QVERIFY(share.mkpath(QStringLiteral(".")));
     QFile rule(share.filePath(QStringLiteral("70-tactum.rules")));
-    QVERIFY(rule.open(QIODevice::WriteOnly) && rule.write("# nothing\n") > 0);
+    QVERIFY(rule.open(QIODevice::WriteOnly));
+    QCOMPARE_GT(rule.write("# nothing\n"), 0);
     rule.close();
     const QByteArray path = qgetenv("PATH");
     // Nobody to ask for consent: the line to be run.
@@ -467,7 +480,7 @@ void TestDevice::aFileThatADeviceLacksIsChosen() {
     QSignalSpy kept(&desk.link(), &DeviceLink::supplied);
     answer("nvent.bin");
     QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, kPatience);
-    QVERIFY(kept.front().front().toString().contains(QStringLiteral("nvent.bin is kept")));
+    COMPARE_CONTAINS(kept.front().front().toString(), QStringLiteral("nvent.bin is kept"));
     QVERIFY(desk.ready()); // by itself: the file was what failed
     QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("device-supply").isVisible(), kPatience);
 }

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/device_desk.h"
 #include "ui/axis_capture.h"
 #include "ui/device_link.h"
@@ -74,7 +75,7 @@ void TestDeviceUse::aButtonEndsAllForce() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.desk->force > 0.1, kPatience);
     desk.desk->buttons = 0b101; // others do not
     desk.program.frames(20);
-    QVERIFY(desk.desk->force > 0.1);
+    QCOMPARE_GT(desk.desk->force, 0.1);
     // The servo has taken the force away before the window has seen anything: it does not run here.
     desk.desk->buttons = 0b010;
     desk.engine().poll();
@@ -87,11 +88,12 @@ void TestDeviceUse::aButtonEndsAllForce() {
     QCOMPARE(desk.desk->force.load(), 0.0);
     QTRY_VERIFY_WITH_TIMEOUT(!desk.engine().armed(), kPatience);
     QVERIFY(!desk.program.command("armed").isChecked());
-    QVERIFY(desk.text("notice-text").startsWith(QStringLiteral("Stopped by the button of the device")));
+    COMPARE_BEGINS(desk.text("notice-text"), QStringLiteral("Stopped by the button of the device"));
     // It latches: letting go brings nothing back, arming does; not while it is still held.
     desk.desk->buttons = 0;
     desk.program.frames(30);
-    QVERIFY(!desk.engine().armed() && desk.desk->force == 0.0);
+    QVERIFY(!desk.engine().armed());
+    QCOMPARE_EQ(desk.desk->force, 0.0);
     desk.desk->buttons = 0b010;
     desk.program.command("armed").trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!desk.engine().armed(), kPatience);
@@ -146,7 +148,8 @@ void TestDeviceUse::noImpossibleMappingCanBeChosen() {
         for (std::size_t which = 0; which < 3; ++which)
             for (int axis : {1, -1, 2, -2, 3, -3}) {
                 const AxisMap axes = withAxis(withAxis(kSameAxes, 1, first), which, axis);
-                QVERIFY(checkWorkspace({.axes = axes}) && axes[which] == axis);
+                VERIFY_RESULT(checkWorkspace({.axes = axes}));
+                QCOMPARE_EQ(axes[which], axis);
             }
     Desk desk;
     QVERIFY(desk.connectIt());
@@ -164,7 +167,8 @@ void TestDeviceUse::motionsSetTheAxes() {
     desk.click("notice-act");
     QVERIFY(desk.engine().armed());
     desk.program.command("workspace-axes").trigger();
-    QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked()); // nothing pushes now
+    QVERIFY(!desk.engine().armed());
+    QVERIFY(!desk.program.command("armed").isChecked()); // nothing pushes now
     QTRY_VERIFY_WITH_TIMEOUT(desk.text("workspace-task").contains(QStringLiteral("to the right")), kPatience);
     desk.program.frames(10);
     desk.desk->place(0.002, -0.03, 0.003);
@@ -212,7 +216,7 @@ void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(offset().x() + 0.03) < 1e-9, kPatience);
     desk.desk->buttons = 0;
     desk.program.frames(10);
-    QVERIFY(std::abs(offset().x() + 0.03) < 1e-9);
+    COMPARE_NEAR(offset().x(), -0.03, 1e-9, "m");
     for (int twice = 0; twice < 2; ++twice) {
         desk.program.command("workspace-centre").trigger();
         QTRY_VERIFY_WITH_TIMEOUT(offset().norm() < 1e-9, kPatience);
@@ -225,7 +229,7 @@ void TestDeviceUse::reCentringTakesBackWhatTheClutchMoved() {
     }
     // The cube has a diagonal of 0.1732 m, the arm reaches 0.05 m.
     desk.program.command("workspace-fit").trigger();
-    QVERIFY(std::abs(desk.engine().workspace().scale - std::sqrt(3.0)) < 1e-9);
+    COMPARE_NEAR(desk.engine().workspace().scale, std::sqrt(3.0), 1e-9, "");
 }
 
 void TestDeviceUse::theCeilingFallsWithTheScale() {
@@ -247,7 +251,8 @@ void TestDeviceUse::undoDoesNotTouchTheDevice() {
     QVERIFY(desk.connectIt());
     desk.page(DevicePanel::Page::Workspace);
     desk.program.type(QStringLiteral("workspace-scale"), QStringLiteral("3"));
-    QVERIFY(!desk.program.document.history().canUndo() && !desk.program.document.modified());
+    QVERIFY(!desk.program.document.history().canUndo());
+    QVERIFY(!desk.program.document.modified());
     QCOMPARE(desk.engine().workspace().scale, 3.0);
 }
 
@@ -266,13 +271,14 @@ void TestDeviceUse::trialsAreFeltInsteadOfTheScene() {
     for (const auto& [button, id] : trials) {
         desk.click("device-arm");
         desk.click(button);
-        QVERIFY(!desk.engine().armed() && !desk.program.command("armed").isChecked());
+        QVERIFY(!desk.engine().armed());
+        QVERIFY(!desk.program.command("armed").isChecked());
         QTRY_VERIFY_WITH_TIMEOUT(desk.program.caughtUp() && felt()->bodies.size() == 1 && felt() != own,
                                  kPatience);
-        QVERIFY(felt()->bodies[0].object != before.objects[0].id);
+        QCOMPARE_NE(felt()->bodies[0].object, before.objects[0].id);
         QVERIFY(desk.program.command(id).isChecked());
-        QVERIFY(desk.text("trial-limits")
-                    .startsWith(QStringLiteral("At most 6.0 N, 2.0 N for ever. Stiffness up to")));
+        COMPARE_BEGINS(desk.text("trial-limits"),
+                       QStringLiteral("At most 6.0 N, 2.0 N for ever. Stiffness up to"));
         QCOMPARE(desk.program.document.scene(), before);
     }
     // The wall pushes, once the person has armed.
@@ -294,7 +300,8 @@ void TestDeviceUse::trialsAreFeltInsteadOfTheScene() {
                              kPatience);
     QVERIFY(felt()->bodies[0].mesh == own->bodies[0].mesh); // nothing was built anew
     QCOMPARE(desk.program.document.scene(), before);
-    QVERIFY(!desk.program.document.modified() && !desk.program.command("trial-end").isEnabled());
+    QVERIFY(!desk.program.document.modified());
+    QVERIFY(!desk.program.command("trial-end").isEnabled());
 }
 
 void TestDeviceUse::anEditEndsATrial() {
@@ -332,7 +339,7 @@ void TestDeviceUse::theSpringDrawsBackToTheCentre() {
         }
         // 40 mm of 50 at 6 N times 0.4 / 50 mm: 1.92 N, less what the ball leaves free.
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(desk.desk->force - 1.9) < 0.15, kPatience);
-        QVERIFY(desk.engine().servo().force.dot(way) < -1.5);
+        QCOMPARE_LT(desk.engine().servo().force.dot(way), -1.5);
         for (int i = 40; i >= 0; --i) {
             desk.desk->place(1e-3 * i * way.x(), 1e-3 * i * way.y(), 1e-3 * i * way.z());
             desk.program.frames(1);

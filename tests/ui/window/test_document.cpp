@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/window_fixture.h"
 
 using namespace tactum;
@@ -352,11 +353,11 @@ void TestDocument::editsOfNothingAreIgnored() {
 void TestDocument::aModelThatDoesNotFitTheHandIsScaledAndSaysSo() {
     QSignalSpy noted(document_.get(), &Document::noted);
     QVERIFY(open(writeCube(folder_, 100)));
-    QVERIFY(std::abs(boundsOf(document_->scene()).diagonal() - 0.2) < 1e-9);
+    COMPARE_NEAR(boundsOf(document_->scene()).diagonal(), 0.2, 1e-9, "m");
     QCOMPARE(noted.size(), 1);
-    QVERIFY(noted[0][0].toString().contains(QStringLiteral("17 m")));
+    COMPARE_CONTAINS(noted[0][0].toString(), QStringLiteral("17 m"));
     document_->history().undo();
-    QVERIFY(std::abs(boundsOf(document_->scene()).diagonal() - 10 * std::sqrt(3.0)) < 1e-6);
+    COMPARE_NEAR(boundsOf(document_->scene()).diagonal(), 10 * std::sqrt(3.0), 1e-6, "m");
 }
 
 void TestDocument::aBrokenFileLeavesTheSceneAndSaysOneLine_data() {
@@ -385,7 +386,7 @@ void TestDocument::aBrokenFileLeavesTheSceneAndSaysOneLine() {
     const QString sentence = failed[0][0].toString();
     QVERIFY2(!sentence.isEmpty() && !sentence.contains(u'\n'), qPrintable(sentence));
     QVERIFY(document_->scene() == before);
-    QVERIFY(document_->path() == path);
+    QCOMPARE_EQ(document_->path(), path);
     QCOMPARE(changed.size(), 0);
     QCOMPARE(document_->history().count(), 1);
 }

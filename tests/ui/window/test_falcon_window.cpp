@@ -7,6 +7,7 @@
 #include "core/control/guard.h"
 #include "device/registry.h"
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/support/compare.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/device_link.h"
 
@@ -119,7 +120,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(lacks(), kPatience);
         desk.link().choose(kFalcon);
         QTRY_COMPARE_WITH_TIMEOUT(desk.link().preparation().state, Preparation::State::Failed, kPatience);
-        QVERIFY(desk.link().preparation().failure.contains(QStringLiteral("firmware")));
+        COMPARE_CONTAINS(desk.link().preparation().failure, QStringLiteral("firmware"));
         desk.link().supply(kFalcon, QString::fromStdString(desk.bench.firmware()));
         QVERIFY2(desk.connected(), qPrintable(desk.link().preparation().failure));
         QTRY_VERIFY_WITH_TIMEOUT(!lacks(), kPatience);
@@ -142,7 +143,8 @@ private slots:
         desk.bench.device->leadGrip(Desk::kAbove);
         desk.bench.plug();
         QVERIFY(desk.connected());
-        QVERIFY(!desk.link().lost() && !desk.program.engine.armed());
+        QVERIFY(!desk.link().lost());
+        QVERIFY(!desk.program.engine.armed());
         QCOMPARE(desk.bench.device->motors(), FalconLegs{});
         QVERIFY(!desk.bench.device->firstHadTorque());
         desk.arm();

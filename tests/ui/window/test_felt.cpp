@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/force_plot.h"
 #include "ui/sound/sound_output.h"
@@ -62,7 +63,9 @@ private slots:
                                    "map-viscosity", "bumps-10", "spheres-finer"})
                 opened.program.command(id).trigger();
             opened.settle();
-            QVERIFY(!opened.felt().planes && opened.felt().normals && opened.felt().cone);
+            QVERIFY(!opened.felt().planes);
+            QVERIFY(opened.felt().normals);
+            QVERIFY(opened.felt().cone);
         }
         Opened again;
         FeltOptions expected;
@@ -80,7 +83,7 @@ private slots:
         Opened opened;
         opened.program.command("map-stiffness").trigger();
         opened.program.command("map-height").trigger();
-        QVERIFY(opened.felt().map == FeltValue::Height);
+        QCOMPARE_EQ(opened.felt().map, FeltValue::Height);
         QVERIFY(!opened.program.command("map-stiffness").isChecked());
         opened.program.command("map-height").trigger();
         QVERIFY(!opened.felt().map);
@@ -106,13 +109,13 @@ private slots:
         const QImage bare = opened.picture();
         opened.program.command("spheres").trigger();
         const QImage spheres = opened.picture();
-        QVERIFY(changedShare(bare, spheres) > 0.05);
+        QCOMPARE_GT(changedShare(bare, spheres), 0.05);
         QVERIFY(opened.program.open(writeCube(opened.folder, 2)));
         QTRY_VERIFY(!opened.program.window->view().makesFelt());
         opened.program.command("spheres").trigger();
         const QImage larger = opened.picture();
         opened.program.command("spheres").trigger();
-        QVERIFY(changedShare(larger, opened.picture()) > 0.05);
+        QCOMPARE_GT(changedShare(larger, opened.picture()), 0.05);
     }
 
     void anEditIsSeenInTheMap() {
@@ -124,7 +127,7 @@ private slots:
         opened.program.type(QStringLiteral("stiffness"), QStringLiteral("100"));
         document.select({});
         QTRY_VERIFY(opened.program.caughtUp());
-        QVERIFY(changedShare(before, opened.picture()) > 0.02);
+        QCOMPARE_GT(changedShare(before, opened.picture()), 0.02);
     }
 
     void thePlotGetsWhatTheServoDoes() {
@@ -135,8 +138,10 @@ private slots:
         opened.program.frames(60);
         QTRY_VERIFY_WITH_TIMEOUT(plot->history().samples().back().touching, kPatience);
         const TouchSample& last = plot->history().samples().back();
-        QVERIFY(last.normal > 0.01 && last.lag > 0 && last.proxyRate > 0);
-        QVERIFY(std::abs(std::hypot(last.normal, last.tangential) - last.magnitude) < 1e-9);
+        QCOMPARE_GT(last.normal, 0.01);
+        QCOMPARE_GT(last.lag, 0);
+        QCOMPARE_GT(last.proxyRate, 0);
+        COMPARE_NEAR(std::hypot(last.normal, last.tangential), last.magnitude, 1e-9, "");
         opened.program.release(opened.program.centre());
     }
 

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 
@@ -82,12 +83,13 @@ void TestFirstTouch::breakAway(double& ratio) {
 void TestFirstTouch::proxyStaysOutsideWhileFingerIsInside() {
     pressIntoTheFront();
     const double radius = program_->document.scene().proxyRadius;
-    QVERIFY2(program_->finger().z() < kHalf - radius, qPrintable(QString::number(program_->finger().z())));
-    QVERIFY(std::abs(program_->finger().x()) < kHalf && std::abs(program_->finger().y()) < kHalf);
+    QCOMPARE_LT(program_->finger().z(), kHalf - radius);
+    QCOMPARE_LT(std::abs(program_->finger().x()), kHalf);
+    QCOMPARE_LT(std::abs(program_->finger().y()), kHalf);
     QVERIFY2(program_->touch().proxy.z() >= kHalf + radius * (1 - 2e-6), "the proxy is outside");
     // The spring between them is the force: K times their distance, outward.
     const double distance = program_->touch().proxy.z() - program_->engine.proxy().finger.z();
-    QVERIFY(std::abs(program_->touch().force.z() - kStiffness.initial * distance) < 0.05);
+    COMPARE_NEAR(program_->touch().force.z(), kStiffness.initial * distance, 0.05, "N");
     // Without friction it neither sticks nor slips.
     const auto* status = program_->window->findChild<QLabel*>(QStringLiteral("status-contacts"));
     QTRY_COMPARE_WITH_TIMEOUT(status->text(), QStringLiteral("1 contact"), kPatience);

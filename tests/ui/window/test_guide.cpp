@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
+#include "tests/support/compare.h"
 #include "ui/guide_window.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/shortcuts.h"
@@ -47,7 +48,8 @@ void TestGuide::theKeysAreThoseOfTheProgram() {
     const QString path = kGuide.filePath(QStringLiteral("keyboard.md"));
     if (qEnvironmentVariableIsSet("TACTUM_WRITE_GUIDE")) {
         QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(keyboardPage().toUtf8()) > 0);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE_GT(file.write(keyboardPage().toUtf8()), 0);
     }
     QVERIFY2(contentOf(path) == keyboardPage(), "write it anew: TACTUM_WRITE_GUIDE=1 test_guide");
 }
@@ -55,7 +57,7 @@ void TestGuide::theKeysAreThoseOfTheProgram() {
 void TestGuide::linksLeadSomewhere_data() {
     QTest::addColumn<QString>("page");
     const QStringList pages = kGuide.entryList({QStringLiteral("*.md")}, QDir::Files);
-    QVERIFY(pages.size() >= 10);
+    QCOMPARE_GE(pages.size(), 10);
     for (const QString& page : pages)
         QTest::newRow(qPrintable(page)) << page;
 }
@@ -105,13 +107,15 @@ void TestGuide::theProgramShowsIt() {
     QWidget parent;
     showGuide(&parent);
     auto* pages = parent.findChild<QTextBrowser*>();
-    QVERIFY(pages && pages->toPlainText().contains(QStringLiteral("Task by task")));
+    QVERIFY(pages);
+    COMPARE_CONTAINS(pages->toPlainText(), QStringLiteral("Task by task"));
     pages->setSource(QUrl(QStringLiteral("feel.md")));
-    QVERIFY(pages->toPlainText().contains(QStringLiteral("Texture models of the Penn toolkit")));
+    COMPARE_CONTAINS(pages->toPlainText(), QStringLiteral("Texture models of the Penn toolkit"));
     const QImage picture =
         pages->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("../pictures/presets.png")))
             .value<QImage>();
-    QVERIFY(!picture.isNull() && picture.width() < pages->window()->width());
+    QVERIFY(!picture.isNull());
+    QCOMPARE_LT(picture.width(), pages->window()->width());
 }
 
 QTEST_MAIN(TestGuide)

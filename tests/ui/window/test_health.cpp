@@ -10,6 +10,7 @@
 #include <QTreeWidget>
 
 #include "core/control/guard_words.h"
+#include "tests/support/compare.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/health_panel.h"
@@ -100,14 +101,15 @@ void TestHealth::everyReasonHasItsWords() {
     for (std::size_t i = 0; i < kGuardWords.size(); ++i) {
         const GuardWords& words = kGuardWords[i];
         QCOMPARE(words.why, Withheld(i));
-        QVERIFY(*words.brief && *words.what);
+        QVERIFY(*words.brief);
+        QVERIFY(*words.what);
         const QString sentences = guardSentences(words.why);
         QVERIFY2(sentences.endsWith(u'.'), qPrintable(sentences));
         // A fault says how to go on, and all of it has room in the bar.
         // Who has no guardian gets none by arming.
         const char* again = words.why == Withheld::Unguarded ? "start the program again" : "arm again";
         if (isFault(words.why)) QVERIFY2(sentences.contains(QLatin1String(again)), words.what);
-        QVERIFY2(sentences.size() <= 150, qPrintable(sentences));
+        QCOMPARE_LE(sentences.size(), 150);
     }
     QCOMPARE(kGuardWords.back().why, Withheld::Stopped); // the last of them
 }
@@ -116,29 +118,36 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
     TroubledWindow troubled;
     QVERIFY(troubled.program.open(writeCube(folder_)));
     QVERIFY(troubled.fullForce());
-    QVERIFY(!troubled.red() && !troubled.widget("arm-again").isVisible());
+    QVERIFY(!troubled.red());
+    QVERIFY(!troubled.widget("arm-again").isVisible());
     const QString sentences = guardSentences(Withheld::DeviceLost);
     for (const char* button : {"arm-again", "notice-act"}) {
         troubled.trouble->nonsense = true;
         QTRY_VERIFY_WITH_TIMEOUT(troubled.red(), kPatience);
         QCOMPARE(troubled.widget("status-note").toolTip(), sentences);
-        QVERIFY(troubled.text("notice-text").startsWith(sentences));
-        QVERIFY(troubled.widget("notice").isVisible() && troubled.widget("arm-again").isVisible());
+        COMPARE_BEGINS(troubled.text("notice-text"), sentences);
+        QVERIFY(troubled.widget("notice").isVisible());
+        QVERIFY(troubled.widget("arm-again").isVisible());
         // Off by itself, and off it stays when the device is well again.
-        QVERIFY(!troubled.program.engine.armed() && !troubled.action("armed").isChecked());
+        QVERIFY(!troubled.program.engine.armed());
+        QVERIFY(!troubled.action("armed").isChecked());
         QVERIFY(!troubled.widget("stop").isEnabled());
         troubled.trouble->nonsense = false;
         QVERIFY(troubled.disarmed());
         troubled.program.frames(20);
-        QVERIFY(troubled.red() && troubled.program.engine.servo().force.norm() == 0);
+        QVERIFY(troubled.red());
+        QCOMPARE_EQ(troubled.program.engine.servo().force.norm(), 0);
         QTest::keyPress(troubled.program.window.get(), Qt::Key_Escape);
         troubled.program.frames(50); // held: forces off, which ends no fault
         QTest::keyRelease(troubled.program.window.get(), Qt::Key_Escape);
-        QVERIFY(troubled.red() && troubled.widget("notice-act").isVisible());
+        QVERIFY(troubled.red());
+        QVERIFY(troubled.widget("notice-act").isVisible());
         troubled.click(button);
-        QVERIFY(troubled.program.engine.armed() && troubled.action("armed").isChecked());
+        QVERIFY(troubled.program.engine.armed());
+        QVERIFY(troubled.action("armed").isChecked());
         QVERIFY(troubled.fullForce());
-        QVERIFY(!troubled.red() && !troubled.widget("arm-again").isVisible());
+        QVERIFY(!troubled.red());
+        QVERIFY(!troubled.widget("arm-again").isVisible());
         QVERIFY(!troubled.widget("notice").isVisible());
     }
     QCOMPARE(troubled.events().count(QString::fromLatin1(guardWords(Withheld::DeviceLost).what)), 2);
@@ -165,10 +174,10 @@ void TestHealth::aPauseIsSaidQuietly() {
     troubled.trouble->slow = true;
     const QString sentences = guardSentences(Withheld::Stall);
     QTRY_COMPARE_WITH_TIMEOUT(troubled.widget("status-note").toolTip(), sentences, kPatience);
-    QVERIFY(!troubled.red() && troubled.program.engine.armed());
+    QVERIFY(!troubled.red());
+    QVERIFY(troubled.program.engine.armed());
     QVERIFY(!troubled.widget("notice").isVisible());
-    QVERIFY2(troubled.events().contains(QString::fromLatin1(guardWords(Withheld::Stall).what)),
-             qPrintable(troubled.events()));
+    COMPARE_CONTAINS(troubled.events(), QString::fromLatin1(guardWords(Withheld::Stall).what));
     troubled.trouble->slow = false;
     QVERIFY(troubled.fullForce());
     troubled.trouble->hangs = true;
@@ -243,22 +252,23 @@ void TestHealth::whatLimitsTheStiffnessIsSaid() {
     DeviceInfo device;
     ServoTelemetry servo;
     const CeilingNow promised = ceilingNow(servo, device); // before the first tick
-    QVERIFY(promised.value > 0 && promised.reason.contains(QStringLiteral("damping")));
+    QCOMPARE_GT(promised.value, 0);
+    COMPARE_CONTAINS(promised.reason, QStringLiteral("damping"));
     servo.ceiling = {0.5 * promised.value, CeilingReason::Damping};
-    QVERIFY(ceilingNow(servo, device).reason.contains(QStringLiteral("late")));
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("late"));
     QCOMPARE(ceilingNow(servo, device).value, 0.5 * promised.value);
     servo.calm = 0.25;
-    QVERIFY(ceilingNow(servo, device).reason.contains(QStringLiteral("oscillation")));
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("oscillation"));
     QCOMPARE(ceilingNow(servo, device).value, 0.125 * promised.value);
     device.maxStiffness = 100;
     servo.calm = 1;
     servo.ceiling = {100, CeilingReason::Maker};
-    QVERIFY(ceilingNow(servo, device).reason.contains(QStringLiteral("maker")));
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("maker"));
     device.maxStiffness = 0;
     device.dryFriction = 1e-6;
     device.positionResolution = 1e-6;
     servo = {};
-    QVERIFY(ceilingNow(servo, device).reason.contains(QStringLiteral("resolution")));
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("resolution"));
 }
 
 void TestHealth::motorsWarmUp() {
@@ -290,19 +300,23 @@ void TestHealth::theCeilingIsOverriddenOnceItsRiskIsTaken() {
     QTRY_COMPARE_WITH_TIMEOUT(troubled.text("health-ceiling"), QStringLiteral("300 N/m"), kPatience);
     QCOMPARE(troubled.text("health-stiffest"), QStringLiteral("800 N/m"));
     QCOMPARE(troubled.text("health-reason"), QStringLiteral("limited by the maker's figure"));
-    QVERIFY2(tick().contains(QStringLiteral("300 N/m, limited by the maker's figure")), qPrintable(tick()));
+    COMPARE_CONTAINS(tick(), QStringLiteral("300 N/m, limited by the maker's figure"));
     // Asked once.
     box.click();
-    QVERIFY(!box.isChecked() && !program.engine.overridesCeiling());
-    QVERIFY(troubled.text("notice-text").contains(QStringLiteral("Above the ceiling")));
+    QVERIFY(!box.isChecked());
+    QVERIFY(!program.engine.overridesCeiling());
+    COMPARE_CONTAINS(troubled.text("notice-text"), QStringLiteral("Above the ceiling"));
     troubled.click("notice-act");
-    QVERIFY(box.isChecked() && program.engine.overridesCeiling());
+    QVERIFY(box.isChecked());
+    QVERIFY(program.engine.overridesCeiling());
     QCOMPARE(troubled.text("health-reason"), QStringLiteral("overridden at your own risk"));
-    QVERIFY(tick().contains(QStringLiteral("own risk")));
+    COMPARE_CONTAINS(tick(), QStringLiteral("own risk"));
     box.click();
-    QVERIFY(!box.isChecked() && !program.engine.overridesCeiling());
+    QVERIFY(!box.isChecked());
+    QVERIFY(!program.engine.overridesCeiling());
     box.click();
-    QVERIFY(box.isChecked() && program.engine.overridesCeiling());
+    QVERIFY(box.isChecked());
+    QVERIFY(program.engine.overridesCeiling());
     // The scene's stiffest surface is followed.
     program.type(QStringLiteral("stiffness"), QStringLiteral("1250"));
     QTRY_COMPARE_WITH_TIMEOUT(troubled.text("health-stiffest"), QStringLiteral("1250 N/m"), kPatience);
@@ -310,7 +324,7 @@ void TestHealth::theCeilingIsOverriddenOnceItsRiskIsTaken() {
 
 void TestHealth::theButtonMustBeHeldToFeel() {
     const QString sentences = guardSentences(Withheld::DeadMan);
-    QVERIFY(sentences.contains(QStringLiteral("Hold the button to feel")));
+    COMPARE_CONTAINS(sentences, QStringLiteral("Hold the button to feel"));
     {
         TroubledWindow troubled;
         TouchedWindow& program = troubled.program;
@@ -318,12 +332,14 @@ void TestHealth::theButtonMustBeHeldToFeel() {
         program.window->view().showStandardView(StandardView::Front);
         QVERIFY(troubled.fullForce()); // nobody asked for it
         QAction& action = troubled.action("dead-man");
-        QVERIFY(action.isEnabled() && !action.isChecked());
+        QVERIFY(action.isEnabled());
+        QVERIFY(!action.isChecked());
         action.trigger();
         const auto withheld = [&] { return program.engine.servo().withheld; };
         QTRY_COMPARE_WITH_TIMEOUT(withheld(), Withheld::DeadMan, kPatience);
         QTRY_COMPARE_WITH_TIMEOUT(troubled.widget("status-note").toolTip(), sentences, kPatience);
-        QVERIFY(!troubled.red() && program.engine.armed()); // no fault
+        QVERIFY(!troubled.red());
+        QVERIFY(program.engine.armed()); // no fault
         program.press(program.centre());
         QVERIFY(troubled.fullForce());
         QTRY_VERIFY_WITH_TIMEOUT(program.engine.servo().force.norm() > 0.1, kPatience);
@@ -334,7 +350,8 @@ void TestHealth::theButtonMustBeHeldToFeel() {
     }
     TroubledWindow again; // it is remembered
     QAction& action = again.action("dead-man");
-    QVERIFY(action.isChecked() && again.program.engine.deadMan());
+    QVERIFY(action.isChecked());
+    QVERIFY(again.program.engine.deadMan());
     QVERIFY(again.program.open(writeCube(folder_)));
     QTRY_COMPARE_WITH_TIMEOUT(again.program.engine.servo().withheld, Withheld::DeadMan, kPatience);
     action.trigger();
@@ -346,7 +363,8 @@ void TestHealth::aDeviceWithoutButtonsIsNotAskedForOne() {
     auto trouble = std::make_shared<Trouble>();
     trouble->buttons = 0;
     TroubledWindow troubled(trouble);
-    QVERIFY(!troubled.action("dead-man").isEnabled() && !troubled.program.engine.deadMan());
+    QVERIFY(!troubled.action("dead-man").isEnabled());
+    QVERIFY(!troubled.program.engine.deadMan());
     QVERIFY(troubled.program.open(writeCube(folder_)));
     QVERIFY(troubled.fullForce());
     QSettings().remove(QStringLiteral("device/deadMan"));
@@ -360,9 +378,11 @@ void TestHealth::theDockIsRemembered() {
         TroubledWindow troubled;
         const auto* plot = troubled.program.window->findChild<QDockWidget*>(QStringLiteral("dock-plot"));
         QVERIFY(troubled.program.window->tabifiedDockWidgets(dockOf(troubled)).contains(plot));
-        QVERIFY(isSeen(*plot) && !isSeen(*dockOf(troubled)));
+        QVERIFY(isSeen(*plot));
+        QVERIFY(!isSeen(*dockOf(troubled)));
         troubled.showHealth();
-        QVERIFY(isSeen(*dockOf(troubled)) && !isSeen(*plot));
+        QVERIFY(isSeen(*dockOf(troubled)));
+        QVERIFY(!isSeen(*plot));
         troubled.program.window->close();
     }
     TroubledWindow again;

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/numbers.h"
 
@@ -82,8 +83,7 @@ void TestInspector::unitsOfOneKindAreTaken() {
     QFETCH(double, value);
     const auto read = readNumber(typed, unit);
     QCOMPARE(read.has_value(), !std::isnan(value));
-    if (read)
-        QVERIFY2(std::abs(*read - value) <= 1e-12 * std::abs(value), qPrintable(QString::number(*read)));
+    if (read) QCOMPARE_LE(std::abs(*read - value), 1e-12 * std::abs(value));
 }
 
 void TestInspector::aTypedUnitCounts() {
@@ -103,8 +103,9 @@ void TestInspector::whatIsNoNumberChangesNothing() {
     program.type(QStringLiteral("stiffness"), QStringLiteral("12 mm"));
     QVERIFY(program.document.scene() == before);
     auto* hint = program.window->findChild<QLabel*>(QStringLiteral("stiffness-hint"));
-    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("12 mm")));
-    QVERIFY(hint->text().contains(QStringLiteral("N/m")));
+    QVERIFY(hint->isVisible());
+    COMPARE_CONTAINS(hint->text(), QStringLiteral("12 mm"));
+    COMPARE_CONTAINS(hint->text(), QStringLiteral("N/m"));
     program.type(QStringLiteral("stiffness"), QStringLiteral("120"));
     QVERIFY(!hint->isVisible());
 }
@@ -117,7 +118,7 @@ void TestInspector::severalSurfacesShowMixed() {
     program.document.select({ref(program, 0), ref(program, 1), ref(program, 2)});
     QDoubleSpinBox& box = program.box(QStringLiteral("stiffness"));
     QCOMPARE(box.text(), QStringLiteral("mixed"));
-    QVERIFY(program.box(QStringLiteral("viscosity")).text() != QStringLiteral("mixed"));
+    QCOMPARE_NE(program.box(QStringLiteral("viscosity")).text(), QStringLiteral("mixed"));
     auto* shading = program.window->findChild<QCheckBox*>(QStringLiteral("force-shading"));
     QCOMPARE(shading->checkState(), Qt::PartiallyChecked);
     // The value of the active one, typed, is that of all: in one step.
@@ -127,10 +128,11 @@ void TestInspector::severalSurfacesShowMixed() {
     for (Index i = 0; i < 3; ++i)
         QCOMPARE(surface(program, i).material.stiffness, active);
     QCOMPARE(program.document.history().count(), steps + 1);
-    QVERIFY(box.text() != QStringLiteral("mixed"));
+    QCOMPARE_NE(box.text(), QStringLiteral("mixed"));
     // What else they have of their own stays.
     shading->click();
-    QVERIFY(surface(program, 1).shading.on && surface(program, 2).shading.on);
+    QVERIFY(surface(program, 1).shading.on);
+    QVERIFY(surface(program, 2).shading.on);
     QCOMPARE(surface(program, 0).shading.creaseAngle, 0.5);
     QCOMPARE(surface(program, 1).shading.creaseAngle, kCreaseAngle.initial);
 }
@@ -145,7 +147,8 @@ void TestInspector::lockedSurfacesCannotBeSet() {
     program.document.select({ref(program, 0), ref(program, 1)});
     QVERIFY(program.box(QStringLiteral("stiffness")).isEnabled());
     program.type(QStringLiteral("stiffness"), QStringLiteral("333"));
-    QVERIFY(surface(program, 0).material.stiffness != 333 && surface(program, 1).material.stiffness == 333);
+    QCOMPARE_NE(surface(program, 0).material.stiffness, 333);
+    QCOMPARE_EQ(surface(program, 1).material.stiffness, 333);
 }
 
 void TestInspector::aFeelIsCopiedAndPasted() {
@@ -170,8 +173,11 @@ void TestInspector::aFeelIsCopiedAndPasted() {
     const Scene before = program.document.scene();
     program.command("paste-feel").trigger();
     const Surface &from = surface(program, 0), &to = surface(program, 3);
-    QVERIFY(to.material == from.material && to.layers == from.layers && to.sides == from.sides);
-    QVERIFY(to.shading == from.shading && to.name == before.objects[0].surfaces[3].name);
+    QVERIFY(to.material == from.material);
+    QVERIFY(to.layers == from.layers);
+    QCOMPARE_EQ(to.sides, from.sides);
+    QVERIFY(to.shading == from.shading);
+    QCOMPARE_EQ(to.name, before.objects[0].surfaces[3].name);
     QVERIFY(surface(program, 4) == before.objects[0].surfaces[4]);
     program.document.history().undo();
     QVERIFY(program.document.scene() == before);
@@ -197,7 +203,7 @@ void TestInspector::othersBecomeTheSameAsTheActiveOne() {
     QCOMPARE(program.document.history().count(), steps + 1);
     QCOMPARE(surface(program, 0).material.stiffness, 222.0);
     QCOMPARE(surface(program, 1).material.stiffness, 222.0);
-    QVERIFY(surface(program, 2).material.stiffness != 222);
+    QCOMPARE_NE(surface(program, 2).material.stiffness, 222);
 }
 
 void TestInspector::normalsAreTurnedOver() {
@@ -225,7 +231,8 @@ void TestInspector::normalsAreTurnedOver() {
     for (Index t = 0; t < 12; ++t)
         QVERIFY(normal(t).isApprox(old[t]));
     program.command("normals-smooth").trigger();
-    QVERIFY(surface(program, 2).shading.on && !surface(program, 1).shading.on);
+    QVERIFY(surface(program, 2).shading.on);
+    QVERIFY(!surface(program, 1).shading.on);
     program.command("normals-flat").trigger();
     QVERIFY(!surface(program, 2).shading.on);
     while (program.document.history().canUndo())

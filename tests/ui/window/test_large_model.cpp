@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
@@ -192,7 +193,7 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     click("select the surface");
     trigger("take-smooth");
     click("select the smooth region");
-    QVERIFY(document.selectedFaces().faces.size() > 100'000);
+    QCOMPARE_GT(document.selectedFaces().faces.size(), 100'000);
     trigger("grow");
     trigger("shrink");
     trigger("take-triangle");
@@ -227,7 +228,7 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     trigger("copy-feel");
     measure(program, "edit a value", [&] { document.setMaterialValue(whole, kMaterialFields[0], 321); });
     trigger("paste-feel");
-    QVERIFY(document.surface(whole)->material.*kMaterialFields[0].value != 321);
+    QCOMPARE_NE(document.surface(whole)->material.*kMaterialFields[0].value, 321);
     trigger("lock");
     trigger("lock");
     trigger("mark-a");

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/layered_window.h"
 #include "ui/layer_picture.h"
 #include "ui/panels/flat_swatch.h"
@@ -54,18 +55,18 @@ void TestLayerViews::thumbnailsDiffer() {
         const QImage picture = window.list().thumbnail(i).toImage();
         QCOMPARE(picture.deviceIndependentSize(), QSizeF(LayerList::kThumbnail, LayerList::kThumbnail));
         for (const QImage& other : pictures)
-            QVERIFY(picture != other);
+            QCOMPARE_NE(picture, other);
         pictures.push_back(picture);
     }
     window.panel().setCurrentLayer(1);
     window.program.type(QStringLiteral("rotation"), QStringLiteral("90"));
-    QVERIFY(window.list().thumbnail(1).toImage() != pictures[1]);
+    QCOMPARE_NE(window.list().thumbnail(1).toImage(), pictures[1]);
     // Grooves run up and down as they are, and from left to right when they are turned.
     const QImage up = patternPicture(newLayer(TextureSource::Grooves, {}).pattern, 40);
     for (int x = 0; x < 40; ++x)
         QCOMPARE(up.pixel(x, 3), up.pixel(x, 30));
-    QVERIFY(qGray(up.pixel(20, 3)) > 240 &&
-            qGray(up.pixel(12, 3)) < 15); // a ridge and a groove: 16 to a repeat
+    QCOMPARE_GT(qGray(up.pixel(20, 3)), 240);
+    QCOMPARE_LT(qGray(up.pixel(12, 3)), 15); // a ridge and a groove: 16 to a repeat
 }
 
 // Height of a repeat's middle and of its edge, which the wave's closed form has as 1 and 0 where the edges
@@ -76,18 +77,19 @@ void TestLayerViews::flatGroundIsWhatIsFelt() {
     layer.strength = 1e-4;
     const FlatGround ground = flatGround({layer}, {90, 0.03, TextureTarget::Height, 0});
     QCOMPARE(ground.values.size(), std::size_t(90 * 90));
-    QVERIFY(std::abs(ground.at(0.5, 0.2) - 1e-4) < 2e-6); // the origin is the middle of a ridge
-    QVERIFY(std::abs(ground.at(0.5 + 0.5 / 3, 0.2)) < 2e-6);
-    QVERIFY(ground.picture.pixel(33, 45) != ground.picture.pixel(57, 45)); // lit from one side
+    COMPARE_NEAR(ground.at(0.5, 0.2), 1e-4, 2e-6, ""); // the origin is the middle of a ridge
+    QCOMPARE_LT(std::abs(ground.at(0.5 + 0.5 / 3, 0.2)), 2e-6);
+    QCOMPARE_NE(ground.picture.pixel(33, 45), ground.picture.pixel(57, 45)); // lit from one side
     layer.opacity = 0.5;
-    QVERIFY(std::abs(flatGround({layer}, {90, 0.03, TextureTarget::Height, 0}).at(0.5, 0.2) - 5e-5) < 1e-6);
+    COMPARE_NEAR(flatGround({layer}, {90, 0.03, TextureTarget::Height, 0}).at(0.5, 0.2), 5e-5, 1e-6, "");
     layer = withTarget(layer, TextureTarget::StaticFriction);
     const FlatGround friction = flatGround({layer}, {90, 0.03, TextureTarget::StaticFriction, 0});
-    QVERIFY(std::abs(friction.high - 1.25) < 0.01 && std::abs(friction.low - 1) < 0.01);
+    COMPARE_NEAR(friction.high, 1.25, 0.01, "");
+    COMPARE_NEAR(friction.low, 1, 0.01, "");
     Layered window(folder_);
     window.add({"layer-grooves"});
     QTRY_VERIFY_WITH_TIMEOUT(window.panel().swatch().ground().high > 1e-4, kPatience);
-    QVERIFY(window.panel().swatch().readingAt({50, 50}).contains(QStringLiteral("\u00b5m")));
+    COMPARE_CONTAINS(window.panel().swatch().readingAt({50, 50}), QStringLiteral("\u00b5m"));
 }
 
 // The finger goes 20 mm to the right over the front side, along the normal x of ridges 5 mm apart.
@@ -97,7 +99,7 @@ void TestLayerViews::aStrokeGivesTheProfile() {
     window.choose("mapping", int(TextureMapping::Planar));
     window.program.type(QStringLiteral("size"), QStringLiteral("5"));
     window.program.type(QStringLiteral("height"), QStringLiteral("0.1"));
-    QVERIFY(window.panel().chart().hint().contains(QStringLiteral("Stroke the model")));
+    COMPARE_CONTAINS(window.panel().chart().hint(), QStringLiteral("Stroke the model"));
     QTRY_VERIFY_WITH_TIMEOUT(window.program.caughtUp(), kPatience);
     const double radius = window.program.document.scene().proxyRadius;
     std::vector<TracePoint> stroke;
@@ -115,14 +117,14 @@ void TestLayerViews::aStrokeGivesTheProfile() {
     const ProfileChart& chart = window.panel().chart();
     QTRY_VERIFY_WITH_TIMEOUT(chart.profile().any(), kPatience);
     const LayerProfile& profile = chart.profile();
-    QVERIFY(std::abs(profile.length - 0.02) < 1e-9);
+    COMPARE_NEAR(profile.length, 0.02, 1e-9, "");
     const WaveShape wave = waveShape(kTextureFill.initial, kTextureSoftness.initial);
     for (std::size_t i = 0; i < profile.values.size(); i += 50) {
         const double x = -0.01 + profile.wayOf(i);
         double expected = wave.mean;
         for (int n = 1; n <= wave.harmonics; ++n)
             expected += wave.amplitude[std::size_t(n - 1)] * std::cos(2 * EIGEN_PI * n * x / 5e-3);
-        QVERIFY2(std::abs(profile.values[i] - 1e-4 * expected) < 1e-9, qPrintable(QString::number(x)));
+        COMPARE_NEAR(profile.values[i], 1e-4 * expected, 1e-9, "");
     }
     // An edit is seen at once.
     window.program.type(QStringLiteral("height"), QStringLiteral("0.2"));
@@ -195,15 +197,16 @@ void TestLayerViews::theMappingIsDragged() {
     drag(MappingHandle::MoveZ, {0, -40});
     const Vec3 up = pattern().frame.translation - before.frame.translation;
     const double pixel = view.camera().pixelSize(before.frame.translation);
-    QVERIFY(std::abs(up.y() - 40 * pixel) < 3 * pixel);
-    QVERIFY(std::abs(up.x()) < 1e-9 && std::abs(up.z()) < 1e-9);
+    COMPARE_NEAR(up.y(), 40 * pixel, 3 * pixel, "");
+    QCOMPARE_LT(std::abs(up.x()), 1e-9);
+    QCOMPARE_LT(std::abs(up.z()), 1e-9);
     QCOMPARE(window.program.document.history().count(), steps + 1);
     drag(MappingHandle::Size, {20, 0});
-    QVERIFY(pattern().size != before.size);
+    QCOMPARE_NE(pattern().size, before.size);
     drag(MappingHandle::Radius, {30, 0});
-    QVERIFY(pattern().radius > before.radius);
+    QCOMPARE_GT(pattern().radius, before.radius);
     drag(MappingHandle::TurnZ, {20, 0});
-    QVERIFY(pattern().frame.rotation.angularDistance(before.frame.rotation) > 0.1);
+    QCOMPARE_GT(pattern().frame.rotation.angularDistance(before.frame.rotation), 0.1);
     QCOMPARE(window.program.document.history().count(), steps + 4);
     for (int i = 0; i < 4; ++i)
         window.program.document.history().undo();

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/ui/window/layered_window.h"
 
 using namespace tactum;
@@ -60,7 +61,8 @@ void TestLayers::noMoreThanAreFelt() {
     QCOMPARE(int(window.layers().size()), kMostTextureLayers);
     QCOMPARE(window.layers().back().name, "Noise " + std::to_string(kMostTextureLayers));
     auto* notice = window.program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
-    QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("16 layers")));
+    QVERIFY(notice->isVisible());
+    COMPARE_CONTAINS(notice->text(), QStringLiteral("16 layers"));
 }
 
 void TestLayers::eachEditIsOneStep() {
@@ -79,10 +81,11 @@ void TestLayers::eachEditIsOneStep() {
     window.program.type(QStringLiteral("size"), QStringLiteral("4"));
     QCOMPARE(layer().pattern.size, 4e-3);
     window.choose("mapping", int(TextureMapping::Planar));
-    QVERIFY((layer().pattern.frame.translation - Vec3(0, 0, 0.05)).norm() <
-            1e-12); // in the middle of the side
+    COMPARE_NEAR(layer().pattern.frame.translation, Vec3(0, 0, 0.05), 1e-12,
+                 "m"); // in the middle of the side
     window.choose("mask-source", 1 + int(TextureSource::Grooves));
-    QVERIFY(layer().mask && layer().mask->source == TextureSource::Grooves);
+    QVERIFY(layer().mask);
+    QCOMPARE_EQ(layer().mask->source, TextureSource::Grooves);
     window.program.type(QStringLiteral("mask-fill"), QStringLiteral("0.25"));
     QCOMPARE(layer().mask->fill, 0.25);
     QCOMPARE(layer().pattern.fill, kTextureFill.initial);
@@ -118,16 +121,23 @@ void TestLayers::onlyWhatMattersIsShown() {
     const auto shown = [&](const char* key) {
         return window.program.box(QLatin1String(key)).isVisibleTo(&window.panel());
     };
-    QVERIFY(shown("octaves") && shown("seed") && !shown("fill") && !shown("mapping-radius"));
+    QVERIFY(shown("octaves"));
+    QVERIFY(shown("seed"));
+    QVERIFY(!shown("fill"));
+    QVERIFY(!shown("mapping-radius"));
     window.choose("layer-source", int(TextureSource::Grooves));
-    QVERIFY(shown("fill") && shown("softness") && !shown("octaves"));
+    QVERIFY(shown("fill"));
+    QVERIFY(shown("softness"));
+    QVERIFY(!shown("octaves"));
     window.choose("mapping", int(TextureMapping::Spherical));
     QVERIFY(shown("mapping-radius"));
     // A height that is multiplied takes the bare pattern.
     window.choose("layer-blend", int(TextureBlend::Multiply));
     QVERIFY(!shown("height"));
     window.choose("layer-source", int(TextureSource::Painted));
-    QVERIFY(!shown("size") && !shown("rotation") && !shown("mapping-radius"));
+    QVERIFY(!shown("size"));
+    QVERIFY(!shown("rotation"));
+    QVERIFY(!shown("mapping-radius"));
 }
 
 void TestLayers::rowsAreDraggedIntoAnotherOrder() {
@@ -187,7 +197,8 @@ void TestLayers::theEyeSwitchesOff() {
     Layered window(folder_);
     window.add({"layer-noise", "layer-grooves"});
     window.click(0, 1);
-    QVERIFY(!window.layers()[1].enabled && window.layers()[0].enabled);
+    QVERIFY(!window.layers()[1].enabled);
+    QVERIFY(window.layers()[0].enabled);
     QCOMPARE(window.felt()->layers.size(), std::size_t(1));
     window.list().setFocus();
     QTest::keyClick(&window.list(), Qt::Key_Space);
@@ -246,7 +257,8 @@ void TestLayers::aLockedSurfaceStays() {
     window.panel().toggleShown(0);
     QVERIFY(window.program.document.scene() == before);
     auto* hint = window.program.window->findChild<QLabel*>(QStringLiteral("layer-hint"));
-    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("locked")));
+    QVERIFY(hint->isVisible());
+    COMPARE_CONTAINS(hint->text(), QStringLiteral("locked"));
 }
 
 void TestLayers::whatIsPaintedIsKnown() {
