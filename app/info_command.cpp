@@ -66,13 +66,13 @@ Json motionJson(const std::optional<MotionDescription>& motion) {
     return {{"duration_s", motion->duration}, {"top_speed_m_s", motion->topSpeed}, {"jumps", motion->jumps}};
 }
 
-const char* nameOf(NormalSource normals) {
+const char* choiceName(NormalSource normals) {
     return normals == NormalSource::File ? "file" : "computed";
 }
 
 Json shadingJson(const Shading& shading) {
     return {{"on", shading.on},
-            {"normals", nameOf(shading.normals)},
+            {"normals", choiceName(shading.normals)},
             {std::string(kCreaseAngle.key), {{"value", shading.creaseAngle}, {"unit", kCreaseAngle.unit}}}};
 }
 
@@ -145,19 +145,20 @@ std::string textOf(std::string_view key, const ParameterDescription& parameter) 
     return text + (parameter.allowed ? "" : "  (out of range)");
 }
 
-void print(const std::vector<ParameterDescription>& parameters, const std::string& indent) {
+void printInfo(const std::vector<ParameterDescription>& parameters, const std::string& indent) {
     for (const ParameterDescription& parameter : parameters)
         std::cout << indent << textOf(parameter.key, parameter) << '\n';
 }
 
-void print(const Shading& shading) {
+void printInfo(const Shading& shading) {
     std::string line = "    shading ";
-    line += shading.on ? "on, normals " + std::string(nameOf(shading.normals)) + ", crease-angle " : "off";
+    line +=
+        shading.on ? "on, normals " + std::string(choiceName(shading.normals)) + ", crease-angle " : "off";
     if (shading.on) appendReadable(line, shading.creaseAngle);
     std::cout << line << (shading.on ? " rad\n" : "\n");
 }
 
-void print(const LayerDescription& layer) {
+void printInfo(const LayerDescription& layer) {
     std::cout << "    layer " << layer.name << (layer.enabled ? "" : " (off)") << ": " << layer.source
               << (layer.image.empty() ? "" : " ") << layer.image
               << (layer.mapping.empty() ? "" : ", mapping ") << layer.mapping
@@ -166,7 +167,7 @@ void print(const LayerDescription& layer) {
               << textOf(layer.opacity.key, layer.opacity) << '\n';
 }
 
-void print(const MotionDescription& motion) {
+void printInfo(const MotionDescription& motion) {
     std::string line = "  moves for ";
     appendReadable(line, motion.duration);
     line += " s, at up to ";
@@ -174,11 +175,11 @@ void print(const MotionDescription& motion) {
     std::cout << line << " m/s" << (motion.jumps ? ", and jumps" : "") << '\n';
 }
 
-void print(const ObjectDescription& object) {
+void printInfo(const ObjectDescription& object) {
     std::cout << "object " << object.name << (object.visible ? "" : " (hidden)") << ": " << object.triangles
               << " triangles, " << object.vertices << " vertices, "
               << (object.health.closed() ? "closed" : "open") << '\n';
-    if (object.motion) print(*object.motion);
+    if (object.motion) printInfo(*object.motion);
     for (const HealthField& field : kHealthFields)
         if (field.count != &MeshHealth::triangles && object.health.*field.count > 0)
             std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';
@@ -186,21 +187,21 @@ void print(const ObjectDescription& object) {
         std::cout << "  surface " << surface.name << (surface.visible ? "" : " (hidden)")
                   << (surface.locked ? " (locked)" : "") << ": " << surface.triangles << " triangles\n"
                   << "    sides " << nameOf(surface.sides) << '\n';
-        print(surface.parameters, "    ");
-        print(surface.shading);
+        printInfo(surface.parameters, "    ");
+        printInfo(surface.shading);
         for (const LayerDescription& layer : surface.layers)
-            print(layer);
+            printInfo(layer);
     }
 }
 
-void print(const SceneDescription& scene) {
+void printInfo(const SceneDescription& scene) {
     std::string diagonal;
     appendReadable(diagonal, scene.bounds_W.diagonal());
     std::cout << "scene: " << scene.objects.size() << " objects, " << scene.triangles
               << " triangles, diagonal " << diagonal << " m\n";
-    print(scene.parameters, "  ");
+    printInfo(scene.parameters, "  ");
     for (const ObjectDescription& object : scene.objects)
-        print(object);
+        printInfo(object);
 }
 
 } // namespace
@@ -212,7 +213,7 @@ Result<int> runInfo(const std::filesystem::path& scene, bool json) {
     if (json)
         std::cout << sceneJson(description).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else
-        print(description);
+        printInfo(description);
     return 0;
 }
 

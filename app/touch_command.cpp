@@ -47,7 +47,7 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
         }
 }
 
-nlohmann::ordered_json summaryOf(const World& world, const TouchTrace& rows, double load, double build) {
+nlohmann::ordered_json summaryOfTouch(const World& world, const TouchTrace& rows, double load, double build) {
     std::size_t triangles = 0;
     for (const WorldBody& body : world.bodies)
         triangles += body.mesh->soup->triangles.size();
@@ -95,7 +95,7 @@ Result<int> runTouch(const TouchOptions& options) {
     if (!world) return tl::unexpected(world.error());
     const double build = secondsSince(building);
     const TouchTrace rows = replay(**world, *path);
-    const std::string summary = summaryOf(**world, rows, load, build).dump();
+    const std::string summary = summaryOfTouch(**world, rows, load, build).dump();
     if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
         return tl::unexpected(written.error());
     if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))

@@ -10,8 +10,8 @@ namespace {
 
 /// What the display and the limiter take for the force that nobody feels. N
 constexpr double kShownForce = 8;
-constexpr double kGrip = 1e5;   ///< N s/m: it goes its way whatever it meets, and no stiffness shakes it
-constexpr double kFastest = 20; ///< m/s: nobody holds it
+constexpr double kGrip = 1e5;       ///< N s/m: it goes its way whatever it meets, and no stiffness shakes it
+constexpr double kFastestRead = 20; ///< m/s: nobody holds it
 
 bool risesTo(const RecordedPoint& a, const RecordedPoint& b) {
     return a.t < b.t;
@@ -34,7 +34,7 @@ DeviceInfo RecordedHand::info() const {
             .workspaceRadius = reach,
             .rate = 1000,
             .damping = kGrip,
-            .tripSpeed = kFastest,
+            .tripSpeed = kFastestRead,
             .measuresVelocity = true};
 }
 

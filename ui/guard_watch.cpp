@@ -9,8 +9,8 @@ namespace tactum {
 
 namespace {
 
-constexpr std::size_t kKept = 100; // events
-constexpr qint64 kShown = 2000;    // ms; the pause itself may be over within a tick
+constexpr std::size_t kKeptFaults = 100; // events
+constexpr qint64 kShown = 2000;          // ms; the pause itself may be over within a tick
 
 /// Whether a counter has risen; counters begin at zero anew when the engine does.
 bool rose(std::uint64_t& known, std::uint64_t now) {
@@ -94,7 +94,7 @@ QString GuardWatch::quietNote() const {
 
 void GuardWatch::add(bool fault, const QString& what, const QString& sentences) {
     events_.push_front({QTime::currentTime(), fault, what, sentences});
-    if (events_.size() > kKept) events_.pop_back();
+    if (events_.size() > kKeptFaults) events_.pop_back();
     emit happened();
 }
 

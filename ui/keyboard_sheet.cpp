@@ -25,7 +25,7 @@ QString nativeKeys(const char* portable) {
     return names.join(QStringLiteral(", "));
 }
 
-void addRow(QGridLayout& grid, const QString& keys, const QString& meaning) {
+void addKeyRow(QGridLayout& grid, const QString& keys, const QString& meaning) {
     const int row = grid.rowCount();
     auto* left = new QLabel(keys);
     left->setProperty("heading", true);
@@ -83,10 +83,10 @@ void showKeyboardSheet(QWidget* parent) {
     grid->setVerticalSpacing(kRhythm / 2);
     addHeading(*grid, QObject::tr("Anywhere"));
     for (const Command& command : commands())
-        if (*command.keys) addRow(*grid, nativeKeys(command.keys), QObject::tr(command.sentence));
+        if (*command.keys) addKeyRow(*grid, nativeKeys(command.keys), QObject::tr(command.sentence));
     addHeading(*grid, QObject::tr("In the view"));
     for (const Manner& manner : viewManners())
-        addRow(*grid, QObject::tr(manner.keys), QObject::tr(manner.text));
+        addKeyRow(*grid, QObject::tr(manner.keys), QObject::tr(manner.text));
     auto* scroll = new QScrollArea;
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);

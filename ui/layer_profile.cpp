@@ -13,7 +13,7 @@ namespace tactum {
 namespace {
 
 constexpr std::size_t kPlaces = 1200;
-constexpr double kReach = 1.2; // radii of the proxy: what rests on the surface is one away from it
+constexpr double kProfileReach = 1.2; // radii of the proxy: what rests on the surface is one away from it
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Places in the frame of the body, evenly spaced along the way.
@@ -54,7 +54,7 @@ public:
     }
 
     double at(const Vec3& p_B, TextureTarget target) const {
-        const Nearest nearest = nearestOn(*obstacle_.mesh, p_B, kReach * world_.proxyRadius, sides_);
+        const Nearest nearest = nearestOn(*obstacle_.mesh, p_B, kProfileReach * world_.proxyRadius, sides_);
         if (!std::isfinite(nearest.distance)) return kNothing;
         if (!stack_) return valueOf({}, target);
         const Triangle triangle = obstacle_.triangle(nearest.triangle);

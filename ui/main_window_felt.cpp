@@ -35,7 +35,7 @@ constexpr std::pair<const char*, FeltValue> kMaps[] = {{"map-stiffness", FeltVal
                                                        {"map-height", FeltValue::Height}};
 constexpr std::pair<const char*, double> kBumps[] = {{"bumps-1", 1}, {"bumps-10", 10}, {"bumps-100", 100}};
 
-QString keyOf(const char* id) {
+QString settingOf(const char* id) {
     return QStringLiteral("view/") + QString::fromLatin1(id);
 }
 
@@ -44,7 +44,7 @@ QString keyOf(const char* id) {
 void MainWindow::connectFelt() {
     const QSettings settings;
     const auto remembered = [&](const char* id, bool initial) {
-        actions_[id].setChecked(settings.value(keyOf(id), initial).toBool());
+        actions_[id].setChecked(settings.value(settingOf(id), initial).toBool());
         connect(&actions_[id], &QAction::toggled, this, &MainWindow::showFelt);
     };
     // One of each list at most: a click on the one that is on switches it off.
@@ -98,7 +98,7 @@ void MainWindow::showFelt() {
     QSettings settings;
     const auto on = [&](const char* id) {
         const bool checked = actions_[id].isChecked();
-        settings.setValue(keyOf(id), checked);
+        settings.setValue(settingOf(id), checked);
         return checked;
     };
     FeltOptions options;

@@ -21,23 +21,23 @@ namespace tactum {
 
 namespace {
 
-constexpr int kPicture = 80; // device pixels: sharp on a screen of twice the dots
-constexpr int kSettle = 150; // ms
+constexpr int kPresetPicture = 80; // device pixels: sharp on a screen of twice the dots
+constexpr int kSettle = 150;       // ms
 constexpr const char* kAside = ".removed";
 
-std::filesystem::path pathOf(const QString& file) {
+std::filesystem::path presetPathOf(const QString& file) {
     return std::filesystem::path(file.toStdU16String());
 }
 
-QString ending() {
+QString presetEnding() {
     return u'.' + QString::fromUtf8(kPresetEnding.data(), qsizetype(kPresetEnding.size()));
 }
 
 Result<LoadedPreset> presetIn(const QString& file) {
-    if (!file.startsWith(u':')) return readPreset(pathOf(file));
+    if (!file.startsWith(u':')) return readPreset(presetPathOf(file));
     QFile resource(file);
     if (!resource.open(QIODevice::ReadOnly)) return inputError("a preset of the program is missing");
-    return parsePreset(resource.readAll().toStdString(), pathOf(file));
+    return parsePreset(resource.readAll().toStdString(), presetPathOf(file));
 }
 
 StoredPreset stored(const QString& file, const Preset& preset, bool own) {
@@ -52,7 +52,7 @@ StoredPreset stored(const QString& file, const Preset& preset, bool own) {
     for (const TextureLayer& layer : preset.layers.value_or(std::vector<TextureLayer>()))
         words << QString::fromStdString(layer.name);
     made.words = words.join(u'\n').toCaseFolded();
-    made.picture = presetPicture(preset, kPicture);
+    made.picture = presetPicture(preset, kPresetPicture);
     return made;
 }
 
@@ -64,7 +64,8 @@ struct Loaded {
 Loaded loadAll(const Progress& progress) {
     Loaded loaded;
     const auto add = [&](const QString& folder, bool own) {
-        for (const QFileInfo& file : QDir(folder).entryInfoList({u'*' + ending()}, QDir::Files, QDir::Name)) {
+        for (const QFileInfo& file :
+             QDir(folder).entryInfoList({u'*' + presetEnding()}, QDir::Files, QDir::Name)) {
             if (progress.isCancelled()) return;
             const auto read = presetIn(file.filePath());
             if (read)
@@ -85,15 +86,15 @@ Loaded loadAll(const Progress& progress) {
 
 QString freeFile(const std::string& name) {
     const QString stem = PresetStore::folder() + u'/' + QString::fromStdString(presetFileName(name));
-    QString file = stem + ending();
+    QString file = stem + presetEnding();
     for (int number = 2; QFileInfo::exists(file); ++number)
-        file = stem + u'-' + QString::number(number) + ending();
+        file = stem + u'-' + QString::number(number) + presetEnding();
     return file;
 }
 
 Result<LoadedPreset> foreignPreset(const QString& file) {
-    return file.endsWith(QStringLiteral(".xml"), Qt::CaseInsensitive) ? readHatt(pathOf(file))
-                                                                      : readPreset(pathOf(file));
+    return file.endsWith(QStringLiteral(".xml"), Qt::CaseInsensitive) ? readHatt(presetPathOf(file))
+                                                                      : readPreset(presetPathOf(file));
 }
 
 } // namespace
@@ -140,7 +141,7 @@ void PresetStore::load() {
 }
 
 bool PresetStore::write(const Preset& preset, const QString& file) {
-    const auto written = writeFileAtomically(pathOf(file), presetText(preset), 0);
+    const auto written = writeFileAtomically(presetPathOf(file), presetText(preset), 0);
     if (!written) emit failed(QString::fromStdString(written.error().text));
     return written.has_value();
 }

@@ -8,7 +8,7 @@
 namespace tactum {
 
 namespace {
-const auto kKey = QStringLiteral("hints/touched");
+const auto kHintKey = QStringLiteral("hints/touched");
 }
 
 TouchHint::TouchHint(QWidget* parent) : QLabel(tr("Drag on the model to touch it"), parent) {
@@ -19,7 +19,7 @@ TouchHint::TouchHint(QWidget* parent) : QLabel(tr("Drag on the model to touch it
 }
 
 void TouchHint::offer() {
-    if (QSettings().value(kKey).toBool()) return;
+    if (QSettings().value(kHintKey).toBool()) return;
     show();
     place();
 }
@@ -27,7 +27,7 @@ void TouchHint::offer() {
 void TouchHint::followed() {
     if (isHidden()) return;
     hide();
-    QSettings().setValue(kKey, true);
+    QSettings().setValue(kHintKey, true);
 }
 
 bool TouchHint::eventFilter(QObject* watched, QEvent* event) {

@@ -17,7 +17,7 @@ constexpr std::uint32_t kSmallestPiece = 1 << 4;
 // One sphere wastes little until it is this much larger than a sphere over a compact triangle of equal area.
 constexpr double kCompact = 2.0;
 
-// The smallest sphere around three points: on the longest side, or the circumcircle when all angles are
+// The smallest sphere ballAround three points: on the longest side, or the circumcircle when all angles are
 // acute.
 Vec3 smallestSphereCentre(const Triangle& t) {
     const Vec3 ab = t.b - t.a, bc = t.c - t.b, ca = t.a - t.c;
@@ -29,7 +29,7 @@ Vec3 smallestSphereCentre(const Triangle& t) {
                      (2 * normal.squaredNorm());
 }
 
-LeafSphere around(const Triangle& t, Index index, std::uint32_t piece) {
+LeafSphere ballAround(const Triangle& t, Index index, std::uint32_t piece) {
     LeafSphere sphere;
     const Vec3 exact = smallestSphereCentre(t);
     // The radius has to hold about the rounded centre. GCC 12's vectoriser drops a rounding to float and back
@@ -62,7 +62,7 @@ std::array<Triangle, 2> halves(const Triangle& t) {
 
 void cover(const Triangle& t, Index index, double compactRadius, std::uint32_t piece,
            std::vector<LeafSphere>& out) {
-    const LeafSphere sphere = around(t, index, piece);
+    const LeafSphere sphere = ballAround(t, index, piece);
     if (piece >= kSmallestPiece || sphere.radius <= kCompact * compactRadius) {
         out.push_back(sphere);
         return;

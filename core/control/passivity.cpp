@@ -11,7 +11,7 @@ constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes withou
 /// safeStiffness()'s seven tenths, so that below that ceiling nothing is.
 constexpr double kCredit = 0.75;
 constexpr double kMostDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
-constexpr double kSlowest = 1e-3;  ///< m/s; a finger at rest takes no energy out
+constexpr double kAtRest = 1e-3;   ///< m/s; a finger at rest takes no energy out
 constexpr double kRest = 0.01;     ///< s; at the turn of a swing it is shorter
 
 /// From a command to its force. The amplifier's time constant answers a ramp by just so much later, so it is
@@ -75,7 +75,7 @@ double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, do
     const double speed2 = velocity.squaredNorm();
     const double excess = given_ + spring.stored() - granted(spring);
     taking_ = excess > (taking_ ? 0 : kPassivityThreshold);
-    if (taking_ && !resting() && speed2 > kSlowest * kSlowest)
+    if (taking_ && !resting() && speed2 > kAtRest * kAtRest)
         damping_ = std::min(kMostDamping, excess / (speed2 * dt));
     return damping_;
 }

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 using ValueOf = std::function<double(const TextureFeel&)>;
 using IsWanted = std::function<bool(TextureTarget)>;
 
-bool liesOnUvs(const CompiledLayer& layer) {
+bool isOnUvs(const CompiledLayer& layer) {
     return usesUvs(layer.pattern) && (!layer.mask || usesUvs(*layer.mask));
 }
 
@@ -114,11 +114,11 @@ private:
     }
 
     bool needsCover() const {
-        return !std::ranges::all_of(stack_.layers, [](auto& l) { return liesOnUvs(l); });
+        return !std::ranges::all_of(stack_.layers, [](auto& l) { return isOnUvs(l); });
     }
 
     void leaveOutUnmapped(const std::string& reason) {
-        const auto count = std::erase_if(stack_.layers, [](auto& layer) { return !liesOnUvs(layer); });
+        const auto count = std::erase_if(stack_.layers, [](auto& layer) { return !isOnUvs(layer); });
         lose((count == 1 ? "1 layer that needs" : std::to_string(count) + " layers that need") +
              " no texture coordinates left out: " + reason);
     }

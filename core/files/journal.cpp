@@ -106,7 +106,7 @@ Result<std::string> contentOf(const fs::path& file) {
     return std::move(bytes).str();
 }
 
-Result<Journal> readNumbers(const fs::path& folder) {
+Result<Journal> readStamp(const fs::path& folder) {
     const auto bytes = contentOf(folder / kNumbers);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     constexpr std::size_t kPrint = 64;
@@ -170,13 +170,13 @@ Result<void> writeJournal(const fs::path& folder, const JournalEntry& entry, con
 }
 
 Result<JournalEntry> readJournalEntry(const fs::path& folder) {
-    auto journal = readNumbers(folder);
+    auto journal = readStamp(folder);
     if (!journal) return tl::unexpected<Error>(journal.error());
     return std::move(journal->entry);
 }
 
 Result<fs::path> unpackJournal(const fs::path& folder) {
-    const auto journal = readNumbers(folder);
+    const auto journal = readStamp(folder);
     if (!journal) return tl::unexpected<Error>(journal.error());
     std::string glb = journal->numbers;
     for (const Print& print : journal->blocks) {

@@ -13,7 +13,8 @@ namespace tactum {
 namespace {
 
 template <class Rows>
-void append(std::vector<Loss>& losses, ExportTarget target, const Rows& rows, const LossSubject& subject) {
+void appendLosses(std::vector<Loss>& losses, ExportTarget target, const Rows& rows,
+                  const LossSubject& subject) {
     std::string name;
     if (subject.object) name = subject.object->name;
     if (subject.surface) name += " / " + subject.surface->name;
@@ -96,11 +97,11 @@ std::vector<Loss> lossesOf(const Scene& scene, ExportTarget target) {
     assertNotRealtime();
     const ForeignParts foreign = foreignPartsOf(scene);
     std::vector<Loss> losses;
-    append(losses, target, loss_table::kSceneRows, {scene, foreign});
+    appendLosses(losses, target, loss_table::kSceneRows, {scene, foreign});
     for (const SceneObject& object : scene.objects) {
-        append(losses, target, loss_table::kObjectRows, {scene, foreign, &object});
+        appendLosses(losses, target, loss_table::kObjectRows, {scene, foreign, &object});
         for (const Surface& surface : object.surfaces)
-            append(losses, target, loss_table::kSurfaceRows, {scene, foreign, &object, &surface});
+            appendLosses(losses, target, loss_table::kSurfaceRows, {scene, foreign, &object, &surface});
     }
     return losses;
 }

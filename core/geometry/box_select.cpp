@@ -8,7 +8,7 @@ namespace tactum {
 namespace {
 
 using Vec4 = Eigen::Vector4d;
-using Corners = std::array<Index, 3>;
+using BoxCorners = std::array<Index, 3>;
 
 /// The five planes of the box's pyramid: a point of clip space is inside where none is negative.
 class Pyramid {
@@ -68,7 +68,7 @@ bool looksToTheEye(const Vec4& a, const Vec4& b, const Vec4& c) {
     return flat(a).dot(flat(b).cross(flat(c))) > 0;
 }
 
-bool isTriangle(const Corners& c) {
+bool isTriangle(const BoxCorners& c) {
     return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
 }
 
@@ -82,7 +82,7 @@ TriangleSet trianglesInBox(const TriangleSoup& soup, const Eigen::Matrix4d& clip
     for (Index v = 0; v < outside.size(); ++v)
         outside[v] = pyramid.outside(inClip(v));
 
-    const auto isTaken = [&](const Corners& c) {
+    const auto isTaken = [&](const BoxCorners& c) {
         const unsigned a = outside[c[0]], b = outside[c[1]], d = outside[c[2]];
         if (a & b & d) return false;
         if (rule.whole && (a | b | d)) return false;

@@ -186,17 +186,17 @@ private:
     LoadedPreset made_;
 };
 
-constexpr const char* kNoMemory = "for the texture model; close other programs";
+constexpr const char* kHattNoMemory = "for the texture model; close other programs";
 
 } // namespace
 
 Result<LoadedPreset> readHatt(const std::filesystem::path& file) {
-    return guarded<LoadedPreset>(file, kNoMemory,
+    return guarded<LoadedPreset>(file, kHattNoMemory,
                                  [&] { return HattReader(Source::open(file, kLargestFile)).read(); });
 }
 
 Result<LoadedPreset> parseHatt(std::string_view text, const std::filesystem::path& where) {
-    return guarded<LoadedPreset>(where, kNoMemory,
+    return guarded<LoadedPreset>(where, kHattNoMemory,
                                  [&] { return HattReader(Source::ofBytes(where, text)).read(); });
 }
 

@@ -59,7 +59,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, con
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
 
-ServoOutput step(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
+ServoOutput stepServo(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
     const bool fresh = servo.channels.contactModel.update();
     if (servo.channels.workspace.update()) servo.workspace.decide(servo.channels.workspace.value());
     const double apart = servo.readings(sample, tick.elapsed, monotonicNanoseconds());
@@ -84,7 +84,7 @@ void measurePeriod(Servo& servo, double nominal) noexcept {
         servo.period = nominal + 1e-6 * servo.telemetry.periods.quantile(0.999);
 }
 
-void report(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
+void reportTick(Servo& servo, const ServoOutput& output, const Tick& tick, double period) noexcept {
     servo.jitter.add(tick.time, 1e6 * std::abs(tick.elapsed - period));
     ServoTelemetry& telemetry = servo.telemetry;
     note(telemetry, output, servo.state);
@@ -130,11 +130,11 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
         const RealtimeScope scope;
         watchers.guardian.beat();
         servo.unguarded = servo.guardianWatch.isDead(watchers.guardian, tick.elapsed);
-        const ServoOutput output = step(servo, sample, tick);
+        const ServoOutput output = stepServo(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;
         judgeMisses(servo, watchers.canary, tick);
-        report(servo, output, tick, metronome.period());
+        reportTick(servo, output, tick, metronome.period());
         measurePeriod(servo, metronome.period());
     }
     watchers.guardian.rest();

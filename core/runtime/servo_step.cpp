@@ -48,7 +48,7 @@ void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
 }
 
 /// What is rendered at most, N/m and N s/m.
-struct Bounds {
+struct TickBounds {
     double stiffness, damping;
     double leaving; ///< N/m, of what is not there any more, and damps no more
 };
@@ -65,7 +65,7 @@ void notice(ServoState& state, const ServoSettings& settings, double dt) noexcep
 }
 
 /// An oscillation takes from what is there, not from the ceiling.
-Bounds boundsOf(ServoState& state, const LocalContactModel& model) noexcept {
+TickBounds boundsOf(ServoState& state, const LocalContactModel& model) noexcept {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     LoopFigures loop = state.loop;
     loop.period = state.period;
@@ -99,7 +99,7 @@ double suddenOf(const ServoState& state, const LocalContactModel& before, const 
 }
 
 Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSample& finger, bool fresh,
-              const Bounds& bounds, double dt) noexcept {
+              const TickBounds& bounds, double dt) noexcept {
     if (state.guard.gain() == 0) state.ease.restart();
     const LocalContactModel before = state.ease.rendered();
     LocalContactModel bounded = model;
@@ -162,7 +162,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     state.limiter.maxForce = state.heat.limit();
 
     notice(state, settings, dt);
-    const Bounds bounds = boundsOf(state, model);
+    const TickBounds bounds = boundsOf(state, model);
     const Wanted wanted = render(state, model, seen, input.fresh, bounds, dt);
     state.modelAge = input.fresh ? 0 : state.modelAge + dt;
 

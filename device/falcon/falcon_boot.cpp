@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 3> kCall{'\n', 'C', '\r'};
-constexpr std::array<std::uint8_t, 4> kAnswer{'\n', 'D', ',', '\r'};
+constexpr std::array<std::uint8_t, 4> kBootAnswer{'\n', 'D', ',', '\r'};
 constexpr std::array<std::uint8_t, 1> kLock{'A'}; // from it the boot program takes the rate
 
 /// The first calls are often not heard.
@@ -48,7 +48,7 @@ Result<FalconBoot> call(UsbLink& link, Opening& watcher, bool cancellable) {
         if (cancellable && watcher.cancelled()) return FalconBoot::Cancelled;
         if (auto sent = link.write(kCall); !sent) return tl::unexpected(sent.error());
         const auto answered =
-            hearUntil(link, heard, kCallPatience, [](const Bytes& h) { return contains(h, kAnswer); });
+            hearUntil(link, heard, kCallPatience, [](const Bytes& h) { return contains(h, kBootAnswer); });
         if (!answered) return tl::unexpected(answered.error());
         if (*answered) return FalconBoot::Done;
     }

@@ -25,9 +25,9 @@ using wire::Kind;
 using wire::News;
 using wire::Packet;
 
-constexpr int kPriority = 80; ///< as the servo's
-constexpr int kMoment = 20;   ///< ms between two looks at the device's trouble
-constexpr int kFarewells = 3; ///< exchanges with zero, the last acts
+constexpr int kPriority = 80;     ///< as the servo's
+constexpr int kServerMoment = 20; ///< ms between two looks at the device's trouble
+constexpr int kFarewells = 3;     ///< exchanges with zero, the last acts
 constexpr std::size_t kSignalStack = 64 * 1024;
 
 /// Whom the handler of a crash stops.
@@ -204,7 +204,7 @@ void Server::serve() {
     std::array<pollfd, 2> lines{pollfd{.fd = talk_, .events = POLLIN, .revents = 0},
                                 pollfd{.fd = program_, .events = POLLIN, .revents = 0}};
     while (true) {
-        if (poll(lines.data(), lines.size(), kMoment) > 0) {
+        if (poll(lines.data(), lines.size(), kServerMoment) > 0) {
             if (lines[1].revents != 0) break;
             Packet packet;
             const News news = wire::receive(talk_, 0, packet);

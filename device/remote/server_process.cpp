@@ -18,8 +18,8 @@
 namespace tactum {
 namespace {
 
-constexpr int kMoment = 5;      ///< ms between two looks
-constexpr int kPatience = 2000; ///< ms, for its last acts
+constexpr int kProcessMoment = 5; ///< ms between two looks
+constexpr int kPatience = 2000;   ///< ms, for its last acts
 constexpr int kOutOfTheWay = 10;
 
 tl::unexpected<Error> cannotStart(const char* what, int code) {
@@ -119,8 +119,8 @@ void ServerProcess::end() {
         close(talk_);
     }
     talk_ = -1;
-    for (int waited = 0; !hasEnded(WNOHANG) && waited < kPatience; waited += kMoment)
-        std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+    for (int waited = 0; !hasEnded(WNOHANG) && waited < kPatience; waited += kProcessMoment)
+        std::this_thread::sleep_for(std::chrono::milliseconds(kProcessMoment));
     kill();
 }
 

@@ -6,12 +6,12 @@
 namespace tactum::dhd {
 namespace {
 
-struct Explained {
+struct DhdExplained {
     int error;
     const char* sentence;
 };
 
-constexpr Explained kExplained[] = {
+constexpr DhdExplained kDhdExplained[] = {
     {kCommunication, "The device does not answer: check its cable and its power, then open it again."},
     {kBusy, "The controller of the device is busy: wait a moment and open it again."},
     {kNoDriver, "There is no right to use the device: install the maker's rule for USB devices, then plug it "
@@ -62,8 +62,8 @@ Result<Api> load() {
 }
 
 std::string sentenceOf(int error) {
-    const auto* found = std::ranges::find(kExplained, error, &Explained::error);
-    if (found != std::end(kExplained)) return found->sentence;
+    const auto* found = std::ranges::find(kDhdExplained, error, &DhdExplained::error);
+    if (found != std::end(kDhdExplained)) return found->sentence;
     return "The maker's library reports the error " + std::to_string(error) +
            ": open the device again; if it stays, run the maker's own test program.";
 }

@@ -15,16 +15,16 @@
 namespace tactum {
 namespace {
 
-constexpr std::string_view kPrefix = "forcedimension:";
+constexpr std::string_view kDhdPrefix = "forcedimension:";
 constexpr int kMostDevices = 16;
-constexpr int kMoment = 20;              ///< ms between two looks
-constexpr int kQuiet = 500;              ///< exchanges without an error, and the device is believed again
+constexpr int kDhdMoment = 20;           ///< ms between two looks
+constexpr int kDhdQuiet = 500;           ///< exchanges without an error, and the device is believed again
 constexpr unsigned char kWatchdog = 240; ///< times 125 us: 30 ms
-constexpr const char* kLoad = "Load the maker's library";
-constexpr const char* kConnect = "Connect";
-constexpr const char* kCalibrate = "Calibrate";
+constexpr const char* kDhdLoad = "Load the maker's library";
+constexpr const char* kDhdConnect = "Connect";
+constexpr const char* kDhdCalibrate = "Calibrate";
 
-const double kNothing = std::numeric_limits<double>::quiet_NaN();
+const double kDhdNothing = std::numeric_limits<double>::quiet_NaN();
 
 // Theirs: x toward the user, y right, z up. D: x right, y up, z toward the user.
 Vec3 inD(const Vec3& theirs) {
@@ -49,7 +49,7 @@ public:
         const std::lock_guard lock(infoMutex_);
         return info_;
     }
-    std::vector<std::string> steps() const override { return {kLoad, kConnect, kCalibrate}; }
+    std::vector<std::string> steps() const override { return {kDhdLoad, kDhdConnect, kDhdCalibrate}; }
     Result<void> prepare(Opening& opening) override;
     Result<void> open() override;
     void close() override { shutDown(); }
@@ -77,7 +77,7 @@ private:
     FiguresOf figures_;
     DeviceInfo info_;
     ForceLimiter limiter_;
-    int quiet_ = kQuiet; ///< exchanges since the last error
+    int quiet_ = kDhdQuiet; ///< exchanges since the last error
     bool open_ = false;
     std::atomic<int> fault_{dhd::kNoError};
 };
@@ -85,17 +85,17 @@ private:
 DeviceSample ForceDimension::exchange(const DeviceCommand& command, double) noexcept {
     DeviceSample sample;
     if (!open_) return sample;
-    const bool believed = quiet_ >= kQuiet;
+    const bool believed = quiet_ >= kDhdQuiet;
     // Both are tried whatever becomes of the other: zero has to get there.
     const bool sent = send(believed ? limiter_(command.force) : Vec3::Zero());
     if (read(sample) && sent) {
-        if (quiet_ < kQuiet && ++quiet_ == kQuiet) fault_ = dhd::kNoError;
+        if (quiet_ < kDhdQuiet && ++quiet_ == kDhdQuiet) fault_ = dhd::kNoError;
     } else {
         fault_ = lastError();
         quiet_ = 0;
         send(Vec3::Zero());
     }
-    sample.valid = quiet_ >= kQuiet && sample.position.allFinite() && sample.velocity.allFinite();
+    sample.valid = quiet_ >= kDhdQuiet && sample.position.allFinite() && sample.velocity.allFinite();
     return sample;
 }
 
@@ -106,7 +106,7 @@ bool ForceDimension::send(const Vec3& force_D) noexcept {
 }
 
 bool ForceDimension::read(DeviceSample& sample) noexcept {
-    Vec3 position = Vec3::Constant(kNothing), velocity = position;
+    Vec3 position = Vec3::Constant(kDhdNothing), velocity = position;
     const char id = char(id_);
     const bool read =
         api_.getPosition(&position.x(), &position.y(), &position.z(), id) >= dhd::kNoError &&
@@ -126,21 +126,21 @@ Result<void> ForceDimension::prepare(Opening& opening) {
     if (fault_ != dhd::kNoError) shutDown(); // what broke is begun anew
     if (id_ < 0)
         if (Result<void> connected = connect(opening); !connected) return connected;
-    opening.begin(kCalibrate);
+    opening.begin(kDhdCalibrate);
     return calibrate(opening);
 }
 
 Result<void> ForceDimension::connect(Opening& opening) {
-    opening.begin(kLoad);
+    opening.begin(kDhdLoad);
     Result<dhd::Api> api = dhd::load();
     if (!api) return tl::unexpected(api.error());
     api_ = *api;
-    opening.begin(kConnect);
+    opening.begin(kDhdConnect);
     id_ = api_.openId(index_);
     if (id_ < 0) return failure();
     ++inUse;
     fault_ = dhd::kNoError;
-    quiet_ = kQuiet;
+    quiet_ = kDhdQuiet;
     api_.enableForce(dhd::kOff, char(id_));
     const char* const name = api_.getSystemName(char(id_));
     const Result<DeviceInfo> figures = figures_(name ? printable(name) : std::string());
@@ -173,11 +173,11 @@ Result<void> ForceDimension::calibrate(Opening& opening) {
     bool asks = false, said = false;
     while (true) {
         if (Result<void> known = asksForCalibration(asks); !known || !asks) return known;
-        if (!said) opening.begin(kCalibrate, kRequest);
+        if (!said) opening.begin(kDhdCalibrate, kRequest);
         said = true;
         if (opening.cancelled())
             return machineError(std::string("The device is not calibrated. ") + kRequest);
-        std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+        std::this_thread::sleep_for(std::chrono::milliseconds(kDhdMoment));
     }
 }
 
@@ -203,7 +203,7 @@ void ForceDimension::shutDown() {
 }
 
 DeviceListing listed(const dhd::Api& api, int index) {
-    const std::string id = std::string(kPrefix) + std::to_string(index);
+    const std::string id = std::string(kDhdPrefix) + std::to_string(index);
     if (inUse > 0)
         return {id, "Force Dimension " + std::to_string(index), true,
                 "connected; another one is in use here"};
@@ -233,10 +233,10 @@ std::vector<DeviceListing> listForceDimension() {
 
 Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, FiguresOf figures) {
     std::int64_t index = -1;
-    if (!id.starts_with(kPrefix) || !parseNumber(std::string_view(id).substr(kPrefix.size()), index) ||
+    if (!id.starts_with(kDhdPrefix) || !parseNumber(std::string_view(id).substr(kDhdPrefix.size()), index) ||
         index < 0 || index >= kMostDevices)
         return inputError("There is no device " + inQuotes(id) + ": those of Force Dimension are called " +
-                          std::string(kPrefix) + "0 and so on.");
+                          std::string(kDhdPrefix) + "0 and so on.");
     const Result<DeviceInfo> ofFamily = figures("");
     if (!ofFamily) return tl::unexpected(ofFamily.error());
     return std::make_unique<ForceDimension>(int(index), std::move(figures), *ofFamily);

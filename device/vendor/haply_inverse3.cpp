@@ -20,16 +20,16 @@
 namespace tactum {
 namespace {
 
-constexpr std::string_view kPrefix = "haply:";
+constexpr std::string_view kHaplyPrefix = "haply:";
 constexpr int kPort = 10001;
-constexpr int kGreeting = 300;  ///< ms, for the service's first words
-constexpr int kAnswer = 100;    ///< ms, for every other
-constexpr int kMoment = 20;     ///< ms between two looks at the calibration
-constexpr int kFarewells = 3;   ///< commands of zero, the last words
-constexpr int kPriority = 80;   ///< as the servo's
-constexpr double kSilent = 0.1; ///< s without a reading
-constexpr const char* kConnect = "Connect to the Inverse Service";
-constexpr const char* kCalibrate = "Calibrate";
+constexpr int kGreeting = 300;       ///< ms, for the service's first words
+constexpr int kAnswer = 100;         ///< ms, for every other
+constexpr int kHaplyMoment = 20;     ///< ms between two looks at the calibration
+constexpr int kFarewells = 3;        ///< commands of zero, the last words
+constexpr int kPriority = 80;        ///< as the servo's
+constexpr double kHaplySilent = 0.1; ///< s without a reading
+constexpr const char* kHaplyConnect = "Connect to the Inverse Service";
+constexpr const char* kHaplyCalibrate = "Calibrate";
 
 constexpr const char* kGone = "Haply's Inverse Service does not answer any more: see that it runs, then open "
                               "the device again.";
@@ -74,7 +74,7 @@ public:
     ~Haply() override { shutDown(); }
 
     DeviceInfo info() const override { return info_; }
-    std::vector<std::string> steps() const override { return {kConnect, kCalibrate}; }
+    std::vector<std::string> steps() const override { return {kHaplyConnect, kHaplyCalibrate}; }
     Result<void> prepare(Opening& opening) override;
     Result<void> open() override;
     void close() override { shutDown(); }
@@ -167,19 +167,19 @@ Result<void> Haply::calibrate(Opening& opening) {
     for (bool said = false;; said = true) {
         if (!talk(Vec3::Zero(), state)) return machineError(fault_.load());
         if (state.calibrated) return {};
-        if (!said) opening.begin(kCalibrate, kRequest);
+        if (!said) opening.begin(kHaplyCalibrate, kRequest);
         if (opening.cancelled())
             return machineError(std::string("The device is not calibrated. ") + kRequest);
-        std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+        std::this_thread::sleep_for(std::chrono::milliseconds(kHaplyMoment));
     }
 }
 
 Result<void> Haply::prepare(Opening& opening) {
     if (fault_) shutDown(); // what broke is begun anew
-    opening.begin(kConnect);
+    opening.begin(kHaplyConnect);
     if (!socket_)
         if (Result<void> connected = connect(); !connected) return connected;
-    opening.begin(kCalibrate);
+    opening.begin(kHaplyCalibrate);
     return calibrate(opening);
 }
 
@@ -205,7 +205,7 @@ void Haply::shutDown() {
 
 std::string Haply::trouble() const {
     if (const char* fault = fault_) return fault;
-    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastReading_) > kSilent)
+    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastReading_) > kHaplySilent)
         return "The Inverse Service tells no position: see in its own program that the device works.";
     return {};
 }
@@ -217,7 +217,8 @@ std::vector<DeviceListing> listHaply() {
     if (!greeting) return {{"", "Inverse3 (Haply)", false, greeting.error().text}};
     std::vector<DeviceListing> listings;
     for (const haply::State& device : greeting->devices)
-        listings.push_back({std::string(kPrefix) + device.id, "Haply Inverse3 " + printable(device.id), true,
+        listings.push_back({std::string(kHaplyPrefix) + device.id, "Haply Inverse3 " + printable(device.id),
+                            true,
                             "connected; driven by Haply's Inverse Service, never tried with a real one"});
     if (listings.empty())
         listings.push_back({"", "Inverse3 (Haply)", false,
@@ -226,10 +227,10 @@ std::vector<DeviceListing> listHaply() {
 }
 
 Result<std::unique_ptr<HapticDevice>> makeHaply(const std::string& id, DeviceInfo profile) {
-    if (!id.starts_with(kPrefix) || id.size() == kPrefix.size())
+    if (!id.starts_with(kHaplyPrefix) || id.size() == kHaplyPrefix.size())
         return inputError("There is no device " + inQuotes(id) + ": those of Haply are called " +
-                          std::string(kPrefix) + "ID.");
-    return std::make_unique<Haply>(id.substr(kPrefix.size()), std::move(profile));
+                          std::string(kHaplyPrefix) + "ID.");
+    return std::make_unique<Haply>(id.substr(kHaplyPrefix.size()), std::move(profile));
 }
 
 } // namespace tactum

@@ -14,10 +14,10 @@ constexpr double kFarthest = 10;     ///< m, and beyond it no arm reaches
 constexpr double kFastestSaid = 100; ///< m/s
 
 // Theirs: x right, y forward, z up. D: x right, y up, z toward the user.
-Vec3 inD(const Vec3& theirs) {
+Vec3 haplyInD(const Vec3& theirs) {
     return {theirs.x(), theirs.z(), -theirs.y()};
 }
-Vec3 asTheirs(const Vec3& force_D) {
+Vec3 asHaplys(const Vec3& force_D) {
     return {force_D.x(), -force_D.z(), force_D.y()};
 }
 
@@ -65,8 +65,8 @@ State stateOf(const Json& device) {
     const auto position = vector(member(said, "cursor_position"), kFarthest);
     const auto velocity = vector(member(said, "cursor_velocity"), kFastestSaid);
     state.sample.valid = position.has_value();
-    if (position) state.sample.position = inD(*position);
-    if (velocity) state.sample.velocity = inD(*velocity);
+    if (position) state.sample.position = haplyInD(*position);
+    if (velocity) state.sample.velocity = haplyInD(*velocity);
     const Json& calibrated = member(member(device, "status"), "calibrated");
     state.calibrated = !calibrated.is_boolean() || calibrated.get<bool>();
     return state;
@@ -89,7 +89,7 @@ std::vector<State> read(std::string_view text) {
 }
 
 std::string write(const std::string& id, const Vec3& force_D, bool first) {
-    const Vec3 force = asTheirs(force_D);
+    const Vec3 force = asHaplys(force_D);
     Json device{
         {"device_id", id},
         {"commands",

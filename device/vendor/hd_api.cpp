@@ -6,12 +6,12 @@
 namespace tactum::hd {
 namespace {
 
-struct Explained {
+struct HdExplained {
     ErrorCode code;
     const char* sentence;
 };
 
-constexpr Explained kExplained[] = {
+constexpr HdExplained kHdExplained[] = {
     {kWarmMotors, "The motors of the device are too warm: let go of it and wait some minutes."},
     {kExceededMaxForce, "The device was asked for more force than it can give and took the force away: lower "
                         "the stiffness and arm again."},
@@ -71,8 +71,8 @@ Result<Api> load() {
 }
 
 std::string sentenceOf(ErrorCode code) {
-    const auto* found = std::ranges::find(kExplained, code, &Explained::code);
-    if (found != std::end(kExplained)) return found->sentence;
+    const auto* found = std::ranges::find(kHdExplained, code, &HdExplained::code);
+    if (found != std::end(kHdExplained)) return found->sentence;
     return "The maker's driver reports the error " + std::to_string(code) +
            ": open the device again; if it stays, run the maker's own test program.";
 }

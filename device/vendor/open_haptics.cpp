@@ -20,29 +20,29 @@
 namespace tactum {
 namespace {
 
-constexpr std::string_view kPrefix = "openhaptics:", kDefault = "default";
-constexpr double kMetre = 1e-3; ///< the library speaks in millimetres
-constexpr int kQuiet = 500;     ///< frames without an error, and the device is believed again
-constexpr int kMostErrors = 32; ///< taken off the stack in one frame
-constexpr int kMoment = 5;      ///< ms between two looks
-constexpr int kPatience = 2000; ///< ms, for the scheduler's first frame and an automatic calibration
-constexpr int kHold = 5000;     ///< ms, that the person holds the arms still
-constexpr int kFarewell = 100;  ///< ms, for the last command
-constexpr double kSilent = 0.1; ///< s without a frame
-constexpr const char* kLoad = "Load the maker's library";
-constexpr const char* kConnect = "Connect";
-constexpr const char* kCalibrate = "Calibrate";
+constexpr std::string_view kHdPrefix = "openhaptics:", kDefault = "default";
+constexpr double kMetre = 1e-3;   ///< the library speaks in millimetres
+constexpr int kHdQuiet = 500;     ///< frames without an error, and the device is believed again
+constexpr int kMostErrors = 32;   ///< taken off the stack in one frame
+constexpr int kHdMoment = 5;      ///< ms between two looks
+constexpr int kPatience = 2000;   ///< ms, for the scheduler's first frame and an automatic calibration
+constexpr int kHold = 5000;       ///< ms, that the person holds the arms still
+constexpr int kFarewell = 100;    ///< ms, for the last command
+constexpr double kHdSilent = 0.1; ///< s without a frame
+constexpr const char* kHdLoad = "Load the maker's library";
+constexpr const char* kHdConnect = "Connect";
+constexpr const char* kHdCalibrate = "Calibrate";
 
-const double kNothing = std::numeric_limits<double>::quiet_NaN();
+const double kHdNothing = std::numeric_limits<double>::quiet_NaN();
 using Triple = std::array<double, 3>;
 
 void pause() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(kMoment));
+    std::this_thread::sleep_for(std::chrono::milliseconds(kHdMoment));
 }
 
 /// Waits in moments, until `done` or for so many ms at most.
 template <class Done> bool waitFor(int patience, Done done) {
-    for (int waited = 0; !done(); waited += kMoment) {
+    for (int waited = 0; !done(); waited += kHdMoment) {
         if (waited >= patience) return false;
         pause();
     }
@@ -50,7 +50,7 @@ template <class Done> bool waitFor(int patience, Done done) {
 }
 
 /// Everything between the library and D: x right, y up, z toward the user, in both.
-Vec3 inD(const Triple& values, double unit) {
+Vec3 hdInD(const Triple& values, double unit) {
     return unit * Vec3(values[0], values[1], values[2]);
 }
 
@@ -67,7 +67,7 @@ public:
         const std::lock_guard lock(infoMutex_);
         return info_;
     }
-    std::vector<std::string> steps() const override { return {kLoad, kConnect, kCalibrate}; }
+    std::vector<std::string> steps() const override { return {kHdLoad, kHdConnect, kHdCalibrate}; }
     Result<void> prepare(Opening& opening) override;
     Result<void> open() override;
     void close() override { shutDown(); }
@@ -119,7 +119,7 @@ private:
 
     // Of the maker's thread alone, while it runs.
     ForceLimiter limiter_;
-    int quiet_ = kQuiet; ///< frames since the last error
+    int quiet_ = kHdQuiet; ///< frames since the last error
     bool output_ = false;
 };
 
@@ -129,17 +129,17 @@ private:
 void OpenHaptics::frame() {
     followSwitches();
     const std::int64_t now = monotonicNanoseconds();
-    const bool fit = open_ && quiet_ >= kQuiet;
+    const bool fit = open_ && quiet_ >= kHdQuiet;
     DeviceSample sample = haptics(fit ? limiter_(mailbox_->force(now)) : Vec3::Zero());
     noteErrors();
-    sample.valid = open_ && quiet_ >= kQuiet && sample.position.allFinite() && sample.velocity.allFinite();
+    sample.valid = open_ && quiet_ >= kHdQuiet && sample.position.allFinite() && sample.velocity.allFinite();
     mailbox_->measured(sample, monotonicNanoseconds());
     lastFrame_ = now;
     ++frames_;
 }
 
 DeviceSample OpenHaptics::haptics(const Vec3& force) {
-    Triple position{kNothing, kNothing, kNothing}, velocity = position;
+    Triple position{kHdNothing, kHdNothing, kHdNothing}, velocity = position;
     const Triple sent{force.x(), force.y(), force.z()};
     int buttons = 0;
     api_.beginFrame(handle_);
@@ -148,8 +148,8 @@ DeviceSample OpenHaptics::haptics(const Vec3& force) {
     api_.getIntegerv(hd::kCurrentButtons, &buttons);
     api_.setDoublev(hd::kCurrentForce, sent.data());
     api_.endFrame(handle_);
-    return {.position = inD(position, kMetre),
-            .velocity = inD(velocity, kMetre),
+    return {.position = hdInD(position, kMetre),
+            .velocity = hdInD(velocity, kMetre),
             .buttons = std::uint32_t(buttons)};
 }
 
@@ -171,7 +171,7 @@ void OpenHaptics::noteErrors() {
     if (const hd::ErrorCode code = takeErrors()) {
         fault_ = code;
         quiet_ = 0;
-    } else if (quiet_ < kQuiet && ++quiet_ == kQuiet) {
+    } else if (quiet_ < kHdQuiet && ++quiet_ == kHdQuiet) {
         fault_ = hd::kSuccess;
     }
 }
@@ -194,18 +194,18 @@ Result<void> OpenHaptics::prepare(Opening& opening) {
             shutDown();
             return connected;
         }
-    opening.begin(kCalibrate);
+    opening.begin(kHdCalibrate);
     Result<void> calibrated = calibrate(opening);
     calibrating_ = false;
     return calibrated;
 }
 
 Result<void> OpenHaptics::connect(Opening& opening) {
-    opening.begin(kLoad);
+    opening.begin(kHdLoad);
     Result<hd::Api> api = hd::load();
     if (!api) return tl::unexpected(api.error());
     api_ = *api;
-    opening.begin(kConnect);
+    opening.begin(kHdConnect);
     takeErrors(); // of whoever used it before
     handle_ = api_.initDevice(name_.empty() ? nullptr : name_.c_str());
     if (const hd::ErrorCode code = takeErrors(); code != hd::kSuccess || handle_ == hd::kInvalidHandle) {
@@ -263,7 +263,7 @@ Result<void> OpenHaptics::askItself() {
 }
 
 Result<void> OpenHaptics::startScheduler() {
-    quiet_ = kQuiet;
+    quiet_ = kHdQuiet;
     output_ = false;
     frames_ = 0;
     fault_ = hd::kSuccess;
@@ -296,11 +296,11 @@ Result<void> OpenHaptics::calibrateByHand(Opening& opening) {
     const std::string request =
         reset ? "Hold the arms of the device at right angles to each other, and keep still."
               : "Put the stylus into its inkwell.";
-    opening.begin(kCalibrate, request);
-    for (int waited = 0; calibration_ != hd::kCalibrated && fault_ == hd::kSuccess; waited += kMoment) {
+    opening.begin(kHdCalibrate, request);
+    for (int waited = 0; calibration_ != hd::kCalibrated && fault_ == hd::kSuccess; waited += kHdMoment) {
         if (opening.cancelled()) return machineError("The device is not calibrated. " + request);
         if (reset) opening.progress(std::min(1.0, double(waited) / kHold));
-        if (reset && waited % kHold == kHold - kMoment) resetNow_ = true;
+        if (reset && waited % kHold == kHold - kHdMoment) resetNow_ = true;
         pause();
     }
     return {};
@@ -330,7 +330,7 @@ void OpenHaptics::shutDown() {
 
 std::string OpenHaptics::trouble() const {
     if (const hd::ErrorCode code = fault_) return hd::sentenceOf(code);
-    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastFrame_) > kSilent)
+    if (open_ && 1e-9 * double(monotonicNanoseconds() - lastFrame_) > kHdSilent)
         return "The maker's driver stands still: check the cable of the device, then open it again.";
     return {};
 }
@@ -356,17 +356,17 @@ std::vector<DeviceListing> listOpenHaptics() {
         return {{"", "Touch, Phantom (OpenHaptics)", false, api.error().text}};
     std::vector<DeviceListing> listings;
     for (const std::string& name : setUpDevices())
-        listings.push_back({std::string(kPrefix) + name, "OpenHaptics: " + printable(name), true,
+        listings.push_back({std::string(kHdPrefix) + name, "OpenHaptics: " + printable(name), true,
                             "3D Systems' library is there; whether the device is connected shows when it is "
                             "opened; never tried with a real one"});
     return listings;
 }
 
 Result<std::unique_ptr<HapticDevice>> makeOpenHaptics(const std::string& id, FiguresOf figures) {
-    if (!id.starts_with(kPrefix) || id.size() == kPrefix.size())
+    if (!id.starts_with(kHdPrefix) || id.size() == kHdPrefix.size())
         return inputError("There is no device " + inQuotes(id) + ": those of 3D Systems are called " +
-                          std::string(kPrefix) + "NAME.");
-    const std::string name = id.substr(kPrefix.size());
+                          std::string(kHdPrefix) + "NAME.");
+    const std::string name = id.substr(kHdPrefix.size());
     const Result<DeviceInfo> ofFamily = figures("");
     if (!ofFamily) return tl::unexpected(ofFamily.error());
     return std::make_unique<OpenHaptics>(name == kDefault ? std::string() : name, std::move(figures),

@@ -4,10 +4,13 @@
 #include <QDir>
 #include <QFile>
 #include <QProcess>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/app/program.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_command_errors {
 
 using namespace test_program;
 
@@ -228,5 +231,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommandErrors)
+TACTUM_TEST(TestCommandErrors)
+
+} // namespace test_command_errors
+
 #include "test_command_errors.moc"

@@ -9,10 +9,13 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/app/program.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_command_line {
 
 using namespace test_program;
 
@@ -317,5 +320,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommandLine)
+TACTUM_TEST(TestCommandLine)
+
+} // namespace test_command_line
+
 #include "test_command_line.moc"

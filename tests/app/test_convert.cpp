@@ -13,10 +13,13 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/app/program.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_convert {
 
 using namespace test_program;
 
@@ -255,5 +258,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestConvert)
+TACTUM_TEST(TestConvert)
+
+} // namespace test_convert
+
 #include "test_convert.moc"

@@ -5,6 +5,9 @@
 #include "tests/architecture/house_plan.h"
 #include "tests/architecture/include_rules.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_architecture {
 
 using namespace tactum::architecture;
 
@@ -173,5 +176,8 @@ void TestArchitecture::reportsALockInRealTime() {
     QCOMPARE(realtimeFaults(source("core/proxy/proxy.cpp", "<condition_variable>")).size(), std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(TestArchitecture)
+TACTUM_TEST(TestArchitecture)
+
+} // namespace test_architecture
+
 #include "test_architecture.moc"

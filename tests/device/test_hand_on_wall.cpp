@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <deque>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/haptic_step.h"
 #include "device/simulated_hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_hand_on_wall {
 
 using namespace tactum;
 
@@ -91,5 +94,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHandOnWall)
+TACTUM_TEST(TestHandOnWall)
+
+} // namespace test_hand_on_wall
+
 #include "test_hand_on_wall.moc"

@@ -2,12 +2,15 @@
 #include <fstream>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/device_check.h"
 #include "core/control/safe_stiffness.h"
 #include "device/profile.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_profile {
 
 using namespace tactum;
 
@@ -146,5 +149,8 @@ private slots:
     void anUnknownDeviceIsRefused() { QVERIFY(!profileOf("../falcon", {})); }
 };
 
-QTEST_APPLESS_MAIN(TestProfile)
+TACTUM_TEST(TestProfile)
+
+} // namespace test_profile
+
 #include "test_profile.moc"

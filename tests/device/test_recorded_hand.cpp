@@ -1,10 +1,13 @@
 // The recorded hand plays exactly what was recorded.
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/recorded_hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_recorded_hand {
 
 using namespace tactum;
 
@@ -95,5 +98,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecordedHand)
+TACTUM_TEST(TestRecordedHand)
+
+} // namespace test_recorded_hand
+
 #include "test_recorded_hand.moc"

@@ -1,11 +1,14 @@
 // What devices are found, on an emulated bus, and what is said of those that cannot be used.
-#include <QtTest>
+#include <QTest>
 
 #include "device/listings_text.h"
 #include "device/registry.h"
 #include "device/remote/output_of.h"
 #include "tests/device/usb/emulated_usb.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_registry {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -132,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRegistry)
+TACTUM_TEST(TestRegistry)
+
+} // namespace test_registry
+
 #include "test_registry.moc"

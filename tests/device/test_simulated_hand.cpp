@@ -2,10 +2,13 @@
 #include <cmath>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/simulated_hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_simulated_hand {
 
 using namespace tactum;
 
@@ -175,5 +178,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulatedHand)
+TACTUM_TEST(TestSimulatedHand)
+
+} // namespace test_simulated_hand
+
 #include "test_simulated_hand.moc"

@@ -4,7 +4,7 @@
 
 namespace tactum::test {
 
-PlantAxis::PlantAxis(const DeviceProfile& device, const HandProfile& hand)
+PlantAxis::PlantAxis(const PlantProfile& device, const HandProfile& hand)
     : device_(device), hand_(hand), mass_(device.mass + (hand.rigid ? hand.mass : 0)) {}
 
 void PlantAxis::place(double position, double velocity) {
@@ -47,7 +47,7 @@ void PlantAxis::advance(double command, double voluntary, double dt) {
     v = next;
 }
 
-Plant::Plant(const DeviceProfile& device, const HandProfile& hand, int axes) : first_(3 - axes) {
+Plant::Plant(const PlantProfile& device, const HandProfile& hand, int axes) : first_(3 - axes) {
     axis.fill(PlantAxis(device, hand));
 }
 

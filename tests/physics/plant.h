@@ -12,7 +12,7 @@ namespace tactum::test {
 class PlantAxis {
 public:
     PlantAxis() = default;
-    PlantAxis(const DeviceProfile& device, const HandProfile& hand);
+    PlantAxis(const PlantProfile& device, const HandProfile& hand);
 
     void place(double position, double velocity = 0);
     /// `command` in N, `voluntary`: the force of the person's muscles in N.
@@ -30,7 +30,7 @@ public:
 private:
     void moveHand(double voluntary, double dt);
 
-    DeviceProfile device_;
+    PlantProfile device_;
     HandProfile hand_;
     double mass_ = 1;
 };
@@ -38,7 +38,7 @@ private:
 /// Three axes that do not know of each other; frame D. `axes` = 1: only the third one moves.
 class Plant {
 public:
-    Plant(const DeviceProfile& device, const HandProfile& hand, int axes = 3);
+    Plant(const PlantProfile& device, const HandProfile& hand, int axes = 3);
 
     void place(const Vec3& position, const Vec3& velocity = Vec3::Zero());
     void advance(const Vec3& command, double dt);

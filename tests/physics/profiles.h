@@ -8,7 +8,7 @@
 namespace tactum::test {
 
 /// One axis of a device.
-struct DeviceProfile {
+struct PlantProfile {
     const char* name = "";
     double mass = 0;         ///< kg
     double damping = 0;      ///< N s/m
@@ -21,14 +21,14 @@ struct DeviceProfile {
 
 inline constexpr double kLag300Hz = 1 / (2 * 3.14159265358979 * 300); ///< s
 
-inline constexpr DeviceProfile kTouch{"touch-like", 0.05, 0.1, 0.05, 55e-6, 3.3};
-inline constexpr DeviceProfile kFalcon{"falcon-like", 0.15, 0.5, 0.3, 60e-6, 8.9};
-inline constexpr DeviceProfile kLowFriction{"low-friction", 0.1, 0.05, 0.02, 30e-6, 8};
-inline constexpr DeviceProfile kPremium{"premium-like", 0.075, 0.05, 0.04, 30e-6, 8.5};
-inline constexpr DeviceProfile kHeavy{"heavy", 0.2, 1, 0.2, 30e-6, 20};
+inline constexpr PlantProfile kTouch{"touch-like", 0.05, 0.1, 0.05, 55e-6, 3.3};
+inline constexpr PlantProfile kFalcon{"falcon-like", 0.15, 0.5, 0.3, 60e-6, 8.9};
+inline constexpr PlantProfile kLowFriction{"low-friction", 0.1, 0.05, 0.02, 30e-6, 8};
+inline constexpr PlantProfile kPremium{"premium-like", 0.075, 0.05, 0.04, 30e-6, 8.5};
+inline constexpr PlantProfile kHeavy{"heavy", 0.2, 1, 0.2, 30e-6, 20};
 inline constexpr std::array kDevices{kTouch, kFalcon, kLowFriction, kPremium, kHeavy};
 
-inline DeviceProfile lagging(DeviceProfile device, double lag = kLag300Hz) {
+inline PlantProfile lagging(PlantProfile device, double lag = kLag300Hz) {
     device.amplifierLag = lag;
     return device;
 }
@@ -72,7 +72,7 @@ struct Timing {
 
 /// A loop: everything but who renders.
 struct Bench {
-    DeviceProfile device;
+    PlantProfile device;
     HandProfile hand;
     Timing timing;
 };

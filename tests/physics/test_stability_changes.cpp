@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/event.h"
 #include "tests/physics/press.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_changes {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -119,7 +122,7 @@ private slots:
     void aCeilingThatRisesIsGentle() {
         QFETCH(bool, override);
         double fastest = 0;
-        for (const DeviceProfile& device : kDevices)
+        for (const PlantProfile& device : kDevices)
             for (const double force : {1.0, 3.0}) {
                 if (force > device.maxForce) continue;
                 const Bench bench{device, kPinch, {.delay = 1}};
@@ -315,5 +318,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityChanges)
+TACTUM_TEST(TestStabilityChanges)
+
+} // namespace test_stability_changes
+
 #include "test_stability_changes.moc"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <QMap>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/event.h"
 #include "tests/physics/hand_script.h"
@@ -14,6 +14,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_faults {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -343,5 +346,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityFaults)
+TACTUM_TEST(TestStabilityFaults)
+
+} // namespace test_stability_faults
+
 #include "test_stability_faults.moc"

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/press.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_hold {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -33,7 +36,7 @@ QString told(const Bench& bench, const Press& press, const Rest& rest) {
 }
 
 /// How T4 presses.
-template <class Each> void everyHold(const DeviceProfile& device, Each&& each) {
+template <class Each> void everyHold(const PlantProfile& device, Each&& each) {
     for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
         for (const double rate : {1000.0, 2000.0, 4000.0})
             for (const int delay : {0, 1, 2})
@@ -93,7 +96,7 @@ private slots:
     void belowTheCeilingItHoldsStill() {
         QFETCH(int, device);
         QFETCH(bool, lag);
-        const DeviceProfile profile =
+        const PlantProfile profile =
             lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
         int cases = 0, bad = 0;
         everyHold(profile, [&](const Bench& bench, const Press& press) {
@@ -112,7 +115,7 @@ private slots:
     void withoutACeilingItDoesNot() {
         QFETCH(int, device);
         QFETCH(bool, lag);
-        const DeviceProfile profile =
+        const PlantProfile profile =
             lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
         int cases = 0, swinging = 0;
         everyHold(profile, [&](const Bench& bench, const Press& press) {
@@ -132,7 +135,7 @@ private slots:
     /// T4 with surfaces that damp: some as much as the hand does, some as much as an author can ask for.
     void aDampedSurfaceHoldsStillToo() {
         QFETCH(int, device);
-        const DeviceProfile& profile = kDevices[std::size_t(device)];
+        const PlantProfile& profile = kDevices[std::size_t(device)];
         int cases = 0, bad = 0;
         for (const HandProfile& hand : {kPinch, kGrasp, kFirm, kRigid})
             for (const double rate : {1000.0, 4000.0})
@@ -155,7 +158,7 @@ private slots:
     void whatSwingsIsStilled() {
         QFETCH(int, device);
         QFETCH(bool, lag);
-        const DeviceProfile profile =
+        const PlantProfile profile =
             lag ? lagging(kDevices[std::size_t(device)]) : kDevices[std::size_t(device)];
         int swinging = 0, bad = 0;
         double worstGift = 0, worstExtra = 0;
@@ -182,5 +185,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityHold)
+TACTUM_TEST(TestStabilityHold)
+
+} // namespace test_stability_hold
+
 #include "test_stability_hold.moc"

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/profile.h"
 #include "tests/physics/press.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_let_go {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -20,7 +23,7 @@ constexpr double kWall = 1500;   ///< N/m
 /// No profile tells its mass: a light stylus and a heavy parallel one.
 constexpr std::array kMasses{0.05, 0.2}; // kg
 
-test::DeviceProfile plantOf(const DeviceInfo& info, double mass) {
+PlantProfile plantOf(const DeviceInfo& info, double mass) {
     return {info.name.c_str(),       mass,          info.damping,     info.dryFriction,
             info.positionResolution, info.maxForce, info.amplifierLag};
 }
@@ -71,5 +74,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityLetGo)
+TACTUM_TEST(TestStabilityLetGo)
+
+} // namespace test_stability_let_go
+
 #include "test_stability_let_go.moc"

@@ -1,10 +1,13 @@
 // The Z-width map against its baseline: a change of the rendered spring, or of the plant, shows here.
 #include <QFile>
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/safe_stiffness.h"
 #include "tests/physics/z_width.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_map {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -71,5 +74,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityMap)
+TACTUM_TEST(TestStabilityMap)
+
+} // namespace test_stability_map
+
 #include "test_stability_map.moc"

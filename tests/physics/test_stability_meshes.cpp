@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/exactness.h"
 #include "tests/support/hand.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_meshes {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -275,5 +278,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityMeshes)
+TACTUM_TEST(TestStabilityMeshes)
+
+} // namespace test_stability_meshes
+
 #include "test_stability_meshes.moc"

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/movers.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_movers {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -121,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityMovers)
+TACTUM_TEST(TestStabilityMovers)
+
+} // namespace test_stability_movers
+
 #include "test_stability_movers.moc"

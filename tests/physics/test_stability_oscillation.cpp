@@ -2,13 +2,16 @@
 #include <cmath>
 #include <numbers>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/oscillation_detector.h"
 #include "tests/physics/hand_script.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_oscillation {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -94,7 +97,7 @@ private slots:
 
     /// Ten minutes in all.
     void strokingAndTappingIsNoLimitCycle() {
-        const DeviceProfile devices[] = {kTouch, kFalcon, kPremium};
+        const PlantProfile devices[] = {kTouch, kFalcon, kPremium};
         const HandProfile hands[] = {kPinch, kGrasp, kFirm};
         const TextureSource sources[] = {TextureSource::Noise, TextureSource::Grooves, TextureSource::Dots,
                                          TextureSource::Weave};
@@ -123,5 +126,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityOscillation)
+TACTUM_TEST(TestStabilityOscillation)
+
+} // namespace test_stability_oscillation
+
 #include "test_stability_oscillation.moc"

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/press.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_passive {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -51,7 +54,7 @@ double worstGift(double dampingPart) {
 
 /// Readings that the test prescribes, one tick apart, and what the forces gave along straight ways between
 /// them, net of the device's losses. `stored`: what the spring still holds counts as given.
-double giftAlong(const std::vector<double>& heights, const DeviceProfile& device, const Timing& timing,
+double giftAlong(const std::vector<double>& heights, const PlantProfile& device, const Timing& timing,
                  double stiffness, const Control& control, bool stored) {
     double given = 0, most = -1e300;
     Vec3 force = Vec3::Zero();
@@ -162,7 +165,7 @@ private slots:
     void randomStepsTurnAtTheBoundary() {
         const std::vector<double> z = randomSteps(200'000, 0.005, 0.002);
         const auto gift = [&](double damping) {
-            const DeviceProfile device{"bare", 0.1, damping, 0, 0, kNoLimit};
+            const PlantProfile device{"bare", 0.1, damping, 0, 0, kNoLimit};
             return giftAlong(z, device, {}, 500, plainWall(500), true) - 0.5 * 500 * 0.005 * 0.005;
         };
         qInfo("b 0.249: %.3g J, 0.251: %.3g J", gift(0.249), gift(0.251));
@@ -174,7 +177,7 @@ private slots:
     void sawtoothOverACountTurnsAtTheBoundary() {
         const std::vector<double> z = sawtooth(200'000, -2.5 * 50e-6, 1e-9);
         const auto gift = [&](double friction) {
-            const DeviceProfile device{"bare", 0.1, 0, friction, 50e-6, kNoLimit};
+            const PlantProfile device{"bare", 0.1, 0, friction, 50e-6, kNoLimit};
             return giftAlong(z, device, {}, 2000, plainWall(2000), false);
         };
         qInfo("f 0.049: %.3g J, 0.051: %.3g J", gift(0.049), gift(0.051));
@@ -192,7 +195,7 @@ private slots:
     void prescribedMotionGetsNothingFromTheServo() {
         QFETCH(double, damping);
         double most = -1;
-        for (const DeviceProfile& device : kDevices)
+        for (const PlantProfile& device : kDevices)
             for (const double rate : {1000.0, 4000.0}) {
                 const Timing timing{.rate = rate};
                 for (const std::vector<double>& z :
@@ -217,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityPassive)
+TACTUM_TEST(TestStabilityPassive)
+
+} // namespace test_stability_passive
+
 #include "test_stability_passive.moc"

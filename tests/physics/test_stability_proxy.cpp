@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/event.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_proxy {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -159,5 +162,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityProxy)
+TACTUM_TEST(TestStabilityProxy)
+
+} // namespace test_stability_proxy
+
 #include "test_stability_proxy.moc"

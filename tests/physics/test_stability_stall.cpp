@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/physics/event.h"
 #include "tests/physics/press.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_stall {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -67,7 +70,7 @@ private slots:
     void afterAStallItIsGentle() {
         QFETCH(int, hand);
         QFETCH(double, length);
-        for (const DeviceProfile& device : {kFalcon, kHeavy, kPremium}) {
+        for (const PlantProfile& device : {kFalcon, kHeavy, kPremium}) {
             const Bench bench{device, kHands[std::size_t(hand)], {}};
             GivenModel model(wall(kWall));
             Servo servo(infoOf(bench), model);
@@ -108,5 +111,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityStall)
+TACTUM_TEST(TestStabilityStall)
+
+} // namespace test_stability_stall
+
 #include "test_stability_stall.moc"

@@ -5,13 +5,16 @@
 #include <deque>
 #include <numbers>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/safe_stiffness.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_stability_surfaces {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -25,7 +28,7 @@ constexpr double kDepth = 2e-3; ///< m below the surface, of a finger that is pr
 /// A servo and its proxy, led from reading to reading, with the energy that they gave net of what the device
 /// is known to lose; its friction is that of its joints, along each axis.
 struct Led {
-    Led(std::shared_ptr<const World> world, const DeviceInfo& info, const DeviceProfile& theDevice,
+    Led(std::shared_ptr<const World> world, const DeviceInfo& info, const PlantProfile& theDevice,
         double proxyRate)
         : device(theDevice), period(1 / info.rate), proxy(std::move(world), proxyRate), servo(info, proxy),
           onTheWay(1 + std::size_t(info.delay), Vec3::Zero()) {
@@ -69,7 +72,7 @@ struct Led {
     }
     bool isPushing() const { return servo.state.guard.gain() == 1 && servo.state.guard.faults() == 0; }
 
-    DeviceProfile device;
+    PlantProfile device;
     double period; ///< s
     Proxy proxy;
     Servo servo;
@@ -221,7 +224,7 @@ struct Bare {
         info = infoOf({device, kNoHand, {.rate = rate, .delay = delay}});
         info.damping = device.damping * kAlmost / kReserve;
     }
-    DeviceProfile device;
+    PlantProfile device;
     DeviceInfo info;
 };
 
@@ -312,7 +315,7 @@ private slots:
         QFETCH(int, feel);
         QFETCH(int, delay);
         double most = -1;
-        for (const DeviceProfile& device : kDevices)
+        for (const PlantProfile& device : kDevices)
             for (const double rate : {1000.0, 4000.0})
                 for (const double damping : {0.0, 2.0})
                     for (const double proxyRate : {rate, 300.0}) {
@@ -375,5 +378,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilitySurfaces)
+TACTUM_TEST(TestStabilitySurfaces)
+
+} // namespace test_stability_surfaces
+
 #include "test_stability_surfaces.moc"

@@ -35,7 +35,7 @@ double firstFailure(const Bench& bench) {
 
 std::vector<Bench> mapLoops() {
     std::vector<Bench> loops;
-    for (const DeviceProfile& device : {kTouch, kFalcon, kPremium})
+    for (const PlantProfile& device : {kTouch, kFalcon, kPremium})
         for (const HandProfile& hand : {kNoHand, kPinch, kGrasp, kFirm, kRigid})
             for (const double rate : {1000.0, 2000.0, 4000.0})
                 for (const int delay : {0, 1, 2})

@@ -10,7 +10,7 @@
 #include <shared_mutex>
 #include <thread>
 
-#include <QtTest>
+#include <QTest>
 #include <linux/futex.h>
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -28,6 +28,7 @@
 #ifndef TACTUM_SANITIZER_OWNS_MALLOC
 #include "tests/realtime/interposer.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #else
 namespace tactum::interposer { // never reached: initTestCase skips
 void reset() {}
@@ -316,5 +317,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRealtime)
+TACTUM_TEST(TestRealtime)
 #include "test_realtime.moc"

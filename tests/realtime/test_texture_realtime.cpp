@@ -1,11 +1,14 @@
 // The proof that sampling a texture neither allocates nor locks: no hit of the interposer.
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/realtime.h"
 #include "core/surface/texture_feel.h"
 #include "tests/realtime/interposer.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_texture_realtime {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -85,5 +88,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTextureRealtime)
+TACTUM_TEST(TestTextureRealtime)
+
+} // namespace test_texture_realtime
+
 #include "test_texture_realtime.moc"

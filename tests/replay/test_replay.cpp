@@ -1,11 +1,14 @@
 // Every recording in this folder gives the same bits as when it was made.
 #include <filesystem>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_replay {
 
 using namespace tactum;
 
@@ -41,5 +44,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReplay)
+TACTUM_TEST(TestReplay)
+
+} // namespace test_replay
+
 #include "test_replay.moc"

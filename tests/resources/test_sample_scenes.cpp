@@ -15,6 +15,9 @@
 #include "core/runtime/compile.h"
 #include "core/runtime/replay.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_sample_scenes {
 
 using namespace tactum;
 
@@ -337,5 +340,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSampleScenes)
+TACTUM_TEST(TestSampleScenes)
+
+} // namespace test_sample_scenes
+
 #include "test_sample_scenes.moc"

@@ -5,6 +5,9 @@
 #include "tests/support/exactness.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_exactness {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -109,5 +112,8 @@ void TestExactness::noticesAProxyInside() {
              std::size_t(0));
 }
 
-QTEST_APPLESS_MAIN(TestExactness)
+TACTUM_TEST(TestExactness)
+
+} // namespace test_exactness
+
 #include "test_exactness.moc"

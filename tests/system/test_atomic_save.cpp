@@ -9,12 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/atomic_file.h"
 #include "tests/support/compare.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
 #include "tests/system/failing_disk.h"
+
+namespace test_atomic_save {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -302,5 +305,8 @@ void TestAtomicSave::aKillAtAnyMomentLeavesTheOldOrTheNew() {
     QCOMPARE_LT(changed, kills);
 }
 
-QTEST_GUILESS_MAIN(TestAtomicSave)
+TACTUM_TEST(TestAtomicSave)
+
+} // namespace test_atomic_save
+
 #include "test_atomic_save.moc"

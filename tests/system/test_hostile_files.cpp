@@ -4,7 +4,10 @@
 
 #include "core/import/import_scene.h"
 #include "tests/support/random_touch.h"
+#include "tests/support/test_program.h"
 #include "tests/system/hostile_files.h"
+
+namespace test_hostile_files {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -76,5 +79,8 @@ private:
     std::string answer_, faults_;
 };
 
-QTEST_GUILESS_MAIN(TestHostileFiles)
+TACTUM_TEST(TestHostileFiles)
+
+} // namespace test_hostile_files
+
 #include "test_hostile_files.moc"

@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/process_mark.h"
 #include "core/files/gltf/write_gltf.h"
@@ -17,7 +17,10 @@
 #include "tests/support/hand.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
 #include "tests/system/failing_disk.h"
+
+namespace test_journal {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -290,5 +293,8 @@ void TestJournal::aRunIsToldFromEveryOther() {
     QVERIFY(hasEnded(died, now));
 }
 
-QTEST_GUILESS_MAIN(TestJournal)
+TACTUM_TEST(TestJournal)
+
+} // namespace test_journal
+
 #include "test_journal.moc"

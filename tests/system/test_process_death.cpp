@@ -2,13 +2,16 @@
 #include <csignal>
 #include <sys/wait.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/quiet.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/system/watched_device.h"
+
+namespace test_process_death {
 
 using namespace tactum::test;
 
@@ -185,5 +188,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProcessDeath)
+TACTUM_TEST(TestProcessDeath)
+
+} // namespace test_process_death
+
 #include "test_process_death.moc"

@@ -51,7 +51,7 @@ protected:
     }
 };
 
-QString lineOf(const DeviceLink& link, const DeviceListing& listing) {
+QString deviceLineOf(const DeviceLink& link, const DeviceListing& listing) {
     const QString id = QString::fromStdString(listing.id);
     const QString name = QString::fromStdString(listing.name);
     const QString sentence = QString::fromStdString(listing.sentence);
@@ -62,7 +62,7 @@ QString lineOf(const DeviceLink& link, const DeviceListing& listing) {
     return QStringLiteral("%1\n%2").arg(name, sentence);
 }
 
-QIcon iconOf(const DeviceLink& link, const DeviceListing& listing) {
+QIcon deviceIconOf(const DeviceLink& link, const DeviceListing& listing) {
     if (!listing.id.empty() && QString::fromStdString(listing.id) == link.current())
         return icon(QStringLiteral("check"), theme().contact);
     if (listing.id.empty()) return icon(QStringLiteral("note"), theme().textDimmed);
@@ -78,7 +78,7 @@ const DeviceListing* lackingOne(const DeviceLink& link) {
 }
 
 /// What it lacks, without how such files are called.
-QString wordOf(const DeviceListing& listing) {
+QString deviceWordOf(const DeviceListing& listing) {
     return QString::fromStdString(listing.lacks).section(QStringLiteral(" ("), 0, 0);
 }
 
@@ -169,8 +169,8 @@ void DeviceConnect::fill() {
         const QSignalBlocker quiet(list_);
         list_->clear();
         for (const DeviceListing& listing : link_.devices()) {
-            auto* row = new QTreeWidgetItem(list_, {lineOf(link_, listing)});
-            row->setIcon(0, iconOf(link_, listing));
+            auto* row = new QTreeWidgetItem(list_, {deviceLineOf(link_, listing)});
+            row->setIcon(0, deviceIconOf(link_, listing));
             row->setToolTip(0, QString::fromStdString(listing.sentence));
             row->setData(0, kIdRole, QString::fromStdString(listing.id));
             if (!listing.id.empty() && QString::fromStdString(listing.id) == kept) list_->setCurrentItem(row);
@@ -188,7 +188,7 @@ void DeviceConnect::follow() {
     const DeviceListing* lacking = lackingOne(link_);
     supply_->setVisible(lacking != nullptr);
     if (lacking) {
-        supply_->setText(tr("Choose %1...").arg(wordOf(*lacking)));
+        supply_->setText(tr("Choose %1...").arg(deviceWordOf(*lacking)));
         supply_->setToolTip(tr("For the %1. Your copy is checked, and kept where the driver finds it")
                                 .arg(QString::fromStdString(lacking->name)));
     }

@@ -35,7 +35,7 @@ Mark markOf(StepState state) {
     return {{}, theme().textDimmed, {}};
 }
 
-QWidget* rowOf(const Preparation::Step& step) {
+QWidget* stepRowOf(const Preparation::Step& step) {
     const Mark mark = markOf(step.state);
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
@@ -65,7 +65,7 @@ QString signature(const Preparation& preparation) {
     return text;
 }
 
-QString headingOf(const Preparation& preparation) {
+QString stepHeadingOf(const Preparation& preparation) {
     switch (preparation.state) {
     case Preparation::State::Failed:
         return DeviceSteps::tr("%1 could not be made ready").arg(preparation.name);
@@ -118,7 +118,7 @@ void DeviceSteps::show(const Preparation& preparation) {
     using State = Preparation::State;
     const State state = preparation.state;
     const bool running = state == State::Running;
-    heading_->setText(headingOf(preparation));
+    heading_->setText(stepHeadingOf(preparation));
     fillRows(preparation);
     request_->setText(preparation.request);
     request_->setVisible(running && !preparation.request.isEmpty());
@@ -144,7 +144,7 @@ void DeviceSteps::fillRows(const Preparation& preparation) {
     }
     QStringList heard;
     for (const Preparation::Step& step : preparation.steps) {
-        rows_->addWidget(rowOf(step));
+        rows_->addWidget(stepRowOf(step));
         heard << QStringLiteral("%1 %2").arg(step.name, markOf(step.state).word).trimmed();
     }
     setAccessibleName(heard.join(QStringLiteral(", ")));

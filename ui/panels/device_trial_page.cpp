@@ -18,7 +18,7 @@ namespace tactum {
 
 namespace {
 
-constexpr int kFramesPerFigure = 6;
+constexpr int kFramesPerTrialFigure = 6;
 
 struct Words {
     Trial trial;
@@ -26,7 +26,7 @@ struct Words {
     const char* button;
     const char* task;
 };
-constexpr std::array<Words, 3> kWords{{
+constexpr std::array<Words, 3> kTrialWords{{
     {Trial::Spring, "trial-spring-button", "Spring",
      "Bring the finger to the middle. From there a gentle spring draws it back, wherever you go."},
     {Trial::Wall, "trial-wall-button", "Wall",
@@ -35,7 +35,7 @@ constexpr std::array<Words, 3> kWords{{
      "A plate lies below the middle. Press on it and stroke: it holds, then lets go and slides."},
 }};
 
-QLabel* words(const char* name, bool dimmed) {
+QLabel* trialWords(const char* name, bool dimmed) {
     auto* label = new QLabel;
     label->setObjectName(QLatin1String(name));
     label->setProperty("dimmed", dimmed);
@@ -46,18 +46,18 @@ QLabel* words(const char* name, bool dimmed) {
 } // namespace
 
 DeviceTrialPage::DeviceTrialPage(QWidget* parent)
-    : QWidget(parent), task_(words("trial-task", false)), state_(words("trial-state", false)),
-      limits_(words("trial-limits", true)), force_(new ForceMeter),
+    : QWidget(parent), task_(trialWords("trial-task", false)), state_(trialWords("trial-state", false)),
+      limits_(trialWords("trial-limits", true)), force_(new ForceMeter),
       end_(new QPushButton(tr("Back to my scene"))) {
     auto* column = columnIn(this, kRhythm);
     auto* row = new QHBoxLayout;
     row->setSpacing(kRhythm / 2);
     column->addLayout(row);
-    for (std::size_t i = 0; i < kWords.size(); ++i) {
+    for (std::size_t i = 0; i < kTrialWords.size(); ++i) {
         auto* button = buttons_[i] = new QToolButton;
-        button->setObjectName(QLatin1String(kWords[i].name));
-        button->setText(tr(kWords[i].button));
-        button->setToolTip(tr(kWords[i].task));
+        button->setObjectName(QLatin1String(kTrialWords[i].name));
+        button->setText(tr(kTrialWords[i].button));
+        button->setToolTip(tr(kTrialWords[i].task));
         button->setAccessibleName(tr("Try: %1").arg(button->text()));
         button->setCheckable(true);
         button->setProperty("choice", true);
@@ -65,7 +65,7 @@ DeviceTrialPage::DeviceTrialPage(QWidget* parent)
         row->addWidget(button, 1);
         connect(button, &QToolButton::clicked, this, [this, i] {
             setTrial(trial_); // until whoever decides says so
-            emit chosen(kWords[i].trial);
+            emit chosen(kTrialWords[i].trial);
         });
     }
     force_->setObjectName(QStringLiteral("trial-force"));
@@ -79,9 +79,9 @@ DeviceTrialPage::DeviceTrialPage(QWidget* parent)
 
 void DeviceTrialPage::setTrial(std::optional<Trial> trial) {
     trial_ = trial;
-    for (std::size_t i = 0; i < kWords.size(); ++i)
-        buttons_[i]->setChecked(trial == kWords[i].trial);
-    task_->setText(trial ? tr(kWords[std::size_t(*trial)].task)
+    for (std::size_t i = 0; i < kTrialWords.size(); ++i)
+        buttons_[i]->setChecked(trial == kTrialWords[i].trial);
+    task_->setText(trial ? tr(kTrialWords[std::size_t(*trial)].task)
                          : tr("Three small scenes to feel whether a device works as it should. Your own "
                               "scene waits, unchanged."));
     state_->setVisible(trial.has_value());
@@ -91,7 +91,7 @@ void DeviceTrialPage::setTrial(std::optional<Trial> trial) {
 
 void DeviceTrialPage::display(const Engine& engine) {
     force_->setForce(engine.servo().force.norm(), std::max(0.1, engine.device().maxForce));
-    if (frames_++ % kFramesPerFigure) return;
+    if (frames_++ % kFramesPerTrialFigure) return;
     state_->setText(engine.armed() ? tr("The forces are on.")
                                    : tr("The forces are off. Hold the handle, then arm."));
     showLimits(engine);

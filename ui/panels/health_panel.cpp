@@ -18,7 +18,7 @@ namespace tactum {
 
 namespace {
 
-constexpr int kColumn = 156, kGap = 2 * kRhythm, kMargin = 12; // pixels
+constexpr int kColumn = 156, kHealthGap = 2 * kRhythm, kHealthMargin = 12; // pixels
 
 QString wrapped(const QString& sentences) {
     return QStringLiteral("<p>%1</p>").arg(sentences.toHtmlEscaped());
@@ -53,7 +53,7 @@ void addRow(QVBoxLayout* rows, const QString& word, QLabel* value) {
     rows->addLayout(row);
 }
 
-QString kilohertz(double hertz) {
+QString inKilohertz(double hertz) {
     return hertz < 9950 ? numberText(hertz, 0) : numberText(1e-3 * hertz, 1) + QStringLiteral("k");
 }
 
@@ -62,8 +62,8 @@ QString shortTime(double micros) {
                          : HealthPanel::tr("%1 ms").arg(numberText(1e-3 * micros, 0));
 }
 
-QString rateText(double rate, double nominal) {
-    return HealthPanel::tr("%1 of %2 Hz").arg(kilohertz(rate), kilohertz(nominal));
+QString healthRateText(double rate, double nominal) {
+    return HealthPanel::tr("%1 of %2 Hz").arg(inKilohertz(rate), inKilohertz(nominal));
 }
 
 /// Red words where something wants attention.
@@ -82,9 +82,9 @@ HealthPanel::HealthPanel(QWidget* parent)
     setWidget(body_);
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    grid_->setContentsMargins(kMargin, kRhythm / 2, kMargin, kRhythm / 2);
-    grid_->setHorizontalSpacing(kGap);
-    grid_->setVerticalSpacing(kGap);
+    grid_->setContentsMargins(kHealthMargin, kRhythm / 2, kHealthMargin, kRhythm / 2);
+    grid_->setHorizontalSpacing(kHealthGap);
+    grid_->setVerticalSpacing(kHealthGap);
     addLoops();
     addPeriods();
     addEnergy();
@@ -210,7 +210,7 @@ void HealthPanel::resizeEvent(QResizeEvent* event) {
 /// The last section takes what is left of its row.
 void HealthPanel::arrange() {
     const int count = int(sections_.size());
-    const int fit = (viewport()->width() - 2 * kMargin + kGap) / (kColumn + kGap);
+    const int fit = (viewport()->width() - 2 * kHealthMargin + kHealthGap) / (kColumn + kHealthGap);
     const int columns = std::clamp(fit, 1, count);
     if (columns == columns_) return;
     columns_ = columns;
@@ -233,8 +233,8 @@ void HealthPanel::display(const ServoTelemetry& servo, const ProxyTelemetry& pro
 
 void HealthPanel::displayLoops(const ServoTelemetry& servo, const ProxyTelemetry& proxy,
                                const DeviceInfo& device) {
-    servo_->setText(rateText(servo.rate, device.rate));
-    proxy_->setText(rateText(proxy.rate, kUpdatesPerTick * device.rate));
+    servo_->setText(healthRateText(servo.rate, device.rate));
+    proxy_->setText(healthRateText(proxy.rate, kUpdatesPerTick * device.rate));
     late_->setText(tr("Late ticks: %1").arg(lateWords(servo, recorded_)));
     QString words = fidelityWords(proxy.fidelity);
     if (proxy.stepsDown > 0)

@@ -18,25 +18,25 @@ namespace tactum {
 namespace {
 
 /// A label at the left and a list at the right.
-QWidget* rowOf(const QString& text, QWidget* list) {
+QWidget* rowOf(const QString& layerText, QWidget* list) {
     auto* body = new QWidget;
     auto* row = new QHBoxLayout(body);
     row->setContentsMargins(0, 0, 0, 0);
-    auto* label = new QLabel(text);
+    auto* label = new QLabel(layerText);
     label->setBuddy(list);
     row->addWidget(label, 1);
     row->addWidget(list, 2);
     return body;
 }
 
-QLabel* headingOf(const QString& text) {
-    auto* label = new QLabel(text);
+QLabel* headingOf(const QString& layerText) {
+    auto* label = new QLabel(layerText);
     label->setProperty("heading", true);
     label->setContentsMargins(0, kRhythm / 2, 0, 0);
     return label;
 }
 
-QString text(std::string_view view) {
+QString layerText(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
@@ -72,7 +72,7 @@ void LayerFields::addChanges(QLayout& rows) {
         auto* field = new ParameterField(parameter);
         connect(field, &ParameterField::edited, this, [this, &parameter](double value, Gesture gesture) {
             edit_(
-                text(parameter.label),
+                layerText(parameter.label),
                 [&](TextureLayer& each) {
                     if (&strengthParameter(each.target) == &parameter)
                         each.strength = parameter.clamped(value);

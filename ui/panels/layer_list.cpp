@@ -18,8 +18,8 @@ namespace tactum {
 
 namespace {
 
-constexpr int kName = 0, kEye = 1, kSolo = 2;
-constexpr int kWords = Qt::UserRole, kPicture = Qt::UserRole + 1, kFelt = Qt::UserRole + 2;
+constexpr int kNameColumn = 0, kEyeColumn = 1, kSolo = 2;
+constexpr int kWords = Qt::UserRole, kLayerPicture = Qt::UserRole + 1, kFelt = Qt::UserRole + 2;
 constexpr int kRowHeight = LayerList::kThumbnail + kRhythm;
 
 /// Picture, name, and beneath it what the layer changes by how much.
@@ -33,7 +33,7 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
-        if (index.column() != kName) return QStyledItemDelegate::paint(painter, option, index);
+        if (index.column() != kNameColumn) return QStyledItemDelegate::paint(painter, option, index);
         QStyleOptionViewItem bare(option);
         initStyleOption(&bare, index);
         bare.text.clear();
@@ -43,7 +43,7 @@ public:
                             LayerList::kThumbnail);
         painter->save();
         painter->setOpacity(isFelt ? 1 : 0.4);
-        painter->drawPixmap(picture, index.data(kPicture).value<QPixmap>());
+        painter->drawPixmap(picture, index.data(kLayerPicture).value<QPixmap>());
         painter->setOpacity(1);
         const QRect words = textPlace(option.rect);
         const QRect upper = words.adjusted(0, 3, 0, -words.height() / 2),
@@ -61,7 +61,7 @@ public:
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override {
-        if (index.column() != kName) return nullptr;
+        if (index.column() != kNameColumn) return nullptr;
         QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
         editor->setAccessibleName(LayerList::tr("Name of the layer"));
         return editor;
@@ -102,15 +102,15 @@ LayerList::LayerList(QWidget* parent) : HintedTree(tr("No layers yet. Add one (+
     setColumnCount(3);
     setSelectionMode(SingleSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed);
-    header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-    for (const int column : {kEye, kSolo}) {
+    header()->setSectionResizeMode(kNameColumn, QHeaderView::Stretch);
+    for (const int column : {kEyeColumn, kSolo}) {
         header()->setSectionResizeMode(column, QHeaderView::Fixed);
         header()->resizeSection(column, 3 * kRhythm + 4);
     }
     connect(this, &QTreeWidget::itemClicked, this, &LayerList::click);
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
-        if (filling_ || column != kName) return;
-        emit renameAsked(layerOf(indexOfTopLevelItem(item)), item->text(kName).trimmed());
+        if (filling_ || column != kNameColumn) return;
+        emit renameAsked(layerOf(indexOfTopLevelItem(item)), item->text(kNameColumn).trimmed());
     });
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (!filling_ && item) emit chosen(layerOf(indexOfTopLevelItem(item)));
@@ -148,18 +148,18 @@ void LayerList::fillIcons() {
 
 void LayerList::fill(QTreeWidgetItem& item, const TextureLayer& layer, bool isSolo, bool isFelt) {
     const QString name = QString::fromStdString(layer.name), words = targetText(layer);
-    item.setText(kName, name);
-    item.setData(kName, kWords, words);
-    item.setData(kName, kPicture, pictureOf(layer.pattern));
-    item.setData(kName, kFelt, isFelt);
-    item.setData(kName, Qt::AccessibleTextRole,
+    item.setText(kNameColumn, name);
+    item.setData(kNameColumn, kWords, words);
+    item.setData(kNameColumn, kLayerPicture, pictureOf(layer.pattern));
+    item.setData(kNameColumn, kFelt, isFelt);
+    item.setData(kNameColumn, Qt::AccessibleTextRole,
                  QStringLiteral("%1, %2, %3").arg(name, words, isFelt ? tr("felt") : tr("not felt")));
-    item.setToolTip(kName, words);
-    item.setIcon(kEye, layer.enabled ? icon(QStringLiteral("eye"), theme().text)
-                                     : icon(QStringLiteral("eye-off"), theme().textDimmed));
-    item.setToolTip(kEye, layer.enabled ? tr("Switch the layer off: it is not felt (Space)")
-                                        : tr("Switch the layer on (Space)"));
-    item.setData(kEye, Qt::AccessibleTextRole, layer.enabled ? tr("on") : tr("off"));
+    item.setToolTip(kNameColumn, words);
+    item.setIcon(kEyeColumn, layer.enabled ? icon(QStringLiteral("eye"), theme().text)
+                                           : icon(QStringLiteral("eye-off"), theme().textDimmed));
+    item.setToolTip(kEyeColumn, layer.enabled ? tr("Switch the layer off: it is not felt (Space)")
+                                              : tr("Switch the layer on (Space)"));
+    item.setData(kEyeColumn, Qt::AccessibleTextRole, layer.enabled ? tr("on") : tr("off"));
     item.setIcon(kSolo, icon(QStringLiteral("solo"), isSolo ? theme().accent : theme().border));
     item.setToolTip(kSolo, isSolo ? tr("Feel all layers again (S)") : tr("Feel this layer alone (S)"));
     item.setData(kSolo, Qt::AccessibleTextRole, isSolo ? tr("felt alone") : tr("not alone"));
@@ -184,11 +184,11 @@ void LayerList::setRows(int rows) {
 }
 
 QPixmap LayerList::thumbnail(int layer) const {
-    return topLevelItem(layerOf(layer))->data(kName, kPicture).value<QPixmap>();
+    return topLevelItem(layerOf(layer))->data(kNameColumn, kLayerPicture).value<QPixmap>();
 }
 
 void LayerList::editName(int layer) {
-    editItem(topLevelItem(layerOf(layer)), kName);
+    editItem(topLevelItem(layerOf(layer)), kNameColumn);
 }
 
 int LayerList::currentLayer() const {
@@ -197,14 +197,14 @@ int LayerList::currentLayer() const {
 
 void LayerList::click(QTreeWidgetItem* item, int column) {
     const int layer = layerOf(indexOfTopLevelItem(item));
-    if (column == kEye) emit showAsked(layer);
+    if (column == kEyeColumn) emit showAsked(layer);
     if (column == kSolo) emit soloAsked(layer);
 }
 
 void LayerList::mousePressEvent(QMouseEvent* event) {
     HintedTree::mousePressEvent(event);
     const QModelIndex index = indexAt(event->position().toPoint());
-    const bool grabs = event->button() == Qt::LeftButton && index.isValid() && index.column() == kName;
+    const bool grabs = event->button() == Qt::LeftButton && index.isValid() && index.column() == kNameColumn;
     pressedRow_ = grabs ? index.row() : -1;
     pressedAt_ = event->position().toPoint();
 }

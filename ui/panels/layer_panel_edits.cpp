@@ -14,7 +14,7 @@ namespace tactum {
 
 namespace {
 
-using What = SceneChange::What;
+using Changed = SceneChange::What;
 
 QString askForPicture(QWidget* parent) {
     const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -31,7 +31,7 @@ void LayerPanel::edit(const QString& what, const std::function<void(TextureLayer
     if (!now) return;
     const QString text = tr("%1 of layer %2").arg(what, QString::fromStdString(now->name));
     document_.editSurfaces(
-        *shown_, What::Layers, text,
+        *shown_, Changed::Layers, text,
         [&](Surface& each) {
             TextureLayer& to = each.layers[std::size_t(current_)];
             const TexturePattern before = to.pattern;
@@ -44,7 +44,7 @@ void LayerPanel::edit(const QString& what, const std::function<void(TextureLayer
 
 void LayerPanel::editList(const QString& text, const std::function<void(TextureLayers&)>& change) {
     if (!shown_) return;
-    document_.editSurfaces(*shown_, What::Layers, text, [&](Surface& each) { change(each.layers); });
+    document_.editSurfaces(*shown_, Changed::Layers, text, [&](Surface& each) { change(each.layers); });
     refresh();
 }
 
@@ -74,7 +74,7 @@ void LayerPanel::addOn(const SurfaceRefs& refs,
     for (const SurfaceRef ref : refs)
         if (const Surface* of = document_.surface(ref); of && name.isEmpty())
             name = QString::fromStdString(make(of->layers).name);
-    document_.editSurfaces(refs, What::Layers, tr("Layer %1 on %2").arg(name, QStringLiteral("%1")),
+    document_.editSurfaces(refs, Changed::Layers, tr("Layer %1 on %2").arg(name, QStringLiteral("%1")),
                            [&](Surface& each) { each.layers.push_back(make(each.layers)); });
     const Surface* of = surface();
     if (of && std::ranges::find(refs, *shown_) != refs.end()) setCurrentLayer(int(of->layers.size()) - 1);

@@ -17,7 +17,7 @@ namespace {
 // Steps of the wheel or of an arrow key that follow each other this fast are one edit.
 constexpr int kRunOfSteps = 800; // ms
 
-QString text(std::string_view view) {
+QString parameterText(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
@@ -26,7 +26,7 @@ QString text(std::string_view view) {
 ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter), unit_(displayUnit(parameter)), box_(new NumberBox(unit_.name)),
       slider_(new ValueSlider(parameter)), reset_(new QToolButton), hint_(new QLabel) {
-    auto* label = new QLabel(text(parameter.label));
+    auto* label = new QLabel(parameterText(parameter.label));
     label->setBuddy(box_);
     label->installEventFilter(this);
     box_->setDecimals(unit_.decimals);
@@ -90,19 +90,20 @@ void ParameterField::describe() {
         tr("%1 to %2 %3, default %4")
             .arg(numberText(box_->minimum(), unit_.decimals), numberText(box_->maximum(), unit_.decimals),
                  unit_.name, numberText(unit_.factor * parameter_.initial, unit_.decimals));
-    // Rich text, so that long sentences wrap.
+    // Rich parameterText, so that long sentences wrap.
     setToolTip(QStringLiteral("<p><b>%1</b><br>%2</p><p>%3%4</p>")
-                   .arg(text(parameter_.label).toHtmlEscaped(), text(parameter_.sentence).toHtmlEscaped(),
-                        range, ceilingText_.isEmpty() ? QString() : QStringLiteral("<br>") + ceilingText_));
-    const QString key = text(parameter_.key);
+                   .arg(parameterText(parameter_.label).toHtmlEscaped(),
+                        parameterText(parameter_.sentence).toHtmlEscaped(), range,
+                        ceilingText_.isEmpty() ? QString() : QStringLiteral("<br>") + ceilingText_));
+    const QString key = parameterText(parameter_.key);
     box_->setObjectName(key);
     slider_->setObjectName(key + QStringLiteral("-slider"));
     reset_->setObjectName(key + QStringLiteral("-reset"));
     hint_->setObjectName(key + QStringLiteral("-hint"));
-    box_->setAccessibleName(text(parameter_.label));
-    box_->setAccessibleDescription(text(parameter_.sentence));
-    slider_->setAccessibleName(tr("%1, slider").arg(text(parameter_.label)));
-    reset_->setAccessibleName(tr("Reset %1").arg(text(parameter_.label)));
+    box_->setAccessibleName(parameterText(parameter_.label));
+    box_->setAccessibleDescription(parameterText(parameter_.sentence));
+    slider_->setAccessibleName(tr("%1, slider").arg(parameterText(parameter_.label)));
+    reset_->setAccessibleName(tr("Reset %1").arg(parameterText(parameter_.label)));
     reset_->setToolTip(tr("Back to the default, %1 %2")
                            .arg(numberText(unit_.factor * parameter_.initial, unit_.decimals), unit_.name));
 }

@@ -23,18 +23,18 @@ namespace tactum {
 
 namespace {
 
-constexpr int kPicture = 36; // pixels
+constexpr int kLibraryPicture = 36; // pixels
 constexpr int kDetails = 16 * kRhythm;
 constexpr int kFileRole = Qt::UserRole, kFiguresRole = Qt::UserRole + 1;
 
-QString textOf(std::string_view text) {
+QString presetTextOf(std::string_view text) {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
 /// "staticFriction": the key under which a preset says the source of a value.
 QString sourceKey(const Parameter& parameter) {
     QString key;
-    for (const QString& part : textOf(parameter.key).split(u'-'))
+    for (const QString& part : presetTextOf(parameter.key).split(u'-'))
         key += key.isEmpty() ? part : part.left(1).toUpper() + part.mid(1);
     return key;
 }
@@ -47,9 +47,9 @@ QString valueText(const Parameter& parameter, double value) {
 
 QString sourceText(const PresetSource& source) {
     if (source.words.empty() && source.link.empty()) return PresetLibrary::tr("no source given");
-    QString text = textOf(source.words).toHtmlEscaped();
+    QString text = presetTextOf(source.words).toHtmlEscaped();
     if (source.typical) text = PresetLibrary::tr("typical; tables disagree. %1").arg(text);
-    const QString link = textOf(source.link);
+    const QString link = presetTextOf(source.link);
     const bool isAddress =
         link.startsWith(QStringLiteral("https://")) || link.startsWith(QStringLiteral("http://"));
     if (isAddress)
@@ -60,7 +60,7 @@ QString sourceText(const PresetSource& source) {
     return text;
 }
 
-QString line(const QString& label, const QString& value, const PresetSource& source) {
+QString libraryLine(const QString& label, const QString& value, const PresetSource& source) {
     return QStringLiteral("<p style='margin:0 0 4px 0'>%1 <b>%2</b><br><span style='color:%3'>%4</span></p>")
         .arg(label.toHtmlEscaped(), value.toHtmlEscaped(), theme().textDimmed.name(), sourceText(source));
 }
@@ -77,7 +77,7 @@ QString figuresOf(const Preset& preset) {
         if (preset.values[i]) figures << valueText(*kMaterialFields[i].parameter, *preset.values[i]);
     if (figures.isEmpty() && preset.layers) figures << PresetLibrary::tr("texture");
     QStringList parts{figures.join(QStringLiteral(" / "))};
-    if (!preset.category.empty()) parts << textOf(preset.category);
+    if (!preset.category.empty()) parts << presetTextOf(preset.category);
     return parts.join(QStringLiteral(" \u00b7 "));
 }
 
@@ -88,27 +88,27 @@ QString detailsOf(const StoredPreset& stored) {
     QString text;
     if (!preset.category.empty())
         text = QStringLiteral("<p style='margin:0 0 4px 0'><b>%1</b></p>")
-                   .arg(textOf(preset.category).toHtmlEscaped());
+                   .arg(presetTextOf(preset.category).toHtmlEscaped());
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
         const Parameter& parameter = *kMaterialFields[i].parameter;
         if (preset.values[i])
-            text += line(textOf(parameter.label), valueText(parameter, *preset.values[i]),
-                         sourceOf(preset, sourceKey(parameter).toStdString()));
+            text += libraryLine(presetTextOf(parameter.label), valueText(parameter, *preset.values[i]),
+                                sourceOf(preset, sourceKey(parameter).toStdString()));
     }
     if (preset.shading)
-        text += line(PresetLibrary::tr("Force shading"),
-                     preset.shading->on ? PresetLibrary::tr("on") : PresetLibrary::tr("off"),
-                     sourceOf(preset, kShadingPart));
+        text += libraryLine(PresetLibrary::tr("Force shading"),
+                            preset.shading->on ? PresetLibrary::tr("on") : PresetLibrary::tr("off"),
+                            sourceOf(preset, kShadingPart));
     if (!preset.layers) return text;
     QStringList names;
     for (const TextureLayer& layer : *preset.layers)
         names << QStringLiteral("%1 (%2, %3)")
-                     .arg(textOf(layer.name),
-                          textOf(kTextureSources[std::size_t(layer.pattern.source)].label),
+                     .arg(presetTextOf(layer.name),
+                          presetTextOf(kTextureSources[std::size_t(layer.pattern.source)].label),
                           valueText(strengthParameter(layer.target), layer.strength));
-    return text + line(PresetLibrary::tr("Layers"),
-                       names.isEmpty() ? PresetLibrary::tr("none") : names.join(QStringLiteral(", ")),
-                       sourceOf(preset, kLayersPart));
+    return text + libraryLine(PresetLibrary::tr("Layers"),
+                              names.isEmpty() ? PresetLibrary::tr("none") : names.join(QStringLiteral(", ")),
+                              sourceOf(preset, kLayersPart));
 }
 
 /// Under the name, dimmed, what is known of the preset at a glance.
@@ -122,24 +122,24 @@ public:
         const QString name = whole.text;
         whole.text.clear();
         whole.widget->style()->drawControl(QStyle::CE_ItemViewItem, &whole, painter, whole.widget);
-        QRect line = option.rect.adjusted(kPicture + kRhythm * 3 / 2, 0, -kRhythm / 2, 0);
-        line.setTop(option.rect.center().y() - option.fontMetrics.height());
-        line.setHeight(option.fontMetrics.height());
+        QRect libraryLine = option.rect.adjusted(kLibraryPicture + kRhythm * 3 / 2, 0, -kRhythm / 2, 0);
+        libraryLine.setTop(option.rect.center().y() - option.fontMetrics.height());
+        libraryLine.setHeight(option.fontMetrics.height());
         const auto draw = [&](const QColor& colour, const QString& text) {
             painter->setPen(colour);
-            painter->drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
-                              option.fontMetrics.elidedText(text, Qt::ElideRight, line.width()));
-            line.translate(0, line.height());
+            painter->drawText(libraryLine, Qt::AlignVCenter | Qt::AlignLeft,
+                              option.fontMetrics.elidedText(text, Qt::ElideRight, libraryLine.width()));
+            libraryLine.translate(0, libraryLine.height());
         };
         draw(theme().text, name);
         draw(theme().textDimmed, index.data(kFiguresRole).toString());
     }
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
-        return {kPicture, std::max(kPicture, 2 * option.fontMetrics.height()) + kRhythm / 2};
+        return {kLibraryPicture, std::max(kLibraryPicture, 2 * option.fontMetrics.height()) + kRhythm / 2};
     }
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex&) const override {
-        editor->setGeometry(option.rect.adjusted(kPicture + kRhythm, kRhythm / 2, 0, -kRhythm / 2));
+        editor->setGeometry(option.rect.adjusted(kLibraryPicture + kRhythm, kRhythm / 2, 0, -kRhythm / 2));
     }
 };
 
@@ -155,7 +155,7 @@ public:
         setColumnCount(1);
         setItemDelegate(new PresetRow(this));
         setRootIsDecorated(false);
-        setIconSize({kPicture, kPicture});
+        setIconSize({kLibraryPicture, kLibraryPicture});
         setDragEnabled(true);
         setDragDropMode(DragOnly);
         setEditTriggers(NoEditTriggers); // a double click applies
@@ -272,7 +272,7 @@ void PresetLibrary::fill() {
         list_->clear();
         for (const StoredPreset& stored : store_.presets()) {
             if (!matches(stored, search_->text()) && stored.file != wanted_) continue;
-            auto* item = new QTreeWidgetItem(list_, {textOf(stored.preset.name)});
+            auto* item = new QTreeWidgetItem(list_, {presetTextOf(stored.preset.name)});
             const QPixmap picture = QPixmap::fromImage(stored.picture);
             QIcon shown(picture);
             shown.addPixmap(picture, QIcon::Selected); // else it is tinted there
@@ -320,7 +320,7 @@ void PresetLibrary::rename(QTreeWidgetItem* item) {
 void PresetLibrary::removeChosen() {
     const StoredPreset* stored = chosen();
     if (!stored || !stored->own) return;
-    const QString name = textOf(stored->preset.name);
+    const QString name = presetTextOf(stored->preset.name);
     store_.remove(*stored);
     emit removed(name);
 }

@@ -54,7 +54,7 @@ QString lineOf(const Finding& finding) {
     return Problems::tr("%1: %2").arg(QString::fromStdString(finding.object), sentence);
 }
 
-QString wordsOf(const PlacedFinding& found) {
+QString problemWordsOf(const PlacedFinding& found) {
     switch (found.repair) {
     case Repair::FillHoles:
         return Problems::tr("Close the holes whose rim is simple; wide openings stay.");
@@ -146,7 +146,7 @@ void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     button->setProperty("inRow", true);
     button->setObjectName(QStringLiteral("fix"));
     button->setAccessibleName(tr("Fix %1").arg(lineOf(found.finding)));
-    button->setToolTip(wordsOf(found));
+    button->setToolTip(problemWordsOf(found));
     connect(button, &QPushButton::clicked, this, [this, found] { mend(found); });
     setItemWidget(item, 1, button);
 }

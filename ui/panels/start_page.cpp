@@ -14,7 +14,7 @@ namespace tactum {
 
 namespace {
 
-constexpr int kColumn = 78 * kRhythm; // pixels
+constexpr int kStartColumn = 78 * kRhythm; // pixels
 
 QLabel* line(const QString& text, int points, bool dimmed) {
     auto* label = new QLabel(text);
@@ -36,7 +36,7 @@ StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(pare
     setObjectName(QStringLiteral("startPage"));
     setAttribute(Qt::WA_StyledBackground);
     auto* body = new QWidget;
-    body->setFixedWidth(kColumn);
+    body->setFixedWidth(kStartColumn);
     column_ = new QVBoxLayout(body);
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(kRhythm);
@@ -74,8 +74,8 @@ void StartPage::addHeading() {
                          "force-feedback device, or with the mouse as a simulated hand."),
                       1, true);
     what->setWordWrap(true);
-    what->setFixedWidth(kColumn);
-    what->setFixedHeight(what->heightForWidth(kColumn)); // layouts ask wrapped text too late
+    what->setFixedWidth(kStartColumn);
+    what->setFixedHeight(what->heightForWidth(kStartColumn)); // layouts ask wrapped text too late
     column_->addWidget(what);
     column_->addSpacing(2 * kRhythm);
 }

@@ -14,7 +14,7 @@ namespace tactum {
 namespace {
 
 constexpr int kPositions = 10000;
-constexpr double kHandle = 6; // radius, pixels
+constexpr double kSliderHandle = 6; // radius, pixels
 
 double roundedTo(double value, double unit) {
     return std::round(value / unit) * unit;
@@ -73,7 +73,7 @@ QSize ValueSlider::sizeHint() const {
 }
 
 QRectF ValueSlider::groove() const {
-    return {kHandle, 0.5 * height() - 4, width() - 2 * kHandle, 4};
+    return {kSliderHandle, 0.5 * height() - 4, width() - 2 * kSliderHandle, 4};
 }
 
 double ValueSlider::xOf(double fraction) const {
@@ -101,13 +101,13 @@ void ValueSlider::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(bar.topLeft(), QPointF(x, bar.bottom())), 2, 2);
     painter.setBrush(isEnabled() ? theme().text : theme().textDimmed);
     if (hasFocus()) painter.setPen(QPen(theme().accent, 2));
-    painter.drawEllipse(QPointF(x, bar.center().y()), kHandle - 1, kHandle - 1);
+    painter.drawEllipse(QPointF(x, bar.center().y()), kSliderHandle - 1, kSliderHandle - 1);
 }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return event->ignore();
     lastX_ = event->position().x();
-    const bool onHandle = std::abs(lastX_ - xOf(double(value()) / kPositions)) <= kHandle + 2;
+    const bool onHandle = std::abs(lastX_ - xOf(double(value()) / kPositions)) <= kSliderHandle + 2;
     setSliderDown(true);
     exact_ = value();
     if (!onHandle) exact_ = kPositions * std::clamp((lastX_ - groove().left()) / groove().width(), 0.0, 1.0);

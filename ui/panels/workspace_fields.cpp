@@ -31,7 +31,7 @@ QString axisName(int axis) {
         .arg(names[std::size_t(std::abs(axis) - 1)]);
 }
 
-QPushButton* button(const QString& text, const char* name, const QString& meaning) {
+QPushButton* fieldButton(const QString& text, const char* name, const QString& meaning) {
     auto* made = new QPushButton(text);
     made->setObjectName(QLatin1String(name));
     made->setToolTip(meaning);
@@ -58,7 +58,7 @@ WorkspaceFields::WorkspaceFields(QWidget* parent)
     auto* row = new QGridLayout;
     auto* label = new QLabel(tr("Clutch"));
     label->setBuddy(clutch_);
-    clutch_->setToolTip(tr("While this button is held the handle moves and the finger stays"));
+    clutch_->setToolTip(tr("While this fieldButton is held the handle moves and the finger stays"));
     row->addWidget(label, 0, 0);
     row->addWidget(clutch_, 0, 1);
     row->setColumnStretch(1, 1);
@@ -66,10 +66,10 @@ WorkspaceFields::WorkspaceFields(QWidget* parent)
     bump_->setObjectName(QStringLiteral("workspace-bump"));
     bump_->setToolTip(tr("The workspace drifts along when the finger is pressed against its edge"));
     column->addWidget(bump_);
-    centre_ = button(tr("Re-centre"), "workspace-centre-button",
-                     tr("The middle of the workspace comes to the middle of the model"));
-    fit_ = button(tr("Fit to the model"), "workspace-fit-button",
-                  tr("Centred, and scaled so that the workspace takes in the model"));
+    centre_ = fieldButton(tr("Re-centre"), "workspace-centre-fieldButton",
+                          tr("The middle of the workspace comes to the middle of the model"));
+    fit_ = fieldButton(tr("Fit to the model"), "workspace-fit-fieldButton",
+                       tr("Centred, and scaled so that the workspace takes in the model"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(centre_, 1);
     buttons->addWidget(fit_, 1);
@@ -118,8 +118,9 @@ QWidget* WorkspaceFields::makeAxes() {
 }
 
 QWidget* WorkspaceFields::makeCapture() {
-    capturing_ = button(tr("Set the axes by moving"), "workspace-capture",
-                        tr("Move the handle to the right, up and toward you: the axes follow from that"));
+    capturing_ =
+        fieldButton(tr("Set the axes by moving"), "workspace-capture",
+                    tr("Move the handle to the right, up and toward you: the axes follow from that"));
     task_ = new QLabel;
     task_->setObjectName(QStringLiteral("workspace-task"));
     task_->setProperty("heading", true);
@@ -166,7 +167,7 @@ void WorkspaceFields::show(const Workspace& workspace, int buttons, double radiu
     }
     const QSignalBlocker quiet(clutch_);
     clutch_->clear();
-    clutch_->addItem(tr("No button"));
+    clutch_->addItem(tr("No fieldButton"));
     for (int i = 0; i < buttons; ++i) {
         clutch_->addItem(tr("Button %1").arg(i + 1));
         if (workspace.clutch >> i & 1) clutch_->setCurrentIndex(i + 1);

@@ -9,7 +9,7 @@ namespace tactum {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLowest = 20;      // Hz
+constexpr double kLowestTone = 20;  // Hz
 constexpr double kPerNewton = 0.5;  // of full scale
 constexpr double kFollowTime = 0.1; // s
 
@@ -24,7 +24,7 @@ ContactSound::ContactSound(double servoRate) {
     const double rate = std::clamp(servoRate, 100.0, double(kSoundRate));
     perSample_ = rate / kSoundRate;
     follow_ = 1 / (kFollowTime * rate);
-    const double k = std::tan(kPi * kLowest / rate), norm = 1 / (1 + std::numbers::sqrt2 * k + k * k);
+    const double k = std::tan(kPi * kLowestTone / rate), norm = 1 / (1 + std::numbers::sqrt2 * k + k * k);
     b_ = {norm, -2 * norm, norm};
     a_ = {1, 2 * (k * k - 1) * norm, (1 - std::numbers::sqrt2 * k + k * k) * norm};
     for (int phase = 0; phase <= kPhases; ++phase) {

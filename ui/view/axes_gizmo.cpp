@@ -10,7 +10,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kSide = 92, kReach = 31, kBall = 9, kCorner = 8;
+constexpr double kSide = 92, kReach = 31, kBall = 9, kAxesCorner = 8;
 
 struct AxisEnd {
     QString letter; ///< empty at the negative end
@@ -68,7 +68,7 @@ void drawAxes(QPainter& painter, const ViewCamera& camera, const Theme& theme) {
     for (const AxisEnd& end : axisEnds(camera, theme))
         drawEnd(inner, end, theme);
     inner.end();
-    painter.drawImage(QPointF(camera.size.width() - kSide - kCorner, kCorner), image);
+    painter.drawImage(QPointF(camera.size.width() - kSide - kAxesCorner, kAxesCorner), image);
 }
 
 } // namespace tactum

@@ -12,10 +12,10 @@ namespace tactum {
 namespace {
 
 constexpr int kCorners = 64;
-constexpr double kHalo = 3.5, kLine = 1.6, kThin = 0.8, kMargin = 4; // logical pixels
-constexpr double kLargest = 4000;                                    // pixels across: else it is not drawn
+constexpr double kRingHalo = 3.5, kRingLine = 1.6, kThin = 0.8, kRingMargin = 4; // logical pixels
+constexpr double kLargest = 4000; // pixels across: else it is not drawn
 
-QPolygonF circle(const PickHit& at, double radius, const ViewCamera& camera) {
+QPolygonF ringCircle(const PickHit& at, double radius, const ViewCamera& camera) {
     const Vec3 u = at.normal.unitOrthogonal(), v = at.normal.cross(u);
     QPolygonF polygon;
     for (int i = 0; i <= kCorners; ++i) {
@@ -31,18 +31,18 @@ QPolygonF circle(const PickHit& at, double radius, const ViewCamera& camera) {
 
 void drawBrushRing(QPainter& painter, const PickHit& at, const BrushRing& ring, const ViewCamera& camera,
                    const Theme& theme) {
-    const QPolygonF outer = circle(at, ring.radius, camera);
-    const QRectF box = outer.boundingRect().adjusted(-kMargin, -kMargin, kMargin, kMargin);
+    const QPolygonF outer = ringCircle(at, ring.radius, camera);
+    const QRectF box = outer.boundingRect().adjusted(-kRingMargin, -kRingMargin, kRingMargin, kRingMargin);
     if (outer.isEmpty() || box.width() > kLargest || box.height() > kLargest) return;
     const QPointF origin = box.topLeft().toPoint();
     drawSmoothly(painter, box, [&](QPainter& inner) {
         inner.translate(-origin);
-        inner.setPen(QPen(theme.label, kHalo));
+        inner.setPen(QPen(theme.label, kRingHalo));
         inner.drawPolyline(outer);
-        inner.setPen(QPen(theme.accent, kLine));
+        inner.setPen(QPen(theme.accent, kRingLine));
         inner.drawPolyline(outer);
         inner.setPen(QPen(theme.accent, kThin, Qt::DotLine));
-        inner.drawPolyline(circle(at, ring.core * ring.radius, camera));
+        inner.drawPolyline(ringCircle(at, ring.core * ring.radius, camera));
     });
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kOpacity = 0.55;
 
 /// Segments and points of the soup come out as triangles without an area, which are not drawn.
-vtkSmartPointer<vtkCellArray> cellsOf(const TriangleSoup& soup, std::span<const Index> faces) {
+vtkSmartPointer<vtkCellArray> faceCellsOf(const TriangleSoup& soup, std::span<const Index> faces) {
     std::vector<int> corners;
     corners.reserve(3 * faces.size());
     for (const Index face : faces)
@@ -54,7 +54,7 @@ void FaceLayer::show(std::shared_ptr<const TriangleSoup> soup, std::span<const I
     soup_ = std::move(soup);
     vtkNew<vtkPolyData> data;
     data->SetPoints(points_);
-    data->SetPolys(cellsOf(*soup_, faces));
+    data->SetPolys(faceCellsOf(*soup_, faces));
     mapper_->SetInputData(data);
 }
 

@@ -9,7 +9,7 @@ namespace tactum {
 
 namespace {
 
-constexpr float kSameNormal = 0.9998f;
+constexpr float kSameFeltNormal = 0.9998f;
 
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -44,7 +44,7 @@ std::vector<Index> distinctCorners(const TriangleSoup& soup, std::span<const Eig
     for (Index c = 0; c < Index(normals.size()); ++c) {
         const Index place = soup.triangles[c / 3][c % 3];
         int v = first[place];
-        while (v >= 0 && normals[corners[std::size_t(v)]].dot(normals[c]) < kSameNormal)
+        while (v >= 0 && normals[corners[std::size_t(v)]].dot(normals[c]) < kSameFeltNormal)
             v = next[std::size_t(v)];
         if (v >= 0) continue;
         next.push_back(first[place]);

@@ -5,7 +5,7 @@
 namespace tactum {
 
 namespace {
-constexpr int kSamples = 8;
+constexpr int kOffscreenSamples = 8;
 }
 
 OffscreenWindow::OffscreenWindow() {
@@ -17,7 +17,7 @@ OffscreenWindow::OffscreenWindow() {
                      [this] { return QOpenGLContext::currentContext() == &context_; });
     window_->SetOwnContext(false);
     window_->SetForceMaximumHardwareLineWidth(1);
-    window_->SetMultiSamples(kSamples);
+    window_->SetMultiSamples(kOffscreenSamples);
     window_->SetFrameBlitModeToNoBlit();
     window_->SetReadyForRendering(true);
     window_->OpenGLInitContext();

@@ -15,7 +15,7 @@ namespace tactum {
 namespace {
 
 // Logical pixels.
-constexpr double kFingerLine = 1.4, kProxyLine = 1.7, kLongestArrow = 90, kShaft = 1.3, kHead = 4.2,
+constexpr double kFingerLine = 1.4, kProxyLine = 1.7, kLongestArrow = 90, kPathShaft = 1.3, kPathHead = 4.2,
                  kHeadLength = 11, kLeastArrow = 4;
 constexpr std::size_t kArrows = 48;
 
@@ -78,8 +78,8 @@ PathLayer::PathLayer(vtkRenderer& solid, vtkRenderer& ghost, const TouchTrace& r
         if (pixels < kLeastArrow) continue;
         auto& arrow = *impl_->arrows.emplace_back(std::make_unique<TouchArrow>(solid, ghost));
         arrow.setColour(theme.proxy);
-        arrow.place(row.proxy, row.proxy + pixels * pixel * row.force.normalized(), kShaft * pixel,
-                    kHead * pixel, kHeadLength * pixel);
+        arrow.place(row.proxy, row.proxy + pixels * pixel * row.force.normalized(), kPathShaft * pixel,
+                    kPathHead * pixel, kHeadLength * pixel);
     }
 }
 

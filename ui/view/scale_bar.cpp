@@ -15,7 +15,7 @@ namespace tactum {
 namespace {
 
 // Logical pixels.
-constexpr double kWidth = 16, kMostHeight = 176, kLeastHeight = 60, kEdge = 12, kPad = 10, kTick = 4,
+constexpr double kBarWidth = 16, kMostHeight = 176, kLeastHeight = 60, kBarEdge = 12, kBarPad = 10, kTick = 4,
                  kGap = 8;
 
 const Parameter& parameterOf(FeltValue value) {
@@ -68,23 +68,25 @@ QRectF drawScaleBar(QPainter& painter, const QSizeF& view, double taken, FeltVal
     const double low = words.factor * range.low, high = words.factor * range.high;
     const QFontMetricsF metrics(painter.font());
     const double line = metrics.height();
-    const double around = line + kGap + 2 * kPad + 0.5 * line;
-    const double bar = std::clamp(view.height() - taken - 2 * kEdge - around, kLeastHeight, kMostHeight);
+    const double around = line + kGap + 2 * kBarPad + 0.5 * line;
+    const double bar = std::clamp(view.height() - taken - 2 * kBarEdge - around, kLeastHeight, kMostHeight);
     const double height = bar + around;
     const double step = tickStep(high - low, std::clamp(int(bar / (1.6 * line)), 1, 5));
     double numbers = 0;
     for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n)
         numbers = std::max(numbers, metrics.horizontalAdvance(figure(n * step, step)));
-    const double width = std::max(metrics.horizontalAdvance(title), kWidth + kTick + 4 + numbers) + 2 * kPad;
-    const double top = view.height() - kEdge - height;
-    const QRectF box(kEdge, std::round(top), std::ceil(width), std::ceil(height));
+    const double width =
+        std::max(metrics.horizontalAdvance(title), kBarWidth + kTick + 4 + numbers) + 2 * kBarPad;
+    const double top = view.height() - kBarEdge - height;
+    const QRectF box(kBarEdge, std::round(top), std::ceil(width), std::ceil(height));
     drawSmoothly(painter, box, [&](QPainter& inner) {
         inner.setPen(Qt::NoPen);
         inner.setBrush(theme.label);
         inner.drawRoundedRect(QRectF({0, 0}, box.size()), 6, 6);
         inner.setPen(theme.labelText);
-        inner.drawText(QRectF(kPad, kPad, width - 2 * kPad, line), Qt::AlignLeft | Qt::AlignVCenter, title);
-        const QRectF strip(kPad, kPad + line + kGap, kWidth, bar);
+        inner.drawText(QRectF(kBarPad, kBarPad, width - 2 * kBarPad, line), Qt::AlignLeft | Qt::AlignVCenter,
+                       title);
+        const QRectF strip(kBarPad, kBarPad + line + kGap, kBarWidth, bar);
         drawBar(inner, strip);
         for (double n = std::ceil(low / step - 1e-9); n * step <= high + 1e-9 * step; ++n) {
             const double y = strip.bottom() - (n * step - low) / (high - low) * strip.height();

@@ -9,7 +9,7 @@ namespace tactum {
 namespace {
 
 /// What a graphics card draws at once, and the processor still.
-constexpr std::size_t kMostTriangles = 260'000;
+constexpr std::size_t kMostSphereTriangles = 260'000;
 
 /// A sphere of radius 1 from triangles of about one size.
 struct UnitSphere {
@@ -62,12 +62,12 @@ UnitSphere finer(const UnitSphere& coarse) {
 /// As round as there is room for so many.
 UnitSphere sphereFor(std::size_t count) {
     UnitSphere s = icosahedron();
-    for (int i = 0; i < 3 && 4 * s.triangles.size() * count <= kMostTriangles; ++i)
+    for (int i = 0; i < 3 && 4 * s.triangles.size() * count <= kMostSphereTriangles; ++i)
         s = finer(s);
     return s;
 }
 
-void append(SphereMesh& mesh, const UnitSphere& shape, const BoundingSphere& sphere) {
+void appendSphere(SphereMesh& mesh, const UnitSphere& shape, const BoundingSphere& sphere) {
     const int first = int(mesh.positions.size() / 3);
     for (const Eigen::Vector3f& p : shape.places) {
         const Eigen::Vector3f at = sphere.centre + sphere.radius * p;
@@ -122,7 +122,7 @@ SphereLevel sphereLevel(const World& world, int level, const Vec3& near_W, const
     }
     const UnitSphere shape = sphereFor(result.drawn);
     for (const Found& f : found)
-        append(result.meshes[f.body], shape, f.sphere);
+        appendSphere(result.meshes[f.body], shape, f.sphere);
     return result;
 }
 

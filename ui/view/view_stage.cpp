@@ -14,7 +14,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kStageDegree = std::numbers::pi / 180;
 
 void addLayer(vtkRenderWindow& window, vtkRenderer& renderer, vtkCamera* camera) {
     const int layer = window.GetRenderers()->GetNumberOfItems();
@@ -28,9 +28,9 @@ void addLayer(vtkRenderWindow& window, vtkRenderer& renderer, vtkCamera* camera)
 
 ViewCamera defaultCamera() {
     ViewCamera camera;
-    camera.fieldOfView = 30 * kDegree;
-    camera.yaw = 30 * kDegree;
-    camera.pitch = 22 * kDegree;
+    camera.fieldOfView = 30 * kStageDegree;
+    camera.yaw = 30 * kStageDegree;
+    camera.pitch = 22 * kStageDegree;
     return camera;
 }
 
@@ -71,7 +71,7 @@ void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
     to.SetFocalPoint(camera.focus.data());
     to.SetPosition(camera.eye().data());
     to.SetViewUp(camera.up().data());
-    to.SetViewAngle(camera.fieldOfView / kDegree);
+    to.SetViewAngle(camera.fieldOfView / kStageDegree);
     if (shown.empty()) return;
     const double middle = camera.depth(shown.centre()), reach = 0.6 * shown.diagonal() + 1e-6;
     const double far = std::max(middle + reach, 1e-6);

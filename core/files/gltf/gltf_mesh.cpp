@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kUnfit = " does not fit the mesh, which is read as other programs do";
 
-std::string whereIs(int mesh) {
+std::string whereIsMesh(int mesh) {
     return "meshes[" + std::to_string(mesh) + "]." + kExtension;
 }
 
@@ -92,7 +92,7 @@ RawMesh GltfMeshReader::read(int index) {
     for (const tinygltf::Primitive& primitive : mesh.primitives)
         readPrimitive(primitive, raw, builder);
     if (!exact.order.empty() && exact.order.size() != builder.triangles()) {
-        raw.complaints.push_back(whereIs(index) + ".order" + kUnfit);
+        raw.complaints.push_back(whereIsMesh(index) + ".order" + kUnfit);
         exact.order.clear();
     }
     std::vector<Vec3> positions = std::move(pools_.positions);
@@ -133,7 +133,7 @@ GltfMeshReader::Exact GltfMeshReader::exactOf(int mesh, std::vector<std::string>
     const Json* ours = extensionOf(file_.json["meshes"][std::size_t(mesh)]);
     const tinygltf::Mesh& drawn = model_.meshes[std::size_t(mesh)];
     if (!ours || drawn.primitives.empty()) return {};
-    const std::string where = whereIs(mesh);
+    const std::string where = whereIsMesh(mesh);
     const auto position = drawn.primitives[0].attributes.find("POSITION");
     const bool alike = std::ranges::all_of(drawn.primitives, [&](const tinygltf::Primitive& primitive) {
         return primitive.attributes == drawn.primitives[0].attributes;

@@ -14,7 +14,7 @@ namespace {
 
 using Affine = Eigen::Affine3d;
 
-std::string whereIs(int node) {
+std::string whereIsNode(int node) {
     return "nodes[" + std::to_string(node) + "] ";
 }
 
@@ -47,7 +47,7 @@ private:
 
     void visit(int index, const Affine& parent, int depth) {
         constexpr int kDeepest = 64;
-        const std::string where = whereIs(index);
+        const std::string where = whereIsNode(index);
         if (index < 0 || std::size_t(index) >= model_.nodes.size())
             source_.fail(where + "is used but not there; re-export the file");
         if (std::exchange(visited_[std::size_t(index)], 1))
@@ -148,7 +148,7 @@ Affine transformOf(const Source& source, const tinygltf::Model& model, int index
     Affine local;
     local.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data()); // column-major, as glTF
     if (local.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-        source.fail(whereIs(index) + "has a matrix that is not affine; re-export the file");
+        source.fail(whereIsNode(index) + "has a matrix that is not affine; re-export the file");
     return local;
 }
 
@@ -158,7 +158,7 @@ Pose rigidOf(const Source& source, const tinygltf::Model& model, int index) {
     if (node.translation.size() == 3) pose.translation = Vec3(node.translation.data());
     if (node.rotation.size() != 4) return pose;
     const QuatCoefficients rotation(node.rotation.data()); // x, y, z, w, as glTF
-    if (!isUsable(rotation)) source.fail(whereIs(index) + "has no usable rotation; re-export the file");
+    if (!isUsable(rotation)) source.fail(whereIsNode(index) + "has no usable rotation; re-export the file");
     pose.rotation = unitLength(Quat(rotation));
     return pose;
 }

@@ -8,7 +8,7 @@
 namespace tactum {
 namespace {
 
-constexpr std::uint64_t kLargestFile = std::uint64_t(1) << 30;
+constexpr std::uint64_t kLargestPicture = std::uint64_t(1) << 30;
 
 struct ImageFormat {
     std::string_view magic;
@@ -27,14 +27,14 @@ DecodedImage decode(const Source& source) {
     source.fail("is not a PNG, JPEG or TIFF picture; save it as one of them");
 }
 
-LoadedImage load(const Source& source, std::string name) {
+LoadedImage decode(const Source& source, std::string name) {
     DecodedImage decoded = decode(source);
     return {std::make_shared<const TextureImage>(decoded.width, decoded.height, std::move(decoded.texels),
                                                  std::move(name), decoded.bits),
             decoded.note};
 }
 
-constexpr const char* kNoMemory = "for the picture; scale it down";
+constexpr const char* kNoMemoryForPicture = "for the picture; scale it down";
 
 } // namespace
 
@@ -56,16 +56,16 @@ void failDamaged(const Source& source, const char* words) {
 
 Result<LoadedImage> readImage(const std::filesystem::path& file) {
     assertNotRealtime();
-    return guarded<LoadedImage>(file, kNoMemory, [&] {
-        return load(Source::open(file, kLargestFile), printable(file.filename().string(), 200));
+    return guarded<LoadedImage>(file, kNoMemoryForPicture, [&] {
+        return decode(Source::open(file, kLargestPicture), printable(file.filename().string(), 200));
     });
 }
 
 Result<LoadedImage> readImage(std::string_view bytes, const std::string& name,
                               const std::filesystem::path& where) {
     assertNotRealtime();
-    return guarded<LoadedImage>(where, kNoMemory,
-                                [&] { return load(Source::ofBytes(where, bytes), printable(name, 200)); });
+    return guarded<LoadedImage>(where, kNoMemoryForPicture,
+                                [&] { return decode(Source::ofBytes(where, bytes), printable(name, 200)); });
 }
 
 } // namespace tactum

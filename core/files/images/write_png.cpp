@@ -21,7 +21,7 @@ bool writeRows(png_structp png, png_infop info, std::span<png_bytep> rows, const
     return true;
 }
 
-void append(png_structp png, png_bytep bytes, std::size_t count) {
+void appendChunk(png_structp png, png_bytep bytes, std::size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
 }
 
@@ -59,7 +59,7 @@ std::string encodePng(int width, int height, int channels, int bits, std::span<c
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     bool written = false;
     if (info) {
-        png_set_write_fn(png, &file, append, nullptr);
+        png_set_write_fn(png, &file, appendChunk, nullptr);
         png_set_compression_level(png, 6); // said, so that another default does not change the bytes
         png_set_IHDR(png, info, png_uint_32(width), png_uint_32(height), bits,
                      channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,

@@ -13,7 +13,7 @@ namespace {
 
 /// Adds an object in the world frame. Where only some objects have normals or coordinates, the others get
 /// those that the readers would give them: the triangle's own normal and (0, 0).
-void append(TriangleSoup& all, const SceneObject& object, bool normals, bool uvs) {
+void appendObject(TriangleSoup& all, const SceneObject& object, bool normals, bool uvs) {
     const TriangleSoup& soup = *object.geometry;
     const Index first = Index(all.positions.size());
     for (const Vec3& p : soup.positions)
@@ -40,7 +40,7 @@ TriangleSoup inWorld(const Scene& scene) {
     const bool uvs = any([](auto& object) { return !object.geometry->cornerUvs.empty(); });
     TriangleSoup all;
     for (const SceneObject& object : scene.objects)
-        append(all, object, normals, uvs);
+        appendObject(all, object, normals, uvs);
     return all;
 }
 

@@ -3,11 +3,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/zip_archive.h"
 #include "tests/core/archive/raw_zip.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_hostile_zips {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -242,5 +245,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHostileZips)
+TACTUM_TEST(TestHostileZips)
+
+} // namespace test_hostile_zips
+
 #include "test_hostile_zips.moc"

@@ -2,12 +2,15 @@
 #include <cstdlib>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/sha256.h"
 #include "core/archive/zip_archive.h"
 #include "tests/core/archive/raw_zip.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_zip_archive {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -146,5 +149,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestZipArchive)
+TACTUM_TEST(TestZipArchive)
+
+} // namespace test_zip_archive
+
 #include "test_zip_archive.moc"

@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/atomic_file.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_atomic_file {
 
 using namespace tactum;
 namespace fs = std::filesystem;
@@ -176,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAtomicFile)
+TACTUM_TEST(TestAtomicFile)
+
+} // namespace test_atomic_file
+
 #include "test_atomic_file.moc"

@@ -4,9 +4,12 @@
 #include <atomic>
 #include <thread>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/wait_free.h"
+#include "tests/support/test_program.h"
+
+namespace test_wait_free {
 
 using namespace tactum;
 
@@ -106,5 +109,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWaitFree)
+TACTUM_TEST(TestWaitFree)
+
+} // namespace test_wait_free
+
 #include "test_wait_free.moc"

@@ -18,6 +18,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_bundle {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -248,5 +251,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBundle)
+TACTUM_TEST(TestBundle)
+
+} // namespace test_bundle
+
 #include "test_bundle.moc"

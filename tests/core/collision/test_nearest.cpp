@@ -2,12 +2,15 @@
 #include <map>
 
 #include <Eigen/LU>
-#include <QtTest>
+#include <QTest>
 
 #include "core/collision/nearest.h"
 #include "core/geometry/closed.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_nearest {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -136,5 +139,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNearest)
+TACTUM_TEST(TestNearest)
+
+} // namespace test_nearest
+
 #include "test_nearest.moc"

@@ -1,12 +1,15 @@
 // The hierarchy against a loop over all triangles.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/collision/leaf_cover.h"
 #include "core/collision/sphere_tree.h"
 #include "core/collision/sweep_memory.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_sphere_tree {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -331,5 +334,8 @@ void SphereTreeTest::longTrianglesGetSeveralSpheres() {
     QCOMPARE_GE(spheres({0.5, 0.02, 0}), 4);
 }
 
-QTEST_APPLESS_MAIN(SphereTreeTest)
+TACTUM_TEST(SphereTreeTest)
+
+} // namespace test_sphere_tree
+
 #include "test_sphere_tree.moc"

@@ -1,8 +1,11 @@
 // What lies between the servo and a driver elsewhere, by a clock that the test holds.
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/device_mailbox.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_device_mailbox {
 
 using namespace tactum;
 
@@ -69,5 +72,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDeviceMailbox)
+TACTUM_TEST(TestDeviceMailbox)
+
+} // namespace test_device_mailbox
+
 #include "test_device_mailbox.moc"

@@ -3,10 +3,13 @@
 #include <limits>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/force_limiter.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_force_limiter {
 
 using namespace tactum;
 
@@ -96,5 +99,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestForceLimiter)
+TACTUM_TEST(TestForceLimiter)
+
+} // namespace test_force_limiter
+
 #include "test_force_limiter.moc"

@@ -2,10 +2,13 @@
 #include <cmath>
 #include <functional>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/guard.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_guard {
 
 using namespace tactum;
 
@@ -193,5 +196,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuard)
+TACTUM_TEST(TestGuard)
+
+} // namespace test_guard
+
 #include "test_guard.moc"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/device_check.h"
 #include "core/control/device_mailbox.h"
@@ -14,6 +14,9 @@
 #include "core/control/sample_check.h"
 #include "core/control/stop_button.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_loop_parts {
 
 using namespace tactum;
 
@@ -464,5 +467,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLoopParts)
+TACTUM_TEST(TestLoopParts)
+
+} // namespace test_loop_parts
+
 #include "test_loop_parts.moc"

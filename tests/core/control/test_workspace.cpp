@@ -1,10 +1,13 @@
 // The device's workspace in the scene: frames, clutch and bump.
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/workspace.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_workspace {
 
 using namespace tactum;
 
@@ -199,5 +202,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWorkspace)
+TACTUM_TEST(TestWorkspace)
+
+} // namespace test_workspace
+
 #include "test_workspace.moc"

@@ -1,10 +1,13 @@
 // Motions against closed forms: keys, what is between them, loops and jumps.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/dynamics/body_motion.h"
 #include "core/dynamics/motion_build.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_motion {
 
 using namespace tactum;
 
@@ -233,5 +236,8 @@ void MotionTest::carriesPointsOfTheBody() {
     QCOMPARE_LT(motion.between(0.5).rotation.angularDistance(Quat(turn(0.55))), 1e-12);
 }
 
-QTEST_APPLESS_MAIN(MotionTest)
+TACTUM_TEST(MotionTest)
+
+} // namespace test_motion
+
 #include "test_motion.moc"

@@ -4,6 +4,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/rare_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_assimp_formats {
 
 using namespace tactum;
 
@@ -121,5 +124,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestAssimpFormats)
+TACTUM_TEST(TestAssimpFormats)
+
+} // namespace test_assimp_formats
+
 #include "test_assimp_formats.moc"

@@ -9,6 +9,9 @@
 #include "core/files/source.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_every_format {
 
 using namespace tactum;
 
@@ -332,5 +335,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestEveryFormat)
+TACTUM_TEST(TestEveryFormat)
+
+} // namespace test_every_format
+
 #include "test_every_format.moc"

@@ -7,6 +7,9 @@
 #include "core/files/uv_canvas.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_flatten_layers {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -389,5 +392,8 @@ void TestFlattenLayers::theRectangleIsOfItsSurfaceAlone() {
     QCOMPARE(other.size, Vector2d(2, 2));
 }
 
-QTEST_GUILESS_MAIN(TestFlattenLayers)
+TACTUM_TEST(TestFlattenLayers)
+
+} // namespace test_flatten_layers
+
 #include "test_flatten_layers.moc"

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/core/files/format_schema.h"
+#include "tests/support/test_program.h"
+
+namespace test_format_schema {
 
 class TestFormatSchema : public QObject {
     Q_OBJECT
@@ -35,5 +38,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFormatSchema)
+TACTUM_TEST(TestFormatSchema)
+
+} // namespace test_format_schema
+
 #include "test_format_schema.moc"

@@ -3,6 +3,9 @@
 
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf {
 
 using namespace tactum;
 
@@ -254,5 +257,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestGltf)
+TACTUM_TEST(TestGltf)
+
+} // namespace test_gltf
+
 #include "test_gltf.moc"

@@ -8,6 +8,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf_foreign {
 
 using namespace tactum;
 using tactum::test::difference;
@@ -453,5 +456,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGltfForeign)
+TACTUM_TEST(TestGltfForeign)
+
+} // namespace test_gltf_foreign
+
 #include "test_gltf_foreign.moc"

@@ -12,6 +12,9 @@
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf_maps {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -211,5 +214,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGltfMaps)
+TACTUM_TEST(TestGltfMaps)
+
+} // namespace test_gltf_maps
+
 #include "test_gltf_maps.moc"

@@ -5,6 +5,9 @@
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf_motion {
 
 using namespace tactum;
 
@@ -314,5 +317,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestGltfMotion)
+TACTUM_TEST(TestGltfMotion)
+
+} // namespace test_gltf_motion
+
 #include "test_gltf_motion.moc"

@@ -7,6 +7,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf_round_trip {
 
 using namespace tactum;
 using tactum::test::difference;
@@ -395,5 +398,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestGltfRoundTrip)
+TACTUM_TEST(TestGltfRoundTrip)
+
+} // namespace test_gltf_round_trip
+
 #include "test_gltf_round_trip.moc"

@@ -8,6 +8,9 @@
 #include "tests/core/files/bodies.h"
 #include "tests/core/files/x3d_scenes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_loss_report {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -157,5 +160,8 @@ void TestLossReport::partsOfOtherProgramsAreSpokenOf() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestLossReport)
+TACTUM_TEST(TestLossReport)
+
+} // namespace test_loss_report
+
 #include "test_loss_report.moc"

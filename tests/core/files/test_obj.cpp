@@ -3,6 +3,9 @@
 
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_obj {
 
 using namespace tactum;
 
@@ -185,5 +188,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestObj)
+TACTUM_TEST(TestObj)
+
+} // namespace test_obj
+
 #include "test_obj.moc"

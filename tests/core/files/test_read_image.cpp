@@ -10,6 +10,9 @@
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_read_image {
 
 using namespace tactum;
 
@@ -276,5 +279,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestReadImage)
+TACTUM_TEST(TestReadImage)
+
+} // namespace test_read_image
+
 #include "test_read_image.moc"

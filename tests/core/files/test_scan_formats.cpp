@@ -3,6 +3,9 @@
 
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_scan_formats {
 
 using namespace tactum;
 
@@ -217,5 +220,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestScanFormats)
+TACTUM_TEST(TestScanFormats)
+
+} // namespace test_scan_formats
+
 #include "test_scan_formats.moc"

@@ -6,6 +6,9 @@
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_texture_layers {
 
 using namespace tactum;
 
@@ -244,5 +247,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestTextureLayers)
+TACTUM_TEST(TestTextureLayers)
+
+} // namespace test_texture_layers
+
 #include "test_texture_layers.moc"

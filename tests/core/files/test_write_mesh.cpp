@@ -10,6 +10,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_write_mesh {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -241,5 +244,8 @@ void TestWriteMesh::everyStemFindsItsLibrary() {
     QVERIFY(libraries.contains("a.b.mtl"));
 }
 
-QTEST_GUILESS_MAIN(TestWriteMesh)
+TACTUM_TEST(TestWriteMesh)
+
+} // namespace test_write_mesh
+
 #include "test_write_mesh.moc"

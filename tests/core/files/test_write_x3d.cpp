@@ -15,6 +15,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/x3d_scenes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_write_x3d {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -386,5 +389,8 @@ void TestWriteX3d::ourReaderKnowsTheNamesAgain() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestWriteX3d)
+TACTUM_TEST(TestWriteX3d)
+
+} // namespace test_write_x3d
+
 #include "test_write_x3d.moc"

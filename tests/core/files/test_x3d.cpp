@@ -7,6 +7,9 @@
 #include "core/files/images/write_png.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_x3d {
 
 using namespace tactum;
 
@@ -314,5 +317,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestX3d)
+TACTUM_TEST(TestX3d)
+
+} // namespace test_x3d
+
 #include "test_x3d.moc"

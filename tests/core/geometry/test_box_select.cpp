@@ -7,6 +7,9 @@
 #include "core/geometry/box_select.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_box_select {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -123,5 +126,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoxSelect)
+TACTUM_TEST(TestBoxSelect)
+
+} // namespace test_box_select
+
 #include "test_box_select.moc"

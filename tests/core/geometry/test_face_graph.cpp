@@ -11,6 +11,9 @@
 #include "core/geometry/face_graph.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_face_graph {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -369,5 +372,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFaceGraph)
+TACTUM_TEST(TestFaceGraph)
+
+} // namespace test_face_graph
+
 #include "test_face_graph.moc"

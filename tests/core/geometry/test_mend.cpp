@@ -13,6 +13,9 @@
 #include "core/geometry/weld.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_mend {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -414,5 +417,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMend)
+TACTUM_TEST(TestMend)
+
+} // namespace test_mend
+
 #include "test_mend.moc"

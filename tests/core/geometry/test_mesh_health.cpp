@@ -4,6 +4,9 @@
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/weld.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_mesh_health {
 
 using namespace tactum;
 
@@ -147,5 +150,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshHealth)
+TACTUM_TEST(TestMeshHealth)
+
+} // namespace test_mesh_health
+
 #include "test_mesh_health.moc"

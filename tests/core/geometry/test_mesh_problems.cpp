@@ -10,6 +10,9 @@
 #include "core/geometry/mesh_problems.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_mesh_problems {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -110,5 +113,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeshProblems)
+TACTUM_TEST(TestMeshProblems)
+
+} // namespace test_mesh_problems
+
 #include "test_mesh_problems.moc"

@@ -5,6 +5,9 @@
 
 #include "core/geometry/polygon.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_polygon {
 
 using namespace tactum;
 
@@ -178,5 +181,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPolygon)
+TACTUM_TEST(TestPolygon)
+
+} // namespace test_polygon
+
 #include "test_polygon.moc"

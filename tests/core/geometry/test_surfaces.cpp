@@ -7,6 +7,9 @@
 #include "core/geometry/surfaces.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_surfaces {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -51,5 +54,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSurfaces)
+TACTUM_TEST(TestSurfaces)
+
+} // namespace test_surfaces
+
 #include "test_surfaces.moc"

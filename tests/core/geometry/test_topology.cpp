@@ -6,6 +6,9 @@
 
 #include "core/geometry/topology.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_topology {
 
 using namespace tactum;
 
@@ -118,5 +121,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTopology)
+TACTUM_TEST(TestTopology)
+
+} // namespace test_topology
+
 #include "test_topology.moc"

@@ -1,9 +1,12 @@
 // The triangle's closed forms against slow answers in extended precision.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_triangle {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -242,5 +245,8 @@ void TriangleTest::touchingSphereGoesNoDeeper() {
     QCOMPARE_GT(touched, 50000);
 }
 
-QTEST_APPLESS_MAIN(TriangleTest)
+TACTUM_TEST(TriangleTest)
+
+} // namespace test_triangle
+
 #include "test_triangle.moc"

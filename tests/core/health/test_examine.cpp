@@ -7,6 +7,9 @@
 #include "core/health/mesh_probe.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_examine {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -202,5 +205,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExamine)
+TACTUM_TEST(TestExamine)
+
+} // namespace test_examine
+
 #include "test_examine.moc"

@@ -11,6 +11,9 @@
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/quiet.h"
+#include "tests/support/test_program.h"
+
+namespace test_import_scene {
 
 using namespace tactum;
 using namespace std::chrono_literals;
@@ -289,5 +292,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestImportScene)
+TACTUM_TEST(TestImportScene)
+
+} // namespace test_import_scene
+
 #include "test_import_scene.moc"

@@ -14,6 +14,9 @@
 
 #include "core/import/worker/sandbox.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/test_program.h"
+
+namespace test_sandbox {
 
 using namespace tactum;
 
@@ -112,5 +115,8 @@ private:
     std::filesystem::path file_, outside_;
 };
 
-QTEST_GUILESS_MAIN(TestSandbox)
+TACTUM_TEST(TestSandbox)
+
+} // namespace test_sandbox
+
 #include "test_sandbox.moc"

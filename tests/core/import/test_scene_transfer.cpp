@@ -8,6 +8,9 @@
 #include "core/import/scene_transfer.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_scene_transfer {
 
 using namespace tactum;
 
@@ -254,5 +257,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSceneTransfer)
+TACTUM_TEST(TestSceneTransfer)
+
+} // namespace test_scene_transfer
+
 #include "test_scene_transfer.moc"

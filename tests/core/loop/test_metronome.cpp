@@ -2,11 +2,14 @@
 #include <atomic>
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/loop/metronome.h"
 #include "core/runtime/period_histogram.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_metronome {
 
 using namespace tactum;
 
@@ -142,5 +145,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMetronome)
+TACTUM_TEST(TestMetronome)
+
+} // namespace test_metronome
+
 #include "test_metronome.moc"

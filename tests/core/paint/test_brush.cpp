@@ -1,9 +1,12 @@
 // The brush on vertices: closed forms, what it must leave alone, and strokes that do not depend on the
 // pointer.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/paint/paint_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_brush {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -295,5 +298,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBrush)
+TACTUM_TEST(TestBrush)
+
+} // namespace test_brush
+
 #include "test_brush.moc"

@@ -6,6 +6,9 @@
 #include "core/geometry/mend.h"
 #include "core/paint/carry.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_carried_paint {
 
 using namespace tactum;
 
@@ -89,5 +92,8 @@ void TestCarriedPaint::nothingIsMadeOfNothing() {
     QCOMPARE(carriedPaint(flat, point, other), flat);
 }
 
-QTEST_APPLESS_MAIN(TestCarriedPaint)
+TACTUM_TEST(TestCarriedPaint)
+
+} // namespace test_carried_paint
+
 #include "test_carried_paint.moc"

@@ -1,10 +1,13 @@
 // The brush on the texels of an image: the same as on vertices where both can tell, and no gaps at seams.
-#include <QtTest>
+#include <QTest>
 
 #include "core/surface/image_sample.h"
 #include "tests/core/paint/paint_rig.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_image_stroke {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -455,5 +458,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestImageStroke)
+TACTUM_TEST(TestImageStroke)
+
+} // namespace test_image_stroke
+
 #include "test_image_stroke.moc"

@@ -10,6 +10,9 @@
 #include "core/presets/base64.h"
 #include "core/presets/preset_file.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_preset_file {
 
 using namespace tactum;
 
@@ -355,5 +358,8 @@ void TestPresetFile::hugeClaimsAreRefused() {
     QVERIFY(!readPreset(folder.filePath(QStringLiteral("none")).toStdString()));
 }
 
-QTEST_APPLESS_MAIN(TestPresetFile)
+TACTUM_TEST(TestPresetFile)
+
+} // namespace test_preset_file
+
 #include "test_preset_file.moc"

@@ -10,6 +10,9 @@
 #include "core/presets/vibration_model.h"
 #include "core/surface/texture_feel.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_read_hatt {
 
 using namespace tactum;
 
@@ -250,5 +253,8 @@ void TestReadHatt::badFilesAreOneLine() {
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
 }
 
-QTEST_APPLESS_MAIN(TestReadHatt)
+TACTUM_TEST(TestReadHatt)
+
+} // namespace test_read_hatt
+
 #include "test_read_hatt.moc"

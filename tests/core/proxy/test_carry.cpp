@@ -1,9 +1,12 @@
 // Bodies that move onto the proxy: pushed, never passed, carried.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/proxy/carry_stage.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_carry {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -400,5 +403,8 @@ void CarryTest::aCageOfPointsTakesNoMoreSweepsThanPromised() {
     QVERIFY2(settled >= 2 && passed >= 2, qPrintable(QString("%1 %2").arg(settled).arg(passed)));
 }
 
-QTEST_APPLESS_MAIN(CarryTest)
+TACTUM_TEST(CarryTest)
+
+} // namespace test_carry
+
 #include "test_carry.moc"

@@ -1,9 +1,12 @@
 // Equation (2) solved in the dual, against trying every set of planes in extended precision.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_nearest_point {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -209,5 +212,8 @@ void NearestPointTest::whatIsNoNumberEndsTheSearch() {
     }
 }
 
-QTEST_APPLESS_MAIN(NearestPointTest)
+TACTUM_TEST(NearestPointTest)
+
+} // namespace test_nearest_point
+
 #include "test_nearest_point.moc"

@@ -1,11 +1,14 @@
 // Points, segments, and triangles that are felt from one side alone: closed forms of rest, force and letting
 // go.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_primitives {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -311,5 +314,8 @@ void PrimitivesTest::segmentsHaveNoSides() {
     }
 }
 
-QTEST_APPLESS_MAIN(PrimitivesTest)
+TACTUM_TEST(PrimitivesTest)
+
+} // namespace test_primitives
+
 #include "test_primitives.moc"

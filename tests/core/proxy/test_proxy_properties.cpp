@@ -1,10 +1,13 @@
 // What must hold at every step, whatever the geometry and the path.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_proxy_properties {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -208,5 +211,8 @@ void ProxyPropertiesTest::frictionKeepsOutsideToo() {
     }
 }
 
-QTEST_APPLESS_MAIN(ProxyPropertiesTest)
+TACTUM_TEST(ProxyPropertiesTest)
+
+} // namespace test_proxy_properties
+
 #include "test_proxy_properties.moc"

@@ -1,11 +1,14 @@
 // The proxy in shapes whose constrained minimum is known exactly: at most 1 um from it at rest, 50 um while
 // the finger moves at 0.15 m/s, and not a bit of jitter.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+namespace test_proxy_shapes {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -316,5 +319,8 @@ void ProxyShapesTest::edgesAndPointsAreTouched() {
     QCOMPARE_LE((wire.position() - Vec3(0.6 * kRadius, 0.02, 0.8 * kRadius)).norm(), kAtRest);
 }
 
-QTEST_APPLESS_MAIN(ProxyShapesTest)
+TACTUM_TEST(ProxyShapesTest)
+
+} // namespace test_proxy_shapes
+
 #include "test_proxy_shapes.moc"

@@ -1,11 +1,14 @@
 // The invariants of the proxy among random bodies that move by themselves, rest, and move again.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/proxy/carry_bounds.h"
 #include "tests/core/proxy/carry_stage.h"
 #include "tests/core/proxy/random_trial.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_random_movers {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -184,5 +187,8 @@ void RandomMoversTest::everyStepKeepsTheInvariants() {
     QCOMPARE_LT(counted.squeezed, 0.01 * counted.steps);
 }
 
-QTEST_APPLESS_MAIN(RandomMoversTest)
+TACTUM_TEST(RandomMoversTest)
+
+} // namespace test_random_movers
+
 #include "test_random_movers.moc"

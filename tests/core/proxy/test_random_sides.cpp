@@ -1,9 +1,12 @@
 // The invariants of the proxy over random soups whose surfaces are felt from one side alone, or from none.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/proxy/random_trial.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_random_sides {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -160,5 +163,8 @@ void RandomSidesTest::whatIsFeltFromInsideIsNeverLeft() {
     QCOMPARE_GT(held, 200);
 }
 
-QTEST_APPLESS_MAIN(RandomSidesTest)
+TACTUM_TEST(RandomSidesTest)
+
+} // namespace test_random_sides
+
 #include "test_random_sides.moc"

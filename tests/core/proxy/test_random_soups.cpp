@@ -1,9 +1,12 @@
 // The invariants of the proxy over random soups, sizes, paths and feels.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/proxy/felt_rig.h"
 #include "tests/core/proxy/random_trial.h"
+#include "tests/support/test_program.h"
+
+namespace test_random_soups {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -114,5 +117,8 @@ void RandomSoupsTest::whatFrozeOnceDoesNot() {
     QCOMPARE(faultIn(trial), QString());
 }
 
-QTEST_APPLESS_MAIN(RandomSoupsTest)
+TACTUM_TEST(RandomSoupsTest)
+
+} // namespace test_random_soups
+
 #include "test_random_soups.moc"

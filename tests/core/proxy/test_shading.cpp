@@ -1,17 +1,20 @@
 // Force shading (section 3) through whole haptic steps: facets that feel round, and what it costs in energy.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/geometry/topology.h"
 #include "core/proxy/felt_planes.h"
 #include "tests/core/proxy/felt_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+Q_DECLARE_METATYPE(tactum::test::Soup)
+
+namespace test_shading {
 
 using namespace tactum;
 using namespace tactum::test;
-
-Q_DECLARE_METATYPE(Soup)
 
 namespace {
 
@@ -425,5 +428,8 @@ void ShadingTest::whatSticksStandsStill() {
     }
 }
 
-QTEST_APPLESS_MAIN(ShadingTest)
+TACTUM_TEST(ShadingTest)
+
+} // namespace test_shading
+
 #include "test_shading.moc"

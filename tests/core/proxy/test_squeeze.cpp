@@ -1,9 +1,12 @@
 // Bodies that leave the proxy too little room, and bodies that jump.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/proxy/carry_stage.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_squeeze {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -197,5 +200,8 @@ void SqueezeTest::aSmallJumpIsSwept() {
     }
 }
 
-QTEST_APPLESS_MAIN(SqueezeTest)
+TACTUM_TEST(SqueezeTest)
+
+} // namespace test_squeeze
+
 #include "test_squeeze.moc"

@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/recording/events.h"
 #include "core/recording/player.h"
@@ -16,6 +16,9 @@
 #include "tests/core/runtime/probe_device.h"
 #include "tests/realtime/bumpy_scene.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_recorder {
 
 using namespace tactum;
 
@@ -318,5 +321,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecorder)
+TACTUM_TEST(TestRecorder)
+
+} // namespace test_recorder
+
 #include "test_recorder.moc"

@@ -5,7 +5,7 @@
 #include <random>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/control/guard_words.h"
 #include "core/files/load_scene.h"
@@ -16,6 +16,9 @@
 #include "tests/core/recording/hand_made_run.h"
 #include "tests/realtime/bumpy_scene.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_recording_file {
 
 using namespace tactum;
 
@@ -278,5 +281,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecordingFile)
+TACTUM_TEST(TestRecordingFile)
+
+} // namespace test_recording_file
+
 #include "test_recording_file.moc"

@@ -3,13 +3,16 @@
 #include <cmath>
 #include <memory>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/compile.h"
 #include "core/runtime/recorded_step.h"
 #include "core/runtime/state_bytes.h"
 #include "tests/realtime/bumpy_scene.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_state_bytes {
 
 using namespace tactum;
 
@@ -106,5 +109,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStateBytes)
+TACTUM_TEST(TestStateBytes)
+
+} // namespace test_state_bytes
+
 #include "test_state_bytes.moc"

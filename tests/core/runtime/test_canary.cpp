@@ -4,12 +4,15 @@
 #include <thread>
 #include <unistd.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/clock.h"
 #include "core/runtime/canary.h"
 #include "tests/support/compare.h"
 #include "tests/support/quiet.h"
+#include "tests/support/test_program.h"
+
+namespace test_canary {
 
 using namespace tactum;
 
@@ -143,5 +146,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCanary)
+TACTUM_TEST(TestCanary)
+
+} // namespace test_canary
+
 #include "test_canary.moc"

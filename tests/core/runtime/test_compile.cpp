@@ -2,10 +2,13 @@
 
 #include <limits>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_compile {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -204,5 +207,8 @@ void CompileTest::texturesAreShared() {
     QCOMPARE_NE(third->obstacles[0].feels[0].texture, first->obstacles[0].feels[0].texture);
 }
 
-QTEST_APPLESS_MAIN(CompileTest)
+TACTUM_TEST(CompileTest)
+
+} // namespace test_compile
+
 #include "test_compile.moc"

@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
@@ -15,6 +15,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/page_faults.h"
 #include "tests/support/quiet.h"
+#include "tests/support/test_program.h"
+
+namespace test_engine {
 
 using namespace tactum;
 
@@ -494,5 +497,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEngine)
+TACTUM_TEST(TestEngine)
+
+} // namespace test_engine
+
 #include "test_engine.moc"

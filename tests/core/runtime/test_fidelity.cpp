@@ -1,9 +1,12 @@
 // The overload ladder: on machines that are formulas, and its lower rungs on a real surface.
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/fidelity.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_fidelity {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -144,5 +147,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFidelity)
+TACTUM_TEST(TestFidelity)
+
+} // namespace test_fidelity
+
 #include "test_fidelity.moc"

@@ -1,9 +1,12 @@
 // Friction through whole haptic steps, on planes at a fixed depth: section 4 in newtons.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_friction_step {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -256,5 +259,8 @@ void FrictionStepTest::anyStickingPlaneHolds() {
     COMPARE_NEAR(-hand.output().force.y(), mu * each * 800, kPart * mu * each * 800, "N");
 }
 
-QTEST_APPLESS_MAIN(FrictionStepTest)
+TACTUM_TEST(FrictionStepTest)
+
+} // namespace test_friction_step
+
 #include "test_friction_step.moc"

@@ -2,10 +2,13 @@
 
 #include <limits>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_haptic_step {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -237,5 +240,8 @@ void HapticStepTest::mixesMaterialsByTheirPush() {
     QCOMPARE_NE(hand.output().contact[0].surface, hand.output().contact[1].surface);
 }
 
-QTEST_APPLESS_MAIN(HapticStepTest)
+TACTUM_TEST(HapticStepTest)
+
+} // namespace test_haptic_step
+
 #include "test_haptic_step.moc"

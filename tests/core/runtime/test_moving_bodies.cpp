@@ -1,10 +1,13 @@
 // Bodies that move by themselves, through whole haptic steps: their time and their poses.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/replay.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/movers.h"
+#include "tests/support/test_program.h"
+
+namespace test_moving_bodies {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -329,5 +332,8 @@ void MovingBodiesTest::aReplayPlaysTheFilesAnimation() {
     }
 }
 
-QTEST_APPLESS_MAIN(MovingBodiesTest)
+TACTUM_TEST(MovingBodiesTest)
+
+} // namespace test_moving_bodies
+
 #include "test_moving_bodies.moc"

@@ -1,11 +1,14 @@
 // Changes of the scene under the finger: where the proxy is afterwards (rule: what lands on the finger begins
 // without force, and what was not touched by the change is felt as before).
-#include <QtTest>
+#include <QTest>
 
 #include "core/collision/nearest.h"
 #include "core/proxy/place.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_scene_changes {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -218,5 +221,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSceneChanges)
+TACTUM_TEST(TestSceneChanges)
+
+} // namespace test_scene_changes
+
 #include "test_scene_changes.moc"

@@ -1,10 +1,13 @@
 // What a servo tick takes for a fault, what for none, and what it holds back.
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/runtime/held_servo.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_servo_guard {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -357,5 +360,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestServoGuard)
+TACTUM_TEST(TestServoGuard)
+
+} // namespace test_servo_guard
+
 #include "test_servo_guard.moc"

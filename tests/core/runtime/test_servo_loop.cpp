@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <thread>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/servo_loop.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_servo_loop {
 
 using namespace tactum;
 
@@ -210,5 +213,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestServoLoop)
+TACTUM_TEST(TestServoLoop)
+
+} // namespace test_servo_loop
+
 #include "test_servo_loop.moc"

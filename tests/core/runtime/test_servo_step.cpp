@@ -3,11 +3,14 @@
 #include <limits>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/runtime/held_servo.h"
 #include "tests/support/compare.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
+
+namespace test_servo_step {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -273,5 +276,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestServoStep)
+TACTUM_TEST(TestServoStep)
+
+} // namespace test_servo_step
+
 #include "test_servo_step.moc"

@@ -1,17 +1,20 @@
 // Haptic texture (section 4.3) through whole haptic steps: slopes, valleys and maps of friction in newtons.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/surface/spectrum.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/reference.h"
+#include "tests/support/test_program.h"
+
+Q_DECLARE_METATYPE(tactum::TextureMapping)
+
+namespace test_texture_step {
 
 using namespace tactum;
 using namespace tactum::test;
-
-Q_DECLARE_METATYPE(TextureMapping)
 
 namespace {
 
@@ -386,5 +389,8 @@ void TextureStepTest::aliasOfASlide() {
     QCOMPARE_LT(ripple.above, 0.25 * ripple.whole);
 }
 
-QTEST_APPLESS_MAIN(TextureStepTest)
+TACTUM_TEST(TextureStepTest)
+
+} // namespace test_texture_step
+
 #include "test_texture_step.moc"

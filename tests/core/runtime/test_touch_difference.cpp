@@ -1,10 +1,13 @@
 // What an edit changes in what is felt, against closed forms on a plane.
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/compile.h"
 #include "core/runtime/touch_difference.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_touch_difference {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -135,5 +138,8 @@ void TestTouchDifference::stopsWhenItIsCancelled() {
     QCOMPARE(replay(**world, stroke(0.003), progress)->size(), std::size_t(1001));
 }
 
-QTEST_GUILESS_MAIN(TestTouchDifference)
+TACTUM_TEST(TestTouchDifference)
+
+} // namespace test_touch_difference
+
 #include "test_touch_difference.moc"

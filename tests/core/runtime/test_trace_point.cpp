@@ -2,6 +2,9 @@
 
 #include "core/runtime/trace_point.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_trace_point {
 
 using namespace tactum;
 
@@ -55,5 +58,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTracePoint)
+TACTUM_TEST(TestTracePoint)
+
+} // namespace test_trace_point
+
 #include "test_trace_point.moc"

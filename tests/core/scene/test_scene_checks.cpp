@@ -10,6 +10,9 @@
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_scene_checks {
 
 using namespace tactum;
 
@@ -247,5 +250,8 @@ private:
     FileFolder folder_;
 };
 
-QTEST_GUILESS_MAIN(TestSceneChecks)
+TACTUM_TEST(TestSceneChecks)
+
+} // namespace test_scene_checks
+
 #include "test_scene_checks.moc"

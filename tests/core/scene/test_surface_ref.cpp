@@ -5,6 +5,9 @@
 
 #include "core/scene/surface_ref.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_surface_ref {
 
 using namespace tactum;
 
@@ -40,5 +43,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSurfaceRef)
+TACTUM_TEST(TestSurfaceRef)
+
+} // namespace test_surface_ref
+
 #include "test_surface_ref.moc"

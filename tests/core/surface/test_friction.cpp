@@ -1,10 +1,13 @@
 // The slide that friction allows, against the equation of section 4.2 integrated in small steps.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/surface/friction.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_friction {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -126,5 +129,8 @@ void FrictionTest::stickingContactObeysStaticFriction() {
     QCOMPARE(frictionLimit(material, true).lag, 0.004);
 }
 
-QTEST_APPLESS_MAIN(FrictionTest)
+TACTUM_TEST(FrictionTest)
+
+} // namespace test_friction
+
 #include "test_friction.moc"

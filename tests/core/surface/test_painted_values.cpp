@@ -1,9 +1,12 @@
 // Painted values: linear on triangles and segments, left out where they do not fit, and images painted in
 // part.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_painted_values {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -165,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPaintedValues)
+TACTUM_TEST(TestPaintedValues)
+
+} // namespace test_painted_values
+
 #include "test_painted_values.moc"

@@ -1,10 +1,13 @@
 // The normal that a shaded surface is felt with, over faces, edges and corners of its C-obstacle.
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/surface/shaded_normal.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
+
+namespace test_shaded_normal {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -193,5 +196,8 @@ void ShadedNormalTest::nothingLeansTooFar() {
     }
 }
 
-QTEST_APPLESS_MAIN(ShadedNormalTest)
+TACTUM_TEST(ShadedNormalTest)
+
+} // namespace test_shaded_normal
+
 #include "test_shaded_normal.moc"

@@ -1,10 +1,13 @@
 // Detail that the servo cannot render is filtered out of the texture, and does not come back as another one.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/surface/spectrum.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_texture_filter {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -187,5 +190,8 @@ void TextureFilterTest::aliasOfASlide() {
     QCOMPARE_GT(soft.whole, 0);
 }
 
-QTEST_APPLESS_MAIN(TextureFilterTest)
+TACTUM_TEST(TextureFilterTest)
+
+} // namespace test_texture_filter
+
 #include "test_texture_filter.moc"

@@ -1,9 +1,12 @@
 // Slopes of the texture in metres per metre: against known heights and against finite differences.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_texture_slope {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -344,5 +347,8 @@ void TextureSlopeTest::strangeInputGivesThePlainSurface() {
             }
 }
 
-QTEST_APPLESS_MAIN(TextureSlopeTest)
+TACTUM_TEST(TextureSlopeTest)
+
+} // namespace test_texture_slope
+
 #include "test_texture_slope.moc"

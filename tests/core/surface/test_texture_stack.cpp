@@ -1,9 +1,12 @@
 // Layers as an author stacks them: blending, masks, planes of their own, modulation, and sharing.
 
-#include <QtTest>
+#include <QTest>
 
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_texture_stack {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -235,5 +238,8 @@ void TextureStackTest::scaleOfUvsIsThatOfTheSurface() {
     QCOMPARE(metresPerUvOf(*same, 0), 0.0);
 }
 
-QTEST_APPLESS_MAIN(TextureStackTest)
+TACTUM_TEST(TextureStackTest)
+
+} // namespace test_texture_stack
+
 #include "test_texture_stack.moc"

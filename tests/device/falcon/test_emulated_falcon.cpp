@@ -2,12 +2,15 @@
 // on.
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/falcon/falcon_kinematics.h"
 #include "tests/device/falcon/boot_stream.h"
 #include "tests/device/falcon/emulated_falcon.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_emulated_falcon {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -198,5 +201,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEmulatedFalcon)
+TACTUM_TEST(TestEmulatedFalcon)
+
+} // namespace test_emulated_falcon
+
 #include "test_emulated_falcon.moc"

@@ -3,13 +3,16 @@
 #include <functional>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "device/falcon/falcon_preparation.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -155,11 +158,11 @@ private slots:
         falcon->close();
         bench.device->setFaults({.forgetsHome = true});
         const auto alone = falcon->open();
-        QVERIFY2(says(alone, "\"Home\"") && says(alone, "somebody at hand"),
-                 alone ? "it opened" : alone.error().text.c_str());
+        COMPARE_CONTAINS(refusal(alone), "\"Home\"");
+        COMPARE_CONTAINS(refusal(alone), "somebody at hand");
         Person person(bench.device);
         QVERIFY(falcon->prepare(person));
-        QVERIFY2(says(person.asked, "Pull the grip"), "the person was asked for nothing");
+        COMPARE_CONTAINS(person.asked, "Pull the grip");
         QVERIFY(falcon->open());
         QVERIFY(exchange(*falcon, 50).valid > 40);
         QCOMPARE(bench.device->uploads(), 0);
@@ -173,7 +176,7 @@ private slots:
         const auto falcon = bench.driver();
         Person person(bench.device);
         const auto ready = falcon->prepare(person);
-        QVERIFY2(says(ready, "says nothing"), ready ? "it worked" : ready.error().text.c_str());
+        COMPARE_CONTAINS(refusal(ready), "says nothing");
         QCOMPARE(bench.device->uploads(), 1);
         QCOMPARE(bench.device->commands(), 3 + 3); // before and after
         QCOMPARE(bench.device->torqueCommands(), 0);
@@ -213,8 +216,8 @@ private slots:
         silent.first = {.silent = true};
         const int before = bench.device->commands();
         const auto never = falcon->prepare(silent);
-        QVERIFY2(says(never, "\"Home\"") && says(never, "no answer any more"),
-                 never ? "it worked" : never.error().text.c_str());
+        COMPARE_CONTAINS(refusal(never), "\"Home\"");
+        COMPARE_CONTAINS(refusal(never), "no answer any more");
         QCOMPARE(silent.heard, 0);
         QCOMPARE_LE(bench.device->commands() - before, 20 + 5); // for a second, and before that
     }
@@ -577,5 +580,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalcon)
+TACTUM_TEST(TestFalcon)
+
+} // namespace test_falcon
+
 #include "test_falcon.moc"

@@ -1,9 +1,12 @@
 // The driver of the Falcon and the emulated one over both back ends of the emulated bus: from power to
 // forces, and pulled out. Nothing here counts on when something happens, only on that it does.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_both_ways {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -116,5 +119,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFalconBothWays)
+TACTUM_TEST(TestFalconBothWays)
+
+} // namespace test_falcon_both_ways
+
 #include "test_falcon_both_ways.moc"

@@ -2,11 +2,14 @@
 #include <fstream>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "device/falcon/falcon_firmware.h"
 #include "tests/device/falcon/boot_stream.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_firmware {
 
 using namespace tactum;
 using test::makeBootStream;
@@ -150,5 +153,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconFirmware)
+TACTUM_TEST(TestFalconFirmware)
+
+} // namespace test_falcon_firmware
+
 #include "test_falcon_firmware.moc"

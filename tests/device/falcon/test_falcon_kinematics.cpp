@@ -2,10 +2,13 @@
 #include <limits>
 #include <random>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/falcon/falcon_kinematics.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_kinematics {
 
 using namespace tactum;
 
@@ -290,5 +293,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconKinematics)
+TACTUM_TEST(TestFalconKinematics)
+
+} // namespace test_falcon_kinematics
+
 #include "test_falcon_kinematics.moc"

@@ -3,10 +3,13 @@
 #include <string>
 #include <string_view>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/falcon/falcon_packet.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_packet {
 
 using namespace tactum;
 
@@ -237,5 +240,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconPacket)
+TACTUM_TEST(TestFalconPacket)
+
+} // namespace test_falcon_packet
+
 #include "test_falcon_packet.moc"

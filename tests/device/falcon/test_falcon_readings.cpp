@@ -1,8 +1,11 @@
 // What is believed of the Falcon's reports, by itself.
-#include <QtTest>
+#include <QTest>
 
 #include "device/falcon/falcon_readings.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_readings {
 
 using namespace tactum;
 
@@ -148,5 +151,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconReadings)
+TACTUM_TEST(TestFalconReadings)
+
+} // namespace test_falcon_readings
+
 #include "test_falcon_readings.moc"

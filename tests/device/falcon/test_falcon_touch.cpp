@@ -2,7 +2,7 @@
 // Falcon in an emulated hand that gives way.
 #include <algorithm>
 
-#include <QtTest>
+#include <QTest>
 
 #include "core/runtime/engine.h"
 #include "tests/core/runtime/patience.h"
@@ -11,6 +11,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/quiet.h"
+#include "tests/support/test_program.h"
+
+namespace test_falcon_touch {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -290,5 +293,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconTouch)
+TACTUM_TEST(TestFalconTouch)
+
+} // namespace test_falcon_touch
+
 #include "test_falcon_touch.moc"

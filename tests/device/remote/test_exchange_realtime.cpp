@@ -1,6 +1,6 @@
 // The proof that exchange() of a remote device and of the makers' drivers neither allocates nor locks nor
 // waits: no hit of the interposer.
-#include <QtTest>
+#include <QTest>
 
 #include "core/base/realtime.h"
 #include "device/remote/remote_device.h"
@@ -9,6 +9,9 @@
 #include "tests/device/remote/served_device.h"
 #include "tests/realtime/interposer.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_exchange_realtime {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -69,5 +72,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExchangeRealtime)
+TACTUM_TEST(TestExchangeRealtime)
+
+} // namespace test_exchange_realtime
+
 #include "test_exchange_realtime.moc"

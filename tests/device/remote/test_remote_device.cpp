@@ -4,14 +4,17 @@
 #include <limits>
 #include <sys/wait.h>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/remote/remote_device.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/hand.h"
 #include "tests/support/compare.h"
 #include "tests/support/repeats.h"
+#include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
+
+namespace test_remote_device {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -364,5 +367,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRemoteDevice)
+TACTUM_TEST(TestRemoteDevice)
+
+} // namespace test_remote_device
+
 #include "test_remote_device.moc"

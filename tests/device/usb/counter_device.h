@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/usb/usb_link.h"
 #include "tests/device/usb/emulated_usb.h"

@@ -5,12 +5,15 @@
 #include <thread>
 
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 #include <libusb.h>
 
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_usb_both_ways {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -417,5 +420,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUsbBothWays)
+TACTUM_TEST(TestUsbBothWays)
+
+} // namespace test_usb_both_ways
+
 #include "test_usb_both_ways.moc"

@@ -4,15 +4,13 @@
 #include <cstdlib>
 #include <new>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/usb/usb_link.h"
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
 #include "tests/support/compare.h"
-
-using namespace tactum;
-using namespace tactum::test;
+#include "tests/support/test_program.h"
 
 namespace {
 
@@ -23,7 +21,7 @@ thread_local bool counting = false;
 
 // Our code allocates by `new`, libusb by malloc; what the emulated bus does is nobody's fault.
 void* operator new(std::size_t size) {
-    if (counting && !kernel::isInside()) ++ownAllocations;
+    if (counting && !tactum::test::kernel::isInside()) ++ownAllocations;
     if (void* memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc();
 }
@@ -33,6 +31,11 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
+
+namespace test_usb_link {
+
+using namespace tactum;
+using namespace tactum::test;
 
 class TestUsbLink : public QObject {
     Q_OBJECT
@@ -300,5 +303,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUsbLink)
+TACTUM_TEST(TestUsbLink)
+
+} // namespace test_usb_link
+
 #include "test_usb_link.moc"

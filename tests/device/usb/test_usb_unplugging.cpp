@@ -4,13 +4,16 @@
 #include <random>
 #include <thread>
 
-#include <QtTest>
+#include <QTest>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "tests/device/usb/counter_device.h"
 #include "tests/device/usb/emulated_kernel.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_usb_unplugging {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -163,5 +166,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUsbUnplugging)
+TACTUM_TEST(TestUsbUnplugging)
+
+} // namespace test_usb_unplugging
+
 #include "test_usb_unplugging.moc"

@@ -16,17 +16,17 @@ else()
   target_link_libraries(umockdev_usb PRIVATE tactum_options PUBLIC PkgConfig::UMOCKDEV)
 endif()
 
-# cross_checked_usb_test(NAME SOURCES ... USES room ... LIBRARIES target ...): as emulated_usb_test, and the same
-# once more over umockdev, as NAME_umockdev. A socket's path has room for some hundred letters: the short TMPDIR.
-function(cross_checked_usb_test name)
-  cmake_parse_arguments(CROSS "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
-  emulated_usb_test(${name} SOURCES ${CROSS_SOURCES} USES ${CROSS_USES})
-  target_link_libraries(${name} PRIVATE ${CROSS_LIBRARIES})
+# usb_tests_under_umockdev(ROOM TESTS name... USES room... LINKS target...): tests of the room once more, over umockdev,
+# as test_name_umockdev. A socket's path has room for some hundred letters: the short TMPDIR.
+function(usb_tests_under_umockdev room)
   if(NOT TARGET umockdev_usb)
     return()
   endif()
-  set(second ${name}_umockdev)
-  tactum_test(${second} SOURCES ${CROSS_SOURCES} USES ${CROSS_USES} UNDER "${UMOCKDEV_WRAPPER}")
-  target_link_libraries(${second} PRIVATE emulated_usb umockdev_usb ${CROSS_LIBRARIES})
-  set_tests_properties(${second} PROPERTIES ENVIRONMENT "TMPDIR=/tmp")
+  cmake_parse_arguments(T "" "" "TESTS;USES;LINKS" ${ARGN})
+  string(REPLACE "/" "-" folder "${room}")
+  tactum_tests(${room} PROGRAM ${folder}-umockdev
+    TESTS ${T_TESTS} USES ${T_USES} LINKS ${T_LINKS} umockdev_usb UNDER "${UMOCKDEV_WRAPPER}" SUFFIX _umockdev)
+  foreach(name IN LISTS T_TESTS)
+    set_tests_properties(test_${name}_umockdev PROPERTIES ENVIRONMENT "TMPDIR=/tmp")
+  endforeach()
 endfunction()

@@ -3,12 +3,15 @@
 #include <dlfcn.h>
 #include <limits>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/vendor/force_dimension.h"
 #include "tests/device/vendor/fake_dhd.h"
 #include "tests/device/vendor/hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_force_dimension {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -272,5 +275,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestForceDimension)
+TACTUM_TEST(TestForceDimension)
+
+} // namespace test_force_dimension
+
 #include "test_force_dimension.moc"

@@ -4,14 +4,17 @@
 #include <limits>
 #include <optional>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/vendor/haply_inverse3.h"
 #include "device/vendor/haply_messages.h"
 #include "tests/device/vendor/fake_haply.h"
 #include "tests/device/vendor/hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
+
+namespace test_haply_inverse3 {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -243,5 +246,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHaplyInverse3)
+TACTUM_TEST(TestHaplyInverse3)
+
+} // namespace test_haply_inverse3
+
 #include "test_haply_inverse3.moc"

@@ -5,13 +5,16 @@
 #include <thread>
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "device/vendor/open_haptics.h"
 #include "tests/device/vendor/fake_hd.h"
 #include "tests/device/vendor/hand.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/support/waiting.h"
+
+namespace test_open_haptics {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -300,5 +303,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOpenHaptics)
+TACTUM_TEST(TestOpenHaptics)
+
+} // namespace test_open_haptics
+
 #include "test_open_haptics.moc"

@@ -1,11 +1,14 @@
 // The mechanics of WoodenHaptics agree with themselves, with turning the bodies one by one, and with energy.
 #include <cmath>
 
-#include <QtTest>
+#include <QTest>
 
 #include "device/wooden_haptics/arm.h"
 #include "device/wooden_haptics/report.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_wooden_arm {
 
 using namespace tactum;
 
@@ -130,5 +133,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWoodenArm)
+TACTUM_TEST(TestWoodenArm)
+
+} // namespace test_wooden_arm
+
 #include "test_wooden_arm.moc"

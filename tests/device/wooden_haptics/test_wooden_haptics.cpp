@@ -1,11 +1,14 @@
 // WoodenHaptics, the driver, against an emulated one under the real libusb.
-#include <QtTest>
+#include <QTest>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "device/wooden_haptics/wooden_haptics.h"
 #include "tests/device/wooden_haptics/emulated_wooden_haptics.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_wooden_haptics {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -366,5 +369,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWoodenHaptics)
+TACTUM_TEST(TestWoodenHaptics)
+
+} // namespace test_wooden_haptics
+
 #include "test_wooden_haptics.moc"

@@ -7,9 +7,12 @@
 #include <QWheelEvent>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/panels/touch_traces.h"
 #include "ui/panels/force_plot.h"
 #include "ui/style.h"
+
+namespace test_force_plot {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -169,5 +172,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestForcePlot)
+TACTUM_GUI_TEST(TestForcePlot)
+
+} // namespace test_force_plot
+
 #include "test_force_plot.moc"

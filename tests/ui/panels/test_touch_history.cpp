@@ -3,9 +3,12 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/panels/touch_traces.h"
 #include "ui/panels/strip_chart.h"
 #include "ui/panels/touch_history.h"
+
+namespace test_touch_history {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -106,5 +109,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTouchHistory)
+TACTUM_TEST(TestTouchHistory)
+
+} // namespace test_touch_history
+
 #include "test_touch_history.moc"

@@ -4,7 +4,10 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "ui/sound/contact_sound.h"
+
+namespace test_contact_sound {
 
 using namespace tactum;
 
@@ -119,5 +122,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContactSound)
+TACTUM_TEST(TestContactSound)
+
+} // namespace test_contact_sound
+
 #include "test_contact_sound.moc"

@@ -1,8 +1,11 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/display_mesh.h"
+
+namespace test_display_mesh {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -80,5 +83,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDisplayMesh)
+TACTUM_TEST(TestDisplayMesh)
+
+} // namespace test_display_mesh
+
 #include "test_display_mesh.moc"

@@ -3,12 +3,15 @@
 #include "core/runtime/compile.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/felt_mesh.h"
 #include "ui/view/felt_normals.h"
 #include "ui/view/felt_options.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/sphere_mesh.h"
+
+namespace test_felt_mesh {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -223,5 +226,8 @@ private:
     static constexpr double kDrawnCreaseForTest = 50 * std::numbers::pi / 180;
 };
 
-QTEST_APPLESS_MAIN(TestFeltMesh)
+TACTUM_TEST(TestFeltMesh)
+
+} // namespace test_felt_mesh
+
 #include "test_felt_mesh.moc"

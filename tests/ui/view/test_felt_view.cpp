@@ -4,12 +4,15 @@
 
 #include "core/runtime/compile.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
+
+namespace test_felt_view {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -332,5 +335,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFeltView)
+TACTUM_GUI_TEST(TestFeltView)
+
+} // namespace test_felt_view
+
 #include "test_felt_view.moc"

@@ -2,9 +2,12 @@
 
 #include "core/surface/material.h"
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
+
+namespace test_hand_tool {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -121,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHandTool)
+TACTUM_TEST(TestHandTool)
+
+} // namespace test_hand_tool
+
 #include "test_hand_tool.moc"

@@ -2,8 +2,11 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/view/scene_picker.h"
+
+namespace test_scene_picker {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -100,5 +103,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestScenePicker)
+TACTUM_TEST(TestScenePicker)
+
+} // namespace test_scene_picker
+
 #include "test_scene_picker.moc"

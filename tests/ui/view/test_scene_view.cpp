@@ -7,6 +7,7 @@
 
 #include "core/dynamics/motion_build.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
@@ -14,6 +15,8 @@
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
+
+namespace test_scene_view {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -486,5 +489,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSceneView)
+TACTUM_GUI_TEST(TestSceneView)
+
+} // namespace test_scene_view
+
 #include "test_scene_view.moc"

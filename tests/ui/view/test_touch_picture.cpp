@@ -3,10 +3,13 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
 #include "ui/view/surface_format.h"
 #include "ui/view/touch_picture.h"
+
+namespace test_touch_picture {
 
 using namespace tactum;
 using namespace tactum::testing;
@@ -93,5 +96,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTouchPicture)
+TACTUM_GUI_TEST(TestTouchPicture)
+
+} // namespace test_touch_picture
+
 #include "test_touch_picture.moc"

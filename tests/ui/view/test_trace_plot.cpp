@@ -4,7 +4,10 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "ui/view/trace_plot.h"
+
+namespace test_trace_plot {
 
 using namespace tactum;
 
@@ -21,6 +24,9 @@ int rowsOfColour(const QImage& image, int x, const QColor& colour) {
 
 class TestTracePlot : public QObject {
     Q_OBJECT
+
+public:
+    static void initMain() { qputenv("QT_QPA_PLATFORM", "offscreen"); } // draws into memory only
 private slots:
     void stepsAreRound() {
         QCOMPARE(tickStep(10, 5), 2.0);
@@ -54,10 +60,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen"); // draws into memory only
-    QGuiApplication application(argc, argv);
-    TestTracePlot test;
-    return QTest::qExec(&test, argc, argv);
-}
+TACTUM_GUI_TEST(TestTracePlot)
+
+} // namespace test_trace_plot
+
 #include "test_trace_plot.moc"

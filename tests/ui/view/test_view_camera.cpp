@@ -1,7 +1,10 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/test_program.h"
 #include "ui/view/view_camera.h"
+
+namespace test_view_camera {
 
 using namespace tactum;
 
@@ -103,5 +106,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestViewCamera)
+TACTUM_TEST(TestViewCamera)
+
+} // namespace test_view_camera
+
 #include "test_view_camera.moc"

@@ -62,7 +62,8 @@ public:
     OtherRun(const QString& settings, const QString& scene, int edits) {
         process_.setProcessChannelMode(QProcess::ForwardedChannels);
         process_.start(QCoreApplication::applicationFilePath(),
-                       {QStringLiteral("--edit"), settings, scene, QString::number(edits)});
+                       {QString::fromStdString(test::runningTest()), QStringLiteral("--edit"), settings, scene,
+                        QString::number(edits)});
     }
     ~OtherRun() { kill(); }
     bool waitForJournals(std::size_t count) {
@@ -81,7 +82,7 @@ private:
     QProcess process_;
 };
 
-/// What main() returns when this process is the other run: its arguments say so.
+/// What a test's instead() returns: this process is the other run when its arguments say so.
 inline std::optional<int> asOtherRun() {
     const QStringList words = QCoreApplication::arguments();
     if (words.value(1) != QLatin1String("--edit")) return std::nullopt;

@@ -9,9 +9,12 @@
 
 #include "core/runtime/compile.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/comparison.h"
+
+namespace test_compare {
 
 using namespace tactum;
 
@@ -236,5 +239,8 @@ void TestCompare::aLargeMeshDoesNotHoldTheWindowUp() {
     QCOMPARE_EQ(comparison.result()->a->size(), 100'000);
 }
 
-QTEST_MAIN(TestCompare)
+TACTUM_GUI_TEST(TestCompare)
+
+} // namespace test_compare
+
 #include "test_compare.moc"

@@ -16,6 +16,7 @@
 #include "core/recording/events.h"
 #include "core/recording/recording_file.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/device_desk.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "ui/axis_capture.h"
@@ -27,6 +28,8 @@
 #include "ui/recording_saver.h"
 #include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
+
+namespace test_device {
 
 using namespace tactum;
 
@@ -503,5 +506,9 @@ void TestDevice::everythingHasAName() {
         }
     }
 }
-QTEST_MAIN(TestDevice)
+
+TACTUM_GUI_TEST(TestDevice)
+
+} // namespace test_device
+
 #include "test_device.moc"

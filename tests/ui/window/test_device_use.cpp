@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/device_desk.h"
 #include "ui/axis_capture.h"
 #include "ui/device_link.h"
@@ -17,6 +18,8 @@
 #include "ui/panels/device_panel.h"
 #include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
+
+namespace test_device_use {
 
 using namespace tactum;
 
@@ -346,5 +349,9 @@ void TestDeviceUse::theSpringDrawsBackToTheCentre() {
         }
     }
 }
-QTEST_MAIN(TestDeviceUse)
+
+TACTUM_GUI_TEST(TestDeviceUse)
+
+} // namespace test_device_use
+
 #include "test_device_use.moc"

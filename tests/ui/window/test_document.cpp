@@ -3,7 +3,10 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
+
+namespace test_document {
 
 using namespace tactum;
 
@@ -407,5 +410,8 @@ void TestDocument::anOpeningCanBeCancelled() {
     QVERIFY(document_->scene() == before);
 }
 
-QTEST_MAIN(TestDocument)
+TACTUM_GUI_TEST(TestDocument)
+
+} // namespace test_document
+
 #include "test_document.moc"

@@ -8,8 +8,11 @@
 #include "device/registry.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/device_link.h"
+
+namespace test_falcon_window {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -152,5 +155,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFalconWindow)
+TACTUM_GUI_TEST(TestFalconWindow)
+
+} // namespace test_falcon_window
+
 #include "test_falcon_window.moc"

@@ -7,10 +7,13 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/force_plot.h"
 #include "ui/sound/sound_output.h"
 #include "ui/view/scene_view.h"
+
+namespace test_felt {
 
 using namespace tactum;
 
@@ -162,5 +165,8 @@ private:
     QTemporaryDir settings_;
 };
 
-QTEST_MAIN(TestFelt)
+TACTUM_GUI_TEST(TestFelt)
+
+} // namespace test_felt
+
 #include "test_felt.moc"

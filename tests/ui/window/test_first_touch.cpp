@@ -5,8 +5,11 @@
 #include <QTest>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
+
+namespace test_first_touch {
 
 using namespace tactum;
 
@@ -135,5 +138,8 @@ void TestFirstTouch::stopEndsTheForce() {
     QTest::keyRelease(program_->window.get(), Qt::Key_Escape);
 }
 
-QTEST_MAIN(TestFirstTouch)
+TACTUM_GUI_TEST(TestFirstTouch)
+
+} // namespace test_first_touch
+
 #include "test_first_touch.moc"

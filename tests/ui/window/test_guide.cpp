@@ -7,9 +7,12 @@
 #include <QTextBrowser>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "ui/guide_window.h"
 #include "ui/keyboard_sheet.h"
 #include "ui/shortcuts.h"
+
+namespace test_guide {
 
 using namespace tactum;
 
@@ -118,5 +121,8 @@ void TestGuide::theProgramShowsIt() {
     QCOMPARE_LT(picture.width(), pages->window()->width());
 }
 
-QTEST_MAIN(TestGuide)
+TACTUM_GUI_TEST(TestGuide)
+
+} // namespace test_guide
+
 #include "test_guide.moc"

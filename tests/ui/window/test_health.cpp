@@ -11,11 +11,14 @@
 
 #include "core/control/guard_words.h"
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/period_chart.h"
 #include "ui/view/scene_view.h"
+
+namespace test_health {
 
 using namespace tactum;
 
@@ -390,5 +393,8 @@ void TestHealth::theDockIsRemembered() {
     QVERIFY(!again.program.engine.overridesCeiling());
 }
 
-QTEST_MAIN(TestHealth)
+TACTUM_GUI_TEST(TestHealth)
+
+} // namespace test_health
+
 #include "test_health.moc"

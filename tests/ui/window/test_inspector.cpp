@@ -9,8 +9,11 @@
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/numbers.h"
+
+namespace test_inspector {
 
 using namespace tactum;
 
@@ -240,5 +243,8 @@ void TestInspector::normalsAreTurnedOver() {
     QVERIFY(program.document.scene() == before);
 }
 
-QTEST_MAIN(TestInspector)
+TACTUM_GUI_TEST(TestInspector)
+
+} // namespace test_inspector
+
 #include "test_inspector.moc"

@@ -13,11 +13,14 @@
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/support/quiet.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
 #include "ui/select_tool.h"
 #include "ui/view/scene_view.h"
+
+namespace test_large_model {
 
 using namespace tactum;
 
@@ -104,6 +107,11 @@ QString writeHills(const QTemporaryDir& folder) {
 class TestLargeModel : public QObject {
     Q_OBJECT
 
+public:
+    using Application = MeasuredApplication;
+    static void initMain() { prepareProcess(); }
+
+private:
     QTemporaryDir folder_;
     QString file_;
     double slowest_ = 0;
@@ -255,10 +263,8 @@ void TestLargeModel::anEditIsFeltWithinTwoUpdates() {
     }
 }
 
-int main(int argc, char** argv) {
-    prepareProcess();
-    MeasuredApplication app(argc, argv);
-    TestLargeModel test;
-    return QTest::qExec(&test, argc, argv);
-}
+TACTUM_GUI_TEST(TestLargeModel)
+
+} // namespace test_large_model
+
 #include "test_large_model.moc"

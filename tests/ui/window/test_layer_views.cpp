@@ -10,10 +10,13 @@
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/layered_window.h"
 #include "ui/layer_picture.h"
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/profile_chart.h"
+
+namespace test_layer_views {
 
 using namespace tactum;
 
@@ -225,5 +228,8 @@ void TestLayerViews::theMappingIsDragged() {
     QVERIFY(view.mapping().frame());
 }
 
-QTEST_MAIN(TestLayerViews)
+TACTUM_GUI_TEST(TestLayerViews)
+
+} // namespace test_layer_views
+
 #include "test_layer_views.moc"

@@ -9,7 +9,10 @@
 #include <QUndoStack>
 
 #include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/layered_window.h"
+
+namespace test_layers {
 
 using namespace tactum;
 
@@ -279,5 +282,8 @@ void TestLayers::whatIsPaintedIsKnown() {
     QVERIFY(!window.panel().maskIsEdited());
 }
 
-QTEST_MAIN(TestLayers)
+TACTUM_GUI_TEST(TestLayers)
+
+} // namespace test_layers
+
 #include "test_layers.moc"

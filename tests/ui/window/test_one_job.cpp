@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 #include <QUndoStack>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
@@ -21,6 +22,8 @@
 #include "ui/panels/recovery_bar.h"
 #include "ui/preset_store.h"
 #include "ui/view/scene_view.h"
+
+namespace test_one_job {
 
 using namespace tactum;
 
@@ -72,6 +75,11 @@ QString writeDome(const QTemporaryDir& folder) {
 class TestOneJob : public QObject {
     Q_OBJECT
 
+public:
+    static void initMain() { prepareProcess(); }
+    static std::optional<int> instead() { return asOtherRun(); }
+
+private:
     QTemporaryDir folder_;
     std::unique_ptr<TouchedWindow> program_;
 
@@ -210,11 +218,8 @@ void TestOneJob::fromABareMeshToRecovery() {
     QVERIFY(dome().layers[1].mask->painted.values);
 }
 
-int main(int argc, char** argv) {
-    prepareProcess();
-    QApplication app(argc, argv);
-    if (const auto result = asOtherRun()) return *result;
-    TestOneJob test;
-    return QTest::qExec(&test, argc, argv);
-}
+TACTUM_GUI_TEST(TestOneJob)
+
+} // namespace test_one_job
+
 #include "test_one_job.moc"

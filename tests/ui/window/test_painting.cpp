@@ -5,9 +5,12 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
 #include "ui/view/scene_view.h"
+
+namespace test_painting {
 
 using namespace tactum;
 
@@ -268,5 +271,8 @@ void TestPainting::aPictureIsPaintedOnItsTexels() {
     QVERIFY(program.document.scene() == before);
 }
 
-QTEST_MAIN(TestPainting)
+TACTUM_GUI_TEST(TestPainting)
+
+} // namespace test_painting
+
 #include "test_painting.moc"

@@ -11,11 +11,14 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/command_palette.h"
 #include "ui/recent_files.h"
 #include "ui/shortcuts.h"
 #include "ui/view/scene_view.h"
+
+namespace test_palette {
 
 using namespace tactum;
 
@@ -284,5 +287,8 @@ void TestPalette::whateverTakesTheKeysHasAName() {
     QCOMPARE(namelessIn(*paletteOf(program)).join(u'\n'), QString());
 }
 
-QTEST_MAIN(TestPalette)
+TACTUM_GUI_TEST(TestPalette)
+
+} // namespace test_palette
+
 #include "test_palette.moc"

@@ -12,8 +12,11 @@
 #include <clocale>
 
 #include "core/files/load_scene.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/notice_bar.h"
+
+namespace test_places {
 
 using namespace tactum;
 
@@ -137,5 +140,8 @@ void TestPlaces::everythingFitsASmallScreen() {
     QVERIFY(program.window->centralWidget()->width() >= small.width() / 2);
 }
 
-QTEST_MAIN(TestPlaces)
+TACTUM_GUI_TEST(TestPlaces)
+
+} // namespace test_places
+
 #include "test_places.moc"

@@ -14,12 +14,15 @@
 #include <QTreeWidget>
 
 #include "core/recording/recording_file.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/playback_bar.h"
 #include "ui/playback.h"
 #include "ui/recording_saver.h"
 #include "ui/view/scene_view.h"
+
+namespace test_playback {
 
 using namespace tactum;
 
@@ -293,5 +296,8 @@ void TestPlayback::everyMomentLooksLikeIt() {
     if (!folder.isEmpty()) program.window->grab().save(folder + QStringLiteral("/playback.png"));
 }
 
-QTEST_MAIN(TestPlayback)
+TACTUM_GUI_TEST(TestPlayback)
+
+} // namespace test_playback
+
 #include "test_playback.moc"

@@ -16,6 +16,7 @@
 #include <QUndoStack>
 
 #include "core/presets/preset_file.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/apply_preset.h"
 #include "ui/panels/notice_bar.h"
@@ -23,6 +24,8 @@
 #include "ui/panels/preset_library.h"
 #include "ui/preset_store.h"
 #include "ui/view/scene_view.h"
+
+namespace test_presets {
 
 using namespace tactum;
 
@@ -422,5 +425,8 @@ void TestPresets::theFolderIsFollowed() {
     QTRY_VERIFY_WITH_TIMEOUT(!row(*program, QStringLiteral("From outside")), kPatience);
 }
 
-QTEST_MAIN(TestPresets)
+TACTUM_GUI_TEST(TestPresets)
+
+} // namespace test_presets
+
 #include "test_presets.moc"

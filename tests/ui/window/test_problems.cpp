@@ -6,8 +6,11 @@
 #include <QTreeWidget>
 #include <QUndoStack>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
+
+namespace test_problems {
 
 using namespace tactum;
 
@@ -140,5 +143,8 @@ void TestProblems::aWrongUnitIsOneStep() {
     QCOMPARE(boundsOf(program.document.scene()).diagonal(), large);
 }
 
-QTEST_MAIN(TestProblems)
+TACTUM_GUI_TEST(TestProblems)
+
+} // namespace test_problems
+
 #include "test_problems.moc"

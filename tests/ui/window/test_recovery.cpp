@@ -15,10 +15,13 @@
 #include "core/base/process_mark.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/journal.h"
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 #include "ui/panels/recovery_bar.h"
+
+namespace test_recovery {
 
 using namespace tactum;
 namespace fs = std::filesystem;
@@ -55,6 +58,11 @@ fs::path leaveJournal(const Scene& scene, const std::string& title, std::int64_t
 class TestRecovery : public QObject {
     Q_OBJECT
 
+public:
+    static void initMain() { prepareProcess(); }
+    static std::optional<int> instead() { return asOtherRun(); }
+
+private:
     std::unique_ptr<QTemporaryDir> folder_;
 
     Scene someScene() {
@@ -294,11 +302,8 @@ void TestRecovery::theHistoryOutlivesASave() {
     QVERIFY(program.document.modified());
 }
 
-int main(int argc, char** argv) {
-    prepareProcess();
-    QApplication app(argc, argv);
-    if (const auto result = asOtherRun()) return *result;
-    TestRecovery test;
-    return QTest::qExec(&test, argc, argv);
-}
+TACTUM_GUI_TEST(TestRecovery)
+
+} // namespace test_recovery
+
 #include "test_recovery.moc"

@@ -7,9 +7,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/ask_where.h"
+
+namespace test_saving {
 
 using namespace tactum;
 
@@ -277,5 +280,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSaving)
+TACTUM_GUI_TEST(TestSaving)
+
+} // namespace test_saving
+
 #include "test_saving.moc"

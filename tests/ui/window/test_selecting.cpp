@@ -6,8 +6,11 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
+
+namespace test_selecting {
 
 using namespace tactum;
 
@@ -209,5 +212,8 @@ void TestSelecting::aWholeSurfaceIsNoPart() {
     QVERIFY(program.document.scene() == before && program.document.history().count() == 0);
 }
 
-QTEST_MAIN(TestSelecting)
+TACTUM_GUI_TEST(TestSelecting)
+
+} // namespace test_selecting
+
 #include "test_selecting.moc"

@@ -5,13 +5,19 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/sample_gallery.h"
+
+namespace test_start_page {
 
 using namespace tactum;
 
 class TestStartPage : public QObject {
     Q_OBJECT
+
+public:
+    static void initMain() { prepareProcess(); }
 
 private:
     QTemporaryDir settings_;
@@ -48,10 +54,8 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    prepareProcess();
-    QApplication app(argc, argv);
-    TestStartPage test;
-    return QTest::qExec(&test, argc, argv);
-}
+TACTUM_GUI_TEST(TestStartPage)
+
+} // namespace test_start_page
+
 #include "test_start_page.moc"

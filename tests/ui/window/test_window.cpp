@@ -15,12 +15,15 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/numbers.h"
 #include "ui/panels/history_list.h"
 #include "ui/recent_files.h"
 #include "ui/shortcuts.h"
 #include "ui/view/scene_view.h"
+
+namespace test_window {
 
 using namespace tactum;
 
@@ -337,5 +340,8 @@ void TestWindow::undoneStepsAreDim() {
     QVERIFY(std::abs(brightest(1) - done) < 10);
 }
 
-QTEST_MAIN(TestWindow)
+TACTUM_GUI_TEST(TestWindow)
+
+} // namespace test_window
+
 #include "test_window.moc"

@@ -1,0 +1,90 @@
+# The functions that make test programs: one for each room, with all of its tests in it.
+
+find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
+
+# What a test program has besides its tests: main(), which runs the one that it is asked for, and comparisons.
+add_library(tactum_test_program OBJECT
+  "${PROJECT_SOURCE_DIR}/tests/support/test_program.cpp" "${PROJECT_SOURCE_DIR}/tests/support/compare.cpp")
+target_include_directories(tactum_test_program PUBLIC "${PROJECT_SOURCE_DIR}")
+target_link_libraries(tactum_test_program PRIVATE tactum_options PUBLIC tactum_base Qt6::Test)
+
+# tactum_tests(ROOM TESTS name... [SOURCES file...] [USES room...] [LINKS target...] [DEFINES macro=value...]
+#              [GUI name...] [LONG name...] [ALONE name...] [LABELS label...] [PROGRAM name] [UNDER program] [SUFFIX text])
+# One program with tests/ROOM/test_name.cpp for each name, and a CTest test `test_name` for each, which runs alone in a
+# process of its own. Labels: the room, for ./check ROOM; `gui` needs the display that ./check gives it, and stands alone
+# on it; `long` is for ./check --all. ALONE: nothing else runs beside it.
+# PROGRAM: the room's second program, where one has to be linked differently. UNDER: what starts it. SUFFIX: goes on the
+# names of tests that run a second time.
+function(tactum_tests room)
+  cmake_parse_arguments(T "" "PROGRAM;UNDER;SUFFIX" "TESTS;SOURCES;USES;LINKS;DEFINES;GUI;LONG;ALONE;LABELS" ${ARGN})
+  string(REPLACE "/" "-" folder "${room}")
+  if(T_PROGRAM)
+    set(program "${T_PROGRAM}-tests")
+  else()
+    set(program "${folder}-tests")
+  endif()
+  set(sources ${T_SOURCES})
+  foreach(name IN LISTS T_TESTS)
+    list(APPEND sources "test_${name}.cpp")
+  endforeach()
+
+  # What stands beside the tests may define malloc() or open(): it is compiled by itself.
+  set_source_files_properties(${T_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_executable(${program} ${sources})
+  set_target_properties(${program} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  tactum_unity(${program})
+  target_compile_definitions(${program} PRIVATE ${T_DEFINES})
+  target_link_libraries(${program} PRIVATE tactum_options tactum_test_program ${T_LINKS})
+  foreach(other IN LISTS T_USES)
+    target_link_libraries(${program} PRIVATE tactum_${other})
+  endforeach()
+  if(NOT TARGET tests-${folder})
+    add_custom_target(tests-${folder}) # what ./check ROOM builds
+  endif()
+  add_dependencies(tests-${folder} ${program})
+
+  foreach(name IN LISTS T_TESTS)
+    set(test test_${name}${T_SUFFIX})
+    tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS} COMMAND ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
+    if(name IN_LIST T_LONG)
+      set_property(TEST ${test} APPEND PROPERTY LABELS long)
+    endif()
+    if(name IN_LIST T_GUI OR name IN_LIST T_ALONE)
+      set_property(TEST ${test} PROPERTY RUN_SERIAL ON)
+    endif()
+    if(name IN_LIST T_GUI)
+      # Settings of their own: a test neither reads nor changes the person's.
+      set_property(TEST ${test} APPEND PROPERTY LABELS gui)
+      set_property(TEST ${test} APPEND PROPERTY
+        ENVIRONMENT "QT_QPA_PLATFORM=xcb" "XDG_CONFIG_HOME=${CMAKE_CURRENT_BINARY_DIR}/config")
+    endif()
+  endforeach()
+endfunction()
+
+# tactum_ctest(NAME ROOM room COMMAND words... [LABELS label...]): a test of a room that is no class of Qt Test.
+# TACTUM_BUSY: other tests run beside it, so that it judges no time (tests/support/quiet.h).
+function(tactum_ctest name)
+  cmake_parse_arguments(T "" "ROOM" "COMMAND;LABELS" ${ARGN})
+  add_test(NAME ${name} COMMAND ${T_COMMAND})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${T_ROOM};${T_LABELS}" ENVIRONMENT "TACTUM_BUSY=1")
+endfunction()
+
+# tactum_quiet_test(ROOM NAME function...): functions of a test of the room that judge the processor, run once more by
+# ./check --all where nothing else runs.
+function(tactum_quiet_test room name)
+  string(REPLACE "/" "-" folder "${room}")
+  add_test(NAME test_${name}_quiet COMMAND ${folder}-tests test_${name} ${ARGN})
+  set_tests_properties(test_${name}_quiet PROPERTIES TIMEOUT 600 RUN_SERIAL ON LABELS "${room};quiet")
+endfunction()
+
+# tactum_tool(NAME SOURCES file... [USES room...] [LINKS target...]): a program for people, see tactum-tools.
+function(tactum_tool name)
+  cmake_parse_arguments(T "" "" "SOURCES;USES;LINKS" ${ARGN})
+  add_executable(${name} EXCLUDE_FROM_ALL ${T_SOURCES})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE tactum_options ${T_LINKS})
+  foreach(room IN LISTS T_USES)
+    target_link_libraries(${name} PRIVATE tactum_${room})
+  endforeach()
+  add_dependencies(tactum-tools ${name})
+endfunction()
