@@ -25,6 +25,12 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
 endif()
 
+# It links in a fifth of the time.
+find_program(LLD ld.lld)
+if(LLD AND NOT TACTUM_SANITIZE)
+  add_link_options(-fuse-ld=lld)
+endif()
+
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # tl::expected: the Result type. A header; Debian ships no CMake package that all versions agree on.

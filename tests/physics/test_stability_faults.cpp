@@ -310,7 +310,7 @@ private slots:
         QFETCH(bool, gentle);
         int bad = 0, faults = 0, events = 0, kicks = 0;
         long ticks = 0, pushing = 0;
-        const int all = repeats("TACTUM_SEEDS", 400), count = gentle ? (all + 1) / 2 : all;
+        const int all = repeats("TACTUM_SEEDS", longOnly(400)), count = gentle ? (all + 1) / 2 : all;
         for (int seed = 0; seed < count; ++seed) {
             Schedule schedule(std::uint64_t(seed), gentle);
             schedule.run();

@@ -15,4 +15,9 @@ inline int repeats(const char* variable, int ordinary) {
     return wanted;
 }
 
+/// As many as `./check --all` and `./check ROOM` try, of which the short `./check` tries a tenth.
+inline int longOnly(int all) {
+    return qEnvironmentVariableIsSet("TACTUM_ALL") ? all : all / 10;
+}
+
 } // namespace tactum::test

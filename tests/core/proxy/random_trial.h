@@ -137,10 +137,11 @@ QString firstFault(const std::vector<Vec3>& path, Step&& step, FaultOf&& faultOf
 }
 
 /// How many trials have a fault, faultIn(number) being what it is or empty. As many as TACTUM_SOUPS says, or
-/// an ordinary number of them, from TACTUM_FIRST_SOUP on, to see again what failed.
+/// an ordinary number of them (a tenth in the short ./check), from TACTUM_FIRST_SOUP on, to see again what
+/// failed.
 template <class FaultIn> QString failures(int ordinary, FaultIn&& faultIn) {
     const std::uint64_t first = qEnvironmentVariable("TACTUM_FIRST_SOUP").toULongLong();
-    const auto count = std::uint64_t(repeats("TACTUM_SOUPS", ordinary));
+    const auto count = std::uint64_t(repeats("TACTUM_SOUPS", longOnly(ordinary)));
     std::uint64_t failed = 0;
     for (std::uint64_t number = first; number < first + count; ++number) {
         const QString fault = faultIn(number);

@@ -52,9 +52,14 @@ struct RunningServo {
         channels->contactModel.write({model, 1});
     }
     /// Publishes models until the command is `wanted`.
+    /// A machine that is late again and again has the force taken away: whoever holds the device arms once
+    /// more.
     bool pushesSteadily(double wanted) {
         if (eventually([&] {
                 publishModel();
+                const Withheld why = channels->servoTelemetry.read().withheld;
+                if (why == Withheld::Late) channels->armed = false;
+                if (why == Withheld::NotArmed) channels->armed = true;
                 return std::abs(probe->push - wanted) < 1e-12;
             }))
             return true;

@@ -72,7 +72,7 @@ private slots:
 
     /// TACTUM_SEEDS=10000 makes it 10^7.
     void forceIsAlwaysFiniteAndWithinTheLimit() {
-        const int times = 1000 * repeats("TACTUM_SEEDS", 500);
+        const int times = 1000 * repeats("TACTUM_SEEDS", longOnly(500));
         std::mt19937_64 random(8);
         DeviceInfo info;
         info.maxForce = 8;

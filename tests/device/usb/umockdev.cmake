@@ -25,7 +25,7 @@ function(usb_tests_under_umockdev room)
   cmake_parse_arguments(T "" "" "TESTS;USES;LINKS" ${ARGN})
   string(REPLACE "/" "-" folder "${room}")
   tactum_tests(${room} PROGRAM ${folder}-umockdev
-    TESTS ${T_TESTS} USES ${T_USES} LINKS ${T_LINKS} umockdev_usb UNDER "${UMOCKDEV_WRAPPER}" SUFFIX _umockdev)
+    TESTS ${T_TESTS} USES ${T_USES} LINKS ${T_LINKS} umockdev_usb UNDER "${UMOCKDEV_WRAPPER}" SUFFIX _umockdev LONG ${T_TESTS})
   foreach(name IN LISTS T_TESTS)
     set_tests_properties(test_${name}_umockdev PROPERTIES ENVIRONMENT "TMPDIR=/tmp")
   endforeach()

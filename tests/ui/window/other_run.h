@@ -13,6 +13,7 @@
 
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/journal.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 
@@ -62,8 +63,8 @@ public:
     OtherRun(const QString& settings, const QString& scene, int edits) {
         process_.setProcessChannelMode(QProcess::ForwardedChannels);
         process_.start(QCoreApplication::applicationFilePath(),
-                       {QString::fromStdString(test::runningTest()), QStringLiteral("--edit"), settings, scene,
-                        QString::number(edits)});
+                       {QString::fromStdString(test::runningTest()), QStringLiteral("--edit"), settings,
+                        scene, QString::number(edits)});
     }
     ~OtherRun() { kill(); }
     bool waitForJournals(std::size_t count) {
