@@ -15,6 +15,7 @@
 #include <QTreeWidget>
 
 #include "core/recording/recording_file.h"
+#include "tests/support/compare.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/playback_bar.h"
@@ -99,14 +100,14 @@ void TestPlayback::itIsShownInsteadOfTheLiveScene() {
     QVERIFY(barOf(program).isVisible());
     QVERIFY(program.window->view().isVisible());
     QVERIFY(!program.engine.armed());
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("stroke.tactum-recording")));
-    QVERIFY(textOf(program, "status-device").contains(QStringLiteral("recorded")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("stroke.tactum-recording"));
+    COMPARE_CONTAINS(textOf(program, "status-device"), QStringLiteral("recorded"));
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
     program.frames(10);
     QVERIFY(!barOf(program).isVisible());
     QVERIFY(!program.window->view().isVisible()); // the start page again
-    QVERIFY(!textOf(program, "status-device").contains(QStringLiteral("recorded")));
+    COMPARE_LACKS(textOf(program, "status-device"), QStringLiteral("recorded"));
 }
 
 void TestPlayback::scrubbingGoesThere() {
@@ -121,14 +122,14 @@ void TestPlayback::scrubbingGoesThere() {
         QTest::mouseMove(scrubber, at);
         QTest::mouseRelease(scrubber, Qt::LeftButton, {}, at);
         program.frames(4);
-        QVERIFY(std::abs(playbackOf(program).time() - part * length) < 0.03 * length);
+        COMPARE_NEAR(playbackOf(program).time(), part * length, 0.03 * length, "s");
         QCOMPARE(playbackOf(program).player().check().differ, 0u);
-        QVERIFY(textOf(program, "playback-verdict").contains(QStringLiteral("same bits")));
+        COMPARE_CONTAINS(textOf(program, "playback-verdict"), QStringLiteral("same bits"));
     }
     const double before = playbackOf(program).time();
     program.window->view().setFocus();
     QTest::keyClick(&program.window->view(), Qt::Key_Right);
-    QVERIFY(std::abs(playbackOf(program).time() - before - 0.01) < 1e-9);
+    COMPARE_NEAR(playbackOf(program).time() - before, 0.01, 1e-9, "");
 }
 
 void TestPlayback::playingGoesOnAtItsSpeed() {
@@ -147,7 +148,7 @@ void TestPlayback::playingGoesOnAtItsSpeed() {
     QTest::mouseClick(program.window->findChild<QToolButton*>(QStringLiteral("playback-play")),
                       Qt::LeftButton);
     QVERIFY(playbackOf(program).playing()); // from the beginning
-    QVERIFY(playbackOf(program).time() < 1);
+    QCOMPARE_LT(playbackOf(program).time(), 1);
 }
 
 /// Nothing of the live loops: here they have not felt any scene.
@@ -171,20 +172,22 @@ void TestPlayback::healthIsTheRecordings() {
         QTRY_COMPARE(events->topLevelItemCount(), int(playbackOf(program).eventsSoFar().size()));
     }
     const QString edited = QStringLiteral("the scene was edited");
-    QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty() && !override->isEnabled());
+    QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty());
+    QVERIFY(!override->isEnabled());
     std::uint64_t ticks = 0, misses = 0;
     for (const std::uint32_t count : player.servo().periods.count)
         ticks += count;
     for (const ServoRow& row : player.run().servo.rows)
         misses += row.time <= player.time() && (row.flags & ServoRow::Late) != 0;
-    QVERIFY(ticks > 0.8 * double(player.run().servo.rows.size())); // also those that seeking left out
+    QCOMPARE_GT(ticks, 0.8 * double(player.run().servo.rows.size())); // also those that seeking left out
     QCOMPARE(player.servo().misses, misses);
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
     program.frames(20);
     QCOMPARE(textOf(program, "health-stiffest"), QStringLiteral("nothing yet"));
-    QVERIFY(textOf(program, "health-late").contains(QStringLiteral("machine")));
-    QVERIFY(events->findItems(edited, Qt::MatchContains).isEmpty() && override->isEnabled());
+    COMPARE_CONTAINS(textOf(program, "health-late"), QStringLiteral("machine"));
+    QVERIFY(events->findItems(edited, Qt::MatchContains).isEmpty());
+    QVERIFY(override->isEnabled());
 }
 
 void TestPlayback::historyAndHandAreLeftAlone() {
@@ -198,14 +201,14 @@ void TestPlayback::historyAndHandAreLeftAlone() {
     stroke(program);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     program.frames(10);
-    QVERIFY((program.finger() - hand).norm() < 1e-3);
+    COMPARE_NEAR(program.finger(), hand, 1e-3, "m");
     QCOMPARE(program.document.history().count(), steps);
     QVERIFY(program.document.scene() == scene);
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(!(program.document.scene() == scene)); // live again
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
 }
 
 void TestPlayback::aFaultIsSavedByItself() {
@@ -241,7 +244,8 @@ void TestPlayback::aDeviceThatHangsIsSavedBeforeItGoes() {
     QCOMPARE(saved.count(), 0);
     saver->flush();
     QVERIFY(saved.wait(kPatience));
-    QVERIFY(saved.front().at(1).toBool() && QFileInfo::exists(saved.front().at(0).toString()));
+    QVERIFY(saved.front().at(1).toBool());
+    QVERIFY(QFileInfo::exists(saved.front().at(0).toString()));
 }
 
 void TestPlayback::whatWaitsWhenTheWindowClosesIsWritten() {
@@ -282,8 +286,8 @@ void TestPlayback::everyMomentLooksLikeIt() {
     const double time = deepest->time - player.run().begin();
     playbackOf(program).seek(time, true);
     program.frames(20);
-    QVERIFY(std::abs(player.servo().force.norm() - vectorOf(deepest->force).norm()) < 0.2);
-    QVERIFY(player.proxy().output.contacts > 0);
+    COMPARE_NEAR(player.servo().force.norm(), vectorOf(deepest->force).norm(), 0.2, "N");
+    QCOMPARE_GT(player.proxy().output.contacts, 0);
     if (!folder.isEmpty()) program.window->grab().save(folder + QStringLiteral("/playback.png"));
 }
 
