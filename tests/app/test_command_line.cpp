@@ -168,7 +168,7 @@ private slots:
             QVERIFY2(ended.code == 0, ended.error);
             const QList<QByteArray> lines = ended.out.trimmed().split('\n'); // the table, and nothing else
             QCOMPARE(lines.size(), rows + 1);
-            QVERIFY(lines.first().startsWith("t,finger_x"));
+            COMPARE_BEGINS(lines.first(), "t,finger_x");
             for (const QByteArray& line : lines)
                 QCOMPARE(line.count(','), 11);
             QVERIFY(!QFile::exists(file("-")));
@@ -222,7 +222,7 @@ private slots:
         const Ended ended =
             runTactum({"play", recording, "--out", file("again.csv"), "--summary", file("again.json")});
         QVERIFY2(ended.code == 0, ended.error);
-        QVERIFY2(ended.out.startsWith("1200 steps, 0 differ\n"), ended.out);
+        COMPARE_BEGINS(ended.out, "1200 steps, 0 differ\n");
         COMPARE_CONTAINS(ended.out, "FAULT: the device was lost\n");
         QCOMPARE(rowsOf(file("again.csv")).size(), 800);
         QFile summary(file("again.json"));

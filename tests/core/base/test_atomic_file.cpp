@@ -172,7 +172,7 @@ private slots:
         const fs::path file = folder_ / name.toStdString();
         const std::string fault = faultOf(writeFileAtomically(file, "2"));
         const std::string expected = file.string() + ": cannot be written: " + words.toStdString();
-        QVERIFY2(fault.starts_with(expected), fault.c_str());
+        COMPARE_BEGINS(fault, expected);
         COMPARE_LACKS(fault, "\n");
         QCOMPARE(read(folder_ / "locked"), "1");
         QCOMPARE(std::distance(fs::directory_iterator(folder_), {}), 4);

@@ -152,7 +152,7 @@ void compareSweeps(const Soup& soup, const QString& name, int paths, Rng& rng, i
         excluded.push_back(hit.triangle);
         const SweepHit next = tree.sweep(*soup, path, excluded);
         QVERIFY2(sameTime(next.t, bruteSweep(*soup, path, excluded)), qPrintable(name + ": excluded"));
-        QVERIFY(next.t > 1 || next.triangle != hit.triangle);
+        if (!(next.t > 1)) QCOMPARE_NE(next.triangle, hit.triangle);
     }
 }
 
@@ -236,7 +236,7 @@ void SphereTreeTest::sweepIsSafeFarFromTheOrigin() {
     for (const double far : {1e3, 1e5})
         for (const auto& [name, soup] : manySoups())
             compareSweeps(transformed(*soup, {Quat::Identity(), {far, -far, far}}), name, 500, rng, hits);
-    QVERIFY2(hits > 3000, qPrintable(QString::number(hits)));
+    QCOMPARE_GT(hits, 3000);
 }
 
 // Single precision tells millimetres apart ten kilometres from zero; seen from the mesh itself it is as near
@@ -285,7 +285,7 @@ void SphereTreeTest::whatIsRememberedChangesNothing() {
             path.from += std::min(1.0, hit.t) * path.motion;
         }
     }
-    QVERIFY2(hits > 1000, qPrintable(QString::number(hits)));
+    QCOMPARE_GT(hits, 1000);
 }
 
 void SphereTreeTest::whatIsBeyondReachIsNeverTouched() {
@@ -311,7 +311,7 @@ void SphereTreeTest::depthIsBounded() {
     // 2000 triangles down to the smallest double: the sweep's stack holds 96 levels.
     const Soup soup = crowding(2000, 0.71);
     const SphereTree tree(*soup);
-    QVERIFY2(depthOf(tree) <= 96, qPrintable(QString::number(depthOf(tree))));
+    QCOMPARE_LE(depthOf(tree), 96);
     QCOMPARE_GE(tree.leaves().size(), 2000 / SphereTree::kWidth);
     Rng rng(14);
     int hits = 0;

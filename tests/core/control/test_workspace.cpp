@@ -56,10 +56,6 @@ struct Tracked {
     WorkspaceTracker tracker;
 };
 
-double differenceOf(const Vec3& a, const Vec3& b) {
-    return (a - b).norm();
-}
-
 } // namespace
 
 class TestWorkspace : public QObject {
@@ -72,8 +68,8 @@ private slots:
             const DeviceFrame frame{3.5, axes, anyVector(random)};
             for (int i = 0; i < 20; ++i) {
                 const Vec3 p = anyVector(random), v = anyVector(random), force = anyVector(random);
-                QCOMPARE_LT(differenceOf(frame.pointInDevice(frame.pointInWorld(p)), p), 1e-14);
-                QCOMPARE_LT(differenceOf(frame.wayInDevice(frame.wayInWorld(v)), v), 1e-14);
+                COMPARE_NEAR(frame.pointInDevice(frame.pointInWorld(p)), p, 1e-14, "m");
+                COMPARE_NEAR(frame.wayInDevice(frame.wayInWorld(v)), v, 1e-14, "m/s");
                 QCOMPARE(frame.turnedBack(frame.turned(force)), force);
                 QCOMPARE(frame.turned(force).squaredNorm() > 0, true);
                 // What the hand does in its measure is what the scene gives in its own, divided by the scale.
@@ -100,18 +96,18 @@ private slots:
         Tracked hand({.scale = 4, .axes = {-2, 3, 1}, .offset = {0.3, 0, -1}, .clutch = kClutch});
         Vec3 device = 0.01 * anyVector(random);
         const Vec3 begin = hand.finger(device);
-        QCOMPARE_LT(differenceOf(hand.finger(device, kClutch), begin), 1e-15);
+        COMPARE_NEAR(hand.finger(device, kClutch), begin, 1e-15, "m");
         for (int i = 0; i < 200; ++i) {
             device = 0.05 * anyVector(random);
-            QCOMPARE_LT(differenceOf(hand.finger(device, kClutch | 8), begin), 1e-12);
+            COMPARE_NEAR(hand.finger(device, kClutch | 8), begin, 1e-12, "m");
             QVERIFY(hand.tracker.clutched());
         }
         // Let go, it goes on from there.
-        QCOMPARE_LT(differenceOf(hand.finger(device, 8), begin), 1e-12);
+        COMPARE_NEAR(hand.finger(device, 8), begin, 1e-12, "m");
         QVERIFY(!hand.tracker.clutched());
         const Vec3 way(0.001, 0, 0);
         const Vec3 moved = hand.finger(device + way) - begin;
-        QCOMPARE_LT(differenceOf(moved, 4 * Vec3(0, 0, 0.001)), 1e-12);
+        COMPARE_NEAR(moved, 4 * Vec3(0, 0, 0.001), 1e-12, "m");
     }
 
     void aLostReadingMovesNothing() {
@@ -119,7 +115,7 @@ private slots:
         const Vec3 begin = hand.finger({0.01, 0, 0}, kClutch);
         DeviceSample lost;
         hand.tracker.follow(lost, false, kTick);
-        QCOMPARE_LT(differenceOf(hand.finger({0.02, 0, 0}, kClutch), begin), 1e-15);
+        COMPARE_NEAR(hand.finger({0.02, 0, 0}, kClutch), begin, 1e-15, "m");
     }
 
     /// Else the finger that is still believed would stand elsewhere without a jump that anybody is told.
@@ -142,7 +138,7 @@ private slots:
         for (int i = 0; i < 1000; ++i)
             finger = hand.finger(edge);
         // In the hand's measure kBumpSpeed for a second.
-        QCOMPARE_LT(differenceOf(finger, 2 * (edge + Vec3(0, kBumpSpeed, 0))), 1e-9);
+        COMPARE_NEAR(finger, 2 * (edge + Vec3(0, kBumpSpeed, 0)), 1e-9, "m");
         const Vec3 before = finger;
         QCOMPARE(hand.finger(edge, 0, true), before); // it pushes against something
     }
@@ -190,15 +186,15 @@ private slots:
         Tracked hand({.clutch = kClutch});
         hand.finger({0, 0, 0}, kClutch);
         hand.finger({-0.05, 0, 0}, kClutch);
-        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0.05, 0, 0}), 1e-15);
+        COMPARE_NEAR(hand.finger(kCentre), Vec3(0.05, 0, 0), 1e-15, "m");
         hand.tracker.decide({.clutch = kClutch, .bump = true});
-        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0.05, 0, 0}), 1e-15);
+        COMPARE_NEAR(hand.finger(kCentre), Vec3(0.05, 0, 0), 1e-15, "m");
         hand.tracker.decide({.clutch = kClutch, .bump = true, .centring = 1});
-        QCOMPARE_LT(differenceOf(hand.finger(kCentre), kCentre), 1e-15);
+        COMPARE_NEAR(hand.finger(kCentre), kCentre, 1e-15, "m");
         hand.finger({0, 0, 0}, kClutch);
         hand.finger({-0.05, 0, 0}, kClutch);
         hand.tracker.decide({.offset = {0, 1e-3, 0}, .clutch = kClutch, .centring = 1});
-        QCOMPARE_LT(differenceOf(hand.finger(kCentre), {0, 1e-3, 0}), 1e-15);
+        COMPARE_NEAR(hand.finger(kCentre), Vec3(0, 1e-3, 0), 1e-15, "m");
     }
 };
 

@@ -5,6 +5,7 @@
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"
+#include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
@@ -139,10 +140,10 @@ private slots:
         Parts after = again(glb);
         const Json node = after.element("nodes", "eye");
         QVERIFY(node.is_object());
-        QVERIFY(node["translation"] == Json({0, 0, 2}));
-        QVERIFY(after.json["cameras"][node["camera"].get<std::size_t>()]["name"] == "wide");
+        QCOMPARE_EQ(node["translation"], Json({0, 0, 2}));
+        QCOMPARE_EQ(after.json["cameras"][node["camera"].get<std::size_t>()]["name"], "wide");
         const Json& shown = after.json["scenes"][0]["nodes"];
-        QVERIFY(std::ranges::count(shown, Json(after.index("nodes", "eye"))) == 1);
+        QCOMPARE_EQ(std::ranges::count(shown, Json(after.index("nodes", "eye"))), 1);
         QCOMPARE(difference(before, load(after.glb()).scene), std::string());
         QCOMPARE_LT(after.glb().size(), size + 1000); // nothing of ours is there twice
     }
@@ -178,16 +179,16 @@ private slots:
         QCOMPARE(sway["channels"][0]["target"]["node"].get<int>(), now);
         QCOMPARE(after.numbers(sway["samplers"][0]["input"]), (std::vector<float>{0, 0.5f, 2}));
         QCOMPARE(after.numbers(sway["samplers"][0]["output"])[8], 9.0f);
-        QVERIFY(after.json["scenes"][0]["name"] == "stage");
-        QVERIFY(after.json["scenes"][0]["extras"]["mood"] == "dark");
-        QVERIFY(after.element("scenes", "spare")["nodes"] == Json({now}));
-        QVERIFY(after.json["skins"][0]["joints"] == Json({now}));
+        QCOMPARE_EQ(after.json["scenes"][0]["name"], "stage");
+        QCOMPARE_EQ(after.json["scenes"][0]["extras"]["mood"], "dark");
+        QCOMPARE_EQ(after.element("scenes", "spare")["nodes"], Json({now}));
+        QCOMPARE_EQ(after.json["skins"][0]["joints"], Json({now}));
         const Json unused = after.element("materials", "unused");
         QVERIFY(unused.is_object());
         const Json& kept = after.json["textures"][unused["emissiveTexture"]["index"].get<std::size_t>()];
-        QVERIFY(kept["name"] == "dots");
-        QVERIFY(after.json["samplers"][kept["sampler"].get<std::size_t>()]["wrapS"] == 33071);
-        QVERIFY(after.json["images"][kept["source"].get<std::size_t>()]["extras"] == 7);
+        QCOMPARE_EQ(kept["name"], "dots");
+        QCOMPARE_EQ(after.json["samplers"][kept["sampler"].get<std::size_t>()]["wrapS"], 33071);
+        QCOMPARE_EQ(after.json["images"][kept["source"].get<std::size_t>()]["extras"], 7);
         QCOMPARE(difference(bodies(), load(after.glb()).scene), std::string());
     }
 
@@ -206,9 +207,9 @@ private slots:
             Parts after = again(glb);
             const Json material = after.element("materials", "first surface");
             const std::size_t index = material["pbrMetallicRoughness"]["baseColorTexture"]["index"];
-            QVERIFY(after.json["textures"][index]["name"] == "dots");
-            QVERIFY(after.element("nodes", "first")["children"] == Json({after.index("nodes", "eye")}));
-            QVERIFY(after.element("nodes", "eye")["translation"] == Json({0, 0, 2}));
+            QCOMPARE_EQ(after.json["textures"][index]["name"], "dots");
+            QCOMPARE_EQ(after.element("nodes", "first")["children"], Json({after.index("nodes", "eye")}));
+            QCOMPARE_EQ(after.element("nodes", "eye")["translation"], Json({0, 0, 2}));
             QVERIFY(!after.element("nodes", "eye").contains("matrix"));
             QCOMPARE(difference(bodies(moves), load(after.glb()).scene), std::string());
             // Moved by an edit, the camera stays in the world; once more, and it still does.
@@ -235,8 +236,8 @@ private slots:
         QCOMPARE(loaded.scene.objects.size(), std::size_t(3));
         Parts after = again(glb);
         QCOMPARE(after.json["meshes"].size(), std::size_t(3));
-        QVERIFY(after.element("nodes", "leaf")["extras"] == "green");
-        QVERIFY(after.element("nodes", "group")["translation"] == Json({1, 0, 0}));
+        QCOMPARE_EQ(after.element("nodes", "leaf")["extras"], "green");
+        QCOMPARE_EQ(after.element("nodes", "group")["translation"], Json({1, 0, 0}));
         QCOMPARE(difference(loaded.scene, load(after.glb()).scene), std::string());
     }
 
@@ -276,11 +277,11 @@ private slots:
         glb.json["extensions"][kPhysics]["physicsJoints"] = Json::array({{{"limits", Json::array()}}});
         glb.json["extensions"]["MPEG_haptic_material"]["extras"] = "note";
         Parts after = again(glb);
-        QVERIFY(after.json["nodes"][0]["extensions"][kPhysics]["motion"]["mass"] == 3);
+        QCOMPARE_EQ(after.json["nodes"][0]["extensions"][kPhysics]["motion"]["mass"], 3);
         QVERIFY(after.json["nodes"][0]["extensions"][kPhysics].contains("collider"));
         QCOMPARE(after.json["extensions"][kPhysics]["physicsJoints"].size(), std::size_t(1));
         QCOMPARE(after.json["extensions"][kPhysics]["physicsMaterials"].size(), std::size_t(2));
-        QVERIFY(after.json["extensions"]["MPEG_haptic_material"]["extras"] == "note");
+        QCOMPARE_EQ(after.json["extensions"]["MPEG_haptic_material"]["extras"], "note");
     }
 
     void whatCannotStayIsSaid() {
@@ -306,7 +307,7 @@ private slots:
     void unknownMembersOfOurMeshStay() {
         Parts glb(saved(bodies()));
         glb.json["meshes"][0]["extensions"][kOurs]["heat"] = {{"warmth", 3}};
-        QVERIFY(again(glb).json["meshes"][0]["extensions"][kOurs]["heat"]["warmth"] == 3);
+        QCOMPARE_EQ(again(glb).json["meshes"][0]["extensions"][kOurs]["heat"]["warmth"], 3);
         Scene scene = load(glb.glb()).scene;
         TriangleSoup exact = *scene.objects[0].geometry; // now single precision says all
         exact.positions[3].x() = 1;
@@ -342,7 +343,7 @@ private slots:
         COMPARE_CONTAINS(said(loaded), "_WEAR of its meshes");
         Parts after = again(glb);
         Json now = after.json["meshes"][0]["primitives"][0];
-        QVERIFY(now["extras"]["seam"] == 1);
+        QCOMPARE_EQ(now["extras"]["seam"], 1);
         QCOMPARE(now["extensions"]["KHR_materials_variants"]["mappings"][0]["material"].get<int>(),
                  after.index("materials", "red"));
     }

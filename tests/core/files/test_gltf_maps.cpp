@@ -8,6 +8,7 @@
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/gltf_maps.h"
 #include "core/files/gltf/write_gltf.h"
+#include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
@@ -120,8 +121,8 @@ private slots:
         const Seen seen(saved(sceneOf(sheet({-1, 2}, {1, 3}), {ramp(TextureTarget::Height, 5e-3)})));
         const Json& info = seen.material()["normalTexture"];
         const Json& moved = info["extensions"]["KHR_texture_transform"];
-        QVERIFY(moved["offset"] == Json({0.5, 2.0}));
-        QVERIFY(moved["scale"] == Json({0.5, 1.0}));
+        QCOMPARE_EQ(moved["offset"], Json({0.5, 2.0}));
+        QCOMPARE_EQ(moved["scale"], Json({0.5, 1.0}));
         QCOMPARE_EQ(std::ranges::count(seen.json["extensionsUsed"], Json("KHR_texture_transform")), 1);
         const std::string glb = saved(sceneOf(sheet({-1, 2}, {1, 3}), {ramp(TextureTarget::Height, 5e-3)}));
         QCOMPARE(saved(load(glb).scene), glb);
@@ -150,7 +151,7 @@ private slots:
         std::string glb = saved(loaded.scene);
         for (int i = 0; i < 2; ++i) {
             const Seen seen(glb);
-            QVERIFY(seen.material()["normalTexture"] == theirs["materials"][0]["normalTexture"]);
+            QCOMPARE_EQ(seen.material()["normalTexture"], theirs["materials"][0]["normalTexture"]);
             QVERIFY(!seen.material()["extensions"]["TACTUM_haptics"].contains("copies"));
             const std::string again = saved(load(glb).scene);
             QCOMPARE_EQ(again, glb);
@@ -182,8 +183,8 @@ private slots:
             COMPARE_NEAR(valueAt("friction", x, y), 0.5 * (1 - 0.5 * rise), 1e-4, "");
             COMPARE_NEAR(valueAt("stiffness", x, y), 500 * (1 + 0.5 * rise), 0.1, "N/m");
         }
-        QVERIFY(felt["friction"][0]["extras"]["unit"] == Json(""));
-        QVERIFY(felt["vibrotactileTexture"][0]["extras"]["unit"] == Json("m"));
+        QCOMPARE_EQ(felt["friction"][0]["extras"]["unit"], Json(""));
+        QCOMPARE_EQ(felt["vibrotactileTexture"][0]["extras"]["unit"], Json("m"));
     }
     /// What differs in colour alone is stored once; what lies elsewhere or is felt otherwise is not.
     void likeSurfacesShareTheirMap() {

@@ -4,6 +4,7 @@
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/save_scene.h"
+#include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
@@ -170,8 +171,8 @@ private slots:
             if (node.contains("mesh"))
                 QVERIFY(
                     node["extensions"]["KHR_physics_rigid_bodies"]["collider"].contains("physicsMaterial"));
-        QVERIFY(json["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"][0]["staticFriction"] ==
-                0.75);
+        QCOMPARE_EQ(json["extensions"]["KHR_physics_rigid_bodies"]["physicsMaterials"][0]["staticFriction"],
+                    0.75);
         // As another program would read them that does not know ours.
         for (const char* array : {"nodes", "meshes", "materials"})
             for (Json& element : json[array])
@@ -346,7 +347,7 @@ private slots:
         const Json after = jsonOf(saved(load(later)));
         for (std::size_t i = 0; i < json["materials"].size(); ++i) {
             const Json& was = json["materials"][i]["extensions"]["TACTUM_haptics"];
-            QVERIFY(after["materials"][i]["extensions"]["TACTUM_haptics"] == was);
+            QCOMPARE_EQ(after["materials"][i]["extensions"]["TACTUM_haptics"], was);
         }
         QCOMPARE_EQ(after["extensions"]["TACTUM_haptics"]["gravity"],
                     json["extensions"]["TACTUM_haptics"]["gravity"]);

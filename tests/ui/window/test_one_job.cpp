@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
@@ -112,7 +113,8 @@ void TestOneJob::dropPreset(const QString& name) {
     QApplication::sendEvent(&view, &enter);
     QDragMoveEvent move(program_->centre(), Qt::CopyAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(&view, &move);
-    QVERIFY(enter.isAccepted() && move.isAccepted());
+    QVERIFY(enter.isAccepted());
+    QVERIFY(move.isAccepted());
     QDropEvent drop(program_->centre(), Qt::CopyAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(&view, &drop);
 }
@@ -128,7 +130,7 @@ void TestOneJob::feltStiffness(double& stiffness) {
     program_->frames(60);
     const HapticOutput& touch = program_->touch();
     const double apart = (touch.proxy - program_->engine.proxy().finger).norm();
-    QVERIFY(apart > 1e-4);
+    QCOMPARE_GT(apart, 1e-4);
     stiffness = touch.force.norm() / apart;
     program_->release(program_->centre());
     program_->frames(10);
@@ -144,7 +146,7 @@ void TestOneJob::fromABareMeshToRecovery() {
     QCOMPARE(object().surfaces.size(), std::size_t(1));
     double before = 0, after = 0;
     feltStiffness(before);
-    QVERIFY2(std::abs(before - kStiffness.initial) < 0.02 * before, qPrintable(QString::number(before)));
+    COMPARE_NEAR(before, kStiffness.initial, 0.02 * before, "");
 
     // The smooth region under the pointer becomes a surface of its own.
     click("take-smooth");
@@ -170,22 +172,26 @@ void TestOneJob::fromABareMeshToRecovery() {
         program_->moveTo(program_->centre() + QPoint(-40 + 10 * i, 0));
     program_->release(program_->centre() + QPoint(40, 0));
     QTRY_VERIFY_WITH_TIMEOUT(!program_->window->findChild<PaintTool*>()->working(), kPatience);
-    QVERIFY(dome().layers[1].mask && dome().layers[1].mask->source == TextureSource::Painted);
+    QVERIFY(dome().layers[1].mask);
+    QCOMPARE_EQ(dome().layers[1].mask->source, TextureSource::Painted);
     click("normals-smooth");
-    QVERIFY(dome().shading.on && dome().shading.normals == NormalSource::Computed);
+    QVERIFY(dome().shading.on);
+    QCOMPARE_EQ(dome().shading.normals, NormalSource::Computed);
 
     // All of it is in the World that is felt, and the force is another one.
     QTRY_VERIFY_WITH_TIMEOUT(program_->caughtUp(), kPatience);
     const WorldBody& body = program_->window->publisher().world()->bodies.at(0);
     QCOMPARE(body.textures.at(1)->layers.size(), std::size_t(2));
-    QVERIFY(body.textures.at(1)->layers[1].mask.has_value() && body.normals.at(1));
+    QVERIFY(body.textures.at(1)->layers[1].mask.has_value());
+    QVERIFY(body.normals.at(1));
     feltStiffness(after);
-    QVERIFY2(std::abs(after - 400) < 0.02 * 400, qPrintable(QString::number(after)));
+    COMPARE_NEAR(after, 400, 0.02 * 400, "");
 
     // Back to the byte, and on again to the byte.
     const QByteArray last = bytes();
     const int steps = program_->document.history().count();
-    QVERIFY(steps >= 7 && last != first);
+    QCOMPARE_GE(steps, 7);
+    QVERIFY(last != first);
     for (int i = 0; i < steps; ++i)
         click("undo");
     QVERIFY(program_->document.scene() == bare);
@@ -213,7 +219,8 @@ void TestOneJob::fromABareMeshToRecovery() {
     QSignalSpy opened(&program_->document, &Document::opened);
     program_->window->findChild<QPushButton*>(QStringLiteral("recovery-recover-0"))->click();
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
-    QVERIFY(!edited.isEmpty() && bytes() == edited);
+    QVERIFY(!edited.isEmpty());
+    QVERIFY(bytes() == edited);
     QCOMPARE(dome().layers.size(), std::size_t(2));
     QVERIFY(dome().layers[1].mask->painted.values);
 }

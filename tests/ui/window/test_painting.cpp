@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
@@ -110,7 +111,8 @@ void TestPainting::aDabIsAsHighAsTheBrushSays() {
                 QStringLiteral("%1 of the radius: %2, not %3").arg(x).arg(values(program)[i]).arg(wanted)));
         inside += wanted > 0;
     }
-    QVERIFY(inside > 20 && inside < int(soup.positions.size()) / 2);
+    QCOMPARE_GT(inside, 20);
+    QCOMPARE_LT(inside, int(soup.positions.size()) / 2);
 }
 
 void TestPainting::aStrokeIsOneStep() {
@@ -145,10 +147,10 @@ void TestPainting::controlTakesAwayAndEscapeGivesUp() {
     tool(program).setBrush(brush);
     const auto greatest = [&] { return *std::ranges::max_element(values(program).all()); };
     stroke(program, program.centre(), program.centre());
-    QVERIFY(greatest() > 0.5F);
+    QCOMPARE_GT(greatest(), 0.5F);
     const Scene painted = program.document.scene();
     stroke(program, program.centre(), program.centre(), Qt::ControlModifier);
-    QVERIFY(greatest() < 0.01F);
+    QCOMPARE_LT(greatest(), 0.01F);
     program.document.history().undo();
     program.press(program.centre());
     program.moveTo(program.centre() + QPoint(50, 0));
@@ -173,7 +175,8 @@ void TestPainting::aMaskIsPaintedOnTheTopmostLayer() {
                                       each.layers = {noise, noise};
                                   });
     stroke(program, program.centre(), program.centre());
-    QVERIFY(!layers(program)[0].mask && layers(program)[1].mask);
+    QVERIFY(!layers(program)[0].mask);
+    QVERIFY(layers(program)[1].mask);
     QCOMPARE(layers(program)[1].mask->source, TextureSource::Painted);
     QCOMPARE(layers(program)[1].pattern.source, TextureSource::Noise);
     // Of a mask that is none yet, taking away begins at full.
@@ -184,7 +187,7 @@ void TestPainting::aMaskIsPaintedOnTheTopmostLayer() {
     stroke(program, program.centre(), program.centre());
     const auto& mask = layers(program)[1].mask->painted.values->all();
     QCOMPARE(*std::ranges::max_element(mask), 1.0F);
-    QVERIFY(*std::ranges::min_element(mask) < 0.9F);
+    QCOMPARE_LT(*std::ranges::min_element(mask), 0.9F);
 }
 
 void TestPainting::lockedAndOtherSurfacesStay() {
@@ -266,7 +269,8 @@ void TestPainting::aPictureIsPaintedOnItsTexels() {
             if (far > 1.05 * brush.radius) QCOMPARE(value, kGrey);
             painted += value != kGrey;
         }
-    QVERIFY(painted > 100 && painted < kSide * kSide / 2);
+    QCOMPARE_GT(painted, 100);
+    QCOMPARE_LT(painted, kSide * kSide / 2);
     program.document.history().undo();
     QVERIFY(program.document.scene() == before);
 }

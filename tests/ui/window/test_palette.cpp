@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/command_palette.h"
@@ -136,7 +137,7 @@ void TestPalette::theThemeIsInItAndMenusAreWords() {
     for (const QString& menu : menusListed(program))
         QVERIFY2(!menu.contains(u'&') && !menu.contains(u'/'), qPrintable(menu));
     QTest::keyClicks(&lineOf(program), QStringLiteral("light"));
-    QVERIFY(listed(program).contains(QStringLiteral("Light")));
+    COMPARE_CONTAINS(listed(program), QStringLiteral("Light"));
 }
 
 void TestPalette::everyCommandIsInIt() {
@@ -172,7 +173,7 @@ void TestPalette::enterRunsWhatWasTyped() {
     QVERIFY(openPalette(program));
     QTest::keyClicks(&lineOf(program), QStringLiteral("show all"));
     QTest::keyClick(&lineOf(program), Qt::Key_Down);
-    QVERIFY(listOf(program).currentIndex().row() == 1);
+    QCOMPARE_EQ(listOf(program).currentIndex().row(), 1);
     QTest::keyClick(&lineOf(program), Qt::Key_Up);
     QTest::keyClick(&lineOf(program), Qt::Key_Return);
     QTRY_VERIFY(program.document.scene().objects.front().surfaces[0].visible);
@@ -182,19 +183,19 @@ void TestPalette::whatIsOffSaysWhy() {
     TouchedWindow program;
     QVERIFY(openPalette(program));
     QTest::keyClicks(&lineOf(program), QStringLiteral("undo"));
-    QVERIFY2(sentenceOf(program).contains(QStringLiteral("There is no edit to take back.")),
-             qPrintable(sentenceOf(program)));
+    COMPARE_CONTAINS(sentenceOf(program), QStringLiteral("There is no edit to take back."));
     const QVariant heard = listOf(program).currentItem()->data(0, Qt::AccessibleTextRole);
-    QVERIFY(heard.toString().contains(QStringLiteral("There is no edit to take back.")));
+    COMPARE_CONTAINS(heard.toString(), QStringLiteral("There is no edit to take back."));
     QTest::keyClick(&lineOf(program), Qt::Key_Return);
-    QVERIFY(paletteOf(program) && paletteOf(program)->isVisible());
+    QVERIFY(paletteOf(program));
+    QVERIFY(paletteOf(program)->isVisible());
 }
 
 void TestPalette::recentOnesComeFirst() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     QVERIFY(openPalette(program));
-    QVERIFY(listed(program).first() != QStringLiteral("Frame all"));
+    QCOMPARE_NE(listed(program).first(), QStringLiteral("Frame all"));
     QTest::keyClicks(&lineOf(program), QStringLiteral("frame all"));
     QTest::keyClick(&lineOf(program), Qt::Key_Return);
     QTRY_VERIFY(!paletteOf(program));

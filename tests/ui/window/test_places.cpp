@@ -12,6 +12,7 @@
 #include <clocale>
 
 #include "core/files/load_scene.h"
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/notice_bar.h"
@@ -76,7 +77,7 @@ void TestPlaces::numbersAreTypedAndPastedAnywhere() {
     paste("static-friction", QStringLiteral("0.25"));
     QCOMPARE(materialOf(program).staticFriction, 0.25);
     paste("proxy-radius", QStringLiteral(" 2,5 mm "));
-    QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
+    COMPARE_NEAR(program.document.scene().proxyRadius, 0.0025, 1e-12, "m");
     for (const auto* box : program.window->findChildren<QDoubleSpinBox*>())
         for (const QChar c : box->text())
             QVERIFY2(!c.isDigit() || (c >= u'0' && c <= u'9'), qPrintable(box->text()));
@@ -95,9 +96,9 @@ void TestPlaces::filesKeepThePoint() {
     QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
     QFile bytes(file);
     QVERIFY(bytes.open(QIODevice::ReadOnly));
-    QVERIFY(bytes.readAll().contains("0.375"));
+    COMPARE_CONTAINS(bytes.readAll(), "0.375");
     const auto loaded = loadScene(file.toStdString());
-    QVERIFY(loaded);
+    VERIFY_RESULT(loaded);
     QCOMPARE(loaded->scene.objects.front().surfaces[0].material.staticFriction, 0.375);
 }
 
@@ -105,11 +106,13 @@ void TestPlaces::theFirstWindowFitsTheScreen() {
     QCOMPARE(MainWindow::firstSize({1920, 1080}), QSize(1440, 900));
     for (const QSize room : {QSize(1280, 800), QSize(1024, 768), QSize(1366, 728), QSize(1440, 900)}) {
         const QSize size = MainWindow::firstSize(room);
-        QVERIFY(size.width() <= room.width() && size.height() + 30 <= room.height());
+        QCOMPARE_LE(size.width(), room.width());
+        QCOMPARE_LE(size.height() + 30, room.height());
     }
     TouchedWindow program{QSize()}; // as it comes
     const QSize room = program.window->screen()->availableSize();
-    QVERIFY(program.window->width() <= room.width() && program.window->height() <= room.height());
+    QCOMPARE_LE(program.window->width(), room.width());
+    QCOMPARE_LE(program.window->height(), room.height());
 }
 
 /// Qt makes a window larger than it was told to be when what is in it has no room.
@@ -137,7 +140,7 @@ void TestPlaces::everythingFitsASmallScreen() {
     program.window->showFault(QString(400, u'x').replace(20, 1, QStringLiteral(" ")) + QString(60, u'y'));
     QVERIFY(fits(QStringLiteral("a long message")));
     // The model stays the largest thing.
-    QVERIFY(program.window->centralWidget()->width() >= small.width() / 2);
+    QCOMPARE_GE(program.window->centralWidget()->width(), small.width() / 2);
 }
 
 TACTUM_GUI_TEST(TestPlaces)

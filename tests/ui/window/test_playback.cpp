@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 
 #include "core/recording/recording_file.h"
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
@@ -107,14 +108,14 @@ void TestPlayback::itIsShownInsteadOfTheLiveScene() {
     QVERIFY(barOf(program).isVisible());
     QVERIFY(program.window->view().isVisible());
     QVERIFY(!program.engine.armed());
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("stroke.tactum-recording")));
-    QVERIFY(textOf(program, "status-device").contains(QStringLiteral("recorded")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("stroke.tactum-recording"));
+    COMPARE_CONTAINS(textOf(program, "status-device"), QStringLiteral("recorded"));
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
     program.frames(10);
     QVERIFY(!barOf(program).isVisible());
     QVERIFY(!program.window->view().isVisible()); // the start page again
-    QVERIFY(!textOf(program, "status-device").contains(QStringLiteral("recorded")));
+    COMPARE_LACKS(textOf(program, "status-device"), QStringLiteral("recorded"));
 }
 
 void TestPlayback::scrubbingGoesThere() {
@@ -135,7 +136,7 @@ void TestPlayback::scrubbingGoesThere() {
     const double before = playbackOf(program).time();
     program.window->view().setFocus();
     QTest::keyClick(&program.window->view(), Qt::Key_Right);
-    QVERIFY(std::abs(playbackOf(program).time() - before - 0.01) < 1e-9);
+    COMPARE_NEAR(playbackOf(program).time() - before, 0.01, 1e-9, "");
 }
 
 void TestPlayback::playingGoesOnAtItsSpeed() {
@@ -154,7 +155,7 @@ void TestPlayback::playingGoesOnAtItsSpeed() {
     QTest::mouseClick(program.window->findChild<QToolButton*>(QStringLiteral("playback-play")),
                       Qt::LeftButton);
     QVERIFY(playbackOf(program).playing()); // from the beginning
-    QVERIFY(playbackOf(program).time() < 1);
+    QCOMPARE_LT(playbackOf(program).time(), 1);
 }
 
 /// Nothing of the live loops: here they have not felt any scene.
@@ -177,13 +178,14 @@ void TestPlayback::healthIsTheRecordings() {
         QTRY_COMPARE(events->topLevelItemCount(), int(playbackOf(program).eventsSoFar().size()));
     }
     const QString edited = QStringLiteral("the scene was edited");
-    QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty() && !override->isEnabled());
+    QVERIFY(!events->findItems(edited, Qt::MatchContains).isEmpty());
+    QVERIFY(!override->isEnabled());
     std::uint64_t ticks = 0, misses = 0;
     for (const std::uint32_t count : player.servo().periods.count)
         ticks += count;
     for (const ServoRow& row : player.run().servo.rows)
         misses += row.time <= player.time() && (row.flags & ServoRow::Late) != 0;
-    QVERIFY(ticks > 0.8 * double(player.run().servo.rows.size())); // also those that seeking left out
+    QCOMPARE_GT(ticks, 0.8 * double(player.run().servo.rows.size())); // also those that seeking left out
     QCOMPARE(player.servo().misses, misses);
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
@@ -203,14 +205,14 @@ void TestPlayback::historyAndHandAreLeftAlone() {
     stroke(program);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     program.frames(10);
-    QVERIFY((program.finger() - hand).norm() < 1e-3);
+    COMPARE_NEAR(program.finger(), hand, 1e-3, "m");
     QCOMPARE(program.document.history().count(), steps);
     QVERIFY(program.document.scene() == scene);
     QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
                       Qt::LeftButton);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(!(program.document.scene() == scene)); // live again
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
 }
 
 void TestPlayback::aFaultIsSavedByItself() {
@@ -291,8 +293,8 @@ void TestPlayback::everyMomentLooksLikeIt() {
     const double time = deepest->time - player.run().begin();
     playbackOf(program).seek(time, true);
     program.frames(20);
-    QVERIFY(std::abs(player.servo().force.norm() - vectorOf(deepest->force).norm()) < 0.2);
-    QVERIFY(player.proxy().output.contacts > 0);
+    COMPARE_NEAR(player.servo().force.norm(), vectorOf(deepest->force).norm(), 0.2, "N");
+    QCOMPARE_GT(player.proxy().output.contacts, 0);
     if (!folder.isEmpty()) program.window->grab().save(folder + QStringLiteral("/playback.png"));
 }
 

@@ -16,6 +16,7 @@
 #include <QUndoStack>
 
 #include "core/presets/preset_file.h"
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/apply_preset.h"
@@ -134,20 +135,22 @@ private slots:
 void TestPresets::shippedOnesAreListedWithPictures() {
     const auto program = opened();
     QVERIFY(ready(*program));
-    QVERIFY(list(*program).topLevelItemCount() >= 20);
+    QCOMPARE_GE(list(*program).topLevelItemCount(), 20);
     QTreeWidgetItem* ice = row(*program, QStringLiteral("Ice on ice"));
-    QVERIFY(ice && !ice->icon(0).isNull());
-    QVERIFY(ice->data(0, Qt::AccessibleDescriptionRole).toString().startsWith(QStringLiteral("0.1 / 0.03")));
-    QVERIFY(ice->toolTip(0).contains(QStringLiteral("Hill")));
-    QVERIFY(ice->toolTip(0).contains(QStringLiteral("0.030")));
+    QVERIFY(ice);
+    QVERIFY(!ice->icon(0).isNull());
+    COMPARE_BEGINS(ice->data(0, Qt::AccessibleDescriptionRole).toString(), QStringLiteral("0.1 / 0.03"));
+    COMPARE_CONTAINS(ice->toolTip(0), QStringLiteral("Hill"));
+    COMPARE_CONTAINS(ice->toolTip(0), QStringLiteral("0.030"));
     QVERIFY(choose(*program, QStringLiteral("Honey")));
     const QString details = library(*program).findChild<QLabel*>(QStringLiteral("preset-details"))->text();
-    QVERIFY(details.contains(QStringLiteral("8.00 N s/m")) && details.contains(QStringLiteral("no source")));
+    COMPARE_CONTAINS(details, QStringLiteral("8.00 N s/m"));
+    COMPARE_CONTAINS(details, QStringLiteral("no source"));
     // A relief is seen: two presets of one colour have different pictures.
     Preset plain;
     Preset rough = plain;
     rough.layers.emplace().emplace_back().strength = 1e-3;
-    QVERIFY(store(*program).presets().front().picture.size() == QSize(80, 80));
+    QCOMPARE_EQ(store(*program).presets().front().picture.size(), QSize(80, 80));
 }
 
 void TestPresets::searchLooksThroughNamesTagsAndSources() {
@@ -160,12 +163,12 @@ void TestPresets::searchLooksThroughNamesTagsAndSources() {
             names << list(*program).topLevelItem(i)->text(0);
         return names;
     };
-    QVERIFY(found("ICE").contains(QStringLiteral("Ice on ice")));
-    QVERIFY(!found("ice").contains(QStringLiteral("Brick")));
-    QVERIFY(found("ptfe") == QStringList{QStringLiteral("Teflon on steel")}); // a tag
-    QVERIFY(found("penn brick") == QStringList{QStringLiteral("Brick")});     // a source and a name
+    COMPARE_CONTAINS(found("ICE"), QStringLiteral("Ice on ice"));
+    COMPARE_LACKS(found("ice"), QStringLiteral("Brick"));
+    QCOMPARE_EQ(found("ptfe"), QStringList{QStringLiteral("Teflon on steel")}); // a tag
+    QCOMPARE_EQ(found("penn brick"), QStringList{QStringLiteral("Brick")});     // a source and a name
     QVERIFY(found("nothing like it").isEmpty());
-    QVERIFY(found("").size() >= 20);
+    QCOMPARE_GE(found("").size(), 20);
 }
 
 void TestPresets::applyingIsOneStep() {
@@ -211,7 +214,7 @@ void TestPresets::lockedSurfacesStay() {
     const int steps = document.history().count();
     program->command("preset-apply").trigger();
     QCOMPARE(document.history().count(), steps);
-    QVERIFY(noticeOf(*program).contains(QStringLiteral("locked")));
+    COMPARE_CONTAINS(noticeOf(*program), QStringLiteral("locked"));
 }
 
 void TestPresets::keysAndDoubleClickApply() {
@@ -222,7 +225,7 @@ void TestPresets::keysAndDoubleClickApply() {
     QVERIFY(choose(*program, QStringLiteral("Wood on wood")));
     QVERIFY(!program->command("preset-apply").isEnabled());
     QTest::keyClick(&list(*program), Qt::Key_Return);
-    QVERIFY(noticeOf(*program).contains(QStringLiteral("Select the surfaces")));
+    COMPARE_CONTAINS(noticeOf(*program), QStringLiteral("Select the surfaces"));
     document.select(SurfaceRef{id, 2});
     QVERIFY(program->command("preset-apply").isEnabled());
     QTest::keyClick(&list(*program), Qt::Key_Return);
@@ -282,7 +285,7 @@ void TestPresets::rowsCarryTheirText() {
         list(*program).model()->mimeData({list(*program).indexFromItem(ice)}));
     QVERIFY(data);
     const auto read = parsePreset(data->data(QString::fromLatin1(kPresetMime)).toStdString(), "row");
-    QVERIFY(read);
+    VERIFY_RESULT(read);
     QCOMPARE(read->preset.name, std::string("Ice on ice"));
 }
 
@@ -296,9 +299,10 @@ void TestPresets::nonsenseThatIsDroppedChangesNothing() {
         QMimeData data;
         data.setData(QString::fromLatin1(kPresetMime), bad);
         QVERIFY(drop(*program, data, program->centre()));
-        QVERIFY(noticeOf(*program).contains(QStringLiteral("the dropped preset:")));
+        COMPARE_CONTAINS(noticeOf(*program), QStringLiteral("the dropped preset:"));
     }
-    QVERIFY(program->document.scene() == before && program->document.history().count() == 0);
+    QVERIFY(program->document.scene() == before);
+    QCOMPARE_EQ(program->document.history().count(), 0);
 }
 
 void TestPresets::aSurfaceIsSavedAndFoundAgain() {
@@ -309,7 +313,8 @@ void TestPresets::aSurfaceIsSavedAndFoundAgain() {
     program->type(QStringLiteral("static-friction"), QStringLiteral("0.77"));
     program->command("preset-save").trigger();
     auto* form = program->window->findChild<PresetForm*>();
-    QVERIFY(form && !form->isModal());
+    QVERIFY(form);
+    QVERIFY(!form->isModal());
     auto* name = form->findChild<QLineEdit*>(QStringLiteral("preset-name"));
     name->setText(QStringLiteral("Velvet"));
     form->findChild<QLineEdit*>(QStringLiteral("preset-source"))->setText(QStringLiteral("felt by me"));
@@ -320,7 +325,8 @@ void TestPresets::aSurfaceIsSavedAndFoundAgain() {
     QVERIFY(stored->own);
     QCOMPARE(stored->preset.name, std::string("Velvet"));
     QCOMPARE(sourceOf(stored->preset, "staticFriction").words, std::string("felt by me"));
-    QVERIFY(!stored->preset.layers && !stored->preset.shading);
+    QVERIFY(!stored->preset.layers);
+    QVERIFY(!stored->preset.shading);
     QVERIFY(QFile::exists(PresetStore::folder() + QStringLiteral("/velvet.tactum-preset")));
     document.select(SurfaceRef{id, 0});
     program->command("preset-apply").trigger();
@@ -359,7 +365,8 @@ void TestPresets::ownOnesAreRenamedAndRemoved() {
     QTRY_VERIFY_WITH_TIMEOUT(row(*program, QStringLiteral("Yours")), kPatience);
     QVERIFY(choose(*program, QStringLiteral("Ice on ice")));
     QTest::keyClick(&list(*program), Qt::Key_Delete); // what comes with the program stays
-    QVERIFY(ready(*program) && row(*program, QStringLiteral("Ice on ice")));
+    QVERIFY(ready(*program));
+    QVERIFY(row(*program, QStringLiteral("Ice on ice")));
 }
 
 void TestPresets::filesAreImportedAndApplied() {
@@ -398,9 +405,10 @@ void TestPresets::badFilesAreSaidOnce() {
     connect(&store(*program), &PresetStore::failed, this, [&] { ++said; });
     store(*program).importFiles({writeFile(folder_, QStringLiteral("bad.tactum-preset"), "hello")});
     QTRY_COMPARE_WITH_TIMEOUT(said, 1, kPatience);
-    QVERIFY(noticeOf(*program).contains(QStringLiteral("bad.tactum-preset")));
+    COMPARE_CONTAINS(noticeOf(*program), QStringLiteral("bad.tactum-preset"));
     QFile lying(PresetStore::folder() + QStringLiteral("/lying.tactum-preset"));
-    QVERIFY(lying.open(QIODevice::WriteOnly) && lying.write("{}") == 2);
+    QVERIFY(lying.open(QIODevice::WriteOnly));
+    QCOMPARE_EQ(lying.write("{}"), 2);
     lying.close();
     QTRY_COMPARE_WITH_TIMEOUT(said, 2, kPatience);
     Preset good;

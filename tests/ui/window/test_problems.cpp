@@ -6,6 +6,7 @@
 #include <QTreeWidget>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
@@ -52,7 +53,8 @@ class TestProblems : public QObject {
     }
     static void fix(const TouchedWindow& program, const QString& part) {
         auto* button = qobject_cast<QPushButton*>(list(program).itemWidget(row(program, part), 1));
-        QVERIFY(button && !button->accessibleName().isEmpty());
+        QVERIFY(button);
+        QVERIFY(!button->accessibleName().isEmpty());
         QTest::mouseClick(button, Qt::LeftButton);
     }
 
@@ -122,7 +124,7 @@ void TestProblems::fixMendsAndUndoBringsBack() {
     QVERIFY(program.document.scene() == before);
     QVERIFY(*program.document.scene().objects[0].geometry == *before.objects[0].geometry);
     QTRY_VERIFY_WITH_TIMEOUT(row(program, kHole) && row(program, kFlipped), kPatience);
-    QVERIFY(row(program, kHole)->text(0).startsWith(QStringLiteral("box")));
+    COMPARE_BEGINS(row(program, kHole)->text(0), QStringLiteral("box"));
     program.document.history().redo();
     program.document.history().redo();
     QTRY_VERIFY_WITH_TIMEOUT(!row(program, kHole) && !row(program, kFlipped), kPatience);
@@ -137,7 +139,7 @@ void TestProblems::aWrongUnitIsOneStep() {
     QTRY_VERIFY_WITH_TIMEOUT(row(program, unit), kPatience);
     const double large = boundsOf(program.document.scene()).diagonal();
     fix(program, unit);
-    QVERIFY(std::abs(boundsOf(program.document.scene()).diagonal() / large - 0.001) < 1e-12);
+    COMPARE_NEAR(boundsOf(program.document.scene()).diagonal() / large, 0.001, 1e-12, "");
     QTRY_VERIFY_WITH_TIMEOUT(!row(program, unit), kPatience);
     program.document.history().undo();
     QCOMPARE(boundsOf(program.document.scene()).diagonal(), large);

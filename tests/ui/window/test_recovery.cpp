@@ -15,6 +15,7 @@
 #include "core/base/process_mark.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/journal.h"
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
@@ -102,7 +103,7 @@ void TestRecovery::aKilledProgramLosesNothing() {
     TouchedWindow program;
     QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
     const QString text = program.window->findChild<QLabel*>(QStringLiteral("recovery-text-0"))->text();
-    QVERIFY2(text.startsWith(QStringLiteral("cube.obj was not saved: edited until ")), qPrintable(text));
+    COMPARE_BEGINS(text, QStringLiteral("cube.obj was not saved: edited until "));
     QSignalSpy opened(&program.document, &Document::opened);
     choice(program, "recovery-recover")->click();
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
@@ -110,9 +111,10 @@ void TestRecovery::aKilledProgramLosesNothing() {
     QVERIFY(QByteArray::fromStdString(recovered) == edited);
     QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 120.0);
     // Under the old name, modified, and its file as it was.
-    QVERIFY(program.document.modified() && program.window->isWindowModified());
+    QVERIFY(program.document.modified());
+    QVERIFY(program.window->isWindowModified());
     QCOMPARE(QString::fromStdString(program.document.path().string()), cube);
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
     QVERIFY(!program.document.hasOwnFile());
     QCOMPARE(read(cube), original);
     QVERIFY(!bar(program).isVisible());
@@ -173,13 +175,14 @@ void TestRecovery::severalAreOfferedAtOnce() {
     const auto textOf = [&](int line) {
         return program.window->findChild<QLabel*>(QStringLiteral("recovery-text-%1").arg(line))->text();
     };
-    QVERIFY(textOf(0).startsWith(QStringLiteral("newer.glb")) &&
-            textOf(1).startsWith(QStringLiteral("older.glb")));
+    COMPARE_BEGINS(textOf(0), QStringLiteral("newer.glb"));
+    COMPARE_BEGINS(textOf(1), QStringLiteral("older.glb"));
     QSignalSpy opened(&program.document, &Document::opened);
     choice(program, "recovery-recover", 1)->click();
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("older.glb")));
-    QVERIFY(bar(program).isVisible() && textOf(0).startsWith(QStringLiteral("newer.glb")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("older.glb"));
+    QVERIFY(bar(program).isVisible());
+    COMPARE_BEGINS(textOf(0), QStringLiteral("newer.glb"));
     // What was recovered is unsaved: the other one does not take its place without a question.
     choice(program, "recovery-recover")->click();
     auto* question = program.window->findChild<QMessageBox*>(QStringLiteral("unsaved"));
@@ -188,7 +191,7 @@ void TestRecovery::severalAreOfferedAtOnce() {
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, kPatience);
     QVERIFY(!bar(program).isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(journals().size(), std::size_t(1), kPatience);
-    QVERIFY(readJournalEntry(journals().front())->title == "newer.glb");
+    QCOMPARE_EQ(readJournalEntry(journals().front())->title, "newer.glb");
 }
 
 void TestRecovery::aDamagedJournalIsSaidAndKept() {
@@ -202,7 +205,7 @@ void TestRecovery::aDamagedJournalIsSaidAndKept() {
         QVERIFY(!bar(program).isVisible());
     }
     QCOMPARE(journals().size(), std::size_t(1));
-    QVERIFY(journals().front().filename().string().starts_with("damaged-"));
+    COMPARE_BEGINS(journals().front().filename().string(), "damaged-");
     TouchedWindow again;
     again.frames(60);
     QVERIFY(noticeOf(again).isEmpty());
@@ -236,7 +239,8 @@ void TestRecovery::anEditIsInItAfterTheTimeOrTheCount() {
     Journal& journal = program.window->journal();
     QSignalSpy written(&journal, &Journal::written);
     const Journal::Pace pace;
-    QVERIFY(pace.milliseconds < 30'000 && pace.edits <= 20);
+    QCOMPARE_LT(pace.milliseconds, 30'000);
+    QCOMPARE_LE(pace.edits, 20);
     for (int i = 1; i < pace.edits; ++i)
         setStiffness(program.document, 100 + i);
     program.frames(30);
@@ -276,7 +280,7 @@ void TestRecovery::whatCannotBeWrittenIsSaidOnce() {
     QSignalSpy failed(&journal, &Journal::failed), written(&journal, &Journal::written);
     setStiffness(program.document, 101);
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
-    QVERIFY(noticeOf(program).startsWith(QStringLiteral("What you edit is not kept")));
+    COMPARE_BEGINS(noticeOf(program), QStringLiteral("What you edit is not kept"));
     QVERIFY(!noticeOf(program).contains(u'\n'));
     for (int i = 0; i < 5; ++i) {
         setStiffness(program.document, 102 + i);

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
@@ -68,7 +69,7 @@ private slots:
             QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
             QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
             QVERIFY(!program.window->isWindowModified());
-            QVERIFY(program.window->windowTitle().contains(QStringLiteral("felt.glb")));
+            COMPARE_CONTAINS(program.window->windowTitle(), QStringLiteral("felt.glb"));
             QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
             QVERIFY(program.window->isWindowModified()); // not what is in the file
             QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -165,7 +166,7 @@ private slots:
         const double fitted = boundsOf(program.document.scene()).diagonal();
         program.document.history().undo();
         const double own = boundsOf(program.document.scene()).diagonal();
-        QVERIFY(own > 2 * fitted);
+        QCOMPARE_GT(own, 2 * fitted);
         QSignalSpy done(&program.document, &Document::saved);
         const QString saved = file(QStringLiteral("large.glb"));
         program.document.save(saved.toStdString());
@@ -232,7 +233,8 @@ private slots:
         answerFileDialog(file(QStringLiteral("mine.glb")), &offered);
         QTest::keyClick(program.window.get(), Qt::Key_S, Qt::ControlModifier);
         QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
-        QVERIFY(!offered.isEmpty() && offered != QFileInfo(sample).canonicalPath());
+        QVERIFY(!offered.isEmpty());
+        QVERIFY(offered != QFileInfo(sample).canonicalPath());
         QVERIFY(!QFileInfo::exists(sample + u'1')); // would be what was written over
         QVERIFY(program.document.hasOwnFile());
     }
@@ -276,7 +278,7 @@ private slots:
         program.document.save((folder_.path() + QStringLiteral("/no such folder/a.glb")).toStdString());
         QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
         QVERIFY(program.window->isWindowModified());
-        QVERIFY(failed[0][0].toString().contains(QStringLiteral("a.glb")));
+        COMPARE_CONTAINS(failed[0][0].toString(), QStringLiteral("a.glb"));
     }
 };
 

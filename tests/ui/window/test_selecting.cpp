@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
@@ -83,8 +84,10 @@ void TestSelecting::aClickTakesWhatTheRowSays() {
         for (const Index face : faces(program))
             QCOMPARE(surfaceOf[face], program.document.selection()->surface);
     QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, {8, 8}); // beside the model
-    QVERIFY(faces(program).empty() && program.document.selected().empty());
-    QVERIFY(program.document.scene() == before && program.document.history().count() == 0);
+    QVERIFY(faces(program).empty());
+    QVERIFY(program.document.selected().empty());
+    QVERIFY(program.document.scene() == before);
+    QCOMPARE_EQ(program.document.history().count(), 0);
 }
 
 void TestSelecting::modifiersAddAndTakeBack() {
@@ -150,7 +153,8 @@ void TestSelecting::splitHideAndUndo() {
     // What is hidden lets a click through to what lies behind it.
     command(program, "take-surface").trigger();
     click(program);
-    QVERIFY(program.document.selection().has_value() && program.document.selection()->surface != 6);
+    QVERIFY(program.document.selection().has_value());
+    QCOMPARE_NE(program.document.selection()->surface, 6);
     while (program.document.history().canUndo())
         QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(program.document.scene() == before);
@@ -209,7 +213,8 @@ void TestSelecting::aWholeSurfaceIsNoPart() {
     program.document.selectFaces({before.objects[0].id, {0, 1}}); // the right side
     program.document.splitSelection();
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
-    QVERIFY(program.document.scene() == before && program.document.history().count() == 0);
+    QVERIFY(program.document.scene() == before);
+    QCOMPARE_EQ(program.document.history().count(), 0);
 }
 
 TACTUM_GUI_TEST(TestSelecting)

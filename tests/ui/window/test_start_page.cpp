@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/sample_gallery.h"
@@ -42,7 +43,8 @@ private slots:
         const auto buttons = program.window->findChild<SampleGallery*>()->findChildren<QToolButton*>();
         QCOMPARE(buttons.size(), 9);
         for (const QToolButton* button : buttons) {
-            QVERIFY(button->isVisible() && !button->icon().isNull());
+            QVERIFY(button->isVisible());
+            QVERIFY(!button->icon().isNull());
             QVERIFY(!button->visibleRegion().isEmpty());
         }
         auto* ladder = program.window->findChild<QToolButton*>(QStringLiteral("sample-friction-ladder"));

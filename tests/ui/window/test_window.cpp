@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/numbers.h"
@@ -75,7 +76,7 @@ void TestWindow::aDroppedModelIsOpened() {
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
     QCOMPARE(program.document.scene().objects.size(), std::size_t(1));
     QVERIFY(program.window->view().isVisible());
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
 }
 
 void TestWindow::aBrokenFileIsOneLineAndNoHarm() {
@@ -85,7 +86,7 @@ void TestWindow::aBrokenFileIsOneLineAndNoHarm() {
     QTRY_VERIFY_WITH_TIMEOUT(noticeOf(program).contains(QStringLiteral("torn.ply")), kPatience);
     QVERIFY(!noticeOf(program).contains(u'\n'));
     QCOMPARE(program.document.scene().objects[0].surfaces.size(), std::size_t(6));
-    QVERIFY(program.window->windowTitle().startsWith(QStringLiteral("cube.obj")));
+    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
 }
 
 void TestWindow::selectionGoesBothWays() {
@@ -143,7 +144,7 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
         QCOMPARE(box.minimum(), field.parameter->minimum);
         QCOMPARE(box.maximum(), field.parameter->maximum);
         QVERIFY(!box.accessibleName().isEmpty());
-        QVERIFY(box.parentWidget()->toolTip().contains(QString::fromUtf8(field.parameter->label.data())));
+        COMPARE_CONTAINS(box.parentWidget()->toolTip(), QString::fromUtf8(field.parameter->label.data()));
         program.type(key, numberText(0.5 * field.parameter->maximum, field.parameter->decimals));
         QCOMPARE(materialOf(program, 0).*field.value, 0.5 * field.parameter->maximum);
         QTest::mouseClick(program.window->findChild<QWidget*>(key + QStringLiteral("-reset")),
@@ -161,7 +162,7 @@ void TestWindow::theInspectorIsMadeFromTheTable() {
     QVERIFY(!hint->isVisible());
     // Metres are millimetres on the screen.
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2.5 mm"));
-    QVERIFY(std::abs(program.document.scene().proxyRadius - 0.0025) < 1e-12);
+    COMPARE_NEAR(program.document.scene().proxyRadius, 0.0025, 1e-12, "m");
 }
 
 void TestWindow::theInspectorShadesASurface() {
@@ -172,13 +173,15 @@ void TestWindow::theInspectorShadesASurface() {
         return !program.window->publisher().world()->bodies.front().feels.empty();
     };
     auto* box = program.window->findChild<QCheckBox*>(QStringLiteral("force-shading"));
-    QVERIFY(box && !box->isChecked() && !feltBodies());
+    QVERIFY(box);
+    QVERIFY(!box->isChecked());
+    QVERIFY(!feltBodies());
     QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
     QVERIFY(shading().on);
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && feltBodies(), kPatience);
     // Radians are degrees on the screen.
     program.type(QStringLiteral("crease-angle"), QStringLiteral("90"));
-    QVERIFY(std::abs(shading().creaseAngle - 0.5 * std::numbers::pi) < 1e-9);
+    COMPARE_NEAR(shading().creaseAngle, 0.5 * std::numbers::pi, 1e-9, "rad");
     program.document.history().undo();
     program.document.history().undo();
     QVERIFY(shading() == Shading{});
@@ -193,14 +196,16 @@ void TestWindow::theInspectorChoosesTheSides() {
         return program.window->findChild<QToolButton*>(QString::fromLatin1(name));
     };
     const auto felt = [&] { return program.window->publisher().world()->bodies.front().sides; };
-    QVERIFY(button("sides-both")->isChecked() && felt().empty());
+    QVERIFY(button("sides-both")->isChecked());
+    QVERIFY(felt().empty());
     QTest::mouseClick(button("sides-front"), Qt::LeftButton);
     QCOMPARE(program.document.scene().objects.front().surfaces[0].sides, Sides::Front);
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp() && felt().size() == 6, kPatience);
     QCOMPARE(felt()[0], Sides::Front);
     // Another surface has its own.
     program.document.select(SurfaceRef{program.document.scene().objects.front().id, 3});
-    QVERIFY(button("sides-both")->isChecked() && !button("sides-front")->isChecked());
+    QVERIFY(button("sides-both")->isChecked());
+    QVERIFY(!button("sides-front")->isChecked());
     program.document.history().undo();
     program.document.select(SurfaceRef{program.document.scene().objects.front().id, 0});
     QVERIFY(button("sides-both")->isChecked());
@@ -220,7 +225,7 @@ void TestWindow::aSliderDragIsOneStep() {
     }
     QTest::mouseRelease(slider, Qt::LeftButton, {}, {100, y});
     QVERIFY(!slider->isSliderDown()); // or it would not follow the undo
-    QVERIFY(materialOf(program, 0).staticFriction > 0.3);
+    QCOMPARE_GT(materialOf(program, 0).staticFriction, 0.3);
     QCOMPARE(program.document.history().count(), 1);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(materialOf(program, 0).staticFriction, kStaticFriction.initial);
@@ -249,8 +254,9 @@ void TestWindow::numbersHaveAPointInEveryLocale() {
     QCOMPARE(program.box(QStringLiteral("stiffness")).text(), QStringLiteral("1250"));
     QCOMPARE(numberText(-0.001, 2), QStringLiteral("0.00"));
     QCOMPARE(lengthText(0.2), QStringLiteral("200 mm"));
-    QVERIFY(!readNumber(QStringLiteral("nan")) && !readNumber(QStringLiteral("1e999")) &&
-            !readNumber(QStringLiteral("1 2")));
+    QVERIFY(!readNumber(QStringLiteral("nan")));
+    QVERIFY(!readNumber(QStringLiteral("1e999")));
+    QVERIFY(!readNumber(QStringLiteral("1 2")));
     for (const auto* label : program.window->findChildren<QLabel*>())
         QVERIFY2(!label->text().contains(QRegularExpression(QStringLiteral("\\d,\\d"))),
                  qPrintable(label->text()));
@@ -308,15 +314,16 @@ void TestWindow::keysTurnTheCamera() {
             program.command(id).trigger();
     };
     turn("orbit-right", 6);
-    QVERIFY(std::abs(view.camera().yaw - M_PI / 2) < 1e-9);
+    COMPARE_NEAR(view.camera().yaw, M_PI / 2, 1e-9, "rad");
     turn("orbit-left", 6);
     turn("orbit-up", 20);
-    QVERIFY(std::abs(view.camera().yaw) < 1e-9 && std::abs(view.camera().pitch - M_PI / 2) < 1e-9);
+    QCOMPARE_LT(std::abs(view.camera().yaw), 1e-9);
+    COMPARE_NEAR(view.camera().pitch, M_PI / 2, 1e-9, "rad");
     const double distance = view.camera().distance;
     turn("zoom-in", 2);
-    QVERIFY(std::abs(view.camera().distance - 0.64 * distance) < 1e-9);
+    COMPARE_NEAR(view.camera().distance, 0.64 * distance, 1e-9, "m");
     turn("zoom-out", 2);
-    QVERIFY(std::abs(view.camera().distance - distance) < 1e-9);
+    COMPARE_NEAR(view.camera().distance, distance, 1e-9, "m");
 }
 
 void TestWindow::undoneStepsAreDim() {
@@ -336,8 +343,8 @@ void TestWindow::undoneStepsAreDim() {
     const int done = brightest(2);
     program.document.history().undo();
     program.frames(3);
-    QVERIFY2(brightest(2) < done - 40, qPrintable(QString::number(brightest(2))));
-    QVERIFY(std::abs(brightest(1) - done) < 10);
+    QCOMPARE_LT(brightest(2), done - 40);
+    COMPARE_NEAR(brightest(1), done, 10, "");
 }
 
 TACTUM_GUI_TEST(TestWindow)
