@@ -20,7 +20,7 @@ using namespace tactum;
 
 namespace {
 
-void setStiffness(Document& document, double stiffness) {
+void stiffen(Document& document, double stiffness) {
     const SurfaceRef top{document.scene().objects.front().id, 2};
     for (const MaterialField& field : kMaterialFields)
         if (field.parameter == &kStiffness) document.setMaterialValue(top, field, stiffness);
@@ -85,11 +85,11 @@ void TestCompare::anEditIsComparedByItself() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     Comparison& comparison = program.window->comparison();
-    setStiffness(program.document, 400);
+    stiffen(program.document, 400);
     comparison.setStroke(press());
     comparison.markA();
     QVERIFY(isCompared(comparison));
-    setStiffness(program.document, 800);
+    stiffen(program.document, 800);
     QVERIFY(comparison.working());
     QVERIFY(isCompared(comparison));
     // Twice the stiffness: the difference is the force of A. Deepest at the end, 3 mm and the proxy's radius.
@@ -104,7 +104,7 @@ void TestCompare::anEditIsComparedByItself() {
     QVERIFY(!figures->text().contains(u',' + QStringLiteral("0")));
     // Without it nothing is compared until somebody asks.
     comparison.setAutomatic(false);
-    setStiffness(program.document, 400);
+    stiffen(program.document, 400);
     QVERIFY(!comparison.working());
     comparison.compare();
     QVERIFY(isCompared(comparison));
@@ -116,10 +116,10 @@ void TestCompare::swappingIsOneStepOfTheHistory() {
     QVERIFY(program.open(writeCube(folder_)));
     Comparison& comparison = program.window->comparison();
     const auto stiffness = [&] { return program.document.scene().objects[0].surfaces[2].material.stiffness; };
-    setStiffness(program.document, 400);
+    stiffen(program.document, 400);
     QVERIFY(!isCalled(program, "compare-swap"));
     QVERIFY(isCalled(program, "compare-mark"));
-    setStiffness(program.document, 800);
+    stiffen(program.document, 800);
     const int steps = program.document.history().count();
     QVERIFY(isCalled(program, "compare-swap"));
     QCOMPARE(stiffness(), 400.0);
@@ -169,12 +169,12 @@ void TestCompare::theNewestEditWins() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     Comparison& comparison = program.window->comparison();
-    setStiffness(program.document, 400);
+    stiffen(program.document, 400);
     comparison.setStroke(press(200'000));
     comparison.markA();
     for (int i = 1; i <= 20; ++i)
-        setStiffness(program.document, 400 + i);
-    setStiffness(program.document, 800);
+        stiffen(program.document, 400 + i);
+    stiffen(program.document, 800);
     QVERIFY(isCompared(comparison));
     const double last = comparison.result()->b->back().force.y() / comparison.result()->a->back().force.y();
     COMPARE_NEAR(last, 2, 0.01, "");
