@@ -377,6 +377,7 @@ private slots:
         QTest::addColumn<double>("widest");
         QTest::newRow("a hand, and its tremor") << 1.0 << 15.0 << 5e-5 << 2e-2;
         QTest::newRow("a fine texture") << 20.0 << 300.0 << 1e-6 << 1e-4;
+        QTest::newRow("two counts of a coarse device") << 20.0 << 40.0 << 1e-4 << 1.2e-4;
         QTest::newRow("faster than any loop") << 700.0 << 1900.0 << 2e-4 << 2e-3;
     }
 
@@ -454,6 +455,27 @@ private slots:
                 qPrintable(
                     QString("%1 alarms instead of 0, one swing %2 times the next").arg(alarms).arg(ratio)));
         }
+    }
+
+    /// Each swing much narrower than the one before, or much wider.
+    void whatDiesAwayOrIsThrownIsNoLimitCycle() {
+        for (const double ratio : {1 / 2.5, 2.5})
+            for (const int half : {10, 15, 20}) { // ticks
+                OscillationDetector detector;
+                int alarms = 0;
+                double place = 0, swing = ratio < 1 ? 0.03 : 2e-4;
+                for (int i = 0; i < 6 * half; ++i) {
+                    place += (i / half % 2 ? -1 : 1) * swing / half;
+                    if (i % half == half - 1) swing *= ratio;
+                    alarms += detector(Vec3(place, 0, 0), kTick);
+                }
+                QVERIFY2(alarms == 0,
+                         qPrintable(QString("%1 alarms instead of 0, each swing %2 times the last, "
+                                            "%3 ms long")
+                                        .arg(alarms)
+                                        .arg(ratio)
+                                        .arg(half)));
+            }
     }
 
     void swingsAreSeenAfterWhatIsNoNumber() {

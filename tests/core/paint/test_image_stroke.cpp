@@ -220,21 +220,25 @@ private slots:
             p.z() -= 3e-3;
         const Image before = mottled(60, 60, 24);
         const Brush brush = brushOf(BrushMode::Add, 5e-3, 0.9, 1);
-        const Vec3 dab(0.002, -0.001, 0);
-        const Image alone = onImage(near, before, brush, {{dab}});
-        for (const bool farFirst : {false, true}) {
-            auto both = std::make_shared<TriangleSoup>(farFirst ? far : *near);
-            const TriangleSoup& second = farFirst ? *near : far;
-            const Index more = Index(both->positions.size());
-            both->positions.insert(both->positions.end(), second.positions.begin(), second.positions.end());
-            for (const auto& t : second.triangles)
-                both->triangles.push_back({t[0] + more, t[1] + more, t[2] + more});
-            both->surfaceOf.resize(both->triangles.size(), 0);
-            both->cornerUvs.insert(both->cornerUvs.end(), second.cornerUvs.begin(), second.cornerUvs.end());
-            const Changes seen =
-                changes(alone, onImage(both, before, brush, {{dab}}), [](int, int) { return false; });
-            QCOMPARE(seen.others, 0);
-        }
+        for (const double height : {0.0, -3e-3})
+            for (const bool farFirst : {false, true}) {
+                const Soup nearer = height == 0 ? near : std::make_shared<const TriangleSoup>(far);
+                const std::vector<Dab> dab{{{0.002, -0.001, height}}};
+                auto both = std::make_shared<TriangleSoup>(farFirst ? far : *near);
+                const TriangleSoup& second = farFirst ? *near : far;
+                const Index more = Index(both->positions.size());
+                both->positions.insert(both->positions.end(), second.positions.begin(),
+                                       second.positions.end());
+                for (const auto& t : second.triangles)
+                    both->triangles.push_back({t[0] + more, t[1] + more, t[2] + more});
+                both->surfaceOf.resize(both->triangles.size(), 0);
+                both->cornerUvs.insert(both->cornerUvs.end(), second.cornerUvs.begin(),
+                                       second.cornerUvs.end());
+                const Changes seen =
+                    changes(onImage(nearer, before, brush, dab), onImage(both, before, brush, dab),
+                            [](int, int) { return false; });
+                QCOMPARE(seen.others, 0);
+            }
     }
 
     /// An island in the middle of an image: the brush lies over all of it, and paints it and the texels next
@@ -252,19 +256,65 @@ private slots:
             soup->cornerUvs.push_back((texel.head<2>() / side).cast<float>());
         }
         const Image before = mottled(side, side, 25);
-        const Image after =
-            onImage(soup, before, brushOf(BrushMode::Set, 0.05, 1, 0, 0), {{{0.004, 0.003, 0}}});
-        const auto apart = [&](int x, int y) {
-            const Vec3 centre(x + 0.5, y + 0.5, 0);
-            return (closestPoint(island, centre).point - centre).norm();
+        const Vec3 centre(0.004, 0.003, 0);
+        const Image after = onImage(soup, before, brushOf(BrushMode::Set, 0.02, 1, 1, 0), {{centre}});
+        const auto nearest = [&](int x, int y) {
+            return closestPoint(island, Vec3(x + 0.5, y + 0.5, 0)).point;
         };
+        const auto apart = [&](int x, int y) { return (nearest(x, y) - Vec3(x + 0.5, y + 0.5, 0)).norm(); };
+        const double next = std::sqrt(2.0), rounding = 1e-5; // texels
         const Changes seen =
-            changes(before, after, [&](int x, int y) { return apart(x, y) <= std::sqrt(2.0) + 1e-5; });
+            changes(before, after, [&](int x, int y) { return apart(x, y) <= next + rounding; });
         QVERIFY2(seen.others == 0,
                  qPrintable(QString("%1 texels farther away instead of 0").arg(seen.others)));
+        QVERIFY(seen.meant > 300);
         for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                if (apart(x, y) < std::sqrt(2.0) - 1e-5) QCOMPARE(after->texel(after->level(0), x, y), 0.0);
+            for (int x = 0; x < side; ++x) {
+                if (apart(x, y) > next - rounding) continue;
+                const Vec3 place = (nearest(x, y) - Vec3(12.3, 14.7, 0)) / 2400;
+                const double expected = before->texel(before->level(0), x, y) *
+                                        (1 - expectedFalloff((place - centre).norm() / 0.02, 1));
+                const double is = after->texel(after->level(0), x, y);
+                QVERIFY2(std::abs(is - expected) < 5e-5,
+                         qPrintable(QString("%1 %2, %3 beside it: %4 instead of %5")
+                                        .arg(x)
+                                        .arg(y)
+                                        .arg(apart(x, y))
+                                        .arg(is)
+                                        .arg(expected)));
+            }
+    }
+
+    /// What lies around the brush is a part of the mean, and stays as it is; and a dab somewhere else does
+    /// nothing to what is smooth already.
+    void smoothingLooksBeyondTheBrush() {
+        const double radius = 6e-3;
+        const Soup soup = wholeSheet(9);
+        const Image pond = imageOf(80, 80, [&](double x, double y) {
+            return (0.04 * Vector2d(x - 0.5, y - 0.5) - Vector2d(-0.01, 0)).norm() > radius ? 1.0 : 0.0;
+        });
+        const Vec3 here(-0.01, 0, 0), elsewhere(0.01, 0, 0);
+        ImageStroke stroke(reachOf(soup), {},
+                           std::make_shared<const TexelCover>(*soup, PaintableSurfaces{}, mapOf(pond)), pond,
+                           brushOf(BrushMode::Smooth, radius, 1, 0));
+        stroke.paint({here});
+        const Image once = stroke.image();
+        const Changes seen =
+            changes(pond, once, [&](int x, int y) { return (placeOf(pond, x, y) - here).norm() <= radius; });
+        QCOMPARE(seen.others, 0);
+        QCOMPARE_GT(seen.meant, 100);
+        stroke.paint({elsewhere});
+        const Changes then = changes(once, stroke.image(), [&](int x, int y) {
+            return (placeOf(pond, x, y) - elsewhere).norm() <= radius;
+        });
+        QCOMPARE(then.others, 0);
+    }
+
+    /// Nor is another image made where every texel has the value already that it would get.
+    void whatHasTheValueAlreadyStaysTheSameImage() {
+        const Image before = plain(32, 32, 1);
+        for (const BrushMode mode : {BrushMode::Add, BrushMode::Set, BrushMode::Smooth})
+            QVERIFY(onImage(wholeSheet(3), before, brushOf(mode, 5e-3, 1, 0.5), {{Vec3::Zero()}}) == before);
     }
 
     /// The same stroke on vertices and on texels, each read at the vertices: apart by what the brush changes
@@ -409,6 +459,10 @@ private slots:
                     soup.cornerUvs.push_back(uv.cast<float>());
                 }
             }
+            soup.triangles.push_back({0, 1, 2}); // a line on the image
+            soup.surfaceOf.push_back(1);
+            for (const double along : {-1.0, 0.5, 1.0})
+                soup.cornerUvs.emplace_back(float(along), 0.25F);
             const TexelCover cover(soup, {{false, true}}, map);
             std::vector<char> expected(map.texels(), 0);
             for (const Index i : {1, 3})

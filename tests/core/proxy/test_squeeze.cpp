@@ -28,6 +28,7 @@ private slots:
     void isPassedWithoutRoomAndFelt();
     void whatPassedKeepsItsPlaceOnTheBody();
     void eachBodyIsFeltAgainByItself();
+    void whatIsNotFeltFromThereIsNotInTheWay();
     void aJumpLetsGo();
     void aSmallJumpIsSwept();
 };
@@ -166,6 +167,22 @@ void SqueezeTest::eachBodyIsFeltAgainByItself() {
     QCOMPARE(stage.state.passed[0].body, 1u);
     QVERIFY((stage.state.passed[0].at_B - place).norm() < 3e-3);
     QVERIFY(stage.state.passed[0].at_B.z() > half.z());
+}
+
+// A plate that is felt from above alone lies between the place and the proxy: from above it is in the way,
+// from beneath it is not.
+void SqueezeTest::whatIsNotFeltFromThereIsNotInTheWay() {
+    for (const double side : {1.0, -1.0}) {
+        Stage stage;
+        stage.addMover(sheet(0.02));
+        stage.feelFrom(0, Sides::Front);
+        const Vec3 proxy(0.001, 0, -5e-3 * side);
+        stage.startAt(proxy);
+        stage.state.passed[0] = {0, -proxy};
+        stage.state.passedCount = 1;
+        stage.step(proxy);
+        QCOMPARE(stage.state.passedCount, side > 0 ? 1 : 0);
+    }
 }
 
 // An animation that starts anew puts its body somewhere else: what lands on the proxy does not throw it.
