@@ -16,7 +16,8 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-inline Ended runTactum(const QStringList& arguments, const QString& display = {}, const QString& folder = {}) {
+inline Ended runTactum(const QStringList& arguments, const QString& display = {},
+                       const QString& folder = {}) {
     QProcess process;
     process.setWorkingDirectory(folder);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
