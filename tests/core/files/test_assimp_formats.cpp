@@ -19,9 +19,9 @@ private slots:
         soup.positions = {{0, 0, 0}, {0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 1}};
         soup.triangles = {{0, 1, 2}, {0, 2, 1}, {0, 1, 2}, {0, 3, 3}}; // doubled, turned over, and a line
         const auto loaded = folder_.load("a.3ds", as3ds(soup, "tetra", "rubber"));
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         const SceneObject& object = onlyObject(*loaded);
-        QVERIFY2(object.name == "tetra", object.name.c_str());
+        QCOMPARE_EQ(object.name, "tetra");
         QCOMPARE(object.geometry->triangles.size(), std::size_t(4));
         QCOMPARE(object.geometry->positions.size(), std::size_t(4)); // equal places are one vertex
         QCOMPARE(object.surfaces[0].name, std::string("rubber"));
@@ -31,9 +31,9 @@ private slots:
 
     void daeKeepsUnitTransformAndSurfaces() {
         const auto loaded = folder_.load("a.dae", asDae("<unit name='inch' meter='0.0254'/>"));
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         const SceneObject& object = onlyObject(*loaded);
-        QVERIFY2(object.name == "plate", object.name.c_str());
+        QCOMPARE_EQ(object.name, "plate");
         QCOMPARE(object.surfaces.size(), std::size_t(2));
         QCOMPARE(object.surfaces[0].name, std::string("red"));
         QCOMPARE(object.surfaces[1].colour, Eigen::Vector3f(0, 0, 1));
@@ -54,7 +54,7 @@ private slots:
 
     void daeWithoutUnitSaysItsGuess() {
         const auto loaded = folder_.load("a.dae", asDae(""));
-        QVERIFY(loaded);
+        VERIFY_RESULT(loaded);
         COMPARE_CONTAINS(said(*loaded), "has no unit: taken as metres; 2.4");
     }
 
@@ -71,7 +71,7 @@ private slots:
         insertBefore("<node id='n'", "<node id='eye' name='eye'><instance_camera url='#c'/></node>"
                                      "<node id='lamp' name='lamp'><instance_light url='#l'/></node>");
         const auto loaded = folder_.load("a.dae", dae);
-        QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+        VERIFY_RESULT(loaded);
         COMPARE_CONTAINS(said(*loaded), "1 camera left out");
         COMPARE_CONTAINS(said(*loaded), "1 light left out");
         COMPARE_LACKS(said(*folder_.load("a.dae", asDae(""))), "left out");
@@ -80,9 +80,9 @@ private slots:
     void fbxKeepsUnitNamesAndPlace() {
         for (const double centimetres : {1.0, 100.0, 2.54}) {
             const auto loaded = folder_.load("a.fbx", asFbx(centimetres));
-            QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+            VERIFY_RESULT(loaded);
             const SceneObject& object = onlyObject(*loaded);
-            QVERIFY2(object.name == "plate", object.name.c_str());
+            QCOMPARE_EQ(object.name, "plate");
             QCOMPARE(object.surfaces[0].name, std::string("red"));
             QCOMPARE(object.geometry->triangles.size(), std::size_t(2));
             const double unit = centimetres / 100;

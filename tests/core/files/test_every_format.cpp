@@ -68,7 +68,7 @@ private slots:
             const TriangleSoup soup = randomSoup(seed);
             for (const WrittenMesh& mesh : inEveryFormat(soup)) {
                 const auto loaded = folder_.load(mesh.name, mesh.content);
-                QVERIFY2(loaded, loaded ? "" : loaded.error().text.c_str());
+                VERIFY_RESULT(loaded);
                 QCOMPARE(loaded->scene.objects.size(), std::size_t(1));
                 QVERIFY2(placesOf(*loaded->scene.objects[0].geometry) == placesOf(soup), mesh.name.c_str());
             }
@@ -78,7 +78,7 @@ private slots:
     void soupsKeepTheirContract() {
         for (const WrittenMesh& mesh : inEveryFormat(randomSoup(7))) {
             const auto loaded = folder_.load(mesh.name, mesh.content);
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             const SceneObject& object = loaded->scene.objects[0];
             QCOMPARE(object.geometry->surfaceOf.size(), object.geometry->triangles.size());
             for (Index surface : object.geometry->surfaceOf)
@@ -97,7 +97,7 @@ private slots:
         soup.triangles = {{0, 1, 2}};
         for (const WrittenMesh& mesh : inEveryFormat(soup)) {
             const auto loaded = folder_.load(mesh.name, mesh.content);
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             const TriangleSoup& back = *loaded->scene.objects[0].geometry;
             const auto at = [&](std::size_t i) { return back.positions[back.triangles[0][i]]; };
             QCOMPARE_GT((at(1) - at(0)).cross(at(2) - at(0)).z(), 0);
@@ -115,7 +115,7 @@ private slots:
         const TriangleSoup soup = randomSoup(3);
         for (const WrittenMesh& mesh : inEveryFormat(soup)) {
             const auto loaded = folder_.load(mesh.name, mesh.content);
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             QVERIFY(placesOf(*loaded->scene.objects[0].geometry) == placesOf(soup));
         }
         std::locale::global(std::locale::classic());
@@ -222,7 +222,7 @@ private slots:
 
     void everyFindingHasARemedy() {
         const auto check = [](const Result<LoadedScene>& loaded) {
-            QVERIFY(loaded);
+            VERIFY_RESULT(loaded);
             QVERIFY(!loaded->findings.empty());
             for (const Finding& finding : loaded->findings)
                 QVERIFY2(!finding.remedy.empty(), finding.sentence.c_str());
@@ -260,7 +260,7 @@ private slots:
             std::vector<double> fractions;
             Progress progress;
             progress.report = [&](double fraction) { fractions.push_back(fraction); };
-            QVERIFY(loadScene(folder_.write(mesh.name, mesh.content), progress));
+            VERIFY_RESULT(loadScene(folder_.write(mesh.name, mesh.content), progress));
             QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
             QVERIFY(!fractions.empty());
             QCOMPARE(fractions.back(), 1.0);
@@ -310,7 +310,7 @@ private:
     static void refused(const Result<LoadedScene>& loaded, const std::string& part) {
         QVERIFY(!loaded);
         QVERIFY2(isOneLine(loaded.error().text), loaded.error().text.c_str());
-        QVERIFY2(loaded.error().text.find(part) != std::string::npos, loaded.error().text.c_str());
+        COMPARE_CONTAINS(loaded.error().text, part);
     }
 
     /// Large enough for every loop to look at its progress.

@@ -180,7 +180,7 @@ private slots:
             data.append(reinterpret_cast<const char*>(&value), sizeof value);
         const auto loaded = readImage(folder_.write("a.tif", asTiff(4, 1, data, {32, 1, 3, 1, 0})));
         VERIFY_RESULT(loaded);
-        QVERIFY(loaded->note.starts_with("3 values of "));
+        COMPARE_BEGINS(loaded->note, "3 values of ");
         QVERIFY(loaded->note.ends_with("a.tif lie outside 0 to 1"));
         const TextureImage& image = *loaded->image;
         COMPARE_NEAR(image.texel(image.level(0), 0, 0), 0.5, 1e-5, "");

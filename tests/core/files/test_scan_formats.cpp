@@ -207,7 +207,7 @@ private slots:
         const auto loaded = folder_.load(file.toStdString(), content.toStdString());
         QVERIFY(!loaded);
         const std::string place = (folder_.path() / error.toStdString()).string();
-        QVERIFY2(loaded.error().text.starts_with(place), loaded.error().text.c_str());
+        COMPARE_BEGINS(loaded.error().text, place);
     }
 
 private:

@@ -9,6 +9,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/presets/base64.h"
 #include "core/presets/preset_file.h"
+#include "tests/core/files/json_text.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
@@ -139,11 +140,11 @@ void TestPresetFile::unknownMembersStay() {
     Preset renamed = read->preset;
     renamed.name = "other";
     Json json = Json::parse(presetText(renamed));
-    QVERIFY(json["name"] == "other");
+    QCOMPARE_EQ(json["name"], "other");
     QVERIFY(json.contains("author"));
-    QVERIFY(json["author"] == (Json{{"is", "x"}}));
+    QCOMPARE_EQ(json["author"], (Json{{"is", "x"}}));
     QVERIFY(json["feel"].contains("smell"));
-    QVERIFY(json["feel"]["smell"] == "sweet");
+    QCOMPARE_EQ(json["feel"]["smell"], "sweet");
     QVERIFY(json["feel"]["layers"][0].contains("later"));
     QVERIFY(json["sources"]["staticFriction"].contains("page"));
 }
@@ -322,7 +323,7 @@ void TestPresetFile::badFilesAreOneLine() {
     const auto read = parsed(text.toStdString());
     QVERIFY(!read);
     const QString line = QString::fromStdString(read.error().text);
-    QVERIFY2(line.startsWith(QStringLiteral("a.tactum-preset:")), qPrintable(line));
+    COMPARE_BEGINS(line, QStringLiteral("a.tactum-preset:"));
     COMPARE_CONTAINS(line, QString::fromUtf8(says));
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
     QCOMPARE_EQ(read.error().kind, Error::Kind::Input);

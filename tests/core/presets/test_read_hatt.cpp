@@ -248,7 +248,7 @@ void TestReadHatt::badFilesAreOneLine() {
     const auto read = parsed(text.toStdString());
     QVERIFY(!read);
     const QString line = QString::fromStdString(read.error().text);
-    QVERIFY2(line.startsWith(QStringLiteral("a.xml:")), qPrintable(line));
+    COMPARE_BEGINS(line, QStringLiteral("a.xml:"));
     COMPARE_CONTAINS(line, QString::fromUtf8(says));
     QVERIFY2(!line.contains(u'\n') && line.size() < 400, qPrintable(line));
 }

@@ -94,7 +94,7 @@ void PrimitivesTest::thePointIsSlidOffExactlyAtItsEquator() {
                  qPrintable(QString::number(finger.x())));
         if (h.output().contacts > 0) let = finger.x();
     });
-    COMPARE_NEAR(let, std::sqrt(kRadius * kRadius - 1e-8), 2e-5, ""); // a stride of the finger
+    COMPARE_NEAR(let, std::sqrt(kRadius * kRadius - 1e-8), 2e-5, "m"); // a stride of the finger
 }
 
 void PrimitivesTest::aSegmentPushesAcross() {
@@ -137,11 +137,11 @@ void PrimitivesTest::aCrossOfWiresHoldsInItsCorner() {
         hand.to({0.0005 - 1e-6 * i, 0.0005 - 1e-6 * i, height});
     const Vec3 p = hand.output().proxy;
     QCOMPARE(hand.output().contacts, 2);
-    QCOMPARE_LE(std::abs(std::hypot(p.y(), p.z()) - kRadius), kMicrometre);
-    QCOMPARE_LE(std::abs(std::hypot(p.x(), p.z()) - kRadius), kMicrometre);
+    COMPARE_NEAR(std::hypot(p.y(), p.z()), kRadius, kMicrometre, "m");
+    COMPARE_NEAR(std::hypot(p.x(), p.z()), kRadius, kMicrometre, "m");
     QCOMPARE_GE(p.z(), height);
     QCOMPARE_LE(p.x(), beside + kMicrometre);
-    QCOMPARE_LE(std::abs(p.x() - p.y()), kMicrometre);
+    COMPARE_NEAR(p.x(), p.y(), kMicrometre, "m");
 }
 
 // Points on a grid of spacing a carry the proxy like a floor: in the pit between four, and on each.
@@ -177,8 +177,8 @@ void PrimitivesTest::frictionHoldsOnAWire() {
     double peak = 0;
     hand.go({0.002, 0, kRadius - depth}, 1e-3,
             [&](const Hand& h) { peak = std::max(peak, -h.output().force.x() / h.output().force.z()); });
-    QCOMPARE_LE(std::abs(peak - mu), 0.005 * mu);
-    QCOMPARE_LE(std::abs(-hand.output().force.x() / hand.output().force.z() - 0.6 * mu), 0.005 * mu);
+    COMPARE_NEAR(peak, mu, 0.005 * mu, "");
+    COMPARE_NEAR(-hand.output().force.x() / hand.output().force.z(), 0.6 * mu, 0.005 * mu, "");
 }
 
 void PrimitivesTest::sidesOfASheet_data() {
@@ -197,7 +197,7 @@ void PrimitivesTest::sidesOfASheet() {
             const bool felt =
                 sides != Sides::None && (sides == Sides::Both || (sides == Sides::Front) == (from > 0));
             QCOMPARE(hand.output().contacts > 0, felt);
-            QCOMPARE_LE(std::abs(hand.output().proxy.z() - from * (felt ? kRadius : -0.004)), kMicrometre);
+            COMPARE_NEAR(hand.output().proxy.z(), from * (felt ? kRadius : -0.004), kMicrometre, "m");
         }
 }
 

@@ -208,14 +208,14 @@ private slots:
         force = std::nextafter(force, 1.0);
         ReplayCheck check = replayed(forged);
         QCOMPARE(check.differ, 1u);
-        QVERIFY2(check.first.starts_with("haptic step 3000 at "), check.first.c_str());
+        COMPARE_BEGINS(check.first, "haptic step 3000 at ");
 
         forged = run_;
         auto& push = forged.servo.rows[2000].force[2];
         push = std::nextafter(push, 1.0);
         check = replayed(forged);
         QCOMPARE(check.differ, 1u);
-        QVERIFY2(check.first.starts_with("servo tick 2000 at "), check.first.c_str());
+        COMPARE_BEGINS(check.first, "servo tick 2000 at ");
     }
 
     void whatWasDoneIsListed() {

@@ -254,12 +254,12 @@ private slots:
         QVERIFY(hung->hanging && hung->isOpen && hung->stopped);
         QVERIFY(!plate.engine.running());
         QVERIFY(!stopped);
-        QCOMPARE_EQ(stopped.error().text.find("Probe did not come back"), 0);
+        COMPARE_BEGINS(stopped.error().text, "Probe did not come back");
         QCOMPARE_GT(rows, 10);
         QCOMPARE(plate.engine.recorded().servo.rows.size(), rows);
         const Result<void> again = plate.engine.start();
         QVERIFY(!again);
-        QCOMPARE_EQ(again.error().text.find("Probe did not come back"), 0);
+        COMPARE_BEGINS(again.error().text, "Probe did not come back");
         QVERIFY(!plate.engine.trouble().empty());
 
         plate.probe = std::make_shared<Probe>();

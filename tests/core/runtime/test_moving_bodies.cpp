@@ -4,6 +4,7 @@
 
 #include "core/runtime/replay.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/movers.h"
 #include "tests/support/test_program.h"
 
@@ -18,10 +19,6 @@ constexpr double kRadius = 1e-3;
 constexpr double kDepth = 1e-3; // of the finger below where the proxy rests: 0.8 N at 800 N/m
 constexpr double kPart = 0.005; // every law holds to half a percent
 const Vec3 kFarAway(0, 0, 1);
-
-bool about(double value, double expected, double part = kPart) {
-    return std::abs(value - expected) <= part * std::abs(expected);
-}
 
 /// A finger that has come down onto a moving sheet, to the depth.
 Hand pressedOn(SharedMotion motion, const Material& material, double half = 1) {
@@ -72,11 +69,11 @@ void MovingBodiesTest::bodiesAreWhereTheirTimePutsThem() {
         const BodyMotion& body = hand.state.movers[0];
         QCOMPARE(body.before, before);
         const Quat turned = rest.rotation * Quat(Eigen::AngleAxisd(3e-3 * i, Vec3::UnitZ()));
-        QVERIFY(body.now.rotation.angularDistance(turned) < 1e-9);
-        QVERIFY((body.now.translation - rest.translation).norm() < 1e-15);
+        QCOMPARE_LT(body.now.rotation.angularDistance(turned), 1e-9);
+        COMPARE_NEAR(body.now.translation, rest.translation, 1e-15, "m");
         QVERIFY(!body.jumped);
     }
-    QVERIFY(std::abs(hand.state.time - 5) < 1e-9);
+    COMPARE_NEAR(hand.state.time, 5, 1e-9, "s");
 }
 
 // An edit of a material, and even one of the shape, finds the bodies where they were.
@@ -91,12 +88,12 @@ void MovingBodiesTest::aSwapOfWorldsKeepsTheTime() {
     QCOMPARE(edited->shapeRevision, world->shapeRevision);
     hand.take(edited);
     hand.to(kFarAway);
-    QVERIFY(std::abs(hand.state.movers[0].now.translation.z() - 0.01 * 0.101) < 1e-12);
+    COMPARE_NEAR(hand.state.movers[0].now.translation.z(), 0.01 * 0.101, 1e-12, "m");
     scene.objects[0].pose.translation.x() = 0.01;
     hand.take(compile(scene, edited.get()).value());
     hand.to(kFarAway);
-    QVERIFY(std::abs(hand.state.movers[0].now.translation.z() - 0.01 * 0.102) < 1e-12);
-    QVERIFY(std::abs(hand.state.movers[0].before.translation.z() - 0.01 * 0.101) < 1e-12);
+    COMPARE_NEAR(hand.state.movers[0].now.translation.z(), 0.01 * 0.102, 1e-12, "m");
+    COMPARE_NEAR(hand.state.movers[0].before.translation.z(), 0.01 * 0.101, 1e-12, "m");
 }
 
 void MovingBodiesTest::badInputKeepsTheTime() {
@@ -115,11 +112,9 @@ void MovingBodiesTest::tooManyMoversAreRefused() {
     scene.add(bodyOf(sheet(0.05), frictionless(), sliding({0, 0, 0.01})));
     const auto refused = compile(scene);
     QVERIFY(!refused);
-    QVERIFY2(refused.error().text.find("65 visible objects move by themselves, but at most 64 can") !=
-                 std::string::npos,
-             refused.error().text.c_str());
+    COMPARE_CONTAINS(refused.error().text, "65 visible objects move by themselves, but at most 64 can");
     scene.objects[3].visible = false;
-    QVERIFY(compile(scene).has_value());
+    VERIFY_RESULT(compile(scene));
 }
 
 void MovingBodiesTest::anotherMotionIsAnotherShape() {
@@ -130,9 +125,9 @@ void MovingBodiesTest::anotherMotionIsAnotherShape() {
     QCOMPARE(same->shapeRevision, first->shapeRevision);
     scene.objects[0].motion = sliding({0, 0, 0.02});
     const auto other = compile(scene, same.get()).value();
-    QVERIFY(other->shapeRevision != same->shapeRevision);
+    QCOMPARE_NE(other->shapeRevision, same->shapeRevision);
     scene.objects[0].motion = nullptr;
-    QVERIFY(compile(scene, other.get()).value()->shapeRevision != other->shapeRevision);
+    QCOMPARE_NE(compile(scene, other.get()).value()->shapeRevision, other->shapeRevision);
 }
 
 void MovingBodiesTest::plateRisesUnderARestingFinger_data() {
@@ -154,10 +149,10 @@ void MovingBodiesTest::plateRisesUnderARestingFinger() {
                 hand.to(Vec3::Zero());
                 const double surface = side * hand.state.movers[0].now.translation.z() + top;
                 const double expected = std::max(0.0, surface + kRadius);
-                QVERIFY(std::abs(side * hand.output().proxy.z() - expected) <= kMicrometre);
-                QVERIFY(std::abs(side * hand.output().force.z() - 800 * expected) <= 800 * kMicrometre);
+                COMPARE_NEAR(side * hand.output().proxy.z(), expected, kMicrometre, "m");
+                COMPARE_NEAR(side * hand.output().force.z(), 800 * expected, 800 * kMicrometre, "N");
             }
-            QVERIFY(side * hand.output().force.z() > 10);
+            QCOMPARE_GT(side * hand.output().force.z(), 10);
         }
 }
 
@@ -169,8 +164,8 @@ void MovingBodiesTest::plateOscillatesUnderARestingFinger() {
                 hand.to({0, 0, 0});
                 const double surface = hand.state.movers[0].now.translation.z();
                 const double z = hand.output().proxy.z();
-                QVERIFY(z >= surface + kRadius - kMicrometre);
-                if (surface + kRadius > 0) QVERIFY(z <= surface + kRadius + kMicrometre);
+                QCOMPARE_GE(z, surface + kRadius - kMicrometre);
+                if (surface + kRadius > 0) QCOMPARE_LE(z, surface + kRadius + kMicrometre);
             }
         }
 }
@@ -189,17 +184,16 @@ void MovingBodiesTest::staticFrictionCarriesUpToTheCone() {
         const bool slips = hand.output().contact[0].slipping;
         if (!slips) {
             const Vec3 now = hand.state.movers[0].now.applyInverse(hand.output().proxy);
-            QVERIFY((now - held).norm() < 3e-9);
+            COMPARE_NEAR(now, held, 3e-9, "m");
             largest = std::max(largest, tangential(hand) / hand.output().force.z());
             ++carried;
         }
     }
-    QVERIFY2(about(largest, mu), qPrintable(QString::number(largest)));
-    QVERIFY(largest <= mu * (1 + 1e-6));
-    QVERIFY(carried > 400);
-    QVERIFY2(about(tangential(hand) / hand.output().force.z(), 0.5 * mu),
-             qPrintable(QString::number(tangential(hand) / hand.output().force.z())));
-    QVERIFY(about(hand.output().force.x() / tangential(hand), 0.6)); // the way the plate goes
+    COMPARE_NEAR(largest, mu, kPart * mu, "");
+    QCOMPARE_LE(largest, mu * (1 + 1e-6));
+    QCOMPARE_GT(carried, 400);
+    COMPARE_NEAR(tangential(hand) / hand.output().force.z(), 0.5 * mu, kPart * 0.5 * mu, "");
+    COMPARE_NEAR(hand.output().force.x() / tangential(hand), 0.6, kPart * 0.6, ""); // the way the plate goes
 }
 
 void MovingBodiesTest::conveyorDragsAtDynamicFrictionAndViscosity_data() {
@@ -221,10 +215,9 @@ void MovingBodiesTest::conveyorDragsAtDynamicFrictionAndViscosity() {
             hand.to(hand.finger() + Vec3(along * speed * kMillisecond, 0, 0));
         const double relative = (1 - along) * speed; // of the belt under the hand
         const double expected = 0.3 * 800 * kDepth + viscosity * std::abs(relative);
-        QVERIFY(about(hand.output().force.z(), 800 * kDepth));
-        QVERIFY2(about(hand.output().force.x(), relative > 0 ? expected : -expected),
-                 qPrintable(QString("%1 N instead of %2 N").arg(hand.output().force.x()).arg(expected)));
-        QVERIFY(std::abs(hand.output().force.y()) < 1e-6);
+        COMPARE_NEAR(hand.output().force.z(), 800 * kDepth, kPart * 800 * kDepth, "N");
+        COMPARE_NEAR(hand.output().force.x(), relative > 0 ? expected : -expected, kPart * expected, "N");
+        QCOMPARE_LT(std::abs(hand.output().force.y()), 1e-6);
         QVERIFY(hand.output().contact[0].slipping);
     }
 }
@@ -243,9 +236,8 @@ void MovingBodiesTest::turntableDragsByTheSpeedAtTheContact() {
             // Where the proxy is, a little downstream and inward of the finger.
             const double speed = std::abs(turns) * hand.output().proxy.head<2>().norm();
             const double expected = 0.3 * 800 * kDepth + viscosity * speed;
-            QVERIFY2(about(tangential(hand), expected),
-                     qPrintable(QString("%1 N instead of %2 N").arg(tangential(hand)).arg(expected)));
-            QVERIFY(hand.output().force.y() * turns > 0);
+            COMPARE_NEAR(tangential(hand), expected, kPart * expected, "N");
+            QCOMPARE_GT(hand.output().force.y() * turns, 0);
         }
 }
 
@@ -259,11 +251,11 @@ void MovingBodiesTest::dampingIsRelativeToTheSurface() {
     };
     for (int i = 0; i < 30; ++i)
         hand.to({0, 0, 0.003});
-    QVERIFY(about(excess(), 10 * 0.1)); // the surface comes toward a hand at rest
+    COMPARE_NEAR(excess(), 10 * 0.1, kPart * 10 * 0.1, "N"); // the surface comes toward a hand at rest
     hand.to(hand.finger() + Vec3(0, 0, 0.1 * kMillisecond));
-    QVERIFY(std::abs(excess()) < 1e-9); // and goes with it
+    QCOMPARE_LT(std::abs(excess()), 1e-9); // and goes with it
     hand.to(hand.finger() - Vec3(0, 0, 0.1 * kMillisecond));
-    QVERIFY(about(excess(), 10 * 0.2));
+    COMPARE_NEAR(excess(), 10 * 0.2, kPart * 10 * 0.2, "N");
 }
 
 // What the hand does relative to a plate that is shaken sideways costs as on one at rest: on closed loops in
@@ -299,7 +291,7 @@ void MovingBodiesTest::shakenLoopsGiveNoEnergyToAHandThatMovesAlong() {
             QCOMPARE(hand.output().force.norm(), 0.0);
             QVERIFY2(given + taken <= 1e-9,
                      qPrintable(QString("run %1 gives %2 J").arg(run).arg(given + taken)));
-            QVERIFY(taken < -1e-5);
+            QCOMPARE_LT(taken, -1e-5);
         }
 }
 

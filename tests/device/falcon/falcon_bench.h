@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "device/falcon/falcon.h"
 #include "device/falcon/falcon_line.h"
@@ -109,3 +110,12 @@ inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero())
 }
 
 } // namespace tactum::test
+
+namespace QTest {
+
+template <> inline char* toString(const tactum::FalconLegs& legs) {
+    return qstrdup(QByteArray::number(legs[0]) + ' ' + QByteArray::number(legs[1]) + ' ' +
+                   QByteArray::number(legs[2]));
+}
+
+} // namespace QTest

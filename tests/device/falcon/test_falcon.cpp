@@ -377,12 +377,12 @@ private slots:
         auto falcon = bench.opened();
         QVERIFY(!bench.device->firstHadTorque());
         exchange(*falcon, 50, kPush);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         falcon->close();
         QCOMPARE(bench.device->motors(), kNoTorque);
         VERIFY_RESULT(falcon->open());
         exchange(*falcon, 50, kPush);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         falcon.reset();
         QCOMPARE(bench.device->motors(), kNoTorque);
     }
@@ -394,13 +394,13 @@ private slots:
         bench.device->startFirmware(true);
         VERIFY_RESULT(falcon->open());
         exchange(*falcon, 50, kPush);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         falcon->emergencyStop();
         QTest::qSleep(5);
         exchange(*falcon, 1);
         QCOMPARE(bench.device->motors(), kNoTorque);
         exchange(*falcon, 50, kPush);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         const pid_t child = fork();
         if (child == 0) {
             falcon->emergencyStop();
@@ -452,7 +452,7 @@ private slots:
         FalconBench bench;
         const auto falcon = bench.opened();
         QCOMPARE_GT(exchange(*falcon, 100, kPush).valid, 80);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         const int before = bench.device->torqueCommands();
         fault.begin(bench);
         exchange(*falcon, 12, kPush);
@@ -473,7 +473,7 @@ private slots:
         const int valid = exchange(*falcon, 50).valid;
         QCOMPARE_GT(valid, 40);
         QCOMPARE_GT(exchange(*falcon, 50, kPush).valid, 40);
-        QVERIFY(bench.device->motors() != kNoTorque);
+        QCOMPARE_NE(bench.device->motors(), kNoTorque);
         QVERIFY(!bench.device->overdriven());
         QCOMPARE(bench.device->malformed(), 0);
     }
@@ -534,7 +534,7 @@ private slots:
             falcon->emergencyStop();
             const auto without = falcon->open();
             COMPARE_CONTAINS(refusal(without), "plug in its USB cable");
-            QVERIFY(bench.device->motors() != kNoTorque); // it has power of its own, and knows no better
+            QCOMPARE_NE(bench.device->motors(), kNoTorque); // it has power of its own, and knows no better
             bench.plug();
             VERIFY_RESULT(falcon->open());
             QVERIFY(!bench.device->firstHadTorque());

@@ -235,7 +235,7 @@ private slots:
         QVERIFY(touch.start());
         QVERIFY(touch.restAt({0, 0, -0.01}).found);
         EmulatedFalcon& device = *touch.bench.device;
-        QVERIFY(device.motors() != FalconLegs{});
+        QCOMPARE_NE(device.motors(), FalconLegs{});
         const int before = device.torqueCommands();
         device.setFaults(faults[fault]);
         QVERIFY(eventually([&] { return device.motors() == FalconLegs{}; }));
