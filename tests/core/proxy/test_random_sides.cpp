@@ -147,9 +147,10 @@ void RandomSidesTest::whatIsFeltFromOutsideIsNeverEntered() {
 
 // From outside it comes in freely; once it was within, clear of the wall, it stays so.
 void RandomSidesTest::whatIsFeltFromInsideIsNeverLeft() {
-    int held = 0;
+    int held = 0, tried = 0;
     const QString fault = failures(2'000, [&](std::uint64_t number) {
         Trial trial(number, Sides::Back);
+        ++tried;
         bool isHeld = false;
         return faultIn(trial, Vec3(0, 0, 1.5 * trial.half + 2 * trial.radius), [&](const Vec3& proxy) {
             const bool isIn = trial.isClear(trial.clear(proxy)) && isInside(*trial.soup, proxy);
@@ -160,7 +161,7 @@ void RandomSidesTest::whatIsFeltFromInsideIsNeverLeft() {
         });
     });
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
-    QCOMPARE_GT(held, 200);
+    QCOMPARE_GT(held, tried / 10);
 }
 
 TACTUM_TEST(RandomSidesTest)

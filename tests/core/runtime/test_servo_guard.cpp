@@ -46,7 +46,11 @@ private slots:
         for (; shaken < 100 && held.state.oscillations == 0; ++shaken)
             held.tick({0, 0, -kDepth + 5e-4 * std::sin(2 * M_PI * 50 * shaken * kTick)});
         QCOMPARE(held.state.oscillations, std::uint64_t(1));
-        held.rest({0, 0, -kDepth}, 51);
+        for (int i = 0; i < 51; ++i) { // over 50 ms, not at once
+            const double calm = held.state.calm;
+            held.tick({0, 0, -kDepth});
+            QCOMPARE_LE(calm - held.state.calm, 0.5 * kTick / 0.05 + 1e-12);
+        }
         QCOMPARE_LE(held.state.calm, 0.5 + 1e-9);
         QCOMPARE_LE(held.output.force.z(), 0.5 * before + 1e-6);
 
