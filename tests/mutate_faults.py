@@ -18,8 +18,9 @@ OPPOSITE = {"+": "-", "-": "+", "+=": "-=", "-=": "+=", "*": "/", "/": "*", "*="
             "cwiseMax": "cwiseMin", "++": "--", "--": "++"}
 KINDS = {"+": "sum", "-": "sum", "*": "factor", "/": "factor", "&": "and, or", "|": "and, or"}
 # No test can miss these, or nobody may: a wrong process killed, a wrong folder removed.
-KEPT = {"assert", "assertNotRealtime", "static_assert", "reserve", "shrink_to_fit", "_mm_prefetch", "__builtin_prefetch", "Q_UNUSED", "kill",
-        "remove_all", "setContentsMargins", "setSpacing", "addStretch", "addSpacing"}
+KEPT = {"assert", "assertNotRealtime", "static_assert", "reserve", "shrink_to_fit", "_mm_prefetch",
+        "__builtin_prefetch", "Q_UNUSED", "kill", "remove_all", "setContentsMargins", "setSpacing", "addStretch",
+        "addSpacing"}
 # Nor is what stands in the brackets after these code that runs.
 SPARED = KEPT | {"noexcept", "decltype", "sizeof", "alignas", "requires", "operator"}
 NO_EXPRESSION = {"if", "for", "while", "switch", "do", "else", "return", "break", "case", "default", "try", "auto",
