@@ -2,8 +2,10 @@
 #include <clocale>
 #include <locale>
 #include <random>
+#include <thread>
 
 #include <QTest>
+#include <sys/stat.h>
 
 #include "core/base/text.h"
 #include "core/files/source.h"
@@ -180,7 +182,14 @@ private slots:
             const std::string found = insideFolder(home, reference).string();
             QVERIFY2(found.empty(), (inQuotes(reference) + " led to " + found).c_str());
         }
-        QVERIFY(insideFolder(folder_.path() / "nowhere", "a.bin").empty());
+        // Without a folder it is the current one; where there is none nothing is taken from there.
+        const fs::path current = fs::current_path();
+        fs::current_path(home / "parts");
+        const std::string here = insideFolder("", "a.bin").string(),
+                          nowhere = insideFolder(folder_.path() / "nowhere", "a.bin").string();
+        fs::current_path(current);
+        QCOMPARE(here, file);
+        QCOMPARE(nowhere, std::string());
     }
 
     void aFileAsLargeAsMayBeIsReadWhole() {
@@ -193,6 +202,48 @@ private slots:
         } catch (const ReadFault& fault) {
             const std::string& text = fault.error.text;
             QVERIFY2(text.find("has 10 bytes, more than the 9") != std::string::npos, text.c_str());
+        }
+    }
+
+    /// Somebody cuts the file short after the first 8 MiB were read.
+    void aFileThatEndsWhileItIsReadIsGivenUp() {
+        constexpr std::uint64_t kBlock = 8 << 20;
+        const auto file = folder_.write("long.obj", "");
+        std::filesystem::resize_file(file, kBlock + 1000);
+        Progress progress;
+        progress.report = [&](double) { std::filesystem::resize_file(file, kBlock); };
+        try {
+            Source::open(file, 2 * kBlock, progress);
+            QFAIL("it was read to an end that is not there");
+        } catch (const ReadFault& fault) {
+            const std::string& text = fault.error.text;
+            QVERIFY2(text.find("stopped being readable") != std::string::npos, text.c_str());
+        }
+    }
+
+    /// A pipe is read where that is wanted, to its end and no farther than may be; else nobody waits for it.
+    void aPipeIsReadToItsEnd() {
+        const auto pipe = folder_.path() / "pipe.csv";
+        QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
+        const auto read = [&](const std::string& said, std::uint64_t limit) -> std::string {
+            std::jthread writer([&] { std::ofstream(pipe, std::ios::binary) << said; });
+            try {
+                return std::string(Source::openFileOrPipe(pipe, limit).bytes());
+            } catch (const ReadFault& fault) {
+                return fault.error.text;
+            }
+        };
+        const std::string ten = "ten bytes\n";
+        QCOMPARE(read(ten, 10), ten);
+        const std::string tooMuch = read(ten, 9), nothing = read("", 9);
+        QVERIFY2(tooMuch.find("has 10 bytes, more than the 9") != std::string::npos, tooMuch.c_str());
+        QVERIFY2(nothing.find("nothing came through the pipe") != std::string::npos, nothing.c_str());
+        try {
+            Source::open(pipe, 10);
+            QFAIL("a pipe was waited for");
+        } catch (const ReadFault& fault) {
+            const std::string& text = fault.error.text;
+            QVERIFY2(text.find("cannot be read as a file") != std::string::npos, text.c_str());
         }
     }
 

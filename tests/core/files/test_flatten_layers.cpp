@@ -311,9 +311,11 @@ void TestFlattenLayers::theCoverGoesOnForTwoTexels() {
         for (Index i = 0; i < 3; ++i) { // the last one is another surface's
             soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
             soup.surfaceOf.push_back(i / 2);
-            const Vector2d middle(uniform(rng, 0.2, 0.8), uniform(rng, 0.2, 0.8));
+            const Vector2d middle(uniform(rng, 0, 1), uniform(rng, 0, 1)); // some reach beyond the canvas
+            const double edge = uniform(rng, -0.2, 0.2);
             for (int k = 0; k < 3; ++k) {
-                const Vector2d uv = middle + Vector2d(uniform(rng, -0.2, 0.2), uniform(rng, -0.2, 0.2));
+                Vector2d uv = middle + Vector2d(uniform(rng, -0.2, 0.2), uniform(rng, -0.2, 0.2));
+                if (i == 0 && k < 2) uv.y() = middle.y() + edge; // along a row
                 soup.positions.emplace_back(uv.x(), uv.y(), double(i));
                 soup.cornerUvs.push_back(uv.cast<float>());
             }
@@ -370,6 +372,10 @@ void TestFlattenLayers::overlappingTexelsAreCounted() {
     QCOMPARE(beside.withoutArea, std::size_t(0));
     add({0.25, 0.25}, {0.5, 0.5}, 0.02); // over a quarter of the first
     add({0.75, 0.75}, {0.75, 1}, 0.03);
+    soup.triangles.push_back({0, 1, 1}); // a line in space
+    soup.surfaceOf.push_back(0);
+    for (const Vector2d& uv : {Vector2d(0, 0), Vector2d(0.5, 0), Vector2d(0, 0.5)})
+        soup.cornerUvs.push_back(uv.cast<float>());
     const UvCover over = coverOf(canvas, soup, 0);
     QCOMPARE(over.withoutArea, std::size_t(2));
     // 16 x 16 texels, but for those on the diagonals of the squares.
@@ -390,6 +396,16 @@ void TestFlattenLayers::theRectangleIsOfItsSurfaceAlone() {
     }
     QCOMPARE(other.low, Vector2d(-2, -2));
     QCOMPARE(other.size, Vector2d(2, 2));
+    // Of a line it is as wide as a unit, and along an edge of the square the square itself.
+    const auto onLine = [&](float u) {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            soup.cornerUvs[corner] = {u, 0.5F};
+        return uvRectangleOf(soup, 0);
+    };
+    QCOMPARE(onLine(2).low, Vector2d(2, 0));
+    QCOMPARE(onLine(2).size, Vector2d(1, 1));
+    QCOMPARE(onLine(1).low, Vector2d(0, 0));
+    QCOMPARE(onLine(1).size, Vector2d(1, 1));
 }
 
 TACTUM_TEST(TestFlattenLayers)

@@ -27,6 +27,7 @@ private slots:
     void aPaddleTakesTheProxyAround();
     void aNarrowBladeIsMetOnItsArc();
     void isSweptAgainstWalls();
+    void eachBodyKeepsItsOwnTriangles();
     void isPushedAlongASlope();
     void ridesOnFriction();
     void doesNotRideWithoutFriction();
@@ -234,6 +235,32 @@ void CarryTest::isSweptAgainstWalls() {
         QVERIFY(!report.passed);
         QVERIFY2(stage.clear() >= kRadius - kMicrometre || report.squeezed, std::to_string(i).c_str());
         QCOMPARE_LE(stage.state.position.z(), 0.0205 - (report.squeezed ? 0 : kRadius - kMicrometre));
+    }
+}
+
+// Ram and wall are one triangle each, of the same number: what keeps the proxy off the one is not left out of
+// the other.
+void CarryTest::eachBodyKeepsItsOwnTriangles() {
+    SoupBuilder big;
+    big.triangle({-0.05, -0.05, 0}, {0.05, -0.05, 0}, {0, 0.08, 0});
+    for (const double speed : {1e-4, 9e-4}) {
+        Stage stage;
+        stage.addStatic(big.build(), at({0, 0, 0.0045}));
+        const int mover = stage.addMover(big.build(), at({0, 0, -0.0015}));
+        const Vec3 finger(0.0005, 0.0002, 0);
+        stage.startAt(finger);
+        for (double z = -0.0015; z + 2 * kRadius < 0.0045; z += speed) {
+            stage.put(mover, at({0, 0, z}));
+            const ProxyReport report = stage.step(finger);
+            QVERIFY(!report.passed && !report.squeezed);
+            const double expected = std::max(0.0, z + kRadius);
+            QVERIFY2(std::abs(stage.state.position.z() - expected) <= kMicrometre,
+                     inMicrons(stage.state.position.z() - expected).c_str());
+        }
+        stage.put(mover, at({0, 0, 0.003})); // half a radius too little
+        QVERIFY(stage.step(finger).squeezed);
+        QVERIFY2(std::abs(stage.state.position.z() - 0.00375) < kMicrometre,
+                 inMicrons(stage.state.position.z()).c_str());
     }
 }
 

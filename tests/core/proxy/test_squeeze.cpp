@@ -25,6 +25,7 @@ class SqueezeTest : public QObject {
 
 private slots:
     void isSqueezedEvenlyAndFreed();
+    void aSqueezeWithinAStepIsTold();
     void isPassedWithoutRoomAndFelt();
     void whatPassedKeepsItsPlaceOnTheBody();
     void eachBodyIsFeltAgainByItself();
@@ -63,6 +64,28 @@ void SqueezeTest::isSqueezedEvenlyAndFreed() {
             QCOMPARE_GT(squeezed, 20);
             COMPARE_NEAR(stage.state.position.z(), kRadius, kMicrometre, "m");
         }
+}
+
+// A bar goes over the proxy in one step, which lies in a gutter and cannot get out of its way: at its end
+// there is room again.
+void SqueezeTest::aSqueezeWithinAStepIsTold() {
+    const Vec3 half(0.0005, 0.05, 0.01);
+    for (const double room : {2.1 * kRadius, 1.5 * kRadius}) {
+        Stage stage;
+        stage.addStatic(sheet(0.05));
+        stage.addStatic(channel(0.05, 2.02 * kRadius));
+        const double height = room + half.z();
+        const int mover = stage.addMover(box(half), at({-0.006, 0, height}));
+        const Vec3 finger(0, 0, kRadius * 1.001);
+        stage.startAt(finger);
+        stage.step(finger);
+        stage.put(mover, at({0.006, 0, height}));
+        const ProxyReport report = stage.step(finger);
+        QVERIFY(!report.passed);
+        QCOMPARE(report.squeezed, room < 2 * kRadius);
+        QVERIFY2((stage.state.position - finger).norm() < 0.05 * kRadius,
+                 inMicrons((stage.state.position - finger).norm()).c_str());
+    }
 }
 
 // The box goes on into the wall: there is no place for the proxy, which stays before the wall. When the box

@@ -406,6 +406,49 @@ private slots:
         QCOMPARE(bench.device->motors(), kNoTorque);
     }
 
+    /// Between opening and the first tick the hand goes wherever it likes: that is no jump.
+    void theHandMayGoAnywhereBeforeTheServoBegins() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        bench.device->putGrip({0.02, 0, 0.01});
+        QTest::qSleep(5);
+        Run run;
+        for (int i = 0; i < 50; ++i) {
+            const DeviceSample sample = falcon->exchange({}, 1e-3);
+            run.valid += sample.valid;
+            if (sample.valid) run.last = sample;
+            QCOMPARE(falcon->trouble(), std::string());
+            QTest::qSleep(1);
+        }
+        QCOMPARE_GE(run.valid, 40);
+        QVERIFY((run.last.position - Vec3(0.02, 0, 0.01)).norm() < 1e-4);
+    }
+
+    /// A device that hears and does not say so gets the last zero twice, the second time past everything
+    /// else.
+    void theLastZeroGoesTwiceToWhoDoesNotAnswer() {
+        for (const bool answers : {true, false}) {
+            FalconBench bench;
+            const auto falcon = bench.opened();
+            exchange(*falcon, 50, kPush);
+            QVERIFY(bench.device->motors() != kNoTorque);
+            bench.device->setFaults({.silent = !answers});
+            for (int i = 0; i < 20; ++i) { // what is still to be said
+                falcon->exchange({kPush}, 0);
+                QTest::qSleep(1);
+            }
+            const int before = bench.device->commands();
+            falcon->close();
+            QTest::qSleep(1);
+            falcon->emergencyStop(); // the bus is looked at: so it has heard all that went before
+            QCOMPARE(bench.device->motors(), kNoTorque);
+            if (answers)
+                QCOMPARE_LE(bench.device->commands() - before, 2); // one of them may have been on its way
+            else
+                QCOMPARE(bench.device->commands() - before, 2);
+        }
+    }
+
     void anEmergencyStopNeedsNothingButTheLink() {
         FalconBench bench;
         const auto falcon = bench.driver();
@@ -458,6 +501,29 @@ private slots:
         QCOMPARE(bench.device->motors(), kNoTorque);
         QCOMPARE(atOnce(kPush) - pushes, 1);
         QCOMPARE(bench.device->motors(), kNoTorque);
+    }
+
+    /// What nobody asked for answers nothing that comes later; what broke on its way was an answer too.
+    void unaskedAnswersAreNoneAndBrokenOnesAreSome() {
+        FalconBench bench;
+        const auto falcon = bench.opened();
+        exchange(*falcon, 50, kPush);
+        const auto atOnce = [&] {
+            const int before = bench.device->commands();
+            for (int i = 0; i < 50; ++i) {
+                falcon->exchange({kPush}, 0);
+                QTest::qSleep(1);
+            }
+            return bench.device->commands() - before;
+        };
+        for (const FalconFaults& fault : {FalconFaults{.wrongEnds = 2}, FalconFaults{.shortReports = 2}}) {
+            bench.device->setFaults(fault);
+            QCOMPARE_GE(atOnce(), 40);
+        }
+        bench.device->setFaults({.repeats = 2});
+        QCOMPARE_GE(atOnce(), 40);
+        bench.device->setFaults({.silent = true});
+        QCOMPARE_LE(atOnce(), 3); // two, and one that was on its way
     }
 
     /// Within ten exchanges nothing is valid any more and the motors are off, as the device sees it, or as
