@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "core/scene/scene.h"
 
 namespace tactum {

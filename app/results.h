@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "core/scene/findings.h"
 
 namespace tactum {

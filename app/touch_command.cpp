@@ -8,9 +8,9 @@
 #include "app/picture.h"
 #include "app/results.h"
 #include "core/files/read_finger_path.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/replay.h"
 #include "core/import/import_scene.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/replay.h"
 
 namespace tactum {
 

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/control/device_check.h"
-#include "core/control/device_figures.h"
+#include "core/port/device_check.h"
+#include "core/port/device_figures.h"
 #include "device/built_in_profiles.h"
 
 namespace tactum {

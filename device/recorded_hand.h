@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

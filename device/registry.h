@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/control/device_catalogue.h"
-#include "core/control/hand_target.h"
+#include "core/port/device_catalogue.h"
+#include "core/port/hand_target.h"
 
 namespace tactum {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "core/control/hand_target.h"
-#include "core/control/haptic_device.h"
+#include "core/port/hand_target.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

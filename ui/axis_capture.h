@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/control/device_frame.h"
+#include "core/port/device_frame.h"
 
 namespace tactum {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "ui/world_publisher.h"
 
 namespace tactum {

@@ -8,8 +8,8 @@
 #include <QElapsedTimer>
 #include <QObject>
 
+#include "core/haptics/touch_difference.h"
 #include "core/runtime/engine.h"
-#include "core/runtime/touch_difference.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 

@@ -11,8 +11,8 @@
 #include <QThreadPool>
 #include <QTimer>
 
-#include "core/control/device_catalogue.h"
-#include "core/control/stop_button.h"
+#include "core/port/device_catalogue.h"
+#include "core/port/stop_button.h"
 #include "core/runtime/engine.h"
 
 namespace tactum {

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "core/control/workspace.h"
+#include "core/port/workspace.h"
 #include "core/surface/parameter.h"
 
 namespace tactum {

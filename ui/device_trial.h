@@ -1,7 +1,7 @@
 // Small scenes to try a device with: made in code, felt instead of the person's own.
 #pragma once
 
-#include "core/control/device_frame.h"
+#include "core/port/device_frame.h"
 #include "core/scene/scene.h"
 
 namespace tactum {

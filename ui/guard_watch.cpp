@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/control/guard_words.h"
+#include "core/safety/guard_words.h"
 #include "ui/health_words.h"
 
 namespace tactum {

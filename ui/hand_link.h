@@ -5,8 +5,8 @@
 
 #include <QObject>
 
-#include "core/control/hand_target.h"
 #include "core/geometry/triangle_soup.h"
+#include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
 
 namespace tactum {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 #include "core/scene/surface_ref.h"
 #include "ui/last_stroke.h"
 #include "ui/layer_edits.h"

@@ -9,8 +9,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include "core/control/hand_target.h"
 #include "core/geometry/mend.h"
+#include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
 #include "ui/device_settings.h"
 #include "ui/device_trial.h"

@@ -5,7 +5,7 @@
 #include <QStandardPaths>
 
 #include "core/base/atomic_file.h"
-#include "core/control/guard_words.h"
+#include "core/safety/guard_words.h"
 
 namespace tactum {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 
 namespace tactum {
 

@@ -6,8 +6,8 @@
 
 #include <QObject>
 
+#include "core/haptics/world.h"
 #include "core/runtime/engine.h"
-#include "core/runtime/world.h"
 #include "ui/background_job.h"
 #include "ui/document.h"
 #include "ui/layer_edits.h"

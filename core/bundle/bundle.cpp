@@ -18,8 +18,8 @@
 #include "core/files/save_scene.h"
 #include "core/files/source.h"
 #include "core/files/x3d/write_x3d.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/replay.h"
 
 namespace tactum {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 
 namespace tactum {
 namespace {

@@ -1,5 +1,6 @@
 // Queries of the hierarchy. Their kernel is compiled for plain processors and for those with AVX2; the one
 // that runs is chosen when the program starts. Both give the same bits.
+// Thread: real time.
 
 #include <algorithm>
 #include <bit>

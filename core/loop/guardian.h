@@ -7,7 +7,7 @@
 #include <sys/types.h>
 
 #include "core/base/result.h"
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

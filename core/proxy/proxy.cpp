@@ -1,17 +1,7 @@
 #include "core/proxy/proxy.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include "core/base/inplace_vector.h"
 #include "core/proxy/carry.h"
-#include "core/proxy/felt_planes.h"
-#include "core/proxy/passed_bodies.h"
-#include "core/proxy/straddled_bodies.h"
-#include "core/surface/friction.h"
+#include "core/proxy/step.h"
 
 namespace tactum {
 
@@ -23,16 +13,6 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept {
     for (SweepMemory& memory : state.memories)
         memory.mesh = nullptr;
 }
-
-namespace {
-#include "core/proxy/step/step.inc"
-
-#include "core/proxy/step/curved.inc"
-#include "core/proxy/step/felt.inc"
-#include "core/proxy/step/friction.inc"
-#include "core/proxy/step/rounds.inc"
-#include "core/proxy/step/sweep.inc"
-} // namespace
 
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers,

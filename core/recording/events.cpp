@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/control/guard_words.h"
+#include "core/safety/guard_words.h"
 
 namespace tactum {
 namespace {

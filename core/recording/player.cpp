@@ -6,7 +6,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/realtime.h"
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 
 namespace tactum {
 namespace {

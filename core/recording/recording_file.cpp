@@ -8,9 +8,9 @@
 
 #include "core/base/realtime.h"
 #include "core/base/text.h"
-#include "core/control/device_figures.h"
 #include "core/files/source.h"
 #include "core/import/import_scene.h"
+#include "core/port/device_figures.h"
 #include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
 #include "core/recording/scene_bytes.h"

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "core/control/device_check.h"
-#include "core/control/guard_words.h"
-#include "core/control/workspace.h"
 #include "core/geometry/soup_builder.h"
+#include "core/port/device_check.h"
+#include "core/port/workspace.h"
+#include "core/safety/guard_words.h"
 
 namespace tactum {
 namespace {

@@ -16,12 +16,12 @@
 
 #include "core/base/vec.h"
 #include "core/base/wait_free.h"
-#include "core/control/workspace.h"
-#include "core/runtime/haptic_step.h"
+#include "core/haptics/haptic_step.h"
+#include "core/haptics/world.h"
+#include "core/port/workspace.h"
 #include "core/runtime/recorder.h"
 #include "core/runtime/servo_telemetry.h"
 #include "core/runtime/trace_point.h"
-#include "core/runtime/world.h"
 
 namespace tactum {
 

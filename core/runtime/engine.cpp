@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/base/realtime.h"
-#include "core/control/device_check.h"
+#include "core/haptics/compile.h"
 #include "core/loop/realtime_thread.h"
-#include "core/runtime/compile.h"
+#include "core/port/device_check.h"
 #include "core/runtime/proxy_loop.h"
 #include "core/runtime/servo_loop.h"
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/control/haptic_device.h"
+#include "core/haptics/world.h"
+#include "core/port/haptic_device.h"
 #include "core/runtime/channels.h"
-#include "core/runtime/world.h"
 
 namespace tactum {
 

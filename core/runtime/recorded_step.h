@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 
-#include "core/runtime/haptic_step.h"
-#include "core/runtime/servo_step.h"
+#include "core/haptics/haptic_step.h"
+#include "core/safety/servo_step.h"
 
 namespace tactum {
 

@@ -6,8 +6,8 @@
 
 #include "core/base/clock.h"
 #include "core/base/realtime.h"
-#include "core/control/reading_clock.h"
 #include "core/loop/realtime_thread.h"
+#include "core/port/reading_clock.h"
 
 namespace tactum {
 namespace {

@@ -1,9 +1,9 @@
 // The loop that belongs to the device: its clock and its exchange around servoStep().
 #pragma once
 
-#include "core/control/haptic_device.h"
 #include "core/loop/guardian.h"
 #include "core/loop/metronome.h"
+#include "core/port/haptic_device.h"
 #include "core/runtime/canary.h"
 #include "core/runtime/channels.h"
 

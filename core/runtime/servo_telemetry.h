@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/runtime/period_histogram.h"
-#include "core/runtime/servo_step.h"
+#include "core/safety/servo_step.h"
 
 namespace tactum {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "core/runtime/haptic_step.h"
-#include "core/runtime/servo_step.h"
+#include "core/haptics/haptic_step.h"
+#include "core/safety/servo_step.h"
 
 namespace tactum {
 

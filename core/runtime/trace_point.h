@@ -1,7 +1,7 @@
 // One servo tick as the window draws it over time.
 #pragma once
 
-#include "core/runtime/contact_model.h"
+#include "core/haptics/contact_model.h"
 
 namespace tactum {
 

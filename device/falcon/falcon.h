@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 #include "device/falcon/falcon_readings.h"
 #include "device/usb/usb_link.h"
 

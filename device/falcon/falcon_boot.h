@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/control/opening.h"
+#include "core/port/opening.h"
 #include "device/usb/usb_link.h"
 
 namespace tactum {

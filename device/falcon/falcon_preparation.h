@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/control/opening.h"
+#include "core/port/opening.h"
 #include "device/usb/usb_link.h"
 
 namespace tactum {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 #include "device/falcon/falcon_kinematics.h"
 
 namespace tactum {

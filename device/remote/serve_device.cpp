@@ -8,11 +8,11 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "core/control/device_check.h"
-#include "core/control/force_limiter.h"
 #include "core/loop/guardian.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
+#include "core/port/device_check.h"
+#include "core/port/force_limiter.h"
 #include "device/remote/wire.h"
 
 namespace tactum {

@@ -1,7 +1,7 @@
 // The other side of a remote device: the process in which the driver runs.
 #pragma once
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

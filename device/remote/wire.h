@@ -10,8 +10,8 @@
 #include <sys/types.h>
 #include <type_traits>
 
-#include "core/control/device_figures.h"
-#include "core/control/device_mailbox.h"
+#include "core/port/device_figures.h"
+#include "core/port/device_mailbox.h"
 
 namespace tactum::wire {
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/base/text.h"
-#include "core/control/force_limiter.h"
+#include "core/port/force_limiter.h"
 #include "device/vendor/dhd_api.h"
 
 namespace tactum {

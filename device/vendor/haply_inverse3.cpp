@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "core/base/text.h"
-#include "core/control/device_check.h"
-#include "core/control/force_limiter.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
+#include "core/port/device_check.h"
+#include "core/port/force_limiter.h"
 #include "device/vendor/haply_messages.h"
 #include "device/vendor/shared_mailbox.h"
 #include "device/vendor/web_socket.h"

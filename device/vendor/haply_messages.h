@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum::haply {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "core/base/text.h"
-#include "core/control/force_limiter.h"
+#include "core/port/force_limiter.h"
 #include "device/vendor/hd_api.h"
 #include "device/vendor/own_word.h"
 #include "device/vendor/shared_mailbox.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/control/device_catalogue.h"
+#include "core/port/device_catalogue.h"
 
 namespace tactum {
 

@@ -4,7 +4,7 @@
 #include <new>
 #include <sys/mman.h>
 
-#include "core/control/device_mailbox.h"
+#include "core/port/device_mailbox.h"
 
 namespace tactum {
 

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <memory>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 #include "device/usb/usb_link.h"
 #include "device/wooden_haptics/arm.h"
 #include "device/wooden_haptics/report.h"

@@ -6,8 +6,8 @@
 
 #include "core/bundle/preview.h"
 #include "core/files/gltf/write_gltf.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/replay.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {

@@ -197,6 +197,40 @@ Faults formFaults(const SourceFile& file) {
     return faults;
 }
 
+bool isMarkedRealtime(const SourceFile& file) {
+    static const std::regex lineOfComment(R"(\n\s*//+ ?)"), sentence(R"(Thread[^.]*real time)"),
+        exception(R"((but|not|outside)[^,;.]*real time)");
+    const std::string text = std::regex_replace(file.text, lineOfComment, " ");
+    for (std::sregex_iterator at(text.begin(), text.end(), sentence), end; at != end; ++at)
+        if (!std::regex_search(at->str(), exception)) return true;
+    return false;
+}
+
+std::vector<SourceFile> realtimeSources(const std::vector<SourceFile>& files) {
+    std::map<std::string, const SourceFile*> byPath;
+    std::set<std::string> marked, met;
+    std::vector<std::string> todo;
+    for (const SourceFile& file : files) {
+        byPath[file.path] = &file;
+        if (isMarkedRealtime(file)) marked.insert(file.path);
+        if (marked.contains(file.path) || file.text.find("const RealtimeScope ") != std::string::npos)
+            todo.push_back(file.path);
+    }
+    while (!todo.empty()) {
+        const std::string path = todo.back();
+        todo.pop_back();
+        if (!byPath.contains(path) || !met.insert(path).second) continue;
+        for (const auto& include : includesOf(byPath[path]->text))
+            todo.push_back(include);
+        if (isHeader(path) && marked.contains(path)) todo.push_back(path.substr(0, path.size() - 2) + ".cpp");
+    }
+    std::vector<SourceFile> found;
+    for (const SourceFile& file : files)
+        if (met.contains(file.path) && (!isHeader(file.path) || marked.contains(file.path)))
+            found.push_back(file);
+    return found;
+}
+
 Faults realtimeFaults(const SourceFile& file) {
     Faults faults;
     for (const auto& include : includesOf(file.text))

@@ -38,6 +38,14 @@ Faults wrongLinks(const SourceFile& cmakeLists);
 /// Headers without #pragma once, files without a comment in their first line, core headers with <iostream>.
 Faults formFaults(const SourceFile& file);
 
+/// Whether some sentence of it says "Thread: ... real time", and not "any but real time".
+bool isMarkedRealtime(const SourceFile& file);
+
+/// What runs in real time, in the order of `files`: whatever is marked so or opens a RealtimeScope, the
+/// source of each header that is marked, and so on through all that these include, whose own headers may be
+/// unmarked.
+std::vector<SourceFile> realtimeSources(const std::vector<SourceFile>& files);
+
 /// What a file that runs in real time must not include.
 Faults realtimeFaults(const SourceFile& file);
 

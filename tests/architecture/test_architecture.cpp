@@ -1,5 +1,7 @@
 // The arrows of the house, read from sources and build files themselves; and the reader on sources with known
 // faults.
+#include <algorithm>
+
 #include <QTest>
 
 #include "tests/architecture/house_plan.h"
@@ -61,19 +63,26 @@ private slots:
     void judgesALink();
     void reportsForm();
     void reportsRings();
+    void findsWhatRunsInRealTime();
     void reportsALockInRealTime();
 };
 
 void TestArchitecture::realtimeFilesNeitherLockNorWrite() {
-    for (std::string_view stem : kRealtimeFiles) {
-        int found = 0;
-        for (const auto& file : sources_) {
-            if (file.path.substr(0, file.path.rfind('.')) != stem) continue;
-            ++found;
-            expectNone(realtimeFaults(file));
-        }
-        QVERIFY2(found > 0, qPrintable(QString("%1 is gone: mend kRealtimeFiles").arg(QLatin1String(stem))));
-    }
+    const std::vector<SourceFile> files = realtimeSources(sources_);
+    const auto isOneOfThem = [&](const char* path) {
+        return std::ranges::any_of(files, [&](const SourceFile& file) { return file.path == path; });
+    };
+    // Some of each kind: loops, what they call, what that includes, drivers, and what never runs there.
+    for (const char* path :
+         {"core/runtime/servo_loop.cpp", "core/runtime/proxy_loop.cpp", "core/safety/servo_step.cpp",
+          "core/haptics/haptic_step.cpp", "core/proxy/step_rounds.cpp",
+          "core/collision/sphere_tree_sweep.cpp", "core/collision/kernel/lanes.inc",
+          "core/surface/image_sample.cpp", "core/base/wait_free.h", "core/port/device_mailbox.h",
+          "device/falcon/falcon_packet.cpp"})
+        QVERIFY2(isOneOfThem(path), path);
+    for (const char* path : {"core/haptics/compile.cpp", "core/runtime/engine.cpp", "core/base/progress.h"})
+        QVERIFY2(!isOneOfThem(path), path);
+    expectNone(collect(files, realtimeFaults));
 }
 
 void TestArchitecture::readsEveryFormOfInclude() {
@@ -104,10 +113,13 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/proxy/a.h", "\"core/scene/scene.h\"", false);
     add("core/base/a.h", "\"core/geometry/triangle.h\"", false);
     add("core/surface/a.h", "\"core/collision/sphere_tree.h\"", false);
-    add("core/control/a.h", "\"core/runtime/world.h\"", false);
+    add("core/port/a.h", "\"core/haptics/world.h\"", false);
+    add("core/haptics/a.h", "\"core/port/haptic_device.h\"", false);
+    add("core/haptics/a.h", "\"core/loop/metronome.h\"", false); // no thread, no clock
+    add("core/safety/a.h", "\"core/loop/metronome.h\"", false);
     add("core/runtime/a.cpp", "\"core/dynamics/body_motion.h\"", true);
     add("core/runtime/a.cpp", "\"device/simulated_hand.h\"", false);
-    add("device/a.h", "\"core/control/haptic_device.h\"", true);
+    add("device/a.h", "\"core/port/haptic_device.h\"", true);
     add("device/a.h", "\"core/scene/scene.h\"", false);
     add("ui/a.cpp", "\"core/runtime/engine.h\"", true);
     add("ui/view/a.cpp", "\"ui/theme.h\"", true);
@@ -168,6 +180,23 @@ void TestArchitecture::reportsRings() {
     QVERIFY(includeRings({a, b, source("ui/c.h", "<vector>")}).empty());
     QCOMPARE(includeRings({a, b, source("ui/c.h", "\"ui/a.h\"")}),
              Faults{"these include each other: ui/a.h -> ui/b.h -> ui/c.h -> ui/a.h"});
+}
+
+void TestArchitecture::findsWhatRunsInRealTime() {
+    const SourceFile loop{"core/a/loop.cpp", "#include \"core/a/step.h\"\nconst RealtimeScope scope;"},
+        step{"core/a/step.h", "// A step.\n/// Bounded. Thread:\n/// real time.\nvoid f();"},
+        stepSource{"core/a/step.cpp", "#include \"core/a/data.h\"\n"},
+        data{"core/a/data.h", "// Values.\n#include <functional>\n"},
+        maker{"core/a/data.cpp", "#include <map>\n"},
+        compile{"core/a/compile.h", "/// Thread: any but real time.\nvoid g();"};
+    QVERIFY(isMarkedRealtime(step));
+    QVERIFY(!isMarkedRealtime(compile));
+    QVERIFY(!isMarkedRealtime(
+        {"core/a/b.h", "/// Thread: any, outside every RealtimeScope. In real time: no.\n"}));
+    QStringList paths;
+    for (const SourceFile& file : realtimeSources({loop, step, stepSource, data, maker, compile}))
+        paths += QString::fromStdString(file.path);
+    QCOMPARE(paths, (QStringList{"core/a/loop.cpp", "core/a/step.h", "core/a/step.cpp"}));
 }
 
 void TestArchitecture::reportsALockInRealTime() {

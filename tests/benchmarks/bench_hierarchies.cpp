@@ -10,8 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include "core/collision/sweep_memory.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/replay.h"
 #include "tests/benchmarks/box_surroundings.h"
 #include "tests/benchmarks/descent.h"
 #include "tests/benchmarks/one_core.h"

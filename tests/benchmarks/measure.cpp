@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "tests/benchmarks/one_core.h"
 
 #if __has_include(<valgrind/callgrind.h>)

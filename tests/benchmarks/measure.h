@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "core/scene/finger_path.h"
 #include "core/scene/scene.h"
 #include "tests/support/exactness.h"

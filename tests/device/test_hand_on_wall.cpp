@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/runtime/haptic_step.h"
+#include "core/haptics/haptic_step.h"
 #include "device/simulated_hand.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"

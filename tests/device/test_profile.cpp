@@ -4,8 +4,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/control/device_check.h"
-#include "core/control/safe_stiffness.h"
+#include "core/port/device_check.h"
+#include "core/safety/safe_stiffness.h"
 #include "device/profile.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"

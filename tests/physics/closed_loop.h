@@ -4,7 +4,7 @@
 #include <deque>
 #include <functional>
 
-#include "core/runtime/servo_step.h"
+#include "core/safety/servo_step.h"
 #include "tests/physics/plant.h"
 #include "tests/support/soups.h"
 

@@ -1,7 +1,7 @@
 // Writes the Z-width map as CSV: the baseline of test_stability_map, and what docs/stability.md draws.
 #include <cstdio>
 
-#include "core/control/safe_stiffness.h"
+#include "core/safety/safe_stiffness.h"
 #include "tests/physics/z_width.h"
 
 using namespace tactum;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum::test {
 

@@ -4,9 +4,9 @@
 #include <deque>
 #include <memory>
 
-#include "core/control/reading_clock.h"
-#include "core/runtime/haptic_step.h"
-#include "core/runtime/servo_step.h"
+#include "core/haptics/haptic_step.h"
+#include "core/port/reading_clock.h"
+#include "core/safety/servo_step.h"
 #include "tests/physics/closed_loop.h"
 
 namespace tactum::test {

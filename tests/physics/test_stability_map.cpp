@@ -2,7 +2,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/control/safe_stiffness.h"
+#include "core/safety/safe_stiffness.h"
 #include "tests/physics/z_width.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"

@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "core/control/oscillation_detector.h"
+#include "core/safety/oscillation_detector.h"
 #include "tests/physics/hand_script.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"

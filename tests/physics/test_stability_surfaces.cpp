@@ -7,7 +7,7 @@
 
 #include <QTest>
 
-#include "core/control/safe_stiffness.h"
+#include "core/safety/safe_stiffness.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"

@@ -20,7 +20,7 @@
 #include <unistd.h>
 
 #include "core/base/realtime.h"
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "core/runtime/engine.h"
 #include "device/simulated_hand.h"
 #include "tests/core/runtime/patience.h"

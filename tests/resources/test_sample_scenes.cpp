@@ -12,8 +12,8 @@
 #include "core/files/read_finger_path.h"
 #include "core/geometry/mesh_health.h"
 #include "core/geometry/triangle.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/replay.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_soup.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 
 namespace tactum::test {
 

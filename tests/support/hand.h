@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/haptics/compile.h"
+#include "core/haptics/haptic_step.h"
 #include "core/proxy/proxy.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/haptic_step.h"
 #include "tests/support/soups.h"
 
 namespace tactum::test {

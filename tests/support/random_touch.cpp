@@ -1,8 +1,8 @@
 #include "tests/support/random_touch.h"
 
-#include "core/control/force_limiter.h"
-#include "core/runtime/compile.h"
-#include "core/runtime/haptic_step.h"
+#include "core/haptics/compile.h"
+#include "core/haptics/haptic_step.h"
+#include "core/port/force_limiter.h"
 #include "tests/support/soups.h"
 
 namespace tactum::test {

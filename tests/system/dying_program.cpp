@@ -5,7 +5,7 @@
 #include <string_view>
 #include <thread>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "core/runtime/engine.h"
 #include "tests/support/hand.h"
 #include "tests/system/watched_device.h"

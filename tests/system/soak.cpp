@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <thread>
 
-#include "core/control/guard_words.h"
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "core/runtime/engine.h"
+#include "core/safety/guard_words.h"
 #include "device/simulated_hand.h"
 #include "tests/support/hand.h"
 #include "tests/support/page_faults.h"

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "core/base/clock.h"
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum::test {
 

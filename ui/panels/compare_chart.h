@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 
 namespace tactum {
 

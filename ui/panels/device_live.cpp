@@ -7,8 +7,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "core/control/motor_heat.h"
 #include "core/runtime/engine.h"
+#include "core/safety/motor_heat.h"
 #include "ui/numbers.h"
 #include "ui/panels/button_lamps.h"
 #include "ui/panels/choice_box.h"

@@ -6,8 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "core/control/motor_heat.h"
-#include "core/control/passivity.h"
+#include "core/safety/motor_heat.h"
+#include "core/safety/passivity.h"
 #include "ui/numbers.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/level_bar.h"

@@ -7,7 +7,7 @@
 
 #include <QWidget>
 
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 #include "ui/document.h"
 #include "ui/last_stroke.h"
 #include "ui/layer_edits.h"

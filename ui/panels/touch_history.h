@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/runtime/haptic_step.h"
+#include "core/haptics/haptic_step.h"
 #include "core/runtime/trace_point.h"
 
 namespace tactum {

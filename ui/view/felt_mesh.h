@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 #include "ui/view/felt_options.h"
 
 namespace tactum {

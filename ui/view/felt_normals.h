@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 #include "ui/view/felt_mesh.h"
 
 namespace tactum {

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 #include "ui/view/aside.h"
 #include "ui/view/felt_mesh.h"
 #include "ui/view/model_layer.h"

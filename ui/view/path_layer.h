@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "ui/theme.h"
 #include "ui/view/view_camera.h"
 

@@ -11,8 +11,8 @@
 #include <QStringList>
 
 #include "core/geometry/triangle_set.h"
+#include "core/haptics/world.h"
 #include "core/runtime/channels.h"
-#include "core/runtime/world.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/felt_options.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/runtime/world.h"
+#include "core/haptics/world.h"
 
 namespace tactum {
 

@@ -6,7 +6,7 @@
 #include <QSize>
 
 #include "core/base/result.h"
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "core/scene/scene.h"
 
 namespace tactum {

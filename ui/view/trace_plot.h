@@ -3,7 +3,7 @@
 
 #include <QRectF>
 
-#include "core/runtime/replay.h"
+#include "core/haptics/replay.h"
 #include "ui/theme.h"
 
 class QPainter;

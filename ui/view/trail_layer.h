@@ -9,7 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
-#include "core/runtime/haptic_step.h"
+#include "core/haptics/haptic_step.h"
 #include "core/runtime/trace_point.h"
 #include "ui/theme.h"
 

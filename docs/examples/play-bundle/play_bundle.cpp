@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include <core/bundle/bundle.h>
-#include <core/runtime/compile.h>
-#include <core/runtime/haptic_step.h>
+#include <core/haptics/compile.h>
+#include <core/haptics/haptic_step.h>
 
 int main(int argc, char** argv) {
     if (argc != 2) {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <functional>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "core/runtime/recorder.h"
 #include "tests/realtime/bumpy_scene.h"
 

@@ -7,9 +7,9 @@
 
 #include <QTest>
 
+#include "core/haptics/compile.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
-#include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
 #include "device/simulated_hand.h"
 #include "tests/core/runtime/patience.h"

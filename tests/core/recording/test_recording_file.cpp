@@ -7,12 +7,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/control/guard_words.h"
 #include "core/files/load_scene.h"
+#include "core/haptics/compile.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
-#include "core/runtime/compile.h"
+#include "core/safety/guard_words.h"
 #include "tests/core/recording/hand_made_run.h"
 #include "tests/realtime/bumpy_scene.h"
 #include "tests/support/compare.h"

@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "core/runtime/recorded_step.h"
 #include "core/runtime/state_bytes.h"
 #include "tests/realtime/bumpy_scene.h"

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

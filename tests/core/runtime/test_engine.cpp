@@ -6,9 +6,9 @@
 
 #include <QTest>
 
+#include "core/haptics/compile.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
-#include "core/runtime/compile.h"
 #include "core/runtime/engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"

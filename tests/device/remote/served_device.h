@@ -10,7 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "core/control/device_mailbox.h"
+#include "core/port/device_mailbox.h"
 
 namespace tactum::test {
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 #include "tests/support/patience.h"
 
 namespace tactum::test {

@@ -1,6 +1,6 @@
 #include <QTest>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"

@@ -2,7 +2,7 @@
 #include <QApplication>
 #include <QTest>
 
-#include "core/runtime/compile.h"
+#include "core/haptics/compile.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"

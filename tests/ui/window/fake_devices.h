@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/control/device_catalogue.h"
-#include "core/control/hand_target.h"
+#include "core/port/device_catalogue.h"
+#include "core/port/hand_target.h"
 #include "device/simulated_hand.h"
 
 namespace tactum {

@@ -4,7 +4,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "core/control/guard.h"
+#include "core/safety/guard.h"
 #include "device/registry.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"

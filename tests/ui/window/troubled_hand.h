@@ -7,7 +7,7 @@
 #include <memory>
 #include <thread>
 
-#include "core/control/haptic_device.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 

@@ -9,9 +9,9 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#include "core/control/guard.h"
-#include "core/control/hand_target.h"
+#include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
+#include "core/safety/guard.h"
 #include "tests/support/waiting.h"
 #include "ui/document.h"
 #include "ui/main_window.h"

@@ -1,0 +1,144 @@
+#include "core/haptics/haptic_step.h"
+
+#include <algorithm>
+
+#include "core/proxy/place.h"
+
+namespace tactum {
+
+namespace {
+
+Vec3 velocityOf(const World& world, const SimState& state, const Contact& contact, double dt) {
+    const int mover = world.obstacles[contact.body].mover;
+    if (mover < 0) return Vec3::Zero();
+    return state.movers[std::size_t(mover)].wayOf(contact.point) / dt;
+}
+
+// Stiffness, damping and velocity of several contacts: the mean, weighted by how hard each pushes. Without a
+// push the last values stay, for a proxy that is still on its way.
+void mixMaterials(const World& world, SimState& state, double dt) {
+    const ProxyState& proxy = state.proxy;
+    double total = 0, stiffness = 0, damping = 0;
+    Vec3 velocity = Vec3::Zero();
+    for (int i = 0; i < proxy.contactCount; ++i) {
+        const Contact& contact = proxy.contacts[i];
+        total += contact.lambda;
+        stiffness += contact.lambda * contact.material.stiffness;
+        damping += contact.lambda * contact.material.damping;
+        velocity += contact.lambda * velocityOf(world, state, contact, dt);
+    }
+    if (!(total > 0)) return;
+    state.model.stiffness = stiffness / total;
+    state.model.damping = damping / total;
+    state.model.velocity = velocity / total;
+}
+
+void addPlane(LocalContactModel& model, const Contact& contact, const Vec3& normal) {
+    if (model.planes == kMaxModelPlanes) return;
+    model.plane[model.planes] = {normal, -contact.gap * normal.dot(contact.normal)};
+    FrictionLimit& friction = model.friction[model.planes++];
+    friction = frictionLimit(contact.material, contact.slipping);
+    friction.lag = frictionLimit(contact.material, true).lag; // the servo sees first when it begins to slip
+}
+
+// Of shaded and textured surfaces the servo gets the planes that are felt.
+void describeSurroundings(const World& world, SimState& state, double dt) {
+    LocalContactModel& model = state.model;
+    const ProxyState& proxy = state.proxy;
+    model.proxy = proxy.position;
+    model.valid = true;
+    model.revision = world.revision;
+    model.restarts = state.restarts;
+    model.planes = 0;
+    mixMaterials(world, state, dt);
+    for (int i = 0; i < proxy.contactCount; ++i) {
+        const Contact& contact = proxy.contacts[i];
+        if (proxy.feltCount == 0 && contact.lambda > 0) addPlane(model, contact, contact.normal);
+        for (int j = 0; j < proxy.feltCount; ++j) {
+            const FeltPlane& felt = proxy.felt[j];
+            if (felt.body == contact.body && felt.triangle == contact.triangle)
+                addPlane(model, contact, felt.normal);
+        }
+    }
+}
+
+HapticOutput reportOf(const World& world, const SimState& state) {
+    HapticOutput output;
+    output.proxy = state.proxy.position;
+    for (int i = 0; i < state.proxy.contactCount && output.contacts < kMaxModelPlanes; ++i) {
+        const Contact& contact = state.proxy.contacts[i];
+        if (contact.lambda <= 0) continue;
+        ContactReport& report = output.contact[output.contacts++];
+        report.point = contact.point;
+        report.normal = contact.normal;
+        report.normalForce = state.model.stiffness * contact.lambda;
+        report.body = contact.body;
+        report.surface = world.obstacles[contact.body].mesh->soup->surfaceOf[contact.triangle];
+        report.slipping = contact.slipping;
+        report.frictionless = !hasFriction(contact.material);
+        report.staticFriction = contact.material.staticFriction;
+        report.dynamicFriction = contact.material.dynamicFriction;
+    }
+    return output;
+}
+
+// At first, and when nobody knows which way the finger went, the proxy begins at the finger. After a change
+// of shape it stays where it is. Where there is something now, it goes to the nearest clear place; so it does
+// where it would be inside of what it was outside of, for no way of the finger leads there.
+void startAnew(const World& world, SimState& state, const HapticInput& input) {
+    for (std::size_t i = 0; i < world.movers.size(); ++i)
+        state.movers[i].now = world.movers[i].poseAt(state.time);
+    const bool first = state.shapeRevision == kNoShape;
+    const bool atFinger = first || input.restart || input.found;
+    const Vec3 wanted = atFinger ? input.finger : state.proxy.position;
+    FormerPlace former{state.shapeRevision};
+    if (input.found && !first) former.at_W = state.proxy.position;
+    const Vec3 place = clearPlace(world.obstacles, {state.movers.data(), world.movers.size()},
+                                  world.proxyRadius, wanted, former)
+                           .value_or(wanted);
+    restart(state.proxy, place);
+    state.proxy.finger = input.finger;
+    if (atFinger || place != wanted) ++state.restarts;
+    state.shapeRevision = world.shapeRevision;
+}
+
+void moveBodies(const World& world, SimState& state, double dt) {
+    const double before = state.time;
+    state.time += dt;
+    for (std::size_t i = 0; i < world.movers.size(); ++i) {
+        const Mover& mover = world.movers[i];
+        BodyMotion& body = state.movers[i];
+        body.before = body.now;
+        body.now = mover.poseAt(state.time);
+        body.jumped = mover.motion->jumpsBetween(before, state.time);
+    }
+}
+
+int roundsAt(Fidelity fidelity) {
+    return fidelity == Fidelity::PlaneOnly ? kFewRounds : kMaxRounds;
+}
+
+} // namespace
+
+HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept {
+    if (!input.finger.allFinite() || !input.fingerVelocity.allFinite()) {
+        // Contacts of another shape may name bodies and triangles that this world does not have.
+        if (state.shapeRevision == world.shapeRevision) return reportOf(world, state);
+        HapticOutput output;
+        output.proxy = state.proxy.position;
+        return output;
+    }
+    if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
+        startAnew(world, state, input);
+    moveBodies(world, state, dt);
+    const ProxyReport report =
+        moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
+                      {state.movers.data(), world.movers.size()}, roundsAt(input.fidelity));
+    describeSurroundings(world, state, dt);
+    HapticOutput output = reportOf(world, state);
+    output.report = report;
+    output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
+    return output;
+}
+
+} // namespace tactum

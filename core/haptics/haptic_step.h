@@ -1,0 +1,71 @@
+// One haptic step: finger in, proxy and force out. A plain function, the same in the proxy loop, in tests,
+// in replay and on the command line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/vec.h"
+#include "core/dynamics/body_motion.h"
+#include "core/haptics/contact_model.h"
+#include "core/haptics/world.h"
+#include "core/proxy/proxy.h"
+
+namespace tactum {
+
+/// What is known of the finger at this step. World frame, SI.
+struct HapticInput {
+    Vec3 finger = Vec3::Zero();
+    Vec3 fingerVelocity = Vec3::Zero();
+    bool restart = false; ///< first put the proxy onto the finger, or beside it where something is
+    Fidelity fidelity = Fidelity::Full;
+    /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
+    /// it stays outside of.
+    bool found = false;
+};
+
+/// One touched place, for the display.
+struct ContactReport {
+    Vec3 point = Vec3::Zero();  ///< on the surface, world frame
+    Vec3 normal = Vec3::Zero(); ///< out of the surface toward the proxy
+    double normalForce = 0;     ///< N (equation 19)
+    std::uint32_t body = 0;     ///< index into World::bodies
+    std::uint32_t surface = 0;  ///< index into the object's surfaces
+    bool slipping = false;
+    bool frictionless = false; ///< it neither sticks nor slips: the surface there has no friction at all
+    // Coefficients there, as texture layers have made them; ratios.
+    double staticFriction = 0, dynamicFriction = 0;
+};
+
+struct HapticOutput {
+    Vec3 proxy = Vec3::Zero(); ///< world frame
+    Vec3 force = Vec3::Zero(); ///< N on the finger, before the device's limit
+    int contacts = 0;          ///< how many planes push, at most kMaxModelPlanes
+    std::array<ContactReport, kMaxModelPlanes> contact{};
+    ProxyReport report;
+};
+
+/// The shapeRevision of no World: the next step is the first.
+inline constexpr std::uint64_t kNoShape = ~std::uint64_t(0);
+
+/// All that changes at haptic rate.
+struct SimState {
+    ProxyState proxy;
+    LocalContactModel model;                ///< written by the step for the servo
+    std::uint64_t shapeRevision = kNoShape; ///< of the World that the contacts belong to
+    /// s since the motions began: the end of the last step. It goes on through every change of the World, so
+    /// that an edit does not make bodies jump.
+    double time = 0;
+    std::array<BodyMotion, kMaxMovers> movers{}; ///< in the order of World::movers
+    std::uint32_t restarts = 0; ///< how often the proxy was put elsewhere instead of going there
+};
+
+/// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
+/// Bodies that move by themselves go on by dt. Deterministic: the same world, state, input and dt give the
+/// same bits. dt in s, > 0. At first the proxy starts on the finger; after
+/// a change of shape it stays. Both only where there is room: else it starts beside what is there. Input that
+/// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
+/// each body, and where bodies move by themselves those of carry() before them.
+HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
+
+} // namespace tactum

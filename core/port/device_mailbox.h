@@ -1,0 +1,68 @@
+// Between the servo and a driver that talks to its device from another thread or process.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/base/clock.h"
+#include "core/base/wait_free.h"
+#include "core/port/haptic_device.h"
+
+namespace tactum {
+
+/// A reading that is older is none: the other side does not tick. Younger ones may be taken twice, for two
+/// clocks of the same rate beat against each other: they say when they were measured. Unit: ns.
+inline constexpr std::int64_t kOldestReading = 5'000'000;
+/// A command that is older is taken away, over the second time, so that nobody is thrown. Unit: ns.
+inline constexpr std::int64_t kOldestCommand = 10'000'000, kCommandFade = 200'000'000;
+
+/// How much of a command of this age (ns) still goes to the device: 1 to 0. Thread: real time.
+inline double partLeft(std::int64_t age) noexcept {
+    return std::clamp(1 - double(age - kOldestCommand) / double(kCommandFade), 0.0, 1.0);
+}
+
+/// The newest command one way, the newest reading the other, each with its time; wait-free, and fit for
+/// memory that processes share. `now` is of monotonicNanoseconds(). Thread: real time; the servo's members on
+/// one thread, the driver's on one other.
+class DeviceMailbox {
+public:
+    // The servo's side.
+
+    void command(const Vec3& force, std::int64_t now) noexcept { commands_.write({force, now}); }
+    /// Not valid when there is none that is young enough.
+    DeviceSample newest(std::int64_t now) noexcept {
+        const Reading& last = readings_.read();
+        DeviceSample sample = last.sample;
+        sample.valid = sample.valid && now - last.at <= kOldestReading;
+        sample.at = last.at;
+        return sample;
+    }
+
+    /// Every command until now counts for nothing. Thread: any, also a signal handler and a forked child.
+    void stop(std::int64_t now) noexcept { stopped_.store(now, std::memory_order_relaxed); }
+
+    // The driver's side.
+
+    /// What the device gets now: fades when no command follows. Neither limited nor known to be finite.
+    Vec3 force(std::int64_t now) noexcept {
+        const Command& last = commands_.read();
+        if (last.at <= stopped_.load(std::memory_order_relaxed)) return Vec3::Zero();
+        return partLeft(now - last.at) * last.force;
+    }
+    void measured(const DeviceSample& sample, std::int64_t now) noexcept { readings_.write({sample, now}); }
+
+private:
+    struct Command {
+        Vec3 force = Vec3::Zero();
+        std::int64_t at = 0;
+    };
+    struct Reading {
+        DeviceSample sample;
+        std::int64_t at = 0;
+    };
+    TripleBuffer<Command> commands_;
+    TripleBuffer<Reading> readings_;
+    std::atomic<std::int64_t> stopped_{0};
+};
+
+} // namespace tactum

@@ -1,0 +1,60 @@
+#include "core/port/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace tactum {
+
+Result<void> checkWorkspace(const Workspace& workspace) {
+    if (!(workspace.scale >= kLeastScale && workspace.scale <= kMostScale))
+        return inputError("The workspace's scale must be from 0.001 to 10000: choose another one.");
+    AxisMap axes = workspace.axes;
+    for (std::int8_t& axis : axes)
+        axis = std::int8_t(std::abs(axis));
+    std::ranges::sort(axes);
+    if (axes != kSameAxes)
+        return inputError("Each axis of the device must be used once: choose another mapping of the axes.");
+    if (!workspace.offset.allFinite())
+        return inputError("The workspace's centre is no place: centre it anew.");
+    return {};
+}
+
+/// Whether that moves the finger.
+bool WorkspaceTracker::obey() noexcept {
+    if (!std::exchange(decided_, false)) return false;
+    const DeviceFrame before = frame_;
+    if (decision_.offset != workspace_.offset || decision_.centring != workspace_.centring)
+        frame_.offset = decision_.offset;
+    frame_.scale = decision_.scale;
+    frame_.axes = decision_.axes;
+    workspace_ = decision_;
+    return frame_ != before;
+}
+
+/// Between kBumpFrom and the edge ever faster: a finger that crosses the border feels no step.
+void WorkspaceTracker::bump(const Vec3& position, double dt) noexcept {
+    const double distance = position.norm(), border = kBumpFrom * radius_;
+    if (!(distance > border)) return;
+    constexpr double kLongest = 0.01; // s: a loop that stood still stood still
+    dt = std::min(dt, kLongest);
+    const double part = std::min(1.0, (distance - border) / (radius_ - border));
+    frame_.offset += frame_.wayInWorld(kBumpSpeed * part * dt / distance * position);
+}
+
+const DeviceFrame& WorkspaceTracker::follow(const DeviceSample& sample, bool pushing, double dt) noexcept {
+    jumped_ = false;
+    if (!sample.valid || !sample.position.allFinite()) return frame_;
+    jumped_ = obey();
+    clutched_ = (sample.buttons & workspace_.clutch) != 0;
+    if (clutched_ && known_ && !sample.jumped)
+        frame_.offset -= frame_.wayInWorld(sample.position - last_);
+    else if (workspace_.bump && radius_ > 0 && !pushing)
+        bump(sample.position, dt);
+    last_ = sample.position;
+    known_ = true;
+    return frame_;
+}
+
+} // namespace tactum

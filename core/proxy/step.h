@@ -1,0 +1,125 @@
+// One step of the proxy: rounds of update (section 2.2), friction (4) and move (2.1).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/base/inplace_vector.h"
+#include "core/proxy/felt_planes.h"
+#include "core/proxy/proxy.h"
+#include "core/proxy/straddled_bodies.h"
+
+namespace tactum {
+
+// A contact that pushes is not given up while it is within this part of the radius.
+inline constexpr double kHover = 0.1;
+// A touch is kept while its gap is within this many skins; what is farther away is found by the sweep.
+inline constexpr double kKeep = 2;
+// Motion and change of the constraint planes below these parts of the radius count as rest; far from the
+// origin what a double still tells apart.
+inline constexpr double kRest = 1e-9;
+inline constexpr double kTold = 4 * std::numeric_limits<double>::epsilon();
+
+// A proxy that is about to roll off is led to roll so many times faster at first, twice as fast after each
+// guess that brought it nearer, and so many times at most.
+inline constexpr double kRollFaster = 2;
+inline constexpr double kBoldest = 256;
+
+/// One step: the state it works on and what stays the same during it. World frame, SI. Thread: real time.
+class Step {
+public:
+    Step(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+         double radius, const Vec3& finger, double dt, const Vec3& start, int mostRounds)
+        : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius),
+          rest_(std::max(kRest * radius, kTold * start.norm())), finger_(finger), dt_(dt), timeLeft_(dt),
+          fingerVelocity_((finger - state.finger) / dt), start_(start), mostRounds_(mostRounds),
+          oneSided_(anyOneSided(obstacles)) {}
+
+    ProxyReport run() noexcept;
+
+private:
+    using Planes = InplaceVector<ConstraintPlane, kMaxPlanes>;
+
+    std::span<const Contact> contacts() const {
+        return {state_.contacts.data(), std::size_t(state_.contactCount)};
+    }
+    std::span<Contact> contacts() { return {state_.contacts.data(), std::size_t(state_.contactCount)}; }
+
+    // step_rounds.cpp
+    void judge() noexcept;
+    bool isAstray() noexcept;
+    void returnToNearest() noexcept;
+    void keepAsNearest(double distance) noexcept;
+    void goBackToNearest() noexcept;
+    Planes planes() noexcept;
+    bool round() noexcept;
+    bool comesOut() noexcept;
+    Vec3 unconstrainedByFriction() noexcept;
+    NearestPoint updatePlain() noexcept;
+    void countStillSteps() noexcept;
+    bool refreshContacts() noexcept;
+    void forgetInactive() noexcept;
+    void finish() noexcept;
+
+    // step_friction.cpp
+    double lag() const noexcept;
+    double frictionAllows(const Vec3& wish, double excess) noexcept;
+    double depthOn(const Contact& contact) noexcept;
+    bool isHeld(double excess) noexcept;
+    bool isViscous() noexcept;
+
+    // step_felt.cpp
+    FeltContacts feltContacts() noexcept;
+    Vec3 alongFelt(const Vec3& wish, double part, bool free) noexcept;
+    double settled() const noexcept;
+    Vec3 seat() noexcept;
+    bool isSeated() noexcept;
+    double settlingStride() const noexcept;
+
+    // step_curved.cpp
+    Vec3 alongCurvature(const Vec3& flat, double excess) noexcept;
+    bool isAllowed(const Vec3& motion) noexcept;
+    static double bentPart(const Contact& contact, const Vec3& way) noexcept;
+    Vec3 aroundAlone(const Contact& contact, const Vec3& flat) noexcept;
+    Vec3 alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexcept;
+    Vec3 farther(const Vec3& flat, const Vec3& way, double bend) noexcept;
+
+    // step_sweep.cpp
+    SweepHit sweep(const Vec3& motion, std::uint32_t& body) noexcept;
+    void goTo(const Vec3& place) noexcept;
+    bool isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept;
+    bool isStillFelt(const Contact& contact) noexcept;
+    bool meet(std::uint32_t body, Index triangle) noexcept;
+    void foresee(std::uint32_t body, const SweepHit& hit, int begin) noexcept;
+    void locate(Contact& contact) noexcept;
+
+    ProxyState& state_;
+    std::span<const Obstacle> obstacles_;
+    std::span<const BodyMotion> movers_;
+    double radius_;
+    double rest_; ///< m
+    Vec3 finger_;
+    double dt_;
+    double timeLeft_;
+    Vec3 fingerVelocity_;
+    Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
+    Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
+    int mostRounds_;
+    bool oneSided_; ///< something is felt from one side alone
+    int rounds_ = 0;
+    bool squeezed_ = false;
+    Vec3 nearest_; ///< the nearest place of this step that it was at
+    InplaceVector<StraddledBody, kMostStraddled> nearestStraddled_; ///< what the proxy was half through there
+    double nearestDistance_ = std::numeric_limits<double>::infinity();
+    double boldness_ = kRollFaster; ///< how many times faster
+    bool wasBold_ = false;          ///< in the last round that rolled
+    int vainGuesses_ = 0;           ///< curved steps since the nearest place
+    bool guessed_ = false;          ///< this round went along a curve
+    bool felt_ = false;             ///< some contact of this round is shaded or textured
+    int pushing_ = 0;               ///< how many planes hold the proxy in this round
+    std::uint32_t soonBody_ = 0;    ///< of the triangle that the last sweep ended near
+};
+
+} // namespace tactum

@@ -1,0 +1,73 @@
+// On surfaces that feel otherwise than their facets: down, along, and to rest. Thread: real time.
+#include "core/proxy/step.h"
+#include "core/surface/friction.h"
+
+namespace tactum {
+
+namespace {
+
+// Under a finger that moves, the rounds on a felt surface end with a motion below this part of the radius.
+constexpr double kSettled = 1e-4;
+// A stride on a felt surface that need not turn back may be so much longer next time.
+constexpr double kStrideGrowth = 1.2;
+// A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
+constexpr int kSettling = 8;
+// Where a viscous slide has to die out first, so many of its lags later, but no more steps than that.
+constexpr double kLags = 20, kMostLag = 1e5;
+
+} // namespace
+
+// Features that pass by too fast for the servo are left out. A finger at rest feels all of them, however
+// far the proxy just went: what is felt must not change while the proxy settles.
+FeltContacts Step::feltContacts() noexcept {
+    const double way = std::min(state_.speed, fingerVelocity_.norm()) * dt_;
+    return {obstacles_, movers_, contacts(), radius_, finger_, kStepsToAFeature * way};
+}
+
+// Down onto the surfaces, and along them as far as the felt normal, which changes on the way, still leads
+// on. Between where the drop and where the wish end no plane is crossed.
+Vec3 Step::alongFelt(const Vec3& wish, double part, bool free) noexcept {
+    const Vec3 drop = seat();
+    Vec3 slide = part * (wish - drop);
+    if (slide.norm() <= rest_) return drop;
+    const double reach = feltReach(state_, feltContacts(), drop, slide, free);
+    if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
+    if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
+    const double most = std::min(state_.stride, settlingStride());
+    if (const double length = slide.norm(); length > most) slide *= most / length;
+    state_.stride *= kStrideGrowth;
+    lastSlide_ = slide;
+    return drop + slide;
+}
+
+double Step::settled() const noexcept {
+    return state_.stillFor > 0 ? rest_ : kSettled * radius_;
+}
+
+// Where the proxy, which went ahead on tangents, is pressed down to: no friction and no felt normal has a
+// say in it.
+Vec3 Step::seat() noexcept {
+    if (isSeated()) return Vec3::Zero();
+    Vec3 push = Vec3::Zero();
+    for (const Contact& contact : contacts())
+        push -= contact.lambda * contact.normal;
+    Planes held = planes();
+    return nearestReachable(push, held.all()).x;
+}
+
+// Once down it stays: where planes hardly lean from each other the way onto all of them at once is mostly
+// rounding, and what is just touched without a push would be left, met and left again.
+bool Step::isSeated() noexcept {
+    return std::ranges::none_of(contacts(), [this](const Contact& contact) {
+        return contact.lambda > 0 && std::abs(contact.gap) > rest_;
+    });
+}
+
+// Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
+// does not.
+double Step::settlingStride() const noexcept {
+    const int late = state_.stillFor - kSettling - int(std::min(kLags * lag() / dt_, kMostLag));
+    return late < 0 ? std::numeric_limits<double>::infinity() : std::ldexp(radius_, -late);
+}
+
+} // namespace tactum

@@ -1,0 +1,222 @@
+// The rounds of a step, and the update stage on facets that feel as they are (section 2.2). Thread: real
+// time.
+#include <utility>
+
+#include "core/proxy/step.h"
+
+namespace tactum {
+
+namespace {
+
+// The speed that textures are filtered for falls by this factor a step at most: bumps slow the proxy down for
+// a moment, which shall not let finer ones through.
+constexpr double kSpeedDecay = 0.9;
+constexpr double kSamePlane = 1e-12;
+// So many curved steps may lead nowhere.
+constexpr int kMostVain = 2;
+
+} // namespace
+
+ProxyReport Step::run() noexcept {
+    ProxyReport report;
+    keepAsNearest((finger_ - state_.position).norm());
+    countStillSteps();
+    refreshContacts();
+    report.boundHit = true;
+    for (rounds_ = 1; rounds_ <= mostRounds_; ++rounds_) {
+        if (round())
+            judge();
+        else if (!isAstray()) {
+            report.boundHit = false;
+            break;
+        }
+    }
+    if (report.boundHit) returnToNearest();
+    report.rounds = std::min(rounds_, mostRounds_);
+    report.squeezed = squeezed_;
+    finish();
+    return report;
+}
+
+// Whether the round led nearer to the finger than any before. Curved steps are guesses: as long as they do
+// they may be bolder; when they do not the proxy goes on from the nearest place without them, for rounds that
+// go to and fro until they are used up would leave it where it was, in each step anew.
+void Step::judge() noexcept {
+    const double distance = (finger_ - state_.position).norm();
+    if (distance < nearestDistance_) {
+        keepAsNearest(distance);
+        if (guessed_) boldness_ = std::min(2 * boldness_, kBoldest);
+        vainGuesses_ = 0;
+        return;
+    }
+    if (!guessed_ || felt_ || ++vainGuesses_ != kMostVain) return;
+    boldness_ = kRollFaster;
+    goBackToNearest();
+}
+
+// Whether the step came to rest where a guess had led it, farther away than it was: then it goes on from the
+// nearest place without any. On surfaces that are felt from one side alone a guess may end on the other.
+bool Step::isAstray() noexcept {
+    const bool farther = (finger_ - state_.position).norm() > nearestDistance_ + kKeep * kSkin * radius_;
+    if (felt_ || !farther || vainGuesses_ == 0) return false;
+    goBackToNearest();
+    return std::exchange(vainGuesses_, kMostVain) < kMostVain;
+}
+
+void Step::returnToNearest() noexcept {
+    if (!felt_ && nearestDistance_ < (finger_ - state_.position).norm()) goBackToNearest();
+}
+
+void Step::keepAsNearest(double distance) noexcept {
+    nearestDistance_ = distance;
+    nearest_ = state_.position;
+    if (!oneSided_) return;
+    nearestStraddled_.clear();
+    for (int i = 0; i < state_.straddledCount; ++i)
+        nearestStraddled_.push(state_.straddled[std::size_t(i)]);
+}
+
+// What it was half through there it is half through again, and came to from where it came then.
+void Step::goBackToNearest() noexcept {
+    state_.position = nearest_;
+    if (oneSided_) {
+        const auto kept = nearestStraddled_.all();
+        state_.straddledCount =
+            int(std::ranges::copy(kept, state_.straddled.begin()).out - state_.straddled.begin());
+    }
+    refreshContacts();
+}
+
+// The constraint planes of all contacts, seen from the proxy.
+Step::Planes Step::planes() noexcept {
+    Planes planes;
+    for (const Contact& contact : contacts())
+        planes.push({contact.normal, -contact.gap});
+    return planes;
+}
+
+// Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
+bool Step::round() noexcept {
+    guessed_ = false;
+    if (comesOut()) return true;
+    const Vec3 wish = unconstrainedByFriction();
+    const double excess = wish.norm();
+    if (excess <= rest_) return false;
+    const double slide = frictionAllows(wish, excess);
+    if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
+    // Friction that lets go entirely is none; the last rounds take no risks.
+    const bool free = slide == excess && rounds_ < mostRounds_ - 2 && vainGuesses_ < kMostVain;
+    const Vec3 motion = felt_  ? alongFelt(wish, slide / excess, free)
+                        : free ? alongCurvature(wish, excess)
+                               : Vec3(wish * (slide / excess));
+    if (felt_ && motion.norm() <= rest_) return false;
+    const bool takesTime = slide < excess && isViscous();
+    // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
+    // so.
+    guessed_ = felt_ ? motion.norm() > settled() : free && motion != wish;
+    std::uint32_t body = kNoBody;
+    const SweepHit hit = sweep(motion, body);
+    const double part = std::min(hit.t, 1.0);
+    goTo(state_.position + part * motion);
+    if (part * motion.norm() > rest_) forgetInactive();
+    const bool planesTurned = refreshContacts();
+    if (body != kNoBody) {
+        timeLeft_ *= 1 - part;
+        if (!meet(body, hit.triangle)) return false;
+        foresee(body, hit, 0);
+        return true;
+    }
+    if (planesTurned && hit.soonCount > 0) {
+        const int had = pushing_;
+        const bool alone = state_.contactCount == 0;
+        if (alone) meet(soonBody_, hit.soon[0]);
+        if (had > 1) foresee(soonBody_, hit, alone ? 1 : 0);
+    }
+    // Whatever is met from here on in this step has no time left to be slid on against viscosity.
+    if (takesTime) timeLeft_ = 0;
+    if (felt_) return guessed_ || state_.contactCount == 0;
+    return planesTurned || guessed_;
+}
+
+// A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction
+// holds it where it is, not inside of what it touches.
+bool Step::comesOut() noexcept {
+    const auto isInside = [this](const Contact& c) { return c.gap < -kKeep * kSkin * radius_; };
+    if (std::ranges::none_of(contacts(), isInside)) return false;
+    const NearestPoint out = nearestPoint(Vec3::Zero(), planes().all());
+    if (!out.feasible) return false;
+    std::uint32_t body = kNoBody;
+    const SweepHit hit = sweep(out.x, body);
+    goTo(state_.position + std::min(hit.t, 1.0) * out.x);
+    nearestDistance_ = std::numeric_limits<double>::infinity(); // where it was is no place to return to
+    refreshContacts();
+    return body == kNoBody || meet(body, hit.triangle);
+}
+
+// The update stage: where the proxy would go if nothing but the planes held it, relative to it.
+Vec3 Step::unconstrainedByFriction() noexcept {
+    felt_ = isFelt(obstacles_, contacts());
+    const NearestPoint nearest = felt_ ? updateFelt(state_, feltContacts()) : updatePlain();
+    squeezed_ |= !nearest.feasible;
+    pushing_ = nearest.active;
+    return nearest.x;
+}
+
+// On facets that feel as they are.
+NearestPoint Step::updatePlain() noexcept {
+    Planes held = planes();
+    const NearestPoint nearest = nearestReachable(finger_ - state_.position, held.all());
+    for (int i = 0; i < state_.contactCount; ++i) {
+        Contact& contact = state_.contacts[i];
+        contact.lambda = nearest.lambda[i];
+        if (contact.lambda > 0) contact.material = obstacles_[contact.body].material(contact.triangle);
+    }
+    state_.feltCount = 0;
+    return nearest;
+}
+
+void Step::countStillSteps() noexcept {
+    const bool still = finger_ == state_.finger && movers_.empty();
+    if (!still) state_.stride = std::numeric_limits<double>::infinity();
+    state_.stillFor = still ? std::min(state_.stillFor + 1, 1 << 20) : 0;
+}
+
+// Recomputes every plane, drops what is no longer touched; says whether any plane turned or went.
+bool Step::refreshContacts() noexcept {
+    bool changed = false;
+    int kept = 0;
+    for (Contact contact : contacts()) {
+        const Vec3 before = contact.normal;
+        const bool wasBent = contact.bend > 0;
+        locate(contact);
+        const bool turned = (contact.normal - before).squaredNorm() > kSamePlane * kSamePlane;
+        // What still pushed and is only just left is come back to: rolling, or a move that was cut short.
+        const double keep = contact.lambda > 0 && (wasBent || !turned) ? kHover : kKeep * kSkin;
+        changed = changed || turned;
+        if (contact.gap <= keep * radius_ && isStillFelt(contact))
+            state_.contacts[kept++] = contact;
+        else
+            changed = true;
+    }
+    state_.contactCount = kept;
+    return changed;
+}
+
+// After a real move, planes that did not push are found again by the sweep if they matter.
+void Step::forgetInactive() noexcept {
+    const auto all = contacts();
+    const auto idle = [](const Contact& c) { return c.lambda <= 0; };
+    state_.contactCount = int(std::remove_if(all.begin(), all.end(), idle) - all.begin());
+}
+
+// A contact sticks again when its motion has died out within a step.
+void Step::finish() noexcept {
+    const bool still = (state_.position - start_).norm() <= rest_;
+    for (Contact& contact : contacts())
+        if (still) contact.slipping = false;
+    if (still || state_.contactCount == 0) state_.slidingOn = kNoBody;
+    state_.finger = finger_;
+    state_.speed = std::max((state_.position - start_).norm() / dt_, kSpeedDecay * state_.speed);
+}
+
+} // namespace tactum

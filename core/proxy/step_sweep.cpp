@@ -1,0 +1,93 @@
+// The move stage (section 2.1): what ends a move, and what the proxy touches then. Thread: real time.
+#include <array>
+#include <utility>
+
+#include "core/proxy/passed_bodies.h"
+#include "core/proxy/step.h"
+
+namespace tactum {
+
+// The move stage. Primitives with a plane are left out: a C-obstacle is convex, so the half-space above
+// its plane is free of it.
+SweepHit Step::sweep(const Vec3& motion, std::uint32_t& body) noexcept {
+    SweepHit first;
+    for (std::uint32_t i = 0; i < obstacles_.size(); ++i) {
+        const Obstacle& obstacle = obstacles_[i];
+        if (hasPassed(state_, i)) continue;
+        std::array<Index, kMaxPlanes> touched;
+        std::size_t count = 0;
+        for (const Contact& contact : contacts())
+            if (contact.body == i) touched[count++] = contact.triangle;
+        const Vec3 from_B = poseNow(obstacle, movers_).applyInverse(state_.position);
+        const SpherePath path{from_B, poseNow(obstacle, movers_).rotateInverse(motion), radius_ * (1 - kSkin),
+                              obstacle.sides, cameFrom(state_, i, from_B)};
+        // Of many bodies most are far away, and memories are few.
+        if (obstacles_.size() > state_.memories.size() &&
+            obstacle.mesh->tree.isBeyond(path.from, path.radius + path.motion.norm()))
+            continue;
+        SweepMemory& memory = state_.memories[i % state_.memories.size()];
+        const SweepHit hit = sweepFrom(memory, *obstacle.mesh, path, {touched.data(), count});
+        if (hit.t < first.t) {
+            first = hit;
+            body = i;
+        } else if (hit.soonCount > 0 && body == kNoBody) {
+            first.soon = hit.soon;
+            first.soonCount = hit.soonCount;
+            soonBody_ = i;
+        }
+    }
+    return first;
+}
+
+// All motion of the rounds, but the way back to the nearest place.
+void Step::goTo(const Vec3& place) noexcept {
+    const Vec3 before = std::exchange(state_.position, place);
+    if (oneSided_) followMoved(state_, obstacles_, movers_, radius_, before);
+}
+
+bool Step::isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept {
+    const Obstacle& obstacle = obstacles_[contact.body];
+    return obstacle.sides.empty() ||
+           isFelt(obstacle.sides[obstacle.mesh->soup->surfaceOf[contact.triangle]],
+                  obstacle.triangle(contact.triangle), poseNow(obstacle, movers_).applyInverse(place_W));
+}
+
+// A proxy that rolled around an edge to the side from which nothing is felt there goes on freely. Within a
+// step it slides past that side for a moment, in the tangent plane, and drops back: where it ends the finger
+// says.
+bool Step::isStillFelt(const Contact& contact) noexcept {
+    if (obstacles_[contact.body].sides.empty()) return true;
+    const Pose& pose = poseNow(obstacles_[contact.body], movers_);
+    const Vec3 from_B = cameFrom(state_, contact.body, pose.applyInverse(state_.position));
+    const bool slides = rounds_ > 0 && contact.gap >= -kKeep * kSkin * radius_;
+    return isFeltFrom(contact, pose.apply(from_B)) || (slides && isFeltFrom(contact, finger_));
+}
+
+// Adds the primitive that ended a move. Without room for its plane the step ends here, outside.
+bool Step::meet(std::uint32_t body, Index triangle) noexcept {
+    if (state_.contactCount == kMaxPlanes) return false;
+    Contact contact;
+    contact.body = body;
+    contact.triangle = triangle;
+    contact.slipping = state_.slidingOn == body;
+    locate(contact);
+    state_.contacts[state_.contactCount++] = contact;
+    return true;
+}
+
+// Faces that the proxy is about to touch hold it in the next round already, instead of costing one each.
+// The half-space above any plane is free of its primitive; but an edge's plane would stop a slide toward
+// a flat neighbour.
+void Step::foresee(std::uint32_t body, const SweepHit& hit, int begin) noexcept {
+    for (int i = begin; i < hit.soonCount; ++i) {
+        if (!meet(body, hit.soon[std::size_t(i)])) return;
+        const Contact& contact = state_.contacts[state_.contactCount - 1];
+        if (contact.bend > 0 || contact.gap > kHover * radius_) --state_.contactCount;
+    }
+}
+
+void Step::locate(Contact& contact) noexcept {
+    tactum::locate(contact, obstacles_, movers_, radius_, state_.position);
+}
+
+} // namespace tactum

@@ -1,0 +1,39 @@
+// How stiff a surface may be rendered before device, hand and sampling begin to buzz.
+#pragma once
+
+#include "core/port/haptic_device.h"
+
+namespace tactum {
+
+/// What the ceiling depends on. SI.
+struct LoopFigures {
+    double period = 1e-3;      ///< s, of the servo: nominal, or what was measured where that is worse
+    double delay = 0;          ///< s, from reading to command
+    double amplifierLag = 0;   ///< s
+    double damping = 0;        ///< N s/m, of device and hand together
+    double dryFriction = 0;    ///< N
+    double resolution = 0;     ///< m, of the encoders; 0: none
+    double makersCeiling = 0;  ///< N/m; 0: not known
+    double surfaceDamping = 0; ///< N s/m, of the surface that is rendered
+};
+
+/// Of a device as it describes itself. Thread: any, real time too.
+LoopFigures loopFigures(const DeviceInfo& device) noexcept;
+
+enum class CeilingReason : std::uint8_t { Damping, SurfaceDamping, Resolution, Maker };
+
+struct StiffnessCeiling {
+    double value = 0; ///< N/m
+    CeilingReason reason = CeilingReason::Damping;
+    double damping = 0; ///< N s/m: the ceiling of the surface's own damping
+};
+
+/// K_safe = min[(0.7 (b + b_hand) - B) / (T/2 + delay + lag), 0.7 2 f_c / Delta] (Colgate and Schenkel's
+/// passivity of a sampled wall with damping B; Diolaiti's for quantised positions), and never more than the
+/// maker allows. Seven tenths, because at eight no device of the tests oscillated in any hand. A sampled
+/// damping takes at the sampling frequency what it gives below, so B is rendered up to half of 0.7 (b +
+/// b_hand): half of the stiffness is left then. The second bound holds only where there is both dry friction
+/// and resolution. Nothing is stiff in a loop whose figures give no bound. Thread: any, real time too.
+StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept;
+
+} // namespace tactum

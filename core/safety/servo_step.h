@@ -1,0 +1,90 @@
+// One servo tick: a reading and the newest local contact model in, a force out that the device may be given.
+// A plain function, the same in the servo loop, in the closed-loop simulator and in replay.
+#pragma once
+
+#include "core/port/device_frame.h"
+#include "core/port/force_limiter.h"
+#include "core/port/haptic_device.h"
+#include "core/safety/contact_ease.h"
+#include "core/safety/guard.h"
+#include "core/safety/motor_heat.h"
+#include "core/safety/oscillation_detector.h"
+#include "core/safety/passivity.h"
+#include "core/safety/safe_stiffness.h"
+#include "core/safety/sample_check.h"
+
+namespace tactum {
+
+/// A model that the proxy loop has not renewed for so long is no longer believed: zero force. Unit: s.
+inline constexpr double kModelPatience = 0.1;
+
+/// Where the finger is. World frame, SI.
+struct FingerSample {
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    std::uint64_t tick = 0; ///< of the servo
+    bool valid = false;
+    std::uint32_t anchoring = 0; ///< another number than before: the proxy has to begin at the finger
+};
+
+/// What the person and the machine decide about the loop.
+struct ServoSettings {
+    bool armed = false;           ///< forces on
+    std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
+    bool overrideCeiling = false; ///< the person knows better than safeStiffness(); from the next contact on
+    double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
+};
+
+struct ServoInput {
+    DeviceSample sample;
+    DeviceFrame frame{};    ///< where the device is in the scene
+    double dt = 1e-3;       ///< s since the last tick
+    double apart = 1e-3;    ///< s between the last two readings; 0: there is no new one (ReadingClock)
+    bool late = false;      ///< the tick came more than one period late
+    bool fresh = false;     ///< the model is another one than at the last tick
+    bool unguarded = false; ///< nobody would stop the device if the program died
+    bool clutched = false;  ///< the device moves and the finger stays: `frame` sees to that
+};
+
+/// All that the servo remembers from tick to tick. Copied whole by the recorder.
+struct ServoState {
+    explicit ServoState(const DeviceInfo& device) noexcept;
+
+    LoopFigures loop; ///< of the device; the period is the nominal one
+    SampleCheck check;
+    Guard guard;
+    ContactEase ease;
+    Passivity passivity;
+    OscillationDetector oscillation;
+    MotorHeat heat;
+    ForceLimiter limiter;
+
+    std::uint64_t ticks = 0;
+    double unread = 0;     ///< s since the newest reading that was believed came
+    double modelAge = 1e9; ///< s since the newest model came
+    double period = 0;     ///< s, measured, that the ceiling is for
+    double calm = 1;       ///< part of the stiffness that is left after oscillations
+    double calmGoal = 1;   ///< where `calm` goes
+    std::uint64_t oscillations = 0;
+    std::uint32_t letGo = 0;    ///< buttons that were seen let go since the device came
+    StiffnessCeiling ceiling;   ///< of this tick
+    Vec3 anchor = Vec3::Zero(); ///< of the rendered model, frame D
+    Vec3 finger = Vec3::Zero(); ///< of this tick, frame D
+    bool touching = false;
+    bool overriding = false; ///< the person's word is in force
+};
+
+struct ServoOutput {
+    Vec3 force = Vec3::Zero(); ///< N, frame D: finite, and never above the device's limit
+    FingerSample finger;       ///< for the proxy loop
+    DeviceFrame frame;         ///< of the input
+};
+
+/// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled. All of
+/// it happens in the hand's measure, frame D, so that no scale of the workspace changes what a hand or a
+/// device can bear; `model_W` and the finger that comes out are the world's.
+/// Deterministic. Thread: real time; bounded: nearestPoint() a dozen times.
+ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
+                      const LocalContactModel& model_W) noexcept;
+
+} // namespace tactum

@@ -1,0 +1,79 @@
+// What lies between the servo and a driver elsewhere, by a clock that the test holds.
+#include <QTest>
+
+#include "core/port/device_mailbox.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_device_mailbox {
+
+using namespace tactum;
+
+namespace {
+constexpr std::int64_t kMillisecond = 1'000'000, kNow = 1000 * kMillisecond;
+const Vec3 kForce{0, 0, 2};
+const DeviceSample kReading{.position = {1, 2, 3}, .valid = true};
+} // namespace
+
+class TestDeviceMailbox : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anEmptyOneHasNeitherReadingNorForce() {
+        DeviceMailbox box;
+        QVERIFY(!box.newest(kMillisecond).valid);
+        COMPARE_NEAR(box.force(kMillisecond), Vec3(0, 0, 0), 1e-12, "N");
+    }
+
+    void aReadingIsTakenWhileItIsYoung() {
+        DeviceMailbox box;
+        box.measured(kReading, kNow);
+        for (const int age : {0, 1, 5}) // again and again, for two clocks beat
+            QVERIFY(box.newest(kNow + age * kMillisecond).valid);
+        QCOMPARE(box.newest(kNow + kMillisecond).at, kNow);
+        QCOMPARE(box.newest(kNow).position, kReading.position);
+        QVERIFY(!box.newest(kNow + 6 * kMillisecond).valid);
+        box.measured(kReading, kNow + 7 * kMillisecond);
+        QVERIFY(box.newest(kNow + 8 * kMillisecond).valid);
+    }
+
+    void aReadingThatWasNoneStaysNone() {
+        DeviceMailbox box;
+        DeviceSample none = kReading;
+        none.valid = false;
+        box.measured(none, kNow);
+        QVERIFY(!box.newest(kNow).valid);
+    }
+
+    /// The guard calls a device lost after three readings that are none: at a kilohertz within 10 ms.
+    void aDeviceThatStandsStillIsLostInTime() {
+        QCOMPARE_LE(kOldestReading + 3 * kMillisecond, 10 * kMillisecond);
+    }
+
+    void aCommandFadesWhenNoneFollows() {
+        DeviceMailbox box;
+        box.command(kForce, kNow);
+        QCOMPARE(box.force(kNow), kForce);
+        QCOMPARE(box.force(kNow + kOldestCommand), kForce);
+        const Vec3 half = box.force(kNow + kOldestCommand + kCommandFade / 2);
+        COMPARE_NEAR(half, 0.5 * kForce, 1e-9, "N");
+        COMPARE_NEAR(box.force(kNow + kOldestCommand + kCommandFade), Vec3(0, 0, 0), 1e-12, "N");
+        COMPARE_NEAR(box.force(kNow + 1'000'000 * kMillisecond), Vec3(0, 0, 0), 1e-12, "N");
+        QCOMPARE_LE(kOldestCommand + kCommandFade, 300 * kMillisecond);
+    }
+
+    void aStopHoldsForWhatWasCommandedBefore() {
+        DeviceMailbox box;
+        box.command(kForce, kNow);
+        box.stop(kNow + kMillisecond);
+        COMPARE_NEAR(box.force(kNow + 2 * kMillisecond), Vec3(0, 0, 0), 1e-12, "N");
+        box.command(kForce, kNow + 3 * kMillisecond);
+        QCOMPARE(box.force(kNow + 3 * kMillisecond), kForce);
+    }
+};
+
+TACTUM_TEST(TestDeviceMailbox)
+
+} // namespace test_device_mailbox
+
+#include "test_device_mailbox.moc"
