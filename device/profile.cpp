@@ -21,7 +21,7 @@ constexpr int kVersion = 1;
 constexpr std::array<std::string_view, 7> kMembers{"format",  "version",           "name",   "note",
                                                    "buttons", "measures_velocity", "figures"};
 constexpr std::string_view kTorque = "counts_per_newton_metre";
-constexpr double kLeastCounts = 1e3, kMostCounts = 1e5;
+constexpr double kMinCounts = 1e3, kMaxCounts = 1e5;
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, const std::string& what) {
     return inputError(file.string() + ": " + what);
@@ -41,7 +41,7 @@ std::string take(const std::string& key, const Json& figure, DeviceProfile& prof
     const Json& number = figure.is_object() && figure.contains("value") ? figure["value"] : figure;
     if (!number.is_number()) return "\"" + key + "\" must be a number, or have a number as its value";
     (torque ? profile.countsPerTorque : profile.info.*value) = number.get<double>();
-    if (torque && !(profile.countsPerTorque >= kLeastCounts && profile.countsPerTorque <= kMostCounts))
+    if (torque && !(profile.countsPerTorque >= kMinCounts && profile.countsPerTorque <= kMaxCounts))
         return "\"" + key + "\" must be from 1000 to 100000";
     return {};
 }
@@ -51,7 +51,7 @@ std::string take(const Json& json, DeviceProfile& profile) {
     info.name = json.value("name", info.name);
     if (const Json& buttons = json.value("buttons", Json(info.buttons)); !buttons.is_number_integer())
         return "\"buttons\" must be a whole number";
-    else if (buttons < 0 || buttons > kMostButtons)
+    else if (buttons < 0 || buttons > kMaxButtons)
         return "\"buttons\" must be from 0 to 31";
     info.buttons = json.value("buttons", info.buttons);
     info.measuresVelocity = json.value("measures_velocity", info.measuresVelocity);
@@ -131,10 +131,10 @@ Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::pat
     std::error_code error;
     if (folder.empty() || !std::filesystem::exists(file, error)) return *found;
     if (!std::filesystem::is_regular_file(file, error)) return wrong(file, "is no file; remove it");
-    constexpr std::size_t kMost = 1 << 20;
-    std::string text(kMost, '\0');
+    constexpr std::size_t kMax = 1 << 20;
+    std::string text(kMax, '\0');
     std::ifstream in(file, std::ios::binary);
-    in.read(text.data(), std::streamsize(kMost));
+    in.read(text.data(), std::streamsize(kMax));
     if (in.bad() || (in.fail() && !in.eof())) return wrong(file, "cannot be read; check its permissions");
     text.resize(std::size_t(in.gcount()));
     return readProfile(text, file, *found);

@@ -105,7 +105,7 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
 bool DeviceLink::unread() {
     constexpr std::uint64_t kHiccup = 100; // readings
     return !engine_.running() || engine_.servoStandsStill() ||
-           engine_.servo().withheld == Withheld::DeviceLost ||
+           engine_.servo().inhibit == InhibitReason::DeviceLost ||
            engine_.servo().invalidSamples > seenUnread_ + kHiccup;
 }
 

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
+#include "core/safety/motor_heat.h"
 #include "ui/health_words.h"
 
 namespace tactum {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t kKeptFaults = 100; // events
 constexpr qint64 kShown = 2000;          // ms; the pause itself may be over within a tick
+constexpr double kWarning = 0.5 * kWarmMotors, kCooled = 0.25 * kWarmMotors; // of the heat that motors bear
 
 /// Whether a counter has risen; counters begin at zero anew when the engine does.
 bool rose(std::uint64_t& known, std::uint64_t now) {
@@ -20,6 +22,12 @@ bool rose(std::uint64_t& known, std::uint64_t now) {
 QString standstillWords() {
     return GuardWatch::tr(
         "The servo stands still: the device does not come back. Look at its cable and its power.");
+}
+
+QString warmWords() {
+    return GuardWatch::tr(
+        "The motors are getting warm: if you press on as hard, the largest force falls within "
+        "seconds to what they bear for ever. Press less, or let them rest.");
 }
 
 } // namespace
@@ -42,11 +50,11 @@ void GuardWatch::setArmed(bool armed) {
 
 // The guard itself keeps a fault until it is disarmed, so none passes between two frames.
 void GuardWatch::watchFault() {
-    const Withheld why = engine_.servo().withheld;
+    const InhibitReason why = engine_.servo().inhibit;
     if (!isFault(why) || fault_) return;
     engine_.setArmed(false);
     fault_ = why;
-    add(true, tr(guardWords(why).what), guardSentences(why));
+    add(true, tr(inhibitWords(why).what), guardSentences(why));
     emit faulted(why);
 }
 
@@ -54,15 +62,25 @@ void GuardWatch::watchPauses() {
     const ServoTelemetry& servo = engine_.servo();
     if (rose(pauses_, servo.pauses)) {
         sincePause_.start();
-        add(false, tr(guardWords(servo.lastPause).what), guardSentences(servo.lastPause));
+        add(false, tr(inhibitWords(servo.lastPause).what), guardSentences(servo.lastPause));
     }
     const bool still = engine_.servoStandsStill();
     if (!std::exchange(standsStill_, still) && still) add(false, standstillWords(), standstillWords());
     if (rose(unread_, servo.invalidSamples)) sinceUnread_.start();
+    watchHeat(servo);
     if (rose(oscillations_, servo.oscillations))
         add(false, tr("An oscillation was seen: the stiffness was halved."),
             tr("The device shook against a surface. The stiffness was halved, and comes back within seconds. "
                "Hold the handle more firmly, or lower the stiffness."));
+}
+
+// Before the limit begins to fall, and not again until they have cooled.
+void GuardWatch::watchHeat(const ServoTelemetry& servo) {
+    if (servo.heat < kCooled) warned_ = false;
+    if (servo.heat < kWarning || warned_) return;
+    warned_ = true;
+    sinceWarm_.start();
+    add(false, tr("The motors are getting warm."), warmWords());
 }
 
 void GuardWatch::watchProxy() {
@@ -85,9 +103,11 @@ QString GuardWatch::quietNote() const {
         return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")
                                     : QString();
     // Before the first scene the proxy loop has nothing to say: that is no pause.
-    const Withheld why = lately(sincePause_) ? servo.lastPause : servo.withheld;
-    const bool away = servo.withheld != Withheld::ProxySilent || servo.lastPause == Withheld::ProxySilent;
-    if (servo.gain < 1 && servo.withheld != Withheld::NotArmed && away) return guardSentences(why);
+    const InhibitReason why = lately(sincePause_) ? servo.lastPause : servo.inhibit;
+    const bool away =
+        servo.inhibit != InhibitReason::ProxySilent || servo.lastPause == InhibitReason::ProxySilent;
+    if (servo.gain < 1 && servo.inhibit != InhibitReason::NotArmed && away) return guardSentences(why);
+    if (lately(sinceWarm_)) return warmWords();
     if (engine_.proxy().fidelity != Fidelity::Full) return fidelityWords(engine_.proxy().fidelity);
     return {};
 }

@@ -1,4 +1,4 @@
-// Follows what the guard and the overload ladder do, frame by frame, and keeps the last events.
+// Follows what the force gate and the degradation controller do, frame by frame, and keeps the last events.
 #pragma once
 
 #include <deque>
@@ -34,27 +34,29 @@ public:
     /// The device that had the fault is not the engine's any more.
     void forget() { fault_.reset(); }
     /// Until the person arms anew.
-    std::optional<Withheld> fault() const { return fault_; }
+    std::optional<InhibitReason> fault() const { return fault_; }
     /// Why there is less force than usual, or less fidelity; empty when all is well.
     QString quietNote() const;
     /// Newest first.
     const std::deque<HealthEvent>& events() const { return events_; }
 
 signals:
-    void faulted(tactum::Withheld why);
+    void faulted(tactum::InhibitReason why);
     void happened();
 
 private:
     void watchFault();
     void watchPauses();
+    void watchHeat(const ServoTelemetry& servo);
     void watchProxy();
     void add(bool fault, const QString& what, const QString& sentences);
 
     Engine& engine_;
-    std::optional<Withheld> fault_;
+    std::optional<InhibitReason> fault_;
     std::uint64_t unread_ = 0, pauses_ = 0, oscillations_ = 0, stepsDown_ = 0;
     bool standsStill_ = false;
-    QElapsedTimer sincePause_, sinceUnread_;
+    bool warned_ = false; ///< that the motors are getting warm
+    QElapsedTimer sincePause_, sinceUnread_, sinceWarm_;
     std::deque<HealthEvent> events_;
 };
 

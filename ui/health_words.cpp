@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 
 namespace tactum {
 
@@ -27,8 +27,8 @@ QString wordsOf(CeilingReason reason) {
 
 } // namespace
 
-QString guardSentences(Withheld why) {
-    const GuardWords& words = guardWords(why);
+QString guardSentences(InhibitReason why) {
+    const InhibitWords& words = inhibitWords(why);
     return QStringLiteral("%1 %2 %3")
         .arg(QObject::tr(words.what), QObject::tr(words.done), QObject::tr(words.remedy))
         .simplified();
@@ -38,8 +38,8 @@ CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device) {
     StiffnessCeiling promised = safeStiffness(loopFigures(device));
     promised.value /= servo.frame.scale; // a spring of the scene is so much stiffer in the hand
     const StiffnessCeiling now = servo.ceiling.value > 0 ? servo.ceiling : promised;
-    if (servo.calm < 1)
-        return {servo.calm * now.value, QObject::tr("limited by an oscillation that was seen")};
+    if (servo.stiffnessScale < 1)
+        return {servo.stiffnessScale * now.value, QObject::tr("limited by an oscillation that was seen")};
     if (now.reason != CeilingReason::SurfaceDamping && now.value < kLateServo * promised.value)
         return {now.value, QObject::tr("limited by a servo that comes late")};
     return {now.value, wordsOf(now.reason)};

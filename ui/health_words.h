@@ -9,7 +9,7 @@
 namespace tactum {
 
 /// What happened, what was done about it and how to go on: three sentences.
-QString guardSentences(Withheld why);
+QString guardSentences(InhibitReason why);
 
 /// The stiffness that is rendered at most, N/m, and what keeps it from being more.
 struct CeilingNow {

@@ -6,9 +6,9 @@ namespace tactum {
 
 namespace {
 
-constexpr double kStep = 2e-5;  // m, between two points that are kept
-constexpr double kLifted = 0.1; // s without touch that end a stroke: a texture throws the finger up
-constexpr std::size_t kMostPoints = 50000; // a metre; of a longer stroke the end is kept
+constexpr double kStep = 2e-5;            // m, between two points that are kept
+constexpr double kLifted = 0.1;           // s without touch that end a stroke: a texture throws the finger up
+constexpr std::size_t kMaxPoints = 50000; // a metre; of a longer stroke the end is kept
 
 } // namespace
 
@@ -25,7 +25,7 @@ bool LastStroke::add(std::span<const TracePoint> points, double bodiesTime) {
         if (step < kStep) continue;
         if (!now_.empty()) length_ += step;
         now_.push_back({point.proxy, bodiesTime});
-        if (now_.size() > kMostPoints) now_.erase(now_.begin(), now_.begin() + kMostPoints / 2);
+        if (now_.size() > kMaxPoints) now_.erase(now_.begin(), now_.begin() + kMaxPoints / 2);
     }
     return ended;
 }

@@ -11,7 +11,7 @@ constexpr double kRepeats = 2.5; // of a pattern in its picture
 constexpr double kFinest = 2;    // pixels
 // A relief that is as steep as this on average needs no exaggeration to be seen.
 constexpr double kSeenSlope = 0.5;
-constexpr double kMostExaggeration = 40;
+constexpr double kMaxExaggeration = 40;
 
 /// A square in the plane z = 0 about the origin; `metresPerUv`: what a unit of its coordinates is long.
 std::shared_ptr<const TriangleSoup> squareOf(double side, double metresPerUv) {
@@ -82,7 +82,7 @@ QImage reliefOf(const std::vector<Vec3>& slopes, int pixels) {
     for (const Vec3& slope : slopes)
         squares += slope.squaredNorm();
     const double steepness = std::sqrt(squares / double(slopes.size()));
-    const double gain = steepness > 0 ? std::clamp(kSeenSlope / steepness, 1.0, kMostExaggeration) : 1.0;
+    const double gain = steepness > 0 ? std::clamp(kSeenSlope / steepness, 1.0, kMaxExaggeration) : 1.0;
     const Vec3 light = Vec3(-0.5, 0.6, 0.75).normalized();
     QImage picture(pixels, pixels, QImage::Format_RGB32);
     for (int row = 0; row < pixels; ++row)

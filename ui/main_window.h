@@ -9,7 +9,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include "core/geometry/mend.h"
+#include "core/geometry/repair.h"
 #include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
 #include "ui/device_settings.h"
@@ -117,7 +117,7 @@ private:
     void connectSurfaces();
     void setShading(const QString& text, const std::function<void(Shading&)>& change);
     void turnOverSelected();
-    void mendSelected(const QString& text, Result<Mended> (*how)(const SharedSoup&, const Progress&));
+    void repairSelected(const QString& text, Result<Repaired> (*how)(const SharedSoup&, const Progress&));
     // Of the brush: main_window_painting.cpp.
     void connectPainting();
     void fillPaintStrip(const QList<QAction*>& goals, const QList<QAction*>& modes);

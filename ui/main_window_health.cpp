@@ -1,4 +1,4 @@
-// Guard and health in the window: what a fault does, and who may render above the ceiling.
+// ForceGate and health in the window: what a fault does, and who may render above the ceiling.
 #include <QSettings>
 
 #include "ui/device_link.h"
@@ -31,9 +31,9 @@ QString deadManKey() {
 } // namespace
 
 void MainWindow::connectHealth() {
-    connect(guard_, &GuardWatch::faulted, this, [this](Withheld why) {
+    connect(guard_, &GuardWatch::faulted, this, [this](InhibitReason why) {
         offerToArm();
-        if (why == Withheld::DeviceLost) link_->look(); // whether it is there at all
+        if (why == InhibitReason::DeviceLost) link_->look(); // whether it is there at all
     });
     connect(guard_, &GuardWatch::happened, this, [this] {
         if (!playback_->active()) docks_.health->setEvents(guard_->events());
@@ -110,7 +110,7 @@ void MainWindow::setDeadMan(bool on) {
 
 void MainWindow::offerToArm(const QString& more) {
     showArmed(false);
-    const bool lost = *guard_->fault() == Withheld::DeviceLost;
+    const bool lost = *guard_->fault() == InhibitReason::DeviceLost;
     const QString trouble = lost ? QString::fromStdString(engine_.trouble()) : QString();
     const QString text =
         QStringLiteral("%1 %2 %3").arg(guardSentences(*guard_->fault()), trouble, more).simplified();

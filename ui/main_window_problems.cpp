@@ -1,4 +1,4 @@
-// The window and its list of problems: where they are, and what mending them takes.
+// The window and its list of problems: where they are, and what repairing them takes.
 #include "ui/main_window.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/problems.h"
@@ -30,7 +30,7 @@ void MainWindow::connectProblems() {
     connect(problems, &Problems::placeAsked, this, &MainWindow::showPlace);
     connect(problems, &Problems::placeGone, this, [this] { view_->setMarked(nullptr, {}, {}); });
     connect(problems, &Problems::repairProgressed, this, [this](double fraction, double secondsLeft) {
-        notice_->showProgress(tr("Mending the mesh"), fraction, secondsLeft, true);
+        notice_->showProgress(tr("Repairing the mesh"), fraction, secondsLeft, true);
     });
     connect(notice_, &NoticeBar::cancelled, problems, &Problems::cancelRepair);
     connect(problems, &Problems::repaired, this, [this](const QString& sentence) {

@@ -42,9 +42,9 @@ void MainWindow::connectSurfaces() {
             [this] { setShading(tr("Flat normals of %1"), [](Shading& each) { each.on = false; }); });
     connect(&actions_["normals-flip"], &QAction::triggered, this, &MainWindow::turnOverSelected);
     connect(&actions_["normals-agree"], &QAction::triggered, this,
-            [this] { mendSelected(tr("Agree on fronts"), agreeOnFronts); });
+            [this] { repairSelected(tr("Agree on fronts"), agreeOnFronts); });
     connect(&actions_["normals-weld"], &QAction::triggered, this,
-            [this] { mendSelected(tr("Weld vertices"), weldVertices); });
+            [this] { repairSelected(tr("Weld vertices"), weldVertices); });
 }
 
 void MainWindow::setShading(const QString& text, const std::function<void(Shading&)>& change) {
@@ -82,8 +82,8 @@ void MainWindow::turnOverSelected() {
                            });
 }
 
-void MainWindow::mendSelected(const QString& text,
-                              Result<Mended> (*how)(const SharedSoup&, const Progress&)) {
+void MainWindow::repairSelected(const QString& text,
+                                Result<Repaired> (*how)(const SharedSoup&, const Progress&)) {
     const auto active = document_.selection();
     if (!active) return;
     auto said = std::make_shared<std::string>();
@@ -92,10 +92,10 @@ void MainWindow::mendSelected(const QString& text,
         [how, said](const SceneObject& object, const Progress& progress) -> Result<SceneObject> {
             if (std::ranges::any_of(object.surfaces, &Surface::locked))
                 return inputError(object.name + " has a locked surface. Unlock it first.");
-            const Result<Mended> mended = how(object.geometry, progress);
-            if (!mended) return tl::unexpected(mended.error());
-            *said = mended->done;
-            return withGeometry(object, mended->soup);
+            const Result<Repaired> repaired = how(object.geometry, progress);
+            if (!repaired) return tl::unexpected(repaired.error());
+            *said = repaired->done;
+            return withGeometry(object, repaired->soup);
         },
         [this, said] { notice_->showNote(QString::fromStdString(*said) + u'.'); });
 }

@@ -25,7 +25,7 @@ Result<PaintPlace> placeOfValue(const Surface& surface, TextureTarget target) {
         if (layer.enabled && layer.target == target && layer.pattern.source == TextureSource::Painted)
             return PaintPlace{i, false};
     }
-    if (count >= kMostTextureLayers)
+    if (count >= kMaxTextureLayers)
         return inputError(surface.name + " has " + std::to_string(count) +
                           " layers, more are not felt; remove one first.");
     return PaintPlace{count, false};

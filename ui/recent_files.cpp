@@ -7,7 +7,7 @@ namespace tactum {
 
 namespace {
 const auto kKey = QStringLiteral("recentFiles");
-constexpr int kMost = 8;
+constexpr int kMax = 8;
 } // namespace
 
 QStringList recentFiles() {
@@ -20,7 +20,7 @@ void rememberFile(const QString& absolutePath) {
     QStringList files = recentFiles();
     files.removeAll(absolutePath);
     files.prepend(absolutePath);
-    QSettings().setValue(kKey, QStringList(files.mid(0, kMost)));
+    QSettings().setValue(kKey, QStringList(files.mid(0, kMax)));
 }
 
 void forgetRecentFiles() {

@@ -5,7 +5,7 @@
 #include <QStandardPaths>
 
 #include "core/base/atomic_file.h"
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 
 namespace tactum {
 
@@ -51,7 +51,7 @@ QString RecordingSaver::folder() {
 void RecordingSaver::watch() {
     const ServoTelemetry& servo = engine_.servo();
     if (servo.faults > faults_) {
-        if (isFault(servo.withheld)) reason_ = QString::fromUtf8(guardWords(servo.withheld).brief);
+        if (isFault(servo.inhibit)) reason_ = QString::fromUtf8(inhibitWords(servo.inhibit).brief);
         if (!due_.isActive()) due_.start();
     }
     faults_ = servo.faults;
@@ -59,7 +59,7 @@ void RecordingSaver::watch() {
 
 void RecordingSaver::flush() {
     const bool hangs = engine_.servoStandsStill();
-    if (hangs) reason_ = QString::fromUtf8(guardWords(Withheld::Stall).brief);
+    if (hangs) reason_ = QString::fromUtf8(inhibitWords(InhibitReason::Stall).brief);
     if (!due_.isActive() && !hangs) return;
     due_.stop();
     saveFault();

@@ -16,6 +16,10 @@ inline std::int64_t nanosecondsOf(clockid_t clock) noexcept {
 inline std::int64_t monotonicNanoseconds() noexcept {
     return nanosecondsOf(CLOCK_MONOTONIC);
 }
+/// The processor time of the calling thread.
+inline std::int64_t threadNanoseconds() noexcept {
+    return nanosecondsOf(CLOCK_THREAD_CPUTIME_ID);
+}
 /// Goes on while the machine sleeps.
 inline std::int64_t bootNanoseconds() noexcept {
     return nanosecondsOf(CLOCK_BOOTTIME);

@@ -8,7 +8,7 @@
 
 namespace tactum {
 
-/// Why something failed, for the person who can mend it. `text` is one line: what, where, what to do.
+/// Why something failed, for the person who can repair it. `text` is one line: what, where, what to do.
 struct Error {
     /// Whose fault it is; the command line turns it into its exit code.
     enum class Kind { Input = 1, Usage = 2, Machine = 3 };

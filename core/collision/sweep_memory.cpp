@@ -8,7 +8,7 @@ namespace {
 
 // How far to gather around a path, in its radii: far where the mesh is coarse, so that it is seldom done
 // anew, and near where it is so dense that not all of it would find room.
-constexpr double kFirstMargin = 0.5, kLeastMargin = 0.5, kMostMargin = 2;
+constexpr double kFirstMargin = 0.5, kMinMargin = 0.5, kMaxMargin = 2;
 // How far the planes of leaves are kept, in radii: their rounding grows with it.
 constexpr double kPlanesReach = 8;
 
@@ -16,7 +16,7 @@ void gatherAround(SweepMemory& memory, const CollisionMesh& mesh, const SpherePa
     const Neighbourhood& near = memory.near;
     double factor = 1;
     if (near.radius >= 0) factor = near.crowded ? 0.7 : near.blocks <= Neighbourhood::kBlocks / 2 ? 1.4 : 1;
-    memory.margin = std::clamp(memory.margin * factor, kLeastMargin * path.radius, kMostMargin * path.radius);
+    memory.margin = std::clamp(memory.margin * factor, kMinMargin * path.radius, kMaxMargin * path.radius);
     mesh.tree.gather(path.from, path.radius + memory.margin, memory.near);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Severity = Finding::Severity;
 
-constexpr std::size_t kMostTexelsOfAModel = TextureImage::kMostTexels; // and the last one on top
+constexpr std::size_t kMaxTexelsOfAModel = TextureImage::kMaxTexels; // and the last one on top
 
 /// As it is written, or by its bare name: many programs write where it lay on somebody's disk.
 std::filesystem::path fileOf(const std::filesystem::path& folder, std::string reference) {
@@ -69,7 +69,7 @@ BumpLayers::Image BumpLayers::read(const std::string& reference, std::vector<Fin
     if (file.empty())
         return warn(inQuotes(reference) + " is not in the folder of the model",
                     "copy it there and open the model again, or choose a picture for the layer");
-    if (texels_ > kMostTexelsOfAModel)
+    if (texels_ > kMaxTexelsOfAModel)
         return warn(inQuotes(reference) + " is one too many: the others fill the memory meant for them",
                     "scale the pictures down");
     const Result<LoadedImage> loaded = readImage(file);

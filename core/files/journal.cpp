@@ -30,7 +30,7 @@ constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
 constexpr std::string_view kShapes = "shapes-";
 constexpr std::size_t kBlock = std::size_t(4) << 20;
 constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;
-constexpr std::uint64_t kMost = std::uint64_t(4) << 30; // what a glb can hold
+constexpr std::uint64_t kMax = std::uint64_t(4) << 30; // what a glb can hold
 
 /// Of a block: tells it from every other one that chance or a bad disk could put in its place.
 struct Print {
@@ -97,7 +97,7 @@ tl::unexpected<Error> damaged(const fs::path& folder, const std::string& what) {
 
 Result<std::string> contentOf(const fs::path& file) {
     std::error_code fault;
-    if (!fs::is_regular_file(file, fault) || fs::file_size(file, fault) > kMost)
+    if (!fs::is_regular_file(file, fault) || fs::file_size(file, fault) > kMax)
         return damaged(file.parent_path(), file.filename().string() + " is missing");
     std::ostringstream bytes;
     std::ifstream in(file, std::ios::binary);

@@ -56,11 +56,11 @@ std::string plain(std::string_view text, std::size_t limit = std::string_view::n
 
 /// "lid, body and 3 more"
 std::string namesOf(const std::vector<std::string>& names) {
-    constexpr std::size_t kMost = 5, kLongest = 200;
+    constexpr std::size_t kMax = 5, kLongest = 200;
     std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+    for (std::size_t i = 0; i < std::min(names.size(), kMax); ++i)
         text += (i > 0 ? ", " : "") + plain(names[i], kLongest);
-    if (names.size() > kMost) text += " and " + std::to_string(names.size() - kMost) + " more";
+    if (names.size() > kMax) text += " and " + std::to_string(names.size() - kMax) + " more";
     return text;
 }
 

@@ -51,7 +51,7 @@ Index WorldMesh::uv(const Eigen::Vector2f& uv) {
 void WorldMesh::polygon(std::vector<PolygonCorner> corners, Index surface) {
     if (mirrored_) std::reverse(corners.begin(), corners.end());
     builder_.add(corners, surface);
-    if (builder_.triangles() > kMostTriangles)
+    if (builder_.triangles() > kMaxTriangles)
         source_.fail("has more than 67 million triangles with all its copies; split or simplify it");
 }
 

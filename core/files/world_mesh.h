@@ -11,7 +11,7 @@ namespace tactum {
 Finding unitGuess(const Scene& scene);
 
 /// A small file can name one mesh very often.
-inline constexpr std::size_t kMostTriangles = std::size_t(1) << 26;
+inline constexpr std::size_t kMaxTriangles = std::size_t(1) << 26;
 
 class WorldMesh {
 public:
@@ -26,7 +26,7 @@ public:
     std::size_t positions() const { return pools_.positions.size(); }
 
     /// Corners counter-clockwise as the file sees it; a mirroring transform turns them over. Throws ReadFault
-    /// beyond kMostTriangles.
+    /// beyond kMaxTriangles.
     void polygon(std::vector<PolygonCorner> corners, Index surface);
     void addTo(LoadedScene& loaded, const std::string& name, std::vector<Surface> surfaces,
                const Progress& progress);

@@ -244,7 +244,7 @@ TriangleSet FaceGraph::smooth(Index seed, double creaseAngle) const {
     const float angle = float(creaseAngle), chord = squaredChord(creaseAngle);
     const auto overGroup = [&](Index t, Index group, auto reach) {
         const Uses uses = usesOf(group);
-        if (uses.size() > kMostAround) return;
+        if (uses.size() > kMaxAround) return;
         const auto self =
             std::find_if(uses.begin(), uses.end(), [&](const Use& u) { return u.triangle == t; });
         for (const Use& use : uses)

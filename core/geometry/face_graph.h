@@ -41,7 +41,7 @@ public:
     Index partOf(Index triangle) const { return ring_[triangle].part; }
     /// All that can be reached over edges that bend by no more than the angle, from 0 to pi. Where two
     /// triangles meet it does not matter whether they agree about front and back. Where more do, only those
-    /// count as going on into each other that agree; an edge of more than kMostAround is a crease. So is
+    /// count as going on into each other that agree; an edge of more than kMaxAround is a crease. So is
     /// every edge of a triangle without an area: nobody can say how it bends.
     TriangleSet smooth(Index seed, double creaseAngle) const;
     /// All whose normal is within the angle of the seed's, anywhere or reached over others that are.
@@ -84,7 +84,7 @@ public:
                 if (use.triangle != triangle) f(use.triangle);
     }
 
-    static constexpr std::size_t kMostAround = 16;
+    static constexpr std::size_t kMaxAround = 16;
 
 private:
     /// What is around a triangle: all that a step of a flood asks for, in one line of the cache.

@@ -6,9 +6,9 @@
 
 #include "core/geometry/face_graph.h"
 #include "core/geometry/filing.h"
-#include "core/geometry/mend.h"
-#include "core/geometry/mend_parts.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/repair.h"
+#include "core/geometry/repair_parts.h"
 #include "core/geometry/weld.h"
 
 namespace tactum {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr Index kNobody = ~Index{0};
 /// Lids that are not flat cost the third power of their edges.
-constexpr std::size_t kMostCurved = 120;
+constexpr std::size_t kMaxCurved = 120;
 /// Of the size of a rim: nearer to one plane than that is flat.
 constexpr double kFlat = 1e-6;
 
@@ -148,11 +148,11 @@ private:
         std::vector<Vec3> outline;
         for (const RimCorner& c : rim)
             outline.push_back(at(c));
-        if (isFlat(outline) || rim.size() > kMostCurved) {
+        if (isFlat(outline) || rim.size() > kMaxCurved) {
             Lid lid = cutter_.cut(outline);
             if (lid.size() == rim.size() - 2 && !cutter_.gaveUp() && isFree(rim, lid)) return lid;
         }
-        if (rim.size() > kMostCurved) return std::nullopt;
+        if (rim.size() > kMaxCurved) return std::nullopt;
         return smallestLid(rim, outline);
     }
 
@@ -234,7 +234,7 @@ private:
 
 } // namespace
 
-Result<Mended> fillHoles(const SharedSoup& soup, const HoleLimits& limits, const Progress& progress) {
+Result<Repaired> fillHoles(const SharedSoup& soup, const HoleLimits& limits, const Progress& progress) {
     const Result<FaceGraph> graph = FaceGraph::build(soup, partOf(progress, 0, 0.5));
     if (!graph) return cancelledError();
     TriangleSoup result = *soup;
@@ -242,8 +242,8 @@ Result<Mended> fillHoles(const SharedSoup& soup, const HoleLimits& limits, const
     const std::optional<std::size_t> closed = Filling(soup, limits, rest).run(*graph, result);
     if (!closed || progress.isCancelled()) return cancelledError();
     std::string done = sentence(*closed, "hole", "holes", "closed");
-    if (*closed == 0) return Mended{soup, 0, std::move(done)};
-    return Mended{std::make_shared<const TriangleSoup>(std::move(result)), *closed, std::move(done)};
+    if (*closed == 0) return Repaired{soup, 0, std::move(done)};
+    return Repaired{std::make_shared<const TriangleSoup>(std::move(result)), *closed, std::move(done)};
 }
 
 } // namespace tactum

@@ -136,7 +136,7 @@ private:
 } // namespace
 
 void ProblemGatherer::add(Index triangle) {
-    if (problem_.triangles.size() < Problem::kMostTriangles) problem_.triangles.push_back(triangle);
+    if (problem_.triangles.size() < Problem::kMaxTriangles) problem_.triangles.push_back(triangle);
     for (Index v : soup_.triangles[triangle])
         box_.add(soup_.positions[v]);
 }

@@ -18,11 +18,11 @@ enum class ProblemKind : std::uint8_t {
 
 /// All of one kind in one mesh. Body frame, metre.
 struct Problem {
-    static constexpr std::size_t kMostTriangles = 10'000;
+    static constexpr std::size_t kMaxTriangles = 10'000;
 
     ProblemKind kind = ProblemKind::Hole;
     std::size_t count = 0;      ///< in the unit of the kind: as MeshHealth counts
-    TriangleSet triangles;      ///< those concerned, at most kMostTriangles of them
+    TriangleSet triangles;      ///< those concerned, at most kMaxTriangles of them
     Vec3 centre = Vec3::Zero(); ///< of a sphere around all of it
     double radius = 0;
 

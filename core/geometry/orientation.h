@@ -9,7 +9,7 @@ namespace tactum {
 ///
 /// In a patch whose triangles disagree the smaller area is turned. A closed patch that no other one encloses
 /// then has its front outside; in one that is enclosed either may be meant (a hollow, or a body in a body),
-/// so that only disagreement is mended there. What cannot have one front (a Moebius strip) stays as it is.
+/// so that only disagreement is repaired there. What cannot have one front (a Moebius strip) stays as it is.
 struct Orientation {
     TriangleSet turned;    ///< all that are to be turned over
     TriangleSet insideOut; ///< of these, whole closed patches that agreed within themselves

@@ -7,7 +7,7 @@
 
 #include "core/collision/collision_mesh.h"
 #include "core/dynamics/motion.h"
-#include "core/haptics/fidelity.h"
+#include "core/haptics/degradation.h"
 #include "core/proxy/proxy.h"
 #include "core/scene/scene.h"
 #include "core/surface/material.h"

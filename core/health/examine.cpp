@@ -21,7 +21,7 @@ Repair repairOf(ProblemKind kind) {
     case ProblemKind::Duplicate:
         return Repair::RemoveDuplicates;
     case ProblemKind::Sliver:
-        return Repair::MendSlivers;
+        return Repair::RepairSlivers;
     case ProblemKind::Crowded:
     case ProblemKind::ThinWall:
     case ProblemKind::Unreachable:
@@ -71,7 +71,7 @@ Finding findingOf(const Problem& problem, const MeshHealth& health, const std::s
 
 /// A rim whose triangles disagree is none that can be followed: where that keeps all holes open, they agree
 /// first.
-Result<Mended> closeHoles(const std::shared_ptr<const TriangleSoup>& soup, const Progress& progress) {
+Result<Repaired> closeHoles(const std::shared_ptr<const TriangleSoup>& soup, const Progress& progress) {
     auto closed = fillHoles(soup, {}, partOf(progress, 0, 0.4));
     if (!closed || closed->changes > 0) return closed;
     const auto agreed = agreeOnFronts(soup, partOf(progress, 0.4, 0.6));
@@ -175,8 +175,8 @@ Result<Examined> examine(const Scene& scene, const std::vector<KnownMesh>& known
     return Examination(scene, known, progress).run();
 }
 
-Result<Mended> repair(const std::shared_ptr<const TriangleSoup>& soup, Repair repair,
-                      const Progress& progress) {
+Result<Repaired> repair(const std::shared_ptr<const TriangleSoup>& soup, Repair repair,
+                        const Progress& progress) {
     switch (repair) {
     case Repair::FillHoles:
         return closeHoles(soup, progress);
@@ -184,13 +184,13 @@ Result<Mended> repair(const std::shared_ptr<const TriangleSoup>& soup, Repair re
         return agreeOnFronts(soup, progress);
     case Repair::RemoveDuplicates:
         return removeDuplicates(soup, progress);
-    case Repair::MendSlivers:
-        return mendSlivers(soup, progress);
+    case Repair::RepairSlivers:
+        return repairSlivers(soup, progress);
     case Repair::Scale:
     case Repair::None:
         break;
     }
-    return Mended{soup, 0, "nothing to do"};
+    return Repaired{soup, 0, "nothing to do"};
 }
 
 std::optional<UnitGuess> guessUnit(double diagonal) {

@@ -5,17 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry/mend.h"
 #include "core/geometry/mesh_problems.h"
+#include "core/geometry/repair.h"
 #include "core/scene/findings.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
 
 /// A repair of one mesh, but for the last: that one scales the whole scene.
-enum class Repair { None, FillHoles, AgreeOnFronts, RemoveDuplicates, MendSlivers, Scale };
+enum class Repair { None, FillHoles, AgreeOnFronts, RemoveDuplicates, RepairSlivers, Scale };
 
-/// A finding with all that helps to see it and to mend it.
+/// A finding with all that helps to see it and to repair it.
 struct PlacedFinding {
     Finding finding;
     ObjectId object = 0;            ///< 0: about the scene, or a value
@@ -46,8 +46,8 @@ Result<Examined> examine(const Scene& scene, const std::vector<KnownMesh>& known
                          const Progress& progress = {});
 
 /// Fails only when cancelled. Thread: any but real time.
-Result<Mended> repair(const std::shared_ptr<const TriangleSoup>& soup, Repair repair,
-                      const Progress& progress = {});
+Result<Repaired> repair(const std::shared_ptr<const TriangleSoup>& soup, Repair repair,
+                        const Progress& progress = {});
 
 /// The factor that makes a size fit a hand when the unit was mistaken, and what it was taken for.
 struct UnitGuess {

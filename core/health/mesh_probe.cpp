@@ -44,8 +44,8 @@ public:
 
     /// How many triangles to go on by, so that the work stays bounded.
     std::size_t stride() const {
-        constexpr std::size_t kMostSweeps = 4'000'000;
-        return 1 + graph_.triangles() * std::size_t(pieces_) / kMostSweeps;
+        constexpr std::size_t kMaxSweeps = 4'000'000;
+        return 1 + graph_.triangles() * std::size_t(pieces_) / kMaxSweeps;
     }
 
     bool isThin(Index t) const {

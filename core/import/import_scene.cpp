@@ -114,9 +114,9 @@ std::uint64_t sizeOf(const std::filesystem::path& file) {
 
 ImportLimits limitsFor(std::uint64_t fileBytes) {
     ImportLimits limits;
-    constexpr std::uint64_t kMost = std::uint64_t(1) << 40;
-    limits.memory = std::max(limits.memory, 12 * std::min(fileBytes, kMost));
-    limits.processor += std::chrono::seconds(std::min(fileBytes, kMost) >> 22);
+    constexpr std::uint64_t kMax = std::uint64_t(1) << 40;
+    limits.memory = std::max(limits.memory, 12 * std::min(fileBytes, kMax));
+    limits.processor += std::chrono::seconds(std::min(fileBytes, kMax) >> 22);
     limits.patience = 5 * limits.processor;
     return limits;
 }

@@ -21,7 +21,7 @@ template <class Io> void shownText(Io& io, std::string& text, std::size_t limit)
     io(text);
     if constexpr (Io::kReads) text = printable(text, limit);
 }
-constexpr ObjectId kMostObjects = ObjectId(1) << 31; ///< Scene::add() counts on from the highest
+constexpr ObjectId kMaxObjects = ObjectId(1) << 31; ///< Scene::add() counts on from the highest
 constexpr std::size_t kLongestSentence = 4000;
 
 /// What only the writer of a file looks at again, and does not trust either.
@@ -116,7 +116,7 @@ template <class Io> void transfer(Io& io, Scene& scene, Tables& tables) {
     if constexpr (!Io::kReads) return;
     std::unordered_set<ObjectId> seen;
     for (const SceneObject& object : objects)
-        io.demand(object.id != 0 && object.id < kMostObjects && seen.insert(object.id).second,
+        io.demand(object.id != 0 && object.id < kMaxObjects && seen.insert(object.id).second,
                   "the numbers of the objects are not those of one scene");
 }
 

@@ -85,17 +85,6 @@ void RealtimeThread::abandon() {
     running_ = false;
 }
 
-void stayOn(int processor) noexcept {
-    cpu_set_t only;
-    CPU_ZERO(&only);
-    CPU_SET(std::size_t(processor), &only);
-    sched_setaffinity(0, sizeof(only), &only); // of this thread
-}
-
-void stayHere() noexcept {
-    if (sched_getscheduler(0) == SCHED_FIFO) stayOn(sched_getcpu());
-}
-
 int lockPresentMemory() {
     return mlockall(MCL_CURRENT | MCL_ONFAULT) == 0 ? 0 : errno;
 }

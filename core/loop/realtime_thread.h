@@ -38,14 +38,6 @@ private:
     int refusal_ = 0;
 };
 
-/// The calling thread stays on one processor from now on; refused, it goes where the kernel wants.
-/// Thread: any, outside every RealtimeScope.
-void stayOn(int processor) noexcept;
-
-/// The calling thread stays where it is, if it goes before all others there (SCHED_FIFO): its cache stays
-/// warm, and what delays it can be told. Thread: any, outside every RealtimeScope.
-void stayHere() noexcept;
-
 /// Keeps the pages that the process has now in memory; returns errno, 0 for success.
 /// It locks pages only as they are touched, and none that are mapped later. With MCL_FUTURE every later
 /// allocation of the window would count against RLIMIT_MEMLOCK and *fail* beyond it; and without

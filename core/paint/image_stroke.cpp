@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr double kMargin = 1.4142135623730951;
 constexpr int kTile = 32; ///< texels: what is known of changes
 /// A triangle that the brush reaches on more texels than this shows the image so often that none can be told.
-constexpr double kMostTexels = 1 << 24;
+constexpr double kMaxTexels = 1 << 24;
 
 /// The texels of a triangle that a ball reaches, and one more all around.
 TexelBox reached(const TriangleSoup& soup, Index index, const TexelTriangle& on, const TexelMap& map,
@@ -68,7 +68,7 @@ void ImageStroke::gather(Index triangle, const Vec3& centre, double radius) {
     const TexelTriangle on(soup, triangle, map);
     if (!on.hasArea()) return;
     const TexelBox box = reached(soup, triangle, on, map, centre, radius);
-    if (box.area() > kMostTexels) return;
+    if (box.area() > kMaxTexels) return;
     const auto& corners = soup.triangles[triangle];
     for (int y = box.low.y(); y < box.high.y(); ++y)
         for (int x = box.low.x(); x < box.high.x(); ++x) {

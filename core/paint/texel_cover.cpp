@@ -48,8 +48,8 @@ TexelCover::TexelCover(const TriangleSoup& soup, const PaintableSurfaces& surfac
     : map_(map), covered_(map.texels(), 0) {
     assertNotRealtime();
     // Coordinates that repeat the image more often leave no texel uncovered, and no time to look at them all.
-    constexpr double kMostCovers = 64;
-    budget_ = kMostCovers * double(map.texels()) + 1e6;
+    constexpr double kMaxCovers = 64;
+    budget_ = kMaxCovers * double(map.texels()) + 1e6;
     if (soup.cornerUvs.empty()) return;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
         if (!surfaces(soup.surfaceOf[i])) continue;

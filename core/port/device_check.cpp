@@ -24,8 +24,8 @@ std::string impossibleFigure(const DeviceInfo& device) {
         if (const double value = device.*figure.value;
             !(value >= figure.least && value <= figure.most)) // NaN is not
             return rangeFault(figure.name, value, figure.unit, figure.least, figure.most);
-    if (device.buttons < 0 || device.buttons > kMostButtons)
-        return rangeFault("number of buttons", device.buttons, "", 0, kMostButtons);
+    if (device.buttons < 0 || device.buttons > kMaxButtons)
+        return rangeFault("number of buttons", device.buttons, "", 0, kMaxButtons);
     return {};
 }
 

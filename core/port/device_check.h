@@ -11,7 +11,7 @@ namespace tactum {
 /// second no computer wakes in time. Unit: Hz.
 inline constexpr double kSlowestRate = 150, kFastestRate = 10'000;
 /// The bits of DeviceSample::buttons that there may be.
-inline constexpr int kMostButtons = 31;
+inline constexpr int kMaxButtons = 31;
 
 /// What one figure is and should be, "its rate is 0 Hz, and it must be from ..."; empty when all can be.
 /// Thread: any but real time.

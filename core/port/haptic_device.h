@@ -26,7 +26,7 @@ struct DeviceInfo {
     double amplifierLag = 0;       ///< s, time constant from command to force
     double delay = 1;              ///< ticks between reading and the force that answers it
     int buttons = 0;               ///< on its handle: the lowest bits of DeviceSample::buttons
-    bool real = false;             ///< it pushes a hand: a guardian stands by while it is open
+    bool real = false;             ///< it pushes a hand: a device watchdog stands by while it is open
     double tripSpeed = 1.5;        ///< m/s; a finger that is faster was let go: the force is taken away
     bool measuresVelocity = false; ///< false: the servo makes the velocities itself, from the positions
 };

@@ -8,7 +8,7 @@
 namespace tactum {
 
 Result<void> checkWorkspace(const Workspace& workspace) {
-    if (!(workspace.scale >= kLeastScale && workspace.scale <= kMostScale))
+    if (!(workspace.scale >= kMinScale && workspace.scale <= kMaxScale))
         return inputError("The workspace's scale must be from 0.001 to 10000: choose another one.");
     AxisMap axes = workspace.axes;
     for (std::int8_t& axis : axes)

@@ -8,7 +8,7 @@
 namespace tactum {
 
 /// Of Workspace::scale: from a watch under the finger to a city.
-inline constexpr double kLeastScale = 1e-3, kMostScale = 1e4;
+inline constexpr double kMinScale = 1e-3, kMaxScale = 1e4;
 
 /// What the person decides; it belongs to the device and not to the scene.
 struct Workspace {

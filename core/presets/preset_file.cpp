@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kVersionKey = "tactumPreset";
 constexpr std::string_view kPictureHead = "data:image/png;base64,";
-constexpr std::size_t kLongestText = 4000, kMostTags = 64;
+constexpr std::size_t kLongestText = 4000, kMaxTags = 64;
 
 std::string versionText() {
     return std::to_string(kPresetMajor) + "." + std::to_string(kPresetMinor);
@@ -86,9 +86,9 @@ private:
     void readTags() {
         const Json* tags = member(root_, "tags");
         if (!tags) return;
-        const bool words = tags->is_array() && tags->size() <= kMostTags &&
+        const bool words = tags->is_array() && tags->size() <= kMaxTags &&
                            std::ranges::all_of(*tags, [](const Json& tag) { return tag.is_string(); });
-        if (!words) failAt("tags", "is not a list of up to 64 texts; mend or remove it");
+        if (!words) failAt("tags", "is not a list of up to 64 texts; repair or remove it");
         for (const Json& tag : *tags)
             made_.preset.tags.push_back(printable(tag.get<std::string>(), 100));
     }
@@ -100,7 +100,7 @@ private:
             return part.is_number() && part.get<double>() >= 0 && part.get<double>() <= 1;
         };
         if (!colour->is_array() || colour->size() != 3 || !std::ranges::all_of(*colour, isPart))
-            failAt("colour", "is not a list of three numbers from 0 to 1; mend or remove it");
+            failAt("colour", "is not a list of three numbers from 0 to 1; repair or remove it");
         for (std::size_t i = 0; i < 3; ++i)
             made_.preset.colour[Eigen::Index(i)] = (*colour)[i].get<double>();
     }
@@ -118,7 +118,7 @@ private:
             std::string complaint = complaints.front();
             if (complaint.starts_with(kExtension))
                 complaint.replace(0, std::string_view(kExtension).size(), "feel");
-            source_.fail(complaint + "; mend or remove it");
+            source_.fail(complaint + "; repair or remove it");
         }
         takeValues(*feel, surface.material);
         if (member(*feel, kShadingPart)) {
@@ -154,9 +154,9 @@ private:
     }
 
     void takeLayers(std::vector<TextureLayer> layers) {
-        if (layers.size() > std::size_t(kMostTextureLayers))
+        if (layers.size() > std::size_t(kMaxTextureLayers))
             failAt("feel.layers", "has " + std::to_string(layers.size()) + " layers; leave at most " +
-                                      std::to_string(kMostTextureLayers));
+                                      std::to_string(kMaxTextureLayers));
         for (std::size_t i = 0; i < layers.size(); ++i) {
             const std::string where = "feel.layers[" + std::to_string(i) + "]";
             const TextureLayer& layer = layers[i];
@@ -175,7 +175,7 @@ private:
         for (const PatternField& field : kPatternFields)
             check(where, *field.parameter, pattern.*field.value);
         if (!pattern.frame.translation.allFinite())
-            failAt(where + ".frame", "is no place; mend or remove it");
+            failAt(where + ".frame", "is no place; repair or remove it");
         if (pattern.source == TextureSource::Painted)
             failAt(where, "is painted, and that belongs to one mesh; choose another source");
         if (pattern.source == TextureSource::Image && !pattern.image)
@@ -220,7 +220,7 @@ private:
             if (!said.is_object()) failAt("sources." + printable(key), "is no object; give it \"words\"");
             PresetSource source{text(said, "words", inside), text(said, "link", inside), false};
             if (const Json* typical = member(said, "typical")) {
-                if (!typical->is_boolean()) failAt(inside + "typical", "is not true or false; mend it");
+                if (!typical->is_boolean()) failAt(inside + "typical", "is not true or false; repair it");
                 source.typical = typical->get<bool>();
             }
             if (isPart(key)) made_.preset.sources[key] = std::move(source);

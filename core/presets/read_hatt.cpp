@@ -15,8 +15,8 @@
 namespace tactum {
 namespace {
 
-constexpr std::uint64_t kLargestFile = 64 << 20;                // bytes
-constexpr std::size_t kMostModels = 10000, kHighestOrder = 256; // far above what the toolkit has
+constexpr std::uint64_t kLargestFile = 64 << 20;               // bytes
+constexpr std::size_t kMaxModels = 10000, kHighestOrder = 256; // far above what the toolkit has
 constexpr const char* kPaper = "https://doi.org/10.1109/HAPTICS.2014.6775475";
 
 using Node = pugi::xml_node;
@@ -135,8 +135,8 @@ private:
     std::vector<VibrationModel> readModels() const {
         std::vector<VibrationModel> models;
         for (const Node node : set_.children("model")) {
-            if (models.size() == kMostModels)
-                failAt(node, "is one more than the " + std::to_string(kMostModels) +
+            if (models.size() == kMaxModels)
+                failAt(node, "is one more than the " + std::to_string(kMaxModels) +
                                  " that are read; copy the file again");
             models.push_back(readModel(node));
         }

@@ -20,7 +20,7 @@ constexpr double kLeft = 0.1;
 // The speed at which a viscous contact is compared with a dry one, m/s: that of a hand.
 constexpr double kHandSpeed = 0.1;
 // The way back from under a body that passed over the proxy is free for this part of it.
-constexpr double kWayBack = 0.5 * (1 - kMostGive);
+constexpr double kWayBack = 0.5 * (1 - kMaxGive);
 
 /// The first contact on the way.
 struct Meeting {

@@ -4,7 +4,7 @@ namespace tactum {
 
 std::optional<CarryBounds::Place> CarryBounds::nearestTo(const Vec3& goal, double radius) const noexcept {
     if (const NearestPoint whole = nearest(goal, 0); whole.feasible) return Place{goal + whole.x, 0};
-    double low = 0, high = kMostGive * radius;
+    double low = 0, high = kMaxGive * radius;
     NearestPoint best = nearest(goal, high);
     if (!best.feasible) return std::nullopt;
     constexpr int kHalvings = 40; // to the last bits of a radius

@@ -12,7 +12,7 @@ namespace tactum {
 
 /// Between surfaces that leave less room than it needs the proxy gives way by at most this part of its
 /// radius.
-inline constexpr double kMostGive = 0.9;
+inline constexpr double kMaxGive = 0.9;
 
 /// A primitive that bounds the proxy's centre, as a half-space where its body is at the end of its way.
 struct Bound {
@@ -37,7 +37,7 @@ public:
         double give = 0;        ///< by how much every bound had to give way for it, m
     };
     /// The place nearest to the goal that all bounds allow. Where they exclude each other they give way
-    /// evenly, by as little as leaves a place; none where kMostGive of the radius is not enough.
+    /// evenly, by as little as leaves a place; none where kMaxGive of the radius is not enough.
     std::optional<Place> nearestTo(const Vec3& goal, double radius) const noexcept;
 
 private:

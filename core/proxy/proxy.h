@@ -38,7 +38,7 @@ struct PassedBody {
 
 /// Of the bodies with surfaces that are felt from one side alone the proxy can be half through so many at
 /// once; of what is beyond, the side is that of its centre.
-inline constexpr int kMostStraddled = 8;
+inline constexpr int kMaxStraddled = 8;
 
 /// A body with such surfaces that the proxy overlaps: it goes on passing through what it came to from the
 /// wrong side, however far its centre is, until it was clear of the body once. The side of every surface is
@@ -72,7 +72,7 @@ struct ProxyState {
     std::array<SweepMemory, 4> memories{};
     std::array<PassedBody, kMaxMovers> passed{};
     int passedCount = 0;
-    std::array<StraddledBody, kMostStraddled> straddled{};
+    std::array<StraddledBody, kMaxStraddled> straddled{};
     int straddledCount = 0;
 };
 

@@ -111,7 +111,7 @@ private:
     int rounds_ = 0;
     bool squeezed_ = false;
     Vec3 nearest_; ///< the nearest place of this step that it was at
-    InplaceVector<StraddledBody, kMostStraddled> nearestStraddled_; ///< what the proxy was half through there
+    InplaceVector<StraddledBody, kMaxStraddled> nearestStraddled_; ///< what the proxy was half through there
     double nearestDistance_ = std::numeric_limits<double>::infinity();
     double boldness_ = kRollFaster; ///< how many times faster
     bool wasBold_ = false;          ///< in the last round that rolled

@@ -12,7 +12,7 @@ namespace {
 // The proxy goes around an edge by at most this cosine at once.
 constexpr double kSteepest = 0.5;
 // Up to this curvature times depth Newton's step is trusted; beyond it the proxy is about to roll off.
-constexpr double kMostBent = 0.7;
+constexpr double kMaxBent = 0.7;
 // A guess goes no farther along an edge than this part of the radius, unless the plain step does.
 constexpr double kFarthestGuess = 0.4;
 
@@ -79,7 +79,7 @@ Vec3 Step::alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexc
 // one. What it gained shows in the next, when the proxy has dropped back onto the edge.
 Vec3 Step::farther(const Vec3& flat, const Vec3& way, double bend) noexcept {
     const double newton = bend < 1 ? 1 / (1 - bend) : kBoldest;
-    const bool trusted = bend < kMostBent;
+    const bool trusted = bend < kMaxBent;
     const double most = trusted ? newton : std::exchange(wasBold_, !wasBold_) ? kRollFaster : boldness_;
     const double along = way.dot(flat), wanted = std::min(newton, most) * along;
     const double farthest = std::max(std::abs(along), kFarthestGuess * radius_);

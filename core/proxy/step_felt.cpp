@@ -13,7 +13,7 @@ constexpr double kStrideGrowth = 1.2;
 // A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
 constexpr int kSettling = 8;
 // Where a viscous slide has to die out first, so many of its lags later, but no more steps than that.
-constexpr double kLags = 20, kMostLag = 1e5;
+constexpr double kLags = 20, kMaxLag = 1e5;
 
 } // namespace
 
@@ -66,7 +66,7 @@ bool Step::isSeated() noexcept {
 // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
 // does not.
 double Step::settlingStride() const noexcept {
-    const int late = state_.stillFor - kSettling - int(std::min(kLags * lag() / dt_, kMostLag));
+    const int late = state_.stillFor - kSettling - int(std::min(kLags * lag() / dt_, kMaxLag));
     return late < 0 ? std::numeric_limits<double>::infinity() : std::ldexp(radius_, -late);
 }
 

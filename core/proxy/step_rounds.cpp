@@ -13,7 +13,7 @@ namespace {
 constexpr double kSpeedDecay = 0.9;
 constexpr double kSamePlane = 1e-12;
 // So many curved steps may lead nowhere.
-constexpr int kMostVain = 2;
+constexpr int kMaxVain = 2;
 
 } // namespace
 
@@ -49,7 +49,7 @@ void Step::judge() noexcept {
         vainGuesses_ = 0;
         return;
     }
-    if (!guessed_ || felt_ || ++vainGuesses_ != kMostVain) return;
+    if (!guessed_ || felt_ || ++vainGuesses_ != kMaxVain) return;
     boldness_ = kRollFaster;
     goBackToNearest();
 }
@@ -60,7 +60,7 @@ bool Step::isAstray() noexcept {
     const bool farther = (finger_ - state_.position).norm() > nearestDistance_ + kKeep * kSkin * radius_;
     if (felt_ || !farther || vainGuesses_ == 0) return false;
     goBackToNearest();
-    return std::exchange(vainGuesses_, kMostVain) < kMostVain;
+    return std::exchange(vainGuesses_, kMaxVain) < kMaxVain;
 }
 
 void Step::returnToNearest() noexcept {
@@ -105,7 +105,7 @@ bool Step::round() noexcept {
     const double slide = frictionAllows(wish, excess);
     if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
     // Friction that lets go entirely is none; the last rounds take no risks.
-    const bool free = slide == excess && rounds_ < mostRounds_ - 2 && vainGuesses_ < kMostVain;
+    const bool free = slide == excess && rounds_ < mostRounds_ - 2 && vainGuesses_ < kMaxVain;
     const Vec3 motion = felt_  ? alongFelt(wish, slide / excess, free)
                         : free ? alongCurvature(wish, excess)
                                : Vec3(wish * (slide / excess));

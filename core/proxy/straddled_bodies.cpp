@@ -30,8 +30,8 @@ template <class Unwanted>
 void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
             double radius, const Vec3& before_W, double from, double to, Unwanted&& unwanted) noexcept {
     int count = 0;
-    std::array<StraddledBody, kMostStraddled> now;
-    for (std::uint32_t body = 0; body < obstacles.size() && count < kMostStraddled; ++body) {
+    std::array<StraddledBody, kMaxStraddled> now;
+    for (std::uint32_t body = 0; body < obstacles.size() && count < kMaxStraddled; ++body) {
         const Obstacle& obstacle = obstacles[body];
         if (obstacle.sides.empty() || unwanted(obstacle)) continue;
         const Vec3 at_B = poseAt(obstacle, movers, to).applyInverse(state.position);

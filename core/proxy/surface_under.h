@@ -20,7 +20,7 @@ inline const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexc
 TexturePoint texturePointAt(const Obstacle& obstacle, Index index, const Triangle& triangle,
                             const ClosestPoint& closest, const Vec3& normal) noexcept;
 
-using FeltSlopes = std::array<Vec3, 1 + kMostOwnPlanes>;
+using FeltSlopes = std::array<Vec3, 1 + kMaxOwnPlanes>;
 
 /// The slopes of all planes that a texture gives, and how many: at least one. Thread: real time.
 int slopesOf(const TextureFeel& feel, FeltSlopes& slopes) noexcept;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 
 namespace tactum {
 namespace {
@@ -27,11 +27,12 @@ void addGuard(Events& events, const ServoRow& before, const ServoRow& now) {
     const bool armed = now.flags & ServoRow::Armed;
     if (armed != bool(before.flags & ServoRow::Armed))
         events.push_back({now.time, false, armed ? "forces on" : "forces off"});
-    if (now.withheld == before.withheld) return;
-    const auto why = Withheld(now.withheld);
+    if (now.inhibit == before.inhibit) return;
+    const auto why = InhibitReason(now.inhibit);
     // Off and on again are the person's own doing, and said above.
-    const bool ordinary = why == Withheld::NotArmed || why == Withheld::Settling || why == Withheld::Rising;
-    if (!ordinary) events.push_back({now.time, isFault(why), guardWords(why).brief});
+    const bool ordinary =
+        why == InhibitReason::NotArmed || why == InhibitReason::Settling || why == InhibitReason::Rising;
+    if (!ordinary) events.push_back({now.time, isFault(why), inhibitWords(why).brief});
 }
 
 void addDevice(Events& events, const ServoRow& before, const ServoRow& now) {

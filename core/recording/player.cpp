@@ -46,7 +46,7 @@ std::string difference(const ProxyRow& recorded, const ProxyRow& now) {
 
 std::string difference(const ServoRow& recorded, const ServoRow& now) {
     if (!sameBits(recorded.force, now.force)) return compared("the force, in N,", recorded.force, now.force);
-    if (recorded.withheld != now.withheld || !sameBits(recorded.gain, now.gain) ||
+    if (recorded.inhibit != now.inhibit || !sameBits(recorded.gain, now.gain) ||
         recorded.faults != now.faults)
         return "the guard decided otherwise";
     if (recorded.oscillations != now.oscillations) return "oscillations were noticed otherwise";

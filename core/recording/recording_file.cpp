@@ -21,9 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 9;
+constexpr std::uint32_t kVersion = 10;
 /// Of each loop; a state is much larger in memory than it may be in the file.
-constexpr std::uint64_t kMostStates = 2 * std::uint64_t(kRecorded / kStateEvery);
+constexpr std::uint64_t kMaxStates = 2 * std::uint64_t(kRecorded / kStateEvery);
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
 constexpr std::uint64_t kLargestFile = std::uint64_t(4) << 30;
 
@@ -199,7 +199,7 @@ private:
     template <class Row, class State>
     void readStates(const Json& json, const NumberedRows<Row>& rows, std::vector<State>& states) {
         const auto count = json.at("states").get<std::uint64_t>();
-        if (count > kMostStates)
+        if (count > kMaxStates)
             fail("has more states than a minute can have; the recording is damaged, use another one");
         std::uint64_t next = rows.first;
         for (std::uint64_t i = 0; i < count; ++i) {

@@ -8,7 +8,7 @@
 #include "core/geometry/soup_builder.h"
 #include "core/port/device_check.h"
 #include "core/port/workspace.h"
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 
 namespace tactum {
 namespace {
@@ -53,7 +53,7 @@ const char* faultIn(const ProxyRow& row) {
 const char* faultIn(const ServoRow& row, std::uint64_t model, std::uint64_t models) {
     if (row.model < model || row.model > models) return "has a model that cannot be";
     const bool possible = (row.flags & ~std::uint32_t(ServoRow::kAllFlags)) == 0 && isFrame(row) &&
-                          row.withheld < kGuardWords.size();
+                          row.inhibit < kInhibitWords.size();
     return possible ? nullptr : "has a frame, a flag or a reason that cannot be";
 }
 

@@ -11,9 +11,9 @@ namespace tactum {
 namespace {
 
 /// Beyond this a recording names its geometry instead of holding it.
-constexpr std::size_t kMostTriangles = 200'000, kMostTexels = std::size_t(1) << 24;
+constexpr std::size_t kMaxTriangles = 200'000, kMaxTexels = std::size_t(1) << 24;
 /// Surfaces of all scenes together: more would be no minute's work of a person.
-constexpr std::size_t kMostSurfaces = std::size_t(1) << 22;
+constexpr std::size_t kMaxSurfaces = std::size_t(1) << 22;
 
 /// What objects share, each once.
 struct Tables {
@@ -107,7 +107,7 @@ template <class Io> void scenes(Io& io, std::vector<RecordedScene>& list, Tables
             for (const std::uint32_t number : numbers) {
                 io.demand(number < tables.objects.size(), "a scene names an object that there is not");
                 surfaces += tables.objects[number].surfaces.size() + 1;
-                io.demand(surfaces <= kMostSurfaces, "it has more surfaces than there can be");
+                io.demand(surfaces <= kMaxSurfaces, "it has more surfaces than there can be");
                 scene.objects.push_back(tables.objects[number]);
             }
             each.scene = std::make_shared<const Scene>(std::move(scene));
@@ -148,7 +148,7 @@ bool areSmall(const std::vector<RecordedScene>& list) {
         for (const auto& painted : parts.paints)
             if (seen.insert(painted.get()).second) texels += painted->size();
     }
-    return triangles <= kMostTriangles && texels <= kMostTexels;
+    return triangles <= kMaxTriangles && texels <= kMaxTexels;
 }
 
 // What is named comes before what names it, and is known only after.

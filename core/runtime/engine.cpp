@@ -30,7 +30,7 @@ std::string notePriority(int refusal, int unlocked) {
 }
 
 /// Scenes that were felt are remembered for a minute, but of no more edits than this.
-constexpr std::size_t kMostScenes = 8192;
+constexpr std::size_t kMaxScenes = 8192;
 constexpr double kSlowestPublish = 2; ///< s, from publish() to the first step in the World, and some more
 
 /// Whether a counter goes on rising, as far as somebody looks.
@@ -82,8 +82,7 @@ struct Engine::Impl {
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
     std::uint64_t publishedAfter = 0; ///< updates
-    Guardian guardian;
-    Canary canary;
+    DeviceWatchdog watchdog;
     std::deque<FeltScene> felt; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
     /// By the device's name: who pulls a hot device out and puts it back has a hot device.
@@ -121,8 +120,8 @@ void Engine::Impl::freshChannels() {
 }
 
 void Engine::Impl::askForButton() {
-    constexpr int kMost = 31;
-    const std::uint32_t all = (std::uint32_t(1) << std::clamp(info.buttons, 0, kMost)) - 1;
+    constexpr int kMax = 31;
+    const std::uint32_t all = (std::uint32_t(1) << std::clamp(info.buttons, 0, kMax)) - 1;
     channels->deadMan.store(deadMan ? all : 0, std::memory_order_relaxed);
 }
 
@@ -131,17 +130,14 @@ void Engine::Impl::remember(const World& world) {
     if (!felt.empty()) felt.back().until = now;
     felt.push_back({0, {numbersOf(world), world.scene}});
     while (felt.size() > 1 &&
-           (felt.front().until < now - kRecorded - kSlowestPublish || felt.size() > kMostScenes))
+           (felt.front().until < now - kRecorded - kSlowestPublish || felt.size() > kMaxScenes))
         felt.pop_front();
 }
 
 Result<void> Engine::Impl::startLoops() {
-    if (Result<void> watched = canary.start(info.rate); !watched) return watched;
     return servoThread
         .start("tactum-servo", kServoPriority,
-               [this] {
-                   servoLoop(*channels, *device, info, motors, {guardian, canary});
-               })
+               [this] { servoLoop(*channels, *device, info, motors, watchdog); })
         .and_then([this] {
             return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
                 proxyLoop(*channels, kUpdatesPerTick * info.rate, kProxyShare / info.rate);
@@ -149,7 +145,7 @@ Result<void> Engine::Impl::startLoops() {
         });
 }
 
-/// False: the servo has not come back, and may use device, channels, canary and guardian whenever it does.
+/// False: the servo has not come back, and may use device, channels and device watchdog whenever it does.
 bool Engine::Impl::endLoops() {
     channels->stop.store(true, std::memory_order_relaxed);
     proxyThread.join();
@@ -158,8 +154,7 @@ bool Engine::Impl::endLoops() {
         return false;
     }
     heat[info.name] = motors;
-    canary.stop();
-    guardian.stop();
+    watchdog.stop();
     device->close();
     return true;
 }
@@ -205,7 +200,7 @@ Result<void> Engine::start() {
         return usable;
     }
     // Before the loops have their memory: of what a fork shares every page is given anew when it is written.
-    const Result<void> guarded = impl_->info.real ? impl_->guardian.start(*impl_->device) : Result<void>();
+    const Result<void> guarded = impl_->info.real ? impl_->watchdog.start(*impl_->device) : Result<void>();
     impl_->freshChannels();
     impl_->handOver();
     if (Result<void> started = guarded.and_then([this] { return impl_->startLoops(); }); !started) {
@@ -236,7 +231,7 @@ Result<void> Engine::stop() {
 }
 
 /// What the servo may still touch stays as it is until the process ends; what the person decided goes along.
-/// Its guardian has stopped the device already, and stays to do so when the program dies.
+/// Its device watchdog has stopped the device already, and stays to do so when the program dies.
 void Engine::abandon() {
     impl_->device->emergencyStop();
     impl_->servoThread.abandon();
@@ -329,8 +324,9 @@ void Engine::poll() {
     // What it told last is told for ever by a loop that stands still.
     if (impl_->servoBeats.stand(impl_->servo.ticks)) impl_->servo.rate = 0;
     if (servoStandsStill()) {
-        // The guardian of a real device has taken it away; from others it is taken when they come back.
-        if (impl_->servo.gain > 0) impl_->servo.withheld = Withheld::Stall;
+        // The device watchdog of a real device has taken it away; from others it is taken when they come
+        // back.
+        if (impl_->servo.gain > 0) impl_->servo.inhibit = InhibitReason::Stall;
         impl_->servo.gain = 0;
         impl_->servo.force = Vec3::Zero();
     }

@@ -14,7 +14,7 @@ struct Proxy {
     const World* world = nullptr;
     bool restartDue = false;     ///< the next step begins at the finger
     std::uint32_t anchoring = 0; ///< of the last finger
-    OverloadLadder ladder;
+    DegradationController ladder;
     SimState state{};
     HalfSecond updates{};
     ProxyTelemetry telemetry{};
@@ -91,7 +91,8 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
 } // namespace
 
 void proxyLoop(Channels& channels, double rate, double budget) noexcept {
-    Proxy proxy{.channels = channels, .ladder = OverloadLadder(budget), .begun = channels.recorder.now()};
+    Proxy proxy{
+        .channels = channels, .ladder = DegradationController(budget), .begun = channels.recorder.now()};
     Metronome metronome(rate, kProxyRest);
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();

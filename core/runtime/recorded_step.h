@@ -70,8 +70,8 @@ struct ServoRow {
     std::uint32_t buttons = 0, deadMan = 0;
     std::uint32_t flags = 0;
 
-    std::uint32_t withheld = 0; ///< Withheld
-    Triple force{};             ///< that the device was sent
+    std::uint32_t inhibit = 0; ///< InhibitReason
+    Triple force{};            ///< that the device was sent
     double gain = 0;
     std::uint64_t faults = 0, oscillations = 0;
 };
@@ -129,10 +129,10 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
 /// Thread: real time.
 inline void note(ServoRow& row, const ServoOutput& output, const ServoState& state) noexcept {
     row.force = tripleOf(output.force);
-    row.withheld = std::uint32_t(state.guard.withheld());
-    row.gain = state.guard.gain();
-    row.faults = state.guard.faults();
-    row.oscillations = state.oscillations;
+    row.inhibit = std::uint32_t(state.gate.inhibit());
+    row.gain = state.gate.gain();
+    row.faults = state.gate.faults();
+    row.oscillations = state.schedule.oscillations();
 }
 
 } // namespace tactum

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sched.h>
 
 #include "core/base/clock.h"
 #include "core/base/realtime.h"
-#include "core/loop/realtime_thread.h"
 #include "core/port/reading_clock.h"
+#include "core/runtime/latency_monitor.h"
 
 namespace tactum {
 namespace {
@@ -24,10 +23,10 @@ struct Servo {
     bool pushing = false; ///< the last command was not zero
     HalfSecond jitter;
     RecentPeriods periods;
-    GuardianWatch guardianWatch;
+    WatchdogCheck watchdogCheck;
     bool unguarded = false;
     double period = 0; ///< s, measured
-    Tick missed;       ///< the last one, if it was
+    LatencyMonitor latency;
     ServoTelemetry telemetry;
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
@@ -99,23 +98,16 @@ void reportTick(Servo& servo, const ServoOutput& output, const Tick& tick, doubl
         servo.channels.contactModel.value().model));
 }
 
-/// A miss is counted and judged one tick later, when the canary has noted its own: it may live on another
-/// processor.
-void judgeMisses(Servo& servo, const Canary& canary, const Tick& tick) noexcept {
-    const Tick last = servo.missed;
-    servo.missed = tick.missed ? tick : Tick{};
-    if (!last.missed) return;
-    ++servo.telemetry.misses;
-    const std::int64_t due = last.woke - std::int64_t(1e9 * last.late);
-    servo.telemetry.machineMisses += canary.explains(due, last.woke, last.asleep);
+void countMisses(Servo& servo, const Tick& tick, double period) noexcept {
+    const bool own = servo.latency.isOwn(period);
+    servo.telemetry.misses += tick.missed;
+    servo.telemetry.machineMisses += tick.missed && !own;
 }
 
 } // namespace
 
 void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
-               const Watchers& watchers, Clock sinceBoot) noexcept {
-    stayHere();
-    watchers.canary.follow(sched_getcpu());
+               DeviceWatchdog& watchdog, Clock sinceBoot) noexcept {
     Servo servo(channels, info);
     servo.state.heat.resume(motors.heat, 1e-9 * double(monotonicNanoseconds() - motors.at));
     servo.begun = channels.recorder.now();
@@ -128,16 +120,16 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
         const DeviceSample sample = device.exchange(command, tick.elapsed);
 
         const RealtimeScope scope;
-        watchers.guardian.beat();
-        servo.unguarded = servo.guardianWatch.isDead(watchers.guardian, tick.elapsed);
+        watchdog.beat();
+        servo.unguarded = servo.watchdogCheck.isDead(watchdog, tick.elapsed);
         const ServoOutput output = stepServo(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;
-        judgeMisses(servo, watchers.canary, tick);
+        countMisses(servo, tick, metronome.period());
         reportTick(servo, output, tick, metronome.period());
         measurePeriod(servo, metronome.period());
     }
-    watchers.guardian.rest();
+    watchdog.rest();
     device.exchange(DeviceCommand{}, metronome.period());
     motors = {servo.state.heat.heat(), monotonicNanoseconds()};
 }

@@ -5,10 +5,10 @@ namespace {
 
 /// A finger that was put elsewhere has to begin anew: that is no pause.
 void countPause(const ServoState& state, ServoTelemetry& telemetry) noexcept {
-    const bool taken = telemetry.gain > 0 && state.guard.gain() == 0;
-    if (!taken || !isPause(state.guard.withheld()) || state.check.believed().jumped) return;
+    const bool taken = telemetry.gain > 0 && state.gate.gain() == 0;
+    if (!taken || !isPause(state.gate.inhibit()) || state.check.believed().jumped) return;
     ++telemetry.pauses;
-    telemetry.lastPause = state.guard.withheld();
+    telemetry.lastPause = state.gate.inhibit();
 }
 
 } // namespace
@@ -23,15 +23,15 @@ void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState
     telemetry.ticks = state.ticks;
     telemetry.clamped = state.limiter.clamped;
     telemetry.invalidSamples = state.check.refused();
-    telemetry.withheld = state.guard.withheld();
-    telemetry.gain = state.guard.gain();
-    telemetry.faults = state.guard.faults();
-    telemetry.oscillations = state.oscillations;
-    telemetry.calm = state.calm;
+    telemetry.inhibit = state.gate.inhibit();
+    telemetry.gain = state.gate.gain();
+    telemetry.faults = state.gate.faults();
+    telemetry.oscillations = state.schedule.oscillations();
+    telemetry.stiffnessScale = state.schedule.scale();
     telemetry.heat = state.heat.heat();
     telemetry.energy = state.passivity.energy();
     telemetry.passivityDamping = state.passivity.lastDamping();
-    telemetry.ceiling = state.ceiling;
+    telemetry.ceiling = state.schedule.ceiling();
     telemetry.ceiling.value /= output.frame.scale;
     telemetry.ceiling.damping /= output.frame.scale;
 }

@@ -16,20 +16,20 @@ struct ServoTelemetry {
     double rate = 0;                 ///< Hz, over the last half second
     double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
     std::uint64_t misses = 0;        ///< ticks that came more than one period late
-    std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (Canary)
+    std::uint64_t machineMisses = 0; ///< those of them that no program could have avoided (LatencyMonitor)
     PeriodHistogram periods;         ///< deviations, of the last five to ten seconds
     std::uint64_t clamped = 0;       ///< commands that the limiter shortened
     std::uint64_t invalidSamples = 0;
-    Withheld withheld = Withheld::NotArmed; ///< why there is no force, or less of it
-    double gain = 0;                        ///< of the force: 0 none, 1 all
+    InhibitReason inhibit = InhibitReason::NotArmed; ///< why there is no force, or less of it
+    double gain = 0;                                 ///< of the force: 0 none, 1 all
     std::uint64_t faults = 0;
-    std::uint64_t pauses = 0;               ///< how often force was taken away without a fault
-    Withheld lastPause = Withheld::Nothing; ///< why, the last time: it may be over within a tick
-    std::uint64_t oscillations = 0;         ///< limit cycles that were noticed
-    double calm = 1;                        ///< part of the stiffness that is left after them
-    double heat = 0;                        ///< of the motors: 1 is as warm as they may be for ever
-    double energy = 0;                      ///< J that the surface gave beyond what it took
-    double passivityDamping = 0;            ///< N s/m, that takes it back
+    std::uint64_t pauses = 0;                         ///< how often force was taken away without a fault
+    InhibitReason lastPause = InhibitReason::Nothing; ///< why, the last time: it may be over within a tick
+    std::uint64_t oscillations = 0;                   ///< limit cycles that were noticed
+    double stiffnessScale = 1;                        ///< part of the stiffness that is left after them
+    double heat = 0;                                  ///< of the motors: 1 is as warm as they may be for ever
+    double energy = 0;                                ///< J that the surface gave beyond what it took
+    double passivityDamping = 0;                      ///< N s/m, that takes it back
     StiffnessCeiling ceiling; ///< of surfaces in the scene: of the hand's measure, less the workspace's scale
 };
 

@@ -69,11 +69,13 @@ void fields(auto& visit, MaybeConst<DeviceSample> auto& sample) {
 void fields(auto& visit, MaybeConst<RenderedSpring> auto& spring) {
     visit(spring.force, spring.stiffness, spring.stretch, spring.limit, spring.velocity);
 }
+void fields(auto& visit, MaybeConst<Previous> auto& previous) {
+    visit(previous.finger_D, previous.anchor_D, previous.added_D, previous.gain, previous.load,
+          previous.touching);
+}
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
-    visit(state.loop, state.check, state.guard, state.ease, state.passivity, state.oscillation, state.heat,
-          state.limiter, state.ticks, state.unread, state.modelAge, state.period, state.calm, state.calmGoal,
-          state.oscillations, state.letGo, state.ceiling, state.anchor, state.finger, state.touching,
-          state.overriding);
+    visit(state.check, state.schedule, state.transition, state.gate, state.passivity, state.damper,
+          state.heat, state.limiter, state.previous, state.ticks, state.unread, state.modelAge, state.letGo);
 }
 
 namespace {
@@ -81,9 +83,9 @@ namespace {
 // Another size: a member came or went. List it in fields(), there or above, and then its new size here. Built
 // for one processor Eigen may align its vectors wider, and the sizes are others.
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
-static_assert(sizeof(Guard) == 56 && sizeof(ContactEase) == 408 && sizeof(Passivity) == 704);
+static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2264);
+static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
 static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));

@@ -5,14 +5,14 @@
 
 namespace tactum {
 namespace {
-constexpr double kMost = 5e-3;      ///< J, that is remembered at most
+constexpr double kMax = 5e-3;       ///< J, that is remembered at most
 constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes without notice
 /// Of the device's losses: a swing that they alone keep from growing must be noticed too. More than
-/// safeStiffness()'s seven tenths, so that below that ceiling nothing is.
+/// seven tenths, below which nothing of the tests swings at all (docs/stability.md).
 constexpr double kCredit = 0.75;
-constexpr double kMostDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
-constexpr double kAtRest = 1e-3;   ///< m/s; a finger at rest takes no energy out
-constexpr double kRest = 0.01;     ///< s; at the turn of a swing it is shorter
+constexpr double kMaxDamping = 8; ///< N s/m; more would shake a light device at 1 kHz itself
+constexpr double kAtRest = 1e-3;  ///< m/s; a finger at rest takes no energy out
+constexpr double kRest = 0.01;    ///< s; at the turn of a swing it is shorter
 
 /// From a command to its force. The amplifier's time constant answers a ramp by just so much later, so it is
 /// a delay like the other: left out, what is given at each turn of a swing is not seen, and what nobody holds
@@ -76,7 +76,7 @@ double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, do
     const double excess = given_ + spring.stored() - granted(spring);
     taking_ = excess > (taking_ ? 0 : kPassivityThreshold);
     if (taking_ && !resting() && speed2 > kAtRest * kAtRest)
-        damping_ = std::min(kMostDamping, excess / (speed2 * dt));
+        damping_ = std::min(kMaxDamping, excess / (speed2 * dt));
     return damping_;
 }
 
@@ -85,7 +85,7 @@ double Passivity::damping(const RenderedSpring& spring, const Vec3& velocity, do
 void Passivity::commanded(const RenderedSpring& spring) noexcept {
     given_ -= granted(spring);
     stored_ = spring.stored();
-    given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMost - stored_);
+    given_ = std::clamp(given_, -stored_ - kPassivityThreshold, kMax - stored_);
     std::copy_backward(commanded_.begin(), commanded_.end() - 1, commanded_.end());
     commanded_[0] = spring;
 }

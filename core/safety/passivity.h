@@ -10,6 +10,9 @@ namespace tactum {
 /// From so much energy on the surface is damped: above what quantised positions make the observer err,
 /// (Delta / 2) (TV(F) + F_max). Unit: J.
 inline constexpr double kPassivityThreshold = 1e-3;
+/// What the damping does not take back makes the surface softer (StiffnessSchedule). A tap of 0.35 m/s that
+/// comes late by four ticks, in a hand that takes it up, makes less than that. Unit: J.
+inline constexpr double kSofteningThreshold = 3e-3;
 
 /// What is rendered at one tick. SI, one frame throughout.
 struct RenderedSpring {

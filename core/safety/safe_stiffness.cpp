@@ -4,8 +4,12 @@
 
 namespace tactum {
 namespace {
-constexpr double kReserve = 0.7;
-constexpr double kSurfaceShare = 0.5; ///< of the losses, that a surface's own damping may use up
+/// Of what a lossless partner bears. No hand is one, and what a hand does not take up the passivity
+/// controller does: held hands stand two to four times as much (docs/stability.md).
+constexpr double kOfTheLosses = 1.05;
+/// What a count makes is too little for any controller to see.
+constexpr double kOfTheCount = 0.7;
+constexpr double kSurfaceShare = 1.0 / 3; ///< of the losses, that a surface's own damping may use up
 } // namespace
 
 LoopFigures loopFigures(const DeviceInfo& device) noexcept {
@@ -20,7 +24,7 @@ LoopFigures loopFigures(const DeviceInfo& device) noexcept {
 
 StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept {
     const double late = 0.5 * loop.period + loop.delay + loop.amplifierLag;
-    const double losses = kReserve * loop.damping;
+    const double losses = kOfTheLosses * loop.damping;
     if (!(late > 0) || !(losses > 0)) return {};
     StiffnessCeiling ceiling{losses / late, CeilingReason::Damping, kSurfaceShare * losses};
     const auto lower = [&ceiling](double value, CeilingReason reason) {
@@ -33,7 +37,7 @@ StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept {
         lower((losses - std::min(ceiling.damping, loop.surfaceDamping)) / late,
               CeilingReason::SurfaceDamping);
     if (loop.dryFriction > 0 && loop.resolution > 0)
-        lower(kReserve * 2 * loop.dryFriction / loop.resolution, CeilingReason::Resolution);
+        lower(kOfTheCount * 2 * loop.dryFriction / loop.resolution, CeilingReason::Resolution);
     if (loop.makersCeiling > 0) lower(loop.makersCeiling, CeilingReason::Maker);
     return ceiling;
 }

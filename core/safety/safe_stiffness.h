@@ -28,12 +28,13 @@ struct StiffnessCeiling {
     double damping = 0; ///< N s/m: the ceiling of the surface's own damping
 };
 
-/// K_safe = min[(0.7 (b + b_hand) - B) / (T/2 + delay + lag), 0.7 2 f_c / Delta] (Colgate and Schenkel's
+/// K_safe = min[(1.05 (b + b_hand) - B) / (T/2 + delay + lag), 0.7 2 f_c / Delta] (Colgate and Schenkel's
 /// passivity of a sampled wall with damping B; Diolaiti's for quantised positions), and never more than the
-/// maker allows. Seven tenths, because at eight no device of the tests oscillated in any hand. A sampled
-/// damping takes at the sampling frequency what it gives below, so B is rendered up to half of 0.7 (b +
-/// b_hand): half of the stiffness is left then. The second bound holds only where there is both dry friction
-/// and resolution. Nothing is stiff in a loop whose figures give no bound. Thread: any, real time too.
+/// maker allows. Not less than the bound, because a passivity controller stands behind it and hands take up
+/// more than is counted on here. A sampled damping takes at the sampling frequency what it gives below, so B
+/// is rendered up to 0.35 (b + b_hand): two thirds of the stiffness are left then. The second bound holds
+/// only where there is both dry friction and resolution. Nothing is stiff in a loop whose figures give no
+/// bound. Thread: any, real time too.
 StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept;
 
 } // namespace tactum

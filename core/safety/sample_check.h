@@ -10,8 +10,8 @@ namespace tactum {
 inline constexpr int kBadSamplesToLoss = 3;
 
 /// Judges every reading by the one before. A reading that cannot be true is not used: for one or two of them
-/// the finger stays where it was, then the device is lost, until as many good ones have come in a row.
-/// Frame D, SI. Thread: real time.
+/// the finger stays where it was, then the device is lost, until as many good ones have come in a row. Where
+/// nothing was read at all the finger stays where it was. Frame D, SI. Thread: real time.
 class SampleCheck {
 public:
     /// A finger that seems to go at more than twice the device's tripSpeed was misread.

@@ -1,19 +1,13 @@
 #include "core/safety/servo_step.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
+#include "core/safety/command_check.h"
 #include "core/safety/model_in_device.h"
 
 namespace tactum {
 namespace {
-
-/// After a limit cycle the stiffness falls to its half over the first time, and so it does for as long as the
-/// surface has made too much and is damped: who bounces more slowly than any limit cycle would else be thrown
-/// farther each time. It doubles again over the second, while nothing is touched: a spring that stiffens
-/// under load gives energy. Unit: s.
-constexpr double kFade = 0.05, kRecovery = 2;
-constexpr double kLeastCalm = 1.0 / 32;
 
 /// What a clock may say that stood still or went wrong. Unit: s.
 double plausible(double dt) noexcept {
@@ -21,12 +15,70 @@ double plausible(double dt) noexcept {
     return dt > kShortest ? std::min(dt, kLongest) : kShortest;
 }
 
-/// For the proxy loop; under the clutch the finger rests.
-FingerSample inWorld(const ServoState& state, const ServoInput& input) noexcept {
-    const DeviceSample& seen = state.check.believed();
-    const Vec3 velocity = input.clutched ? Vec3::Zero() : input.frame.wayInWorld(seen.velocity);
-    return {input.frame.pointInWorld(seen.position), velocity, state.ticks, seen.valid,
-            state.guard.anchoring()};
+/// Stage 1 and 2. Returns the newest reading that was believed, with its velocity.
+const DeviceSample& validate(ServoState& state, const ServoInput& input, double dt) noexcept {
+    const double apart = input.apart > 0 ? plausible(input.apart) : 0;
+    const bool news = state.check(input.sample, apart) && apart > 0;
+    state.unread = news ? 0 : state.unread + dt;
+    if (state.check.believed().jumped) state.gate.begin();
+    return state.check.believed();
+}
+
+/// Stage 3.
+StiffnessBounds ceilingOf(ServoState& state, const Previous& previous, const ServoSettings& settings,
+                          const ServoInput& input, const LocalContactModel& model_D, double dt) noexcept {
+    return state.schedule(
+        {.seen = state.check.believed(),
+         .dt = dt,
+         .late = input.late,
+         .period = settings.period,
+         .overrideCeiling = settings.overrideCeiling,
+         .stiffness = model_D.stiffness,
+         .damping = model_D.damping,
+         .rendered = state.transition.rendered().stiffness,
+         .load = previous.touching ? std::max(previous.load, 1e-9) : 0,
+         .pushing = state.gate.gain() > 0,
+         .overspent = state.passivity.lastDamping() > 0 && state.passivity.energy() > kSofteningThreshold});
+}
+
+/// What stages 4 and 5 make of the model. Frame D, SI.
+struct Contact {
+    LocalContactModel model; ///< as it is rendered
+    Anchor anchor;
+    Vec3 force = Vec3::Zero();   ///< N, of spring and surface damping
+    Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
+    Vec3 arriving =
+        Vec3::Zero(); ///< the same, but for the way back of a surface that was moved under the finger
+    Vec3 expected = Vec3::Zero(); ///< N, what the surroundings of the last tick would push this finger with
+    bool newly = false;           ///< those would not touch it
+
+    double stretch(const Vec3& finger) const noexcept {
+        return anchor.touching ? (anchor.position - finger).norm() : 0;
+    }
+    bool finite() const noexcept { return force.allFinite() && sliding.allFinite(); }
+};
+
+/// Stages 4 and 5.
+Contact contactOf(ServoState& state, const LocalContactModel& model_D, const DeviceSample& seen, bool fresh,
+                  const StiffnessBounds& bounds, double dt) noexcept {
+    if (state.gate.gain() == 0) state.transition.restart();
+    const LocalContactModel before = state.transition.rendered();
+    LocalContactModel bounded = model_D;
+    bounded.damping = bounds.damping;
+    Contact contact;
+    contact.model = state.transition(bounded, fresh, seen.position, seen.velocity,
+                                     {bounds.stiffness, bounds.leaving, state.limiter.maxForce}, dt);
+    const double since = state.transition.since(dt);
+    contact.anchor = anchorOf(contact.model, seen.position, since);
+    if (const Anchor last = anchorOf(before, seen.position, since); last.touching)
+        contact.expected = springForce(before, last.position, seen.position, seen.velocity);
+    else
+        contact.newly = true;
+    if (!contact.anchor.touching) return contact;
+    contact.force = springForce(contact.model, contact.anchor.position, seen.position, seen.velocity);
+    contact.sliding = seen.velocity - contact.model.velocity;
+    contact.arriving = seen.velocity - state.transition.motion();
+    return contact;
 }
 
 /// Whether the person holds what must be held. A button that was never seen let go since the device came is
@@ -36,158 +88,111 @@ bool isHeld(ServoState& state, const DeviceSample& seen, std::uint32_t deadMan) 
     return deadMan == 0 || (seen.buttons & deadMan & state.letGo) != 0;
 }
 
-void calmDown(ServoState& state, const DeviceSample& seen, double dt) noexcept {
-    if (!state.touching)
-        state.calmGoal = std::min(1.0, state.calmGoal * std::exp2(dt / kRecovery));
-    else if (state.guard.gain() > 0 && state.passivity.lastDamping() > 0 &&
-             state.passivity.energy() > kPassivityThreshold)
-        state.calmGoal = std::max(kLeastCalm, state.calmGoal * std::exp2(-dt / kFade));
-    state.calm = std::min(1.0, state.calm + std::clamp(state.calmGoal - state.calm, -0.5 * dt / kFade, 1.0));
-    if (seen.jumped) state.oscillation.forget();
-    if (!state.oscillation(seen.position, dt) || state.guard.gain() == 0) return;
-    ++state.oscillations;
-    state.calmGoal = std::max(kLeastCalm, 0.5 * state.calmGoal);
+/// Stage 6.
+GateInput gateInput(ServoState& state, const ServoSettings& settings, const ServoInput& input,
+                    const LocalContactModel& model_D, const Contact& contact, double dt) noexcept {
+    const DeviceSample& seen = state.check.believed();
+    state.modelAge = input.fresh ? 0 : state.modelAge + dt;
+    return {.dt = dt,
+            .unread = state.unread,
+            .armed = settings.armed,
+            .held = isHeld(state, seen, settings.deadMan),
+            .clutched = input.clutched,
+            .stopped = input.sample.stopped,
+            .deviceLost = state.check.lost(),
+            .unguarded = input.unguarded,
+            .answered = model_D.valid && model_D.anchoring == state.gate.anchoring() &&
+                        state.modelAge <= kModelPatience,
+            .speed = seen.velocity.norm(),
+            .wanted = contact.force.norm(),
+            .finite = contact.finite()};
 }
 
-/// What is rendered at most, N/m and N s/m.
-struct TickBounds {
-    double stiffness, damping;
-    double leaving; ///< N/m, of what is not there any more, and damps no more
-};
-
-/// What raises the ceiling would throw the hand under load: a machine that is in time again is believed no
-/// faster than an edit, a person who knows better from the next contact on.
-void notice(ServoState& state, const ServoSettings& settings, double dt) noexcept {
-    const double stiffness = state.ease.rendered().stiffness;
-    const bool loaded = state.touching && state.guard.gain() > 0;
-    const double load = loaded ? stiffness * (state.anchor - state.finger).norm() : 0;
-    const double change = load > 0 ? editRate(stiffness) * dt / load : 1; // part of stiffness and period
-    state.period = std::max({state.loop.period, settings.period, state.period * std::max(0.0, 1 - change)});
-    state.overriding = settings.overrideCeiling && (state.overriding || !loaded);
-}
-
-/// An oscillation takes from what is there, not from the ceiling.
-TickBounds boundsOf(ServoState& state, const LocalContactModel& model) noexcept {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    LoopFigures loop = state.loop;
-    loop.period = state.period;
-    const double undamped = safeStiffness(loop).value;
-    loop.surfaceDamping = model.damping;
-    state.ceiling = safeStiffness(loop);
-    if (state.overriding) return {state.calm * model.stiffness, state.calm * model.damping, kNone};
-    return {state.calm * std::min(model.stiffness, state.ceiling.value),
-            state.calm * std::min(model.damping, state.ceiling.damping), state.calm * undamped};
-}
-
-/// What the model asks for.
-struct Wanted {
-    RenderedSpring spring;
-    Vec3 sliding = Vec3::Zero(); ///< m/s, of the finger relative to what it touches; zero in free motion
-    double sudden = 0;           ///< N, that the finger does not explain
-};
-
-/// N, that neither the finger's way nor a hit explains: what this tick's surroundings push more than those of
-/// the last tick would, met by the same finger. A step of the force is judged whole, in N and not in N/s: an
-/// anchor or a damping that jumps does so within one tick, however long that is.
-double suddenOf(const ServoState& state, const LocalContactModel& before, const DeviceSample& finger,
-                const LocalContactModel& now, const Vec3& force, double since) noexcept {
-    ForceLimiter limited{state.limiter.maxForce};
-    const Anchor last = anchorOf(before, finger.position, since);
-    const Vec3 expected =
-        last.touching ? springForce(before, last.position, finger.position, finger.velocity) : Vec3::Zero();
-    const double way = (finger.position - state.finger).norm();
-    const double hit = last.touching ? 0 : now.damping * (finger.velocity - now.velocity).norm();
-    return rise(limited(force), limited(expected)) - now.stiffness * way - hit;
-}
-
-Wanted render(ServoState& state, const LocalContactModel& model, const DeviceSample& finger, bool fresh,
-              const TickBounds& bounds, double dt) noexcept {
-    if (state.guard.gain() == 0) state.ease.restart();
-    const LocalContactModel before = state.ease.rendered();
-    LocalContactModel bounded = model;
-    bounded.damping = bounds.damping;
-    const LocalContactModel& eased =
-        state.ease(bounded, fresh, finger.position, finger.velocity,
-                   {bounds.stiffness, bounds.leaving, state.limiter.maxForce}, dt);
-    const double since = state.ease.since(dt);
-    const Anchor anchor = anchorOf(eased, finger.position, since);
-    state.anchor = anchor.position;
-    state.touching = anchor.touching;
-    Wanted wanted;
-    if (anchor.touching) {
-        const Vec3 force = springForce(eased, anchor.position, finger.position, finger.velocity);
-        wanted = {{force, eased.stiffness, (anchor.position - finger.position).norm(), state.limiter.maxForce,
-                   eased.velocity},
-                  finger.velocity - eased.velocity,
-                  suddenOf(state, before, finger, eased, force, since)};
-    }
-    state.finger = finger.position;
-    return wanted;
-}
-
-/// What of it may be rendered.
-RenderedSpring guarded(ServoState& state, const Wanted& wanted, const Vec3& velocity,
-                       const GuardInput& tick) noexcept {
-    const double gain = state.guard(tick);
+/// Stage 7. The spring that is rendered, with all that is added to it.
+RenderedSpring damped(ServoState& state, const Contact& contact, const Vec3& finger, double gain,
+                      double dt) noexcept {
     if (gain == 0) {
         state.passivity.rest();
+        state.damper.rest();
         return {};
     }
-    RenderedSpring spring = wanted.spring;
-    spring.stiffness *= gain;
-    const double damping = state.passivity.damping(spring, wanted.sliding, tick.dt);
-    // Beyond what the device can push no damping would be felt.
-    spring.force = state.limiter(gain * spring.force) - damping * wanted.sliding;
-    if (state.touching) spring.force -= state.guard.arrivalDamping() * velocity;
+    RenderedSpring spring{gain * contact.force, gain * contact.model.stiffness, contact.stretch(finger),
+                          state.limiter.maxForce, contact.model.velocity};
+    const double asked = state.passivity.damping(spring, contact.sliding, dt);
+    spring.force = state.limiter(spring.force); // beyond what the device can push no damping would be felt
+    const Vec3 brake = -asked * contact.sliding - state.gate.arrivalDamping() * contact.arriving;
+    spring.force += state.damper(spring.force, brake, contact.sliding, state.limiter.maxForce, dt);
     return spring;
+}
+
+/// Stage 8. N, of the command that neither the last tick nor the finger's way nor a hit explains.
+double suddenOf(const ServoState& state, const Previous& previous, const Contact& contact, const Vec3& finger,
+                const Vec3& command) noexcept {
+    ForceLimiter limit{state.limiter.maxForce};
+    const Vec3 expected = limit(previous.gain * contact.expected) + previous.added_D;
+    return suddenChange(limit(command), limit(expected),
+                        {.stiffness = contact.model.stiffness,
+                         .way = (finger - previous.finger_D).norm(),
+                         .damping = contact.newly ? contact.model.damping : 0,
+                         .speed = contact.sliding.norm()});
+}
+
+/// For the proxy loop; under the clutch the finger rests.
+FingerSample inWorld(const ServoState& state, const ServoInput& input) noexcept {
+    const DeviceSample& seen = state.check.believed();
+    const Vec3 velocity = input.clutched ? Vec3::Zero() : input.frame.wayInWorld(seen.velocity);
+    return {input.frame.pointInWorld(seen.position), velocity, state.ticks,
+            seen.valid && state.unread <= kLostAfter, state.gate.anchoring()};
 }
 
 } // namespace
 
 ServoState::ServoState(const DeviceInfo& device) noexcept
-    : loop(loopFigures(device)), check(device), guard(device.maxForce, device.tripSpeed), passivity(device),
+    : check(device), schedule(device), gate(device.tripSpeed), passivity(device),
       heat(device.maxForce, device.continuousForce), limiter{device.maxForce} {}
 
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
                       const LocalContactModel& model_W) noexcept {
+    const Previous previous = state.previous;
     const double dt = plausible(input.dt);
-    const LocalContactModel model = inDevice(model_W, input.frame);
+    const LocalContactModel model_D = inDevice(model_W, input.frame);
     ++state.ticks;
-    const double apart = input.apart > 0 ? plausible(input.apart) : 0;
-    const bool news = state.check(input.sample, apart) && apart > 0;
-    state.unread = news ? 0 : state.unread + dt;
-    const DeviceSample& seen = state.check.believed();
-    if (seen.jumped) state.guard.begin();
-    calmDown(state, seen, dt); // by the balance of the last tick: with a way, but no spring yet, it is none
+
+    // 1, 2  Reading and velocity: finite, and no faster than twice the trip speed.                    T12
+    const DeviceSample& seen = validate(state, input, dt);
+
+    // 3     Ceiling: what device, hand, period and delay bear, less what oscillations took.      T1, T4, T6
+    const StiffnessBounds bounds = ceilingOf(state, previous, settings, input, model_D, dt);
     state.passivity.observe(seen.position, seen.velocity, dt);
     if (dt > kStall) state.passivity.notSent();
     state.limiter.maxForce = state.heat.limit();
 
-    notice(state, settings, dt);
-    const TickBounds bounds = boundsOf(state, model);
-    const Wanted wanted = render(state, model, seen, input.fresh, bounds, dt);
-    state.modelAge = input.fresh ? 0 : state.modelAge + dt;
+    // 4, 5  Contact transition and spring: what is new comes in bounded in energy and rate.     T7, T8, T10
+    const Contact contact = contactOf(state, model_D, seen, input.fresh, bounds, dt);
 
-    const GuardInput tick{.dt = dt,
-                          .unread = state.unread,
-                          .late = input.late,
-                          .armed = settings.armed,
-                          .held = isHeld(state, seen, settings.deadMan),
-                          .clutched = input.clutched,
-                          .stopped = input.sample.stopped,
-                          .deviceLost = state.check.lost(),
-                          .unguarded = input.unguarded,
-                          .answered = model.valid && model.anchoring == state.guard.anchoring() &&
-                                      state.modelAge <= kModelPatience,
-                          .speed = seen.velocity.norm(),
-                          .wanted = wanted.spring.force.norm(),
-                          .sudden = wanted.sudden,
-                          .finite = wanted.spring.force.allFinite() && wanted.sliding.allFinite() &&
-                                    std::isfinite(wanted.sudden)};
-    RenderedSpring spring = guarded(state, wanted, seen.velocity, tick);
+    // 6     Gate: off, settling, rising, on or latched, and why.                                    T9, T12
+    const double gain = state.gate(gateInput(state, settings, input, model_D, contact, dt));
+
+    // 7     Passivity: what was made is taken back, along the push alone and without a step.     T2, T3, T5
+    RenderedSpring spring = damped(state, contact, seen.position, gain, dt);
+
+    // 8     Command check: what leaves is what is judged, in newtons a tick.                       T11, T12
+    if (gain > 0 && !(suddenOf(state, previous, contact, seen.position, spring.force) <=
+                      kForceJump * state.limiter.maxForce)) {
+        state.gate.latch(spring.force.allFinite() ? InhibitReason::ForceJump : InhibitReason::NotFinite);
+        spring = {};
+    }
+
+    // 9     Limit: finite, and at most what the motors bear now.                                        T12
     spring.force = state.limiter(spring.force);
     state.heat.add(spring.force.norm(), dt);
     state.passivity.commanded(spring);
+    state.previous = {.finger_D = seen.position,
+                      .anchor_D = contact.anchor.position,
+                      .added_D = state.damper.force(),
+                      .gain = state.gate.gain(),
+                      .load = contact.model.stiffness * contact.stretch(seen.position),
+                      .touching = contact.anchor.touching};
     return {spring.force, inWorld(state, input), input.frame};
 }
 

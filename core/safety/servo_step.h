@@ -5,13 +5,13 @@
 #include "core/port/device_frame.h"
 #include "core/port/force_limiter.h"
 #include "core/port/haptic_device.h"
-#include "core/safety/contact_ease.h"
-#include "core/safety/guard.h"
+#include "core/safety/added_damping.h"
+#include "core/safety/contact_transition.h"
+#include "core/safety/force_gate.h"
 #include "core/safety/motor_heat.h"
-#include "core/safety/oscillation_detector.h"
 #include "core/safety/passivity.h"
-#include "core/safety/safe_stiffness.h"
 #include "core/safety/sample_check.h"
+#include "core/safety/stiffness_schedule.h"
 
 namespace tactum {
 
@@ -46,32 +46,34 @@ struct ServoInput {
     bool clutched = false;  ///< the device moves and the finger stays: `frame` sees to that
 };
 
-/// All that the servo remembers from tick to tick. Copied whole by the recorder.
+/// What one tick leaves to the next, beside what each stage remembers itself. Frame D, SI.
+struct Previous {
+    Vec3 finger_D = Vec3::Zero();
+    Vec3 anchor_D = Vec3::Zero(); ///< of the rendered model
+    Vec3 added_D = Vec3::Zero();  ///< N, of the added damping
+    double gain = 0;              ///< of the gate
+    double load = 0;              ///< N, of the spring before the gain
+    bool touching = false;
+};
+
+/// All that the servo remembers from tick to tick: its stages in their order. Copied whole by the recorder.
 struct ServoState {
     explicit ServoState(const DeviceInfo& device) noexcept;
 
-    LoopFigures loop; ///< of the device; the period is the nominal one
     SampleCheck check;
-    Guard guard;
-    ContactEase ease;
+    StiffnessSchedule schedule;
+    ContactTransition transition;
+    ForceGate gate;
     Passivity passivity;
-    OscillationDetector oscillation;
+    AddedDamping damper;
     MotorHeat heat;
     ForceLimiter limiter;
 
+    Previous previous;
     std::uint64_t ticks = 0;
-    double unread = 0;     ///< s since the newest reading that was believed came
-    double modelAge = 1e9; ///< s since the newest model came
-    double period = 0;     ///< s, measured, that the ceiling is for
-    double calm = 1;       ///< part of the stiffness that is left after oscillations
-    double calmGoal = 1;   ///< where `calm` goes
-    std::uint64_t oscillations = 0;
-    std::uint32_t letGo = 0;    ///< buttons that were seen let go since the device came
-    StiffnessCeiling ceiling;   ///< of this tick
-    Vec3 anchor = Vec3::Zero(); ///< of the rendered model, frame D
-    Vec3 finger = Vec3::Zero(); ///< of this tick, frame D
-    bool touching = false;
-    bool overriding = false; ///< the person's word is in force
+    double unread = 0;       ///< s since the newest reading that was believed came
+    double modelAge = 1e9;   ///< s since the newest model came
+    std::uint32_t letGo = 0; ///< buttons that were seen let go since the device came
 };
 
 struct ServoOutput {
@@ -80,9 +82,9 @@ struct ServoOutput {
     DeviceFrame frame;         ///< of the input
 };
 
-/// Reads, renders, guards, limits. The order is the order of trust: what is last cannot be overruled. All of
-/// it happens in the hand's measure, frame D, so that no scale of the workspace changes what a hand or a
-/// device can bear; `model_W` and the finger that comes out are the world's.
+/// Nine stages, in the order of trust: what is last cannot be overruled. All of it happens in the hand's
+/// measure, frame D, so that no scale of the workspace changes what a hand or a device can bear; `model_W`
+/// and the finger that comes out are the world's. docs/stability.md has each stage's reason, bound and test.
 /// Deterministic. Thread: real time; bounded: nearestPoint() a dozen times.
 ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const ServoInput& input,
                       const LocalContactModel& model_W) noexcept;

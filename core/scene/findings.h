@@ -26,7 +26,8 @@ std::vector<Finding> validate(const Scene& scene);
 
 /// What the health of a mesh lets a person expect, in sentences.
 void appendHealth(std::vector<Finding>& findings, const std::string& object, const MeshHealth& health);
-/// Whether a finding is one of those, about triangles: it was true of the mesh then, and may be mended since.
+/// Whether a finding is one of those, about triangles: it was true of the mesh then, and may be repaired
+/// since.
 bool saysHealth(const Finding& finding);
 /// "1 triangle", "7 triangles".
 std::string counted(std::size_t count, std::string_view noun);

@@ -83,7 +83,7 @@ std::shared_ptr<const TextureImage> readImage(ByteIn& in) {
     in(name), in(width), in(height), in(bits), in.bulk(texels);
     const auto isSide = [](int side) { return side >= 1 && side <= TextureImage::kLargestSide; };
     in.demand(isSide(width) && isSide(height) && texels.size() == std::size_t(width) * std::size_t(height) &&
-                  texels.size() <= TextureImage::kMostTexels,
+                  texels.size() <= TextureImage::kMaxTexels,
               "an image has not as many texels as it says");
     return std::make_shared<const TextureImage>(width, height, std::move(texels), printable(name, 200), bits);
 }

@@ -29,13 +29,13 @@ public:
             ++felt;
             planes += layer.ownPlane && layer.target == TextureTarget::Height;
         }
-        if (felt > kMostTextureLayers)
+        if (felt > kMaxTextureLayers)
             warn("surface " + inQuotes(surface_.name) + " has " + counted(std::size_t(felt), "layer") +
-                     ", of which " + std::to_string(kMostTextureLayers) + " are felt",
+                     ", of which " + std::to_string(kMaxTextureLayers) + " are felt",
                  "switch some of them off, or bake them into one picture");
-        if (planes > kMostOwnPlanes)
+        if (planes > kMaxOwnPlanes)
             warn("surface " + inQuotes(surface_.name) + " has " + counted(std::size_t(planes), "layer") +
-                     " with a plane of its own; " + std::to_string(kMostOwnPlanes) + " get one",
+                     " with a plane of its own; " + std::to_string(kMaxOwnPlanes) + " get one",
                  "the others join the blend; switch their own plane off");
     }
 

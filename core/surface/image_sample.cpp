@@ -77,14 +77,14 @@ Footprint footprintOf(const TextureImage& image, const FlatPoint& point, double 
     const double longest = smallestFeature * std::sqrt(mean + spread),
                  shortest = smallestFeature * std::sqrt(std::max(mean - spread, 0.0));
     if (!(longest < 1e9))
-        return {double(image.levelCount() - 1), 1, Vector2d::Zero()};        // only the mean is left
-    const double across = std::max({shortest, longest / kMostStretch, 1.0}); // texels: what the level does
+        return {double(image.levelCount() - 1), 1, Vector2d::Zero()};       // only the mean is left
+    const double across = std::max({shortest, longest / kMaxStretch, 1.0}); // texels: what the level does
     footprint.detail = std::min(std::log2(across), double(image.levelCount() - 1));
     // What is missing along the long axis; widths of filters in a row add up by their squares.
     const double width = 2 * std::sqrt(std::max(longest * longest - across * across, 0.0));
     if (width <= across) return footprint;
     // A texel of the level apart: then along a row of texels none counts twice and none is left out.
-    footprint.probes = std::min(int(std::ceil(width / across)), kMostProbes);
+    footprint.probes = std::min(int(std::ceil(width / across)), kMaxProbes);
     footprint.axis = footprint.probes * across * longAxis(square, mean + spread).cwiseQuotient(size);
     return footprint;
 }

@@ -7,9 +7,9 @@
 namespace tactum {
 
 /// An image that lies more than this times denser one way than the other is blurred the other way.
-inline constexpr int kMostStretch = 8;
+inline constexpr int kMaxStretch = 8;
 /// Places that are averaged at most where the image lies stretched on the surface.
-inline constexpr int kMostProbes = 2 * kMostStretch;
+inline constexpr int kMaxProbes = 2 * kMaxStretch;
 
 /// Value and slope of the image there, the slope being exactly that of the interpolated value.
 ///
@@ -18,7 +18,7 @@ inline constexpr int kMostProbes = 2 * kMostStretch;
 /// averaged under a raised cosine. So details shorter than `smallestFeature` in metres vanish in every
 /// direction, however the coordinates are stretched, mirrored or skewed. 0 asks for all details. Of a
 /// grating's slope less than 1 % is left up to `smallestFeature`, and at least 90 % from eight times of it.
-/// Thread: real time; at most 8 x kMostProbes texels, 8 where the image is not stretched.
+/// Thread: real time; at most 8 x kMaxProbes texels, 8 where the image is not stretched.
 FlatSample sampleImage(const TextureImage& image, const FlatPoint& point, double smallestFeature) noexcept;
 
 } // namespace tactum

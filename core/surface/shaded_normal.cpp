@@ -46,11 +46,11 @@ Vec3 onHypotheticalSurface(const Vec3& interpolated, const Triangle& triangle, c
 
 Vec3 leaningAtMost(const Vec3& normal, const Vec3& away) noexcept {
     const double cosine = normal.dot(away);
-    if (cosine >= kMostLean) return normal;
+    if (cosine >= kMaxLean) return normal;
     const Vec3 sideways = normal - cosine * away;
     const double length = sideways.norm();
     if (!(length > 0)) return away;
-    return kMostLean * away + std::sqrt(1 - kMostLean * kMostLean) / length * sideways;
+    return kMaxLean * away + std::sqrt(1 - kMaxLean * kMaxLean) / length * sideways;
 }
 
 Vec3 shadedNormal(const SmoothNormals& normals, Index index, const Triangle& triangle,

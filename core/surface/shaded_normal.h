@@ -8,7 +8,7 @@ namespace tactum {
 
 /// No felt normal leans away from the true one by more than 60 degrees: a steeper plane would hold the proxy
 /// rather than guide it. Cosine.
-inline constexpr double kMostLean = 0.5;
+inline constexpr double kMaxLean = 0.5;
 
 /// `normal`, leaning no more than that away from `away`; both of unit length. Thread: real time.
 Vec3 leaningAtMost(const Vec3& normal, const Vec3& away) noexcept;

@@ -10,7 +10,7 @@ namespace tactum {
 namespace {
 
 bool isPlace(const FlatPoint& point) noexcept {
-    return std::abs(point.at.x()) < kMostRepeats && std::abs(point.at.y()) < kMostRepeats &&
+    return std::abs(point.at.x()) < kMaxRepeats && std::abs(point.at.y()) < kMaxRepeats &&
            point.perMetre.allFinite();
 }
 

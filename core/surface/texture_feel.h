@@ -18,7 +18,7 @@ inline constexpr double kSteepestSlope = 1;
 struct TextureFeel {
     double height = 0;         ///< m: of the blended height layers; the proxy is never lifted by it
     Vec3 slope = Vec3::Zero(); ///< of the blended height layers
-    std::array<Vec3, kMostOwnPlanes> ownSlopes{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::array<Vec3, kMaxOwnPlanes> ownSlopes{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     int ownPlanes = 0; ///< how many of ownSlopes hold: a constraint plane for each
     // Factors of the material's values, 1 where no layer changes them.
     double staticFriction = 1;
@@ -29,7 +29,7 @@ struct TextureFeel {
 
 /// Samples every layer. `smallestFeature`: details of the texture shorter than this length are filtered out,
 /// m; about ten times the way of the finger between two ticks of the servo. 0 keeps all.
-/// Anything not finite gives the plain surface. Thread: real time; at most kMostTextureLayers patterns and
+/// Anything not finite gives the plain surface. Thread: real time; at most kMaxTextureLayers patterns and
 /// masks of three samples each.
 TextureFeel feel(const TextureStack& stack, const TexturePoint& point, double smallestFeature) noexcept;
 

@@ -39,9 +39,9 @@ struct FlatPoint {
 };
 
 /// Beyond this many repeats the pattern ends: there is no precision left for a place in it.
-inline constexpr double kMostRepeats = 1e12;
+inline constexpr double kMaxRepeats = 1e12;
 
-/// x without its whole number, from 0 to 1; |x| at most kMostRepeats. Thread: real time.
+/// x without its whole number, from 0 to 1; |x| at most kMaxRepeats. Thread: real time.
 inline double repeatPart(double x) noexcept {
     const double part = x - double(std::int64_t(x));
     return part < 0 ? part + 1 : part;

@@ -19,16 +19,16 @@ namespace tactum {
 /// that no size needs to be a power of two. Shared through a shared_ptr to const.
 class TextureImage {
 public:
-    static constexpr int kMostLevels = 16;
+    static constexpr int kMaxLevels = 16;
     static constexpr int kLargestSide = 1 << 14; ///< texels
-    static constexpr std::size_t kMostTexels = std::size_t(1) << 27;
+    static constexpr std::size_t kMaxTexels = std::size_t(1) << 27;
 
     struct Level {
         int width = 0, height = 0;
         std::size_t begin = 0; ///< of its first texel
     };
 
-    /// `texels`: width x height of them, row by row; sides from 1 to kLargestSide, at most kMostTexels.
+    /// `texels`: width x height of them, row by row; sides from 1 to kLargestSide, at most kMaxTexels.
     /// `name`: for the person. `bits`: the depth that the file had. Thread: any but real time.
     TextureImage(int width, int height, std::vector<std::uint16_t> texels, std::string name = {},
                  int bits = 16);
@@ -63,7 +63,7 @@ private:
     std::string name_;
     int bits_ = 16;
     int levelCount_ = 0;
-    std::array<Level, kMostLevels> levels_{};
+    std::array<Level, kMaxLevels> levels_{};
     std::vector<std::uint16_t> texels_; ///< all levels, one after the other
 };
 

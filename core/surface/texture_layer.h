@@ -135,8 +135,8 @@ inline constexpr std::array<PatternField, 9> kPatternFields{{
 }};
 
 /// More layers of one surface are not felt: what a step costs stays bounded.
-inline constexpr int kMostTextureLayers = 16;
+inline constexpr int kMaxTextureLayers = 16;
 /// More layers with a plane of their own join the blend instead.
-inline constexpr int kMostOwnPlanes = 4;
+inline constexpr int kMaxOwnPlanes = 4;
 
 } // namespace tactum

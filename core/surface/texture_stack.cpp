@@ -100,7 +100,7 @@ double knownMetresPerUv(const TextureStack& wanted,
 void limitOwnPlanes(std::vector<CompiledLayer>& layers) {
     int planes = 0;
     for (CompiledLayer& layer : layers)
-        layer.ownPlane = layer.ownPlane && ++planes <= kMostOwnPlanes;
+        layer.ownPlane = layer.ownPlane && ++planes <= kMaxOwnPlanes;
 }
 
 } // namespace
@@ -121,7 +121,7 @@ compileTextures(const std::vector<TextureLayer>& layers, const std::shared_ptr<c
         stack->metresPerUv = knownMetresPerUv(*stack, known);
     for (const TextureLayer& layer : layers)
         if (auto ready = compiled(layer, *stack);
-            ready && stack->layers.size() < std::size_t(kMostTextureLayers))
+            ready && stack->layers.size() < std::size_t(kMaxTextureLayers))
             stack->layers.push_back(std::move(*ready));
     limitOwnPlanes(stack->layers);
     if (stack->layers.empty()) return nullptr;

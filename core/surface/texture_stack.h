@@ -45,10 +45,10 @@ struct CompiledLayer {
     TextureBlend blend = TextureBlend::Add;
     double strength = 0; ///< m or ratio
     double opacity = 1;
-    bool ownPlane = false; ///< of at most kMostOwnPlanes layers
+    bool ownPlane = false; ///< of at most kMaxOwnPlanes layers
 };
 
-/// The layers of one surface of one mesh that can be felt, lowest first, at most kMostTextureLayers.
+/// The layers of one surface of one mesh that can be felt, lowest first, at most kMaxTextureLayers.
 struct TextureStack {
     std::vector<CompiledLayer> layers;
 

@@ -12,9 +12,9 @@ namespace {
 constexpr int kButtons = 4;
 /// A report waits in the chip for up to a millisecond: with a second command on the way the device still
 /// hears one in each. More would only wait in line and come late.
-constexpr int kMostUnanswered = 2;
+constexpr int kMaxUnanswered = 2;
 constexpr double kUnheard = 0.01; ///< s, without a command handed over
-constexpr int kMostFailures = 5;  ///< transfers in a row
+constexpr int kMaxFailures = 5;   ///< transfers in a row
 constexpr auto kTick = std::chrono::milliseconds(1);
 
 const char* sentenceOf(FalconTrouble trouble) {
@@ -108,8 +108,8 @@ Result<void> Falcon::open() {
 }
 
 bool Falcon::startsToReport() {
-    constexpr int kMost = 500;
-    for (int i = 0; i < kMost && !link_->gone(); ++i) {
+    constexpr int kMax = 500;
+    for (int i = 0; i < kMax && !link_->gone(); ++i) {
         if (exchange({}, 0).valid) return true;
         std::this_thread::sleep_for(kTick);
     }
@@ -125,9 +125,9 @@ void Falcon::close() {
 
 /// Waits until all that was sent is answered; else the zero goes once more, by the short way.
 void Falcon::sendLastZero() {
-    constexpr int kMost = 20;
+    constexpr int kMax = 20;
     bool sent = false;
-    for (int i = 0; i < kMost && !link_->gone(); ++i) {
+    for (int i = 0; i < kMax && !link_->gone(); ++i) {
         link_->poll();
         newestReport();
         if (sent && unanswered_ == 0) return;
@@ -152,7 +152,7 @@ DeviceSample Falcon::exchange(const DeviceCommand& wanted, double dt) noexcept {
 
 FalconTrouble Falcon::troubleNow() const noexcept {
     if (link_->gone()) return FalconTrouble::Gone;
-    if (unheard_ > kUnheard || link_->failures() > kMostFailures) return FalconTrouble::Broken;
+    if (unheard_ > kUnheard || link_->failures() > kMaxFailures) return FalconTrouble::Broken;
     return readings_.trouble();
 }
 
@@ -181,7 +181,7 @@ void Falcon::command(const Vec3& force, double dt) noexcept {
                            {.countsPerTorque = settings_.countsPerTorque, .maxForce = profile_.maxForce})
             : FalconLegs{};
     const bool urgent = pushing_ && motors == FalconLegs{};
-    if (urgent || unanswered_ < kMostUnanswered) send(motors);
+    if (urgent || unanswered_ < kMaxUnanswered) send(motors);
 }
 
 bool Falcon::send(const FalconLegs& motors) noexcept {

@@ -57,8 +57,8 @@ Result<FalconBoot> call(UsbLink& link, Opening& watcher, bool cancellable) {
 
 /// Answers to earlier calls may still be on their way.
 Result<void> drain(UsbLink& link) {
-    constexpr int kMost = 16;
-    for (int i = 0; i < kMost; ++i) {
+    constexpr int kMax = 16;
+    for (int i = 0; i < kMax; ++i) {
         const auto more = hearFalcon(link, milliseconds(50));
         if (!more) return tl::unexpected(more.error());
         if (more->empty()) break;

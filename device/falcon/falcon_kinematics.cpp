@@ -75,13 +75,13 @@ std::optional<FalconArm> falconArmAt(const Vec3& position) noexcept {
 
 std::optional<Vec3> falconPosition(const Vec3& angles, const Vec3& nearby) noexcept {
     constexpr double kExact = 1e-12; // rad
-    constexpr int kMostTries = 40;   // four are usual
+    constexpr int kMaxTries = 40;    // four are usual
     if (!angles.allFinite()) return std::nullopt;
     Vec3 p = nearby;
     std::optional<FalconArm> arm = falconArmAt(p);
     if (!arm) arm = falconArmAt(p = Vec3::Zero());
     double part = 1; // of Newton's step
-    for (int i = 0; i < kMostTries; ++i) {
+    for (int i = 0; i < kMaxTries; ++i) {
         const Vec3 missing = angles - arm->angles;
         if (worst(missing) < kExact) return p;
         const Vec3 next = p + part * (arm->jacobian.inverse() * missing);

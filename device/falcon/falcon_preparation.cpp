@@ -145,9 +145,9 @@ Result<void> Preparation::home() {
 }
 
 Result<void> Preparation::waitForHome() {
-    constexpr int kMostSilent = 20; // questions without an answer: a second
+    constexpr int kMaxSilent = 20; // questions without an answer: a second
     watcher_.begin(kHome, "Pull the grip all the way out, then push it all the way in.");
-    for (int silent = 0; silent < kMostSilent;) {
+    for (int silent = 0; silent < kMaxSilent;) {
         if (givenUp()) return cancelled(kHome);
         const auto report = askFalcon(*link_, {.light = FalconLight::Red});
         if (!report) return failed(kHome, report.error());

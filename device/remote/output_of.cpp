@@ -15,12 +15,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMost = 1 << 20;
+constexpr std::size_t kMax = 1 << 20;
 
 /// Reads until the other end is closed; false when that took too long, or came to too much.
 bool readAll(int from, int patience, std::string& text) {
     const auto end = Clock::now() + std::chrono::milliseconds(patience);
-    while (text.size() < kMost) {
+    while (text.size() < kMax) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
         pollfd line{.fd = from, .events = POLLIN, .revents = 0};
         if (left <= 0 || poll(&line, 1, int(left)) == 0) return false;

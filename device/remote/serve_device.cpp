@@ -8,7 +8,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "core/loop/guardian.h"
+#include "core/loop/device_watchdog.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
 #include "core/port/device_check.h"
@@ -94,7 +94,7 @@ private:
     wire::Block& block_;
     int talk_, program_; ///< descriptors; the second tells of the program's death, whoever holds its sockets
     mutable bool cancelled_ = false;
-    Guardian guardian_;
+    DeviceWatchdog guardian_;
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};
     bool runs_ = false;
@@ -127,7 +127,7 @@ Result<void> Server::startLoop() {
     lockPresentMemory();
     stop_ = false;
     block_.lastTick = monotonicNanoseconds();
-    // Before the thread: the guardian is a fork, which has only the thread that forks.
+    // Before the thread: the device watchdog is a fork, which has only the thread that forks.
     if (Result<void> guarded = guardian_.start(device_); !guarded) return guarded;
     return thread_.start("tactum-device", kPriority, [this] { loop(); });
 }

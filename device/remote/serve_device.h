@@ -12,7 +12,7 @@ extern const int kServeDescriptor;
 /// whatever cause. From open() to close() a loop of its own exchanges at the device's rate. The device gets
 /// no force once the program died; one that stands still for kOldestCommand loses its force over
 /// kCommandFade. A crash of this process, of any signal, brings the device to zero too: by the handler of the
-/// signal, and by a guardian. Returns the exit code of the process, the device closed. Thread: main.
+/// signal, and by a device watchdog. Returns the exit code of the process, the device closed. Thread: main.
 int serveDevice(HapticDevice& device, int descriptor);
 
 /// For a program that cannot make the device it is asked for: the sentence goes to who asked.

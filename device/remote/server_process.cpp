@@ -111,8 +111,8 @@ void ServerProcess::kill() {
     hasEnded(0);
 }
 
-/// It ends when nobody talks to it any more. A forked guardian holds the socket as well: closing is not
-/// enough.
+/// It ends when nobody talks to it any more. A forked device watchdog holds the socket as well: closing is
+/// not enough.
 void ServerProcess::end() {
     if (talk_ >= 0) {
         shutdown(talk_, SHUT_RDWR);

@@ -20,11 +20,11 @@ namespace tactum {
 namespace {
 
 constexpr std::size_t kLargestPacket = 512;
-constexpr int kMostReads = 16;
+constexpr int kMaxReads = 16;
 constexpr std::size_t kRoom = 64;       ///< packets that wait to be taken
 constexpr unsigned kSendTimeout = 5;    ///< ms
 constexpr unsigned kSendNowTimeout = 5; ///< ms
-constexpr int kMostCancelRounds = 50;   ///< of 10 ms each
+constexpr int kMaxCancelRounds = 50;    ///< of 10 ms each
 /// So many transfers broken in a row, with none that went well between, are not interference any more. A read
 /// that broke begins again with the next poll(), so with three of them at 1 kHz this takes 10 ms.
 constexpr int kBrokenUntilGone = 30;
@@ -148,7 +148,7 @@ struct UsbLink::Impl {
     Result<void> prepare(Transfer& transfer, std::uint8_t endpoint, unsigned timeout);
     bool submit(Transfer& transfer, Side& side) noexcept;
     void readAll() noexcept;
-    void mendHalts() noexcept;
+    void repairHalts() noexcept;
     void cancelReads() noexcept;
     bool anyReadUnderWay() const noexcept;
     bool underWay() const noexcept { return writing.underWay || anyReadUnderWay(); }
@@ -294,7 +294,7 @@ Result<std::vector<std::uint8_t>> UsbLink::read(int timeout) {
 /// knows himself how long he waits. Only what is sent has one.
 Result<void> UsbLink::startStream(int reads) {
     assertNotRealtime();
-    assert(!impl_->streaming && reads > 0 && reads <= kMostReads);
+    assert(!impl_->streaming && reads > 0 && reads <= kMaxReads);
     while (impl_->reads.size() < static_cast<std::size_t>(reads)) {
         impl_->reads.emplace_back();
         if (auto ready = impl_->prepare(impl_->reads.back(), impl_->endpoints.in, 0); !ready) return ready;
@@ -331,7 +331,7 @@ void UsbLink::Impl::endStream() noexcept {
     streaming = false;
     cancelReads();
     if (writing.underWay) libusb_cancel_transfer(writing.usb);
-    for (int round = 0; round < kMostCancelRounds && underWay(); ++round)
+    for (int round = 0; round < kMaxCancelRounds && underWay(); ++round)
         handleEvents(10);
     packets.clear();
 }
@@ -348,7 +348,7 @@ bool UsbLink::send(std::span<const std::uint8_t> bytes) noexcept {
 void UsbLink::poll() noexcept {
     if (!impl_->streaming || impl_->gone) return;
     impl_->handleEvents(0);
-    impl_->mendHalts();
+    impl_->repairHalts();
     impl_->readAll();
 }
 
@@ -388,17 +388,17 @@ void UsbLink::Impl::readAll() noexcept {
 
 /// An endpoint that stalled wants to be told to go on, once nothing is queued for it any more. This is the
 /// one place where poll() waits, for a control transfer of about a millisecond.
-void UsbLink::Impl::mendHalts() noexcept {
-    const auto mend = [this](Side& side, std::uint8_t endpoint) {
+void UsbLink::Impl::repairHalts() noexcept {
+    const auto repair = [this](Side& side, std::uint8_t endpoint) {
         const int error = libusb_clear_halt(handle, endpoint);
         if (error == LIBUSB_ERROR_NO_DEVICE) giveUp();
         side.halted = error != 0;
     };
-    if (out.halted && !writing.underWay && !gone) mend(out, endpoints.out);
+    if (out.halted && !writing.underWay && !gone) repair(out, endpoints.out);
     if (!in.halted || gone) return;
     if (anyReadUnderWay()) cancelReads();
     handleEvents(0);
-    if (!anyReadUnderWay() && !gone) mend(in, endpoints.in);
+    if (!anyReadUnderWay() && !gone) repair(in, endpoints.in);
 }
 
 void UsbLink::Impl::cancelReads() noexcept {

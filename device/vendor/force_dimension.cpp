@@ -16,7 +16,7 @@ namespace tactum {
 namespace {
 
 constexpr std::string_view kDhdPrefix = "forcedimension:";
-constexpr int kMostDevices = 16;
+constexpr int kMaxDevices = 16;
 constexpr int kDhdMoment = 20;           ///< ms between two looks
 constexpr int kDhdQuiet = 500;           ///< exchanges without an error, and the device is believed again
 constexpr unsigned char kWatchdog = 240; ///< times 125 us: 30 ms
@@ -221,7 +221,7 @@ DeviceListing listed(const dhd::Api& api, int index) {
 std::vector<DeviceListing> listForceDimension() {
     const Result<dhd::Api> api = dhd::load();
     if (!api) return {{"", "omega, delta, sigma (Force Dimension)", false, api.error().text}};
-    const int count = std::min(api->getDeviceCount(), kMostDevices);
+    const int count = std::min(api->getDeviceCount(), kMaxDevices);
     if (count <= 0)
         return {{"", "Force Dimension", false,
                  "the maker's library is there, but no device: connect one and switch it on"}};
@@ -234,7 +234,7 @@ std::vector<DeviceListing> listForceDimension() {
 Result<std::unique_ptr<HapticDevice>> makeForceDimension(const std::string& id, FiguresOf figures) {
     std::int64_t index = -1;
     if (!id.starts_with(kDhdPrefix) || !parseNumber(std::string_view(id).substr(kDhdPrefix.size()), index) ||
-        index < 0 || index >= kMostDevices)
+        index < 0 || index >= kMaxDevices)
         return inputError("There is no device " + inQuotes(id) + ": those of Force Dimension are called " +
                           std::string(kDhdPrefix) + "0 and so on.");
     const Result<DeviceInfo> ofFamily = figures("");

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view kHdPrefix = "openhaptics:", kDefault = "default";
 constexpr double kMetre = 1e-3;   ///< the library speaks in millimetres
 constexpr int kHdQuiet = 500;     ///< frames without an error, and the device is believed again
-constexpr int kMostErrors = 32;   ///< taken off the stack in one frame
+constexpr int kMaxErrors = 32;    ///< taken off the stack in one frame
 constexpr int kHdMoment = 5;      ///< ms between two looks
 constexpr int kPatience = 2000;   ///< ms, for the scheduler's first frame and an automatic calibration
 constexpr int kHold = 5000;       ///< ms, that the person holds the arms still
@@ -179,7 +179,7 @@ void OpenHaptics::noteErrors() {
 /// The first that happened, which is the last on the stack: the others follow from it.
 hd::ErrorCode OpenHaptics::takeErrors() const {
     hd::ErrorCode first = hd::kSuccess;
-    for (int i = 0; i < kMostErrors; ++i) {
+    for (int i = 0; i < kMaxErrors; ++i) {
         const hd::ErrorCode code = api_.getError().code;
         if (code == hd::kSuccess) break;
         first = code;

@@ -1,4 +1,4 @@
-// A mailbox that a forked guardian can stop: it lies in memory that both processes share.
+// A mailbox that a forked device watchdog can stop: it lies in memory that both processes share.
 #pragma once
 
 #include <new>

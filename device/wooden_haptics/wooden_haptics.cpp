@@ -27,7 +27,7 @@ constexpr int kMoved = 100;      ///< counts: somebody moves the arm on purpose
 constexpr int kStillWithin = 10; ///< counts, of an arm that is held still
 constexpr int kStillFor = 2000;  ///< reports, 2 s
 
-constexpr int kMostLost = 100;  ///< reports between two; more, and it began to count anew
+constexpr int kMaxLost = 100;   ///< reports between two; more, and it began to count anew
 constexpr int kStaleTicks = 10; ///< so many without a report, and the arm may be anywhere: no current
 constexpr int kSilentTicks = 50;
 constexpr int kUnheard = 20; ///< commands in a row
@@ -207,7 +207,7 @@ bool WoodenHaptics::accept(const WoodenReport& report) noexcept {
         ++sameCounter_;
         return false;
     }
-    if (heard_ && ahead > kMostLost)
+    if (heard_ && ahead > kMaxLost)
         trouble_ = Trouble::Restarted; // and its encoders count from somewhere else
     newest_ = report;
     heard_ = true;

@@ -85,10 +85,10 @@ inline const std::vector<Library> kLibraries{
     {"unistd.h",
      {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/", "core/runtime/",
       "core/import/", "device/", "app/"}},
-    {"poll.h", {"core/loop/guardian.cpp", "core/import/worker_process.cpp", "device/"}},
+    {"poll.h", {"core/loop/device_watchdog.cpp", "core/import/worker_process.cpp", "device/"}},
     {"fcntl.h",
-     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/guardian.cpp", "core/import/",
-      "device/", "app/"}},
+     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/device_watchdog.cpp",
+      "core/import/", "device/", "app/"}},
     {"spawn.h", {"core/base/child_program.cpp"}},
     {"linux/", {"core/import/worker/sandbox.cpp", "device/usb/"}},
 };

@@ -122,12 +122,12 @@ public:
     }
 
 private:
-    static constexpr double kFirstMargin = 0.5, kLeastMargin = 0.4, kMostMargin = 2;
+    static constexpr double kFirstMargin = 0.5, kMinMargin = 0.4, kMaxMargin = 2;
 
     void gatherAround(const SpherePath& path) {
         const bool isRoomy = near_.blocks().size() <= std::size_t(Neighbourhood::kBlocks / 2);
         if (!near_.isEmpty()) margin_ *= near_.isCrowded() ? 0.7 : isRoomy ? 1.4 : 1;
-        margin_ = std::clamp(margin_, kLeastMargin * path.radius, kMostMargin * path.radius);
+        margin_ = std::clamp(margin_, kMinMargin * path.radius, kMaxMargin * path.radius);
         near_.gather(path.from, path.radius + margin_);
     }
 

@@ -15,6 +15,7 @@ void HandScript::begin() {
     depth_ = uniform(random_, 0.002, 0.02);
     hertz_ = kind_ == Kind::Tap ? uniform(random_, 2, 6) : uniform(random_, 0.3, 3);
     size_ = kind_ == Kind::Tap ? uniform(random_, 0.01, 0.03) : uniform(random_, 0.002, 0.02);
+    size_ = std::min(size_, fastest_ / (2 * std::numbers::pi * hertz_));
     const Vec3 to(uniform(random_, -kReach, kReach), uniform(random_, -kReach, kReach), 0);
     way_ = to - Vec3(from_.x(), from_.y(), 0);
     if (kind_ != Kind::Line) way_.setZero();

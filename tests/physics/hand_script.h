@@ -8,7 +8,9 @@ namespace tactum::test {
 /// Leads the goal of the arm's spring over the surface z = `height`.
 class HandScript {
 public:
-    HandScript(std::uint64_t seed, double height) : random_(seed), height_(height) {}
+    /// Taps are no faster than `fastest`, m/s.
+    HandScript(std::uint64_t seed, double height, double fastest = 2)
+        : random_(seed), height_(height), fastest_(fastest) {}
 
     /// Where the hand wants to be now; `dt` s after the last call.
     Vec3 goal(double dt);
@@ -18,7 +20,7 @@ private:
     void begin();
 
     Rng random_;
-    double height_;
+    double height_, fastest_;
     Kind kind_ = Kind::Hold;
     Vec3 from_ = Vec3::Zero(), at_ = Vec3::Zero();
     Vec3 way_ = Vec3::Zero(); ///< of a line, m

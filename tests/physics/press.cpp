@@ -71,8 +71,9 @@ Rest pressServo(const Bench& bench, const Press& press, double stiffness, double
     loop.warmUp();
     Rest rest = watch(loop, seconds);
     rest.stiffness =
-        servo.state.calm *
-        std::min(stiffness, servo.settings.overrideCeiling ? stiffness : servo.state.ceiling.value);
+        servo.state.schedule.scale() * std::min(stiffness, servo.settings.overrideCeiling
+                                                               ? stiffness
+                                                               : servo.state.schedule.ceiling().value);
     return rest;
 }
 

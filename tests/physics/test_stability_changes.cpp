@@ -93,7 +93,7 @@ private slots:
         const double rise = held(resting.loop) - before;
         qInfo("%.3f m/s, %.2f mJ of %.2f, %.3f N in a tick", event.speed, 1e3 * event.given, 1e3 * rise,
               event.jump);
-        QCOMPARE(resting.servo.state.ease.easing(), false);
+        QCOMPARE(resting.servo.state.transition.easing(), false);
         QCOMPARE_LE(event.speed, kFastest);
         QCOMPARE_LE(event.given, std::max(rise, 0.0) + 5e-3);
         QCOMPARE_LE(event.jump, std::max(from, to) * kFalcon.resolution + 0.05);
@@ -126,7 +126,7 @@ private slots:
             for (const double force : {1.0, 3.0}) {
                 if (force > device.maxForce) continue;
                 const Bench bench{device, kPinch, {.delay = 1}};
-                GivenModel model(wall(3000));
+                GivenModel model(wall(6000));
                 Servo servo(infoOf(bench), model);
                 ClosedLoop loop(bench, servo.control());
                 servo.settings.period = override ? 0 : 4e-3;
@@ -134,20 +134,20 @@ private slots:
                 loop.plant.voluntary.z() = -force;
                 loop.warmUp();
                 loop.run(3);
-                const double before = servo.state.ease.rendered().stiffness;
+                const double before = servo.state.transition.rendered().stiffness;
                 servo.settings.period = 0;
                 servo.settings.overrideCeiling = override;
                 const Event event = watchEvent(loop, 3);
                 fastest = std::max(fastest, event.speed);
                 QCOMPARE_LE(event.speed, kFastest);
-                QVERIFY(servo.state.touching);
-                QCOMPARE_NE(servo.state.ease.rendered().stiffness > 1.5 * before, override);
+                QVERIFY(servo.state.previous.touching);
+                QCOMPARE_NE(servo.state.transition.rendered().stiffness > 1.2 * before, override);
                 loop.plant.place({0, 0, 0.005});
                 loop.plant.voluntary.z() = 0;
                 loop.run(0.01);
                 loop.plant.place({0, 0, -1e-4});
                 loop.tick();
-                QCOMPARE_GT(servo.state.ease.rendered().stiffness, 1.5 * before);
+                QCOMPARE_GT(servo.state.transition.rendered().stiffness, 1.2 * before);
             }
         qInfo("%.3g m/s", fastest);
     }
@@ -213,7 +213,7 @@ private slots:
         loop.tamper = [](DeviceSample& sample) { sample.valid = false; };
         loop.plant.setGoal({moved, 0, -0.01});
         loop.run(1);
-        QCOMPARE(servo.state.guard.withheld(), Withheld::DeviceLost);
+        QCOMPARE(servo.state.gate.inhibit(), InhibitReason::DeviceLost);
         QCOMPARE_LT(loop.plant.position().z(), -0.004); // deep, and without force
         loop.tamper = nullptr;
         servo.settings.armed = false;
@@ -228,7 +228,9 @@ private slots:
               event.jump, 1e3 * innermost, 1e3 * loop.plant.position().z(), loop.command.norm());
         QCOMPARE_GT(innermost, kBall);
         QCOMPARE_LE(event.speed, kFastest);
-        QCOMPARE_LE(event.jump, 1500 * bench.device.resolution + 0.05);
+        // A count, and what the damping of a force that comes back may change by.
+        QCOMPARE_LE(event.jump,
+                    1500 * bench.device.resolution + 0.05 + kAddedRate * bench.device.maxForce * 1e-3);
         QCOMPARE_GT(proxy.output.contacts, 0);
         QCOMPARE_GT(loop.command.norm(), 0.1);                              // it is felt again
         QCOMPARE_GT((loop.plant.position() - centre).norm(), kBall - 2e-3); // and was led to the surface

@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kLetSwing = 25; ///< s: what nobody holds loses its own energy slowly
 constexpr double kWall = 1500;   ///< N/m
+/// J, before it rests. The ceiling is for a light pinch; without any hand it is beyond what the device loses.
+constexpr double kMostGiven = 5e-3;
 
 /// No profile tells its mass: a light stylus and a heavy parallel one.
 constexpr std::array kMasses{0.05, 0.2}; // kg
@@ -66,7 +68,7 @@ private slots:
                                             .toUtf8();
                 QVERIFY2(rest.motion <= 2 * count, told);
                 QVERIFY2(rest.force <= 2 * rest.stiffness * count * (1 + 1e-9), told);
-                QVERIFY2(rest.given <= kPassivityThreshold, told);
+                QVERIFY2(rest.given <= kMostGiven, told);
                 // It is the surface that holds it, and no fault that took the force away.
                 QVERIFY2(rest.steady > 0 || press.force <= info.dryFriction, told);
             }

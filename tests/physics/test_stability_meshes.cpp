@@ -85,7 +85,7 @@ template <class Bottom> void wander(Led& led, int ways, Bottom&& bottom) {
             QVERIFY2(proxy.z() > bottom(proxy.x(), proxy.y()), qPrintable(QString("path %1").arg(i)));
         }
     }
-    QCOMPARE(led.servo.state.guard.faults(), 0u);
+    QCOMPARE(led.servo.state.gate.faults(), 0u);
 }
 
 /// Ridges as sharp as they come.
@@ -179,7 +179,7 @@ private slots:
                     const QString place = QString("mesh %1, path %2").arg(mesh).arg(i);
                     const double gap = clearance(grid, led.proxy.state.proxy.position, 2 * kRadius);
                     QVERIFY2(gap >= kRadius * (1 - 1e-5), qPrintable(place + QString(": %1 m").arg(gap)));
-                    QVERIFY2(led.servo.state.guard.faults() == 0, qPrintable(place + ": a fault"));
+                    QVERIFY2(led.servo.state.gate.faults() == 0, qPrintable(place + ": a fault"));
                 }
             }
         }
@@ -220,7 +220,7 @@ private slots:
                 led.to(from + (to - from) * (double(step) / kSteps));
                 QVERIFY(led.sound());
             }
-            QVERIFY2(led.servo.state.guard.faults() == 0, qPrintable(QString("path %1: a fault").arg(i)));
+            QVERIFY2(led.servo.state.gate.faults() == 0, qPrintable(QString("path %1: a fault").arg(i)));
         }
     }
 
@@ -250,7 +250,7 @@ private slots:
         QCOMPARE_GT(up, 4);
         QCOMPARE_LT(down, -3);
         QCOMPARE_LE(kick, 0.1);
-        QCOMPARE(led.servo.state.guard.faults(), 0u);
+        QCOMPARE(led.servo.state.gate.faults(), 0u);
     }
 
     /// Slowly along closed ways in the surface.

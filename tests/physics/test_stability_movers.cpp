@@ -120,7 +120,7 @@ private slots:
             hand.at(z - 2e-5 * i);
             QCOMPARE_EQ(hand.servo.state.passivity.lastDamping(), 0);
         }
-        QCOMPARE(hand.servo.state.calmGoal, 1.0);
+        QCOMPARE(hand.servo.state.schedule.goal(), 1.0);
     }
 };
 

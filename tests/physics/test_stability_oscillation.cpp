@@ -118,9 +118,9 @@ private slots:
                 contact += now.command.norm() > 0 ? 1e-3 : 0;
             });
             qInfo("%s on %d of %.1f mm: %.0f s in contact, %d trips, %d faults %d", bench.device.name, i % 4,
-                  1e3 * size, contact, int(servo.state.oscillations), int(servo.state.guard.faults()),
-                  int(servo.state.guard.withheld()));
-            trips += servo.state.oscillations;
+                  1e3 * size, contact, int(servo.state.schedule.oscillations()),
+                  int(servo.state.gate.faults()), int(servo.state.gate.inhibit()));
+            trips += servo.state.schedule.oscillations();
         }
         QCOMPARE(trips, 0u);
     }

@@ -209,8 +209,8 @@ private slots:
                     for (double s = 0; s > z.front(); s -= 1e-5)
                         way.push_back(s);
                     way.insert(way.end(), z.begin(), z.end());
-                    const double gift =
-                        giftAlong(way, device, timing, servo.state.ceiling.value, servo.control(), false);
+                    const double gift = giftAlong(way, device, timing, servo.state.schedule.ceiling().value,
+                                                  servo.control(), false);
                     most = std::max(most, gift);
                     QVERIFY2(gift <= kMicrojoule,
                              qPrintable(QString("%1, %2 Hz: %3 J").arg(device.name).arg(rate).arg(gift)));

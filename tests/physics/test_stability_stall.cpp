@@ -80,7 +80,7 @@ private slots:
                   1e3 * stalled.before, 1e3 * stalled.outward, stalled.after.jump, stalled.after.speed);
             QCOMPARE_LE(stalled.outward, 0.25 * stalled.before + 5e-3);
             QCOMPARE_LE(stalled.after.jump, kArrivalDamping * kArrival + 0.1);
-            QCOMPARE(servo.state.guard.gain(), 1.0); // and all is well again
+            QCOMPARE(servo.state.gate.gain(), 1.0); // and all is well again
         }
     }
 
@@ -90,7 +90,7 @@ private slots:
         Servo servo(infoOf(bench), model);
         ClosedLoop loop(bench, servo.control());
         const Stalled stalled = stallAtImpact(loop, 0.005);
-        QCOMPARE(servo.state.guard.gain(), 1.0);
+        QCOMPARE(servo.state.gate.gain(), 1.0);
         QCOMPARE_LE(stalled.outward, stalled.before);
     }
 

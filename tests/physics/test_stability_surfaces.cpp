@@ -45,7 +45,8 @@ struct Led {
         DeviceSample sample;
         sample.position = counted(place, device.resolution);
         sample.valid = true;
-        servo.state.oscillation.forget(); // to which random steps are a limit cycle: it shall not help here
+        servo.state.schedule
+            .forgetSwings(); // to which random steps are a limit cycle: it shall not help here
         onTheWay.push_back(servo(sample, period));
         onTheWay.pop_front();
     }
@@ -67,10 +68,11 @@ struct Led {
     }
     /// J, that the spring holds.
     double stored() const {
-        const double stretch = servo.state.touching ? (servo.state.anchor - servo.state.finger).norm() : 0;
-        return 0.5 * servo.state.ease.rendered().stiffness * stretch * stretch;
+        const Previous& last = servo.state.previous;
+        const double stretch = last.touching ? (last.anchor_D - last.finger_D).norm() : 0;
+        return 0.5 * servo.state.transition.rendered().stiffness * stretch * stretch;
     }
-    bool isPushing() const { return servo.state.guard.gain() == 1 && servo.state.guard.faults() == 0; }
+    bool isPushing() const { return servo.state.gate.gain() == 1 && servo.state.gate.faults() == 0; }
 
     PlantProfile device;
     double period; ///< s
@@ -261,7 +263,7 @@ private slots:
         wander(led, 20'000, 0.4 / rate, [&] { most = std::max(most, led.given + led.stored() - before); });
         qInfo("W %.3g J", most);
         QVERIFY(led.isPushing());
-        COMPARE_NEAR(led.servo.state.ease.rendered().stiffness / Bare::kStiff, 1, 1e-5, "");
+        COMPARE_NEAR(led.servo.state.transition.rendered().stiffness / Bare::kStiff, 1, 1e-5, "");
         QCOMPARE_LE(most, kMicrojoule);
     }
 

@@ -217,9 +217,9 @@ private slots:
 
             const RealtimeScope scope;
             const HapticOutput output = hapticStep(worlds.current(), state, {finger, velocity}, kStep);
-            state.model.anchoring = servo.guard.anchoring();
+            state.model.anchoring = servo.gate.anchoring();
             const Vec3 force =
-                servoStep(servo, {.armed = !isFault(servo.guard.withheld())}, // faster than a hand
+                servoStep(servo, {.armed = !isFault(servo.gate.inhibit())}, // faster than a hand
                           {.sample = {finger, velocity, 0, true}, .dt = kStep, .fresh = true}, state.model)
                     .force;
             if (i > 10'000) faults.addSince(before);

@@ -12,10 +12,10 @@ namespace tactum::test {
 
 namespace {
 
-constexpr double kMostCells = 16e6;
+constexpr double kMaxCells = 16e6;
 constexpr double kFar = 1e-3, kOff = 10e-6, kOverlap = -2e-9;
 constexpr double kAtRest = 1e-10; // m
-constexpr int kMostSteps = 400;
+constexpr int kMaxSteps = 400;
 // Two clear places of a sphere nearer than its diameter lie on the same side of everything.
 constexpr double kSurelyOneSide = 1.9;
 // A surface with holes lets some of its winding number leak.
@@ -58,7 +58,7 @@ TriangleGrid::TriangleGrid(const TriangleSoup& soup, double cell) : soup_(soup),
     }
     low_ = bounds.low;
     const Vec3 size = bounds.high - bounds.low;
-    while ((size / cell_ + Vec3::Ones()).prod() > kMostCells)
+    while ((size / cell_ + Vec3::Ones()).prod() > kMaxCells)
         cell_ *= 1.25;
     cells_ = (size / cell_).cast<int>() + Cell::Ones();
     first_.assign(std::size_t(cells_.cast<double>().prod()) + 1, 0);
@@ -104,7 +104,7 @@ double clearance(const TriangleGrid& grid, const Vec3& p, double reach) {
 
 double distanceFromMinimum(const TriangleGrid& grid, double r, const Vec3& proxy, const Vec3& finger) {
     Vec3 p = proxy;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         const Vec3 step = stepToward(grid, r, r / 4, p, finger);
         p += step;
         if (step.norm() < kAtRest) break;

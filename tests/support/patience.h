@@ -27,7 +27,7 @@ public:
     bool isOver() {
         const bool crowded = crowdedBefore_ >= 0;
         const double passed = std::chrono::duration<double>(Clock::now() - begun_).count();
-        const double most = ranOut() ? kMostAgain : kMost;
+        const double most = ranOut() ? kMaxAgain : kMax;
         const double room = crowded ? (ranOut() ? kRoomAgain : kRoom) : most;
         if (passed < std::min(room, most)) return false;
         if (passed < most && crowded && passed - (crowdedFor() - crowdedBefore_) < room) return false;
@@ -36,8 +36,8 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static constexpr double kRoom = 15, kRoomAgain = 3;  ///< s, in which nobody waited for a processor
-    static constexpr double kMost = 60, kMostAgain = 15; ///< s
+    static constexpr double kRoom = 15, kRoomAgain = 3; ///< s, in which nobody waited for a processor
+    static constexpr double kMax = 60, kMaxAgain = 15;  ///< s
 
     /// Whether a wait of this program was in vain.
     static bool& ranOut() {

@@ -26,7 +26,7 @@ namespace {
 /// more.
 void pressAgain(Engine& engine, Motors& motors) {
     engine.poll();
-    engine.setArmed(!isFault(engine.servo().withheld));
+    engine.setArmed(!isFault(engine.servo().inhibit));
     const bool above = engine.proxy().updates > 10 && engine.proxy().output.proxy.z() > 0;
     motors.down = above;
     if (!above && engine.servo().finger.z() > 2e-3) engine.restartProxy();

@@ -8,7 +8,7 @@
 
 #include "core/haptics/compile.h"
 #include "core/runtime/engine.h"
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 #include "device/simulated_hand.h"
 #include "tests/support/hand.h"
 #include "tests/support/page_faults.h"
@@ -67,8 +67,8 @@ struct Soak {
         scenes[which].objects[0].surfaces[0].material.stiffness = 800 + 300 * std::sin(t);
         show(which);
         engine.poll();
-        const Withheld why = engine.servo().withheld;
-        if (isFault(why) && engine.armed()) std::printf("%.1f s: %s\n", t, guardWords(why).brief);
+        const InhibitReason why = engine.servo().inhibit;
+        if (isFault(why) && engine.armed()) std::printf("%.1f s: %s\n", t, inhibitWords(why).brief);
         engine.setArmed(!isFault(why));
         for (TracePoint point; engine.popTrace(point);)
             continue;

@@ -45,12 +45,12 @@ struct Program {
         return waitFor([&] { return motors->push > 1; });
     }
     /// Its one child; 0 when the kernel does not tell.
-    pid_t guardian() const {
+    pid_t watchdog() const {
         QFile file(QStringLiteral("/proc/%1/task/%1/children").arg(pid));
         return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().toInt() : 0;
     }
-    /// Waits until it has died or was stopped: only then does nobody but the guardian command the motors. A
-    /// stop of before may be one of a servo that was late, and the servo goes on.
+    /// Waits until it has died or was stopped: only then does nobody but the device watchdog command the
+    /// motors. A stop of before may be one of a servo that was late, and the servo goes on.
     int fate() const {
         int status = 0;
         return waitpid(pid, &status, WUNTRACED) == pid ? status : -1;
@@ -151,21 +151,21 @@ private slots:
         QVERIFY(prompt(delays) || mayBeBusy());
     }
 
-    /// A crash would leave the force on: without a guardian there is none.
+    /// A crash would leave the force on: without a device watchdog there is none.
     void withoutAGuardianThereIsNoForce_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("killed") << SIGKILL;
         QTest::newRow("stopped") << SIGSTOP;
     }
 
-    void withoutAGuardianThereIsNoForce() {
+    void withoutADeviceWatchdogThereIsNoForce() {
         QFETCH(int, signal);
         Program program("wait");
         QVERIFY(program.presses());
-        const pid_t guardian = program.guardian();
-        if (guardian == 0) QSKIP("this kernel does not list children");
-        QCOMPARE(kill(guardian, signal), 0);
-        QVERIFY(waitFor([&] { return QByteArray("TZX").contains(stateOf(guardian)); })); // has it heard
+        const pid_t watchdog = program.watchdog();
+        if (watchdog == 0) QSKIP("this kernel does not list children");
+        QCOMPARE(kill(watchdog, signal), 0);
+        QVERIFY(waitFor([&] { return QByteArray("TZX").contains(stateOf(watchdog)); })); // has it heard
         const int stops = program.motors->stops;
         const auto goesOn = [&](std::uint64_t exchanges) {
             const std::uint64_t before = program.motors->exchanges;
@@ -175,16 +175,16 @@ private slots:
         QVERIFY(goesOn(600)); // somebody arms again and again meanwhile
         QCOMPARE(program.motors->push.load(), 0.0);
         QCOMPARE(program.motors->stops.load(), stops); // it was the servo
-        kill(guardian, SIGKILL);
+        kill(watchdog, SIGKILL);
     }
 
     void nobodyIsLeftBehind() {
         Program program("wait");
         QVERIFY(program.presses());
-        const pid_t guardian = program.guardian();
-        if (guardian == 0) QSKIP("this kernel does not list children");
+        const pid_t watchdog = program.watchdog();
+        if (watchdog == 0) QSKIP("this kernel does not list children");
         kill(program.pid, SIGKILL);
-        QVERIFY(waitFor([&] { return kill(guardian, 0) != 0; }));
+        QVERIFY(waitFor([&] { return kill(watchdog, 0) != 0; }));
     }
 };
 

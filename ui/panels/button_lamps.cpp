@@ -9,7 +9,7 @@
 namespace tactum {
 
 namespace {
-constexpr int kMostLamps = 8, kSize = 20, kGap = 4;
+constexpr int kMaxLamps = 8, kSize = 20, kGap = 4;
 }
 
 ButtonLamps::ButtonLamps(QWidget* parent) : QWidget(parent) {
@@ -18,7 +18,7 @@ ButtonLamps::ButtonLamps(QWidget* parent) : QWidget(parent) {
 }
 
 void ButtonLamps::setButtons(int count, std::uint32_t held) {
-    count = std::clamp(count, 0, kMostLamps);
+    count = std::clamp(count, 0, kMaxLamps);
     if (count == count_ && held == held_ && !accessibleName().isEmpty()) return;
     if (count != count_) updateGeometry();
     count_ = count;

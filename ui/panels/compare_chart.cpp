@@ -12,7 +12,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kLeast = 0.1; // N, end of the axis
+constexpr double kMin = 0.1; // N, end of the axis
 
 /// A round number of newtons for the end of the axis.
 double axisFor(double newton) {
@@ -76,8 +76,7 @@ void CompareChart::paintEvent(QPaintEvent*) {
     const QRectF place = area();
     const int count = std::clamp(int(place.width()), 2, 4000);
     const std::vector<double> a = columnsOf(*a_, count), b = columnsOf(*b_, count);
-    const double top =
-        axisFor(std::max({kLeast, *std::ranges::max_element(a), *std::ranges::max_element(b)}));
+    const double top = axisFor(std::max({kMin, *std::ranges::max_element(a), *std::ranges::max_element(b)}));
     paintAxes(painter, top, b_->back().t - b_->front().t);
     const auto lineOf = [&](const std::vector<double>& columns) {
         QPolygonF line;

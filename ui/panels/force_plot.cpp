@@ -20,8 +20,8 @@ namespace tactum {
 
 namespace {
 
-constexpr int kTimeAxis = 16;      // pixels more for the strip that writes the times
-constexpr double kLeastSpan = 0.2; // s
+constexpr int kTimeAxis = 16;    // pixels more for the strip that writes the times
+constexpr double kMinSpan = 0.2; // s
 constexpr int kStripHeight = 160, kPictureWidth = 960;
 constexpr double kPictureScale = 2; // device pixels to a logical one, of a PNG
 
@@ -97,7 +97,7 @@ ForcePlot::ForcePlot(QWidget* parent)
             refresh();
         });
     }
-    time_.span = std::clamp(QSettings().value(QStringLiteral("plot/span"), time_.span).toDouble(), kLeastSpan,
+    time_.span = std::clamp(QSettings().value(QStringLiteral("plot/span"), time_.span).toDouble(), kMinSpan,
                             TouchHistory::kSpan);
     refreshIcons();
     refresh();
@@ -183,7 +183,7 @@ void ForcePlot::setPaused(bool paused) {
 }
 
 void ForcePlot::setSpan(double seconds) {
-    time_.span = std::clamp(seconds, kLeastSpan, TouchHistory::kSpan);
+    time_.span = std::clamp(seconds, kMinSpan, TouchHistory::kSpan);
     QSettings().setValue(QStringLiteral("plot/span"), time_.span);
     refresh();
 }

@@ -23,7 +23,7 @@ namespace {
 
 using What = SceneChange::What;
 
-constexpr int kMostRows = 4; // of the list: what is beneath needs the room
+constexpr int kMaxRows = 4; // of the list: what is beneath needs the room
 
 } // namespace
 
@@ -219,7 +219,7 @@ void LayerPanel::refresh() {
     known_ = of ? of->layers : TextureLayers{};
     const TextureLayer* now = layer();
     const bool solos = solo_ && shown_ == solo_->surface;
-    list_->setRows(std::min(kMostRows, int(known_.size())));
+    list_->setRows(std::min(kMaxRows, int(known_.size())));
     list_->display(known_, currentLayer(), solos ? std::optional(solo_->layer) : std::nullopt);
     body_->setEnabled(canEdit());
     buttons_->setEnabled(canEdit());

@@ -58,7 +58,7 @@ void LayerPanel::fitNewMapping(TexturePattern& pattern, const TexturePattern& be
 /// Whether one more layer would be felt; says so where not.
 bool LayerPanel::haveRoom(const SurfaceRefs& refs) {
     for (const SurfaceRef ref : refs)
-        if (const Surface* of = document_.surface(ref); of && of->layers.size() >= kMostTextureLayers) {
+        if (const Surface* of = document_.surface(ref); of && of->layers.size() >= kMaxTextureLayers) {
             emit failed(tr("%1 has %2 layers, and more are not felt. Remove one first.")
                             .arg(QString::fromStdString(of->name))
                             .arg(of->layers.size()));

@@ -62,7 +62,7 @@ QString problemWordsOf(const PlacedFinding& found) {
         return Problems::tr("Turn triangles over until neighbours agree, with the front outside.");
     case Repair::RemoveDuplicates:
         return Problems::tr("Remove triangles that repeat another one of the same surface and front.");
-    case Repair::MendSlivers:
+    case Repair::RepairSlivers:
         return Problems::tr("Take these triangles out without opening the mesh.");
     case Repair::Scale:
         return Problems::tr("Scale the scene by %1.").arg(numberText(found.factor, 4));
@@ -118,7 +118,7 @@ void Problems::fill(Examined examined) {
     clear();
     rows_.clear();
     known_ = std::move(examined.meshes);
-    // What the reader said of a mesh may be mended by now, or is said again with its place.
+    // What the reader said of a mesh may be repaired by now, or is said again with its place.
     for (const Finding& finding : document_.findings())
         if (!saysHealth(finding)) add({finding, 0, {}, Repair::None, 1});
     for (const PlacedFinding& found : examined.findings) {
@@ -147,7 +147,7 @@ void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     button->setObjectName(QStringLiteral("fix"));
     button->setAccessibleName(tr("Fix %1").arg(lineOf(found.finding)));
     button->setToolTip(problemWordsOf(found));
-    connect(button, &QPushButton::clicked, this, [this, found] { mend(found); });
+    connect(button, &QPushButton::clicked, this, [this, found] { repair(found); });
     setItemWidget(item, 1, button);
 }
 
@@ -167,7 +167,7 @@ void Problems::show(QTreeWidgetItem* item) {
         emit placeGone();
 }
 
-void Problems::mend(const PlacedFinding& found) {
+void Problems::repair(const PlacedFinding& found) {
     if (found.repair == Repair::Scale) return document_.scaleScene(found.factor);
     const SceneObject* object = document_.scene().find(found.object);
     if (!object || repairing_.running()) return;
@@ -176,23 +176,23 @@ void Problems::mend(const PlacedFinding& found) {
             tr("%1 has a locked surface. Unlock it first.").arg(QString::fromStdString(object->name)));
     repairing_.start(
         [this, before = *object, how = found.repair](const Progress& progress) -> BackgroundJob::Delivery {
-            const Result<Mended> mended = repair(before.geometry, how, progress);
-            const SceneObject after = mended ? withGeometry(before, mended->soup) : before;
-            return [this, before, after, mended] { finishRepair(before, after, mended); };
+            const Result<Repaired> result = tactum::repair(before.geometry, how, progress);
+            const SceneObject after = result ? withGeometry(before, result->soup) : before;
+            return [this, before, after, result] { finishRepair(before, after, result); };
         });
 }
 
 void Problems::finishRepair(const SceneObject& before, const SceneObject& after,
-                            const Result<Mended>& mended) {
+                            const Result<Repaired>& result) {
     const SceneObject* object = document_.scene().find(before.id);
-    if (!mended || !object || !(*object == before)) // cancelled, or edited meanwhile
+    if (!result || !object || !(*object == before)) // cancelled, or edited meanwhile
         return emit repaired(tr("Nothing was changed."));
     const QString name = QString::fromStdString(object->name);
-    const QString done = QString::fromStdString(mended->done);
-    document_.setObject(after, tr("Mend %1").arg(name));
-    emit repaired(mended->changes > 0
+    const QString done = QString::fromStdString(result->done);
+    document_.setObject(after, tr("Repair %1").arg(name));
+    emit repaired(result->changes > 0
                       ? tr("%1: %2. Undo takes it back.").arg(name, done)
-                      : tr("%1: %2; mend this one in the modelling program.").arg(name, done));
+                      : tr("%1: %2; repair this one in the modelling program.").arg(name, done));
 }
 
 } // namespace tactum

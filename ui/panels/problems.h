@@ -11,7 +11,7 @@
 namespace tactum {
 
 /// The reader's findings and those of examine(), looked for on a worker whenever shapes change. Activating
-/// one selects its object and shows its place. A row that a safe repair can mend has a button for it: one
+/// one selects its object and shows its place. A row that a safe repair can repair has a button for it: one
 /// undoable step, made on a worker too.
 class Problems : public HintedTree {
     Q_OBJECT
@@ -27,7 +27,7 @@ signals:
     /// What was shown last is no longer to be seen.
     void placeGone();
     void repairProgressed(double fraction, double secondsLeft);
-    /// One line for the person; also when nothing could be mended.
+    /// One line for the person; also when nothing could be repaired.
     void repaired(const QString& sentence);
 
 private:
@@ -36,8 +36,8 @@ private:
     void add(const PlacedFinding& found);
     void addButton(QTreeWidgetItem* item, const PlacedFinding& found);
     void show(QTreeWidgetItem* item);
-    void mend(const PlacedFinding& found);
-    void finishRepair(const SceneObject& before, const SceneObject& after, const Result<Mended>& mended);
+    void repair(const PlacedFinding& found);
+    void finishRepair(const SceneObject& before, const SceneObject& after, const Result<Repaired>& result);
 
     Document& document_;
     BackgroundJob job_, repairing_;

@@ -14,7 +14,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kLeastHeight = 1e-6, kLeastFactor = 0.01; // ends of the axis of what is flat
+constexpr double kMinHeight = 1e-6, kMinFactor = 0.01; // ends of the axis of what is flat
 
 } // namespace
 
@@ -58,7 +58,7 @@ void ProfileChart::paintEvent(QPaintEvent*) {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    const double least = profile_.target == TextureTarget::Height ? kLeastHeight : kLeastFactor;
+    const double least = profile_.target == TextureTarget::Height ? kMinHeight : kMinFactor;
     if (high - low < least) {
         const double middle = 0.5 * (low + high);
         low = middle - 0.5 * least;

@@ -12,8 +12,8 @@ namespace {
 constexpr double kWindow = 0.01;    // s, over which a slip is judged
 constexpr double kSlipSpeed = 2e-3; // m/s; a proxy that sticks to a model at rest does not move at all
 constexpr std::size_t kRateTicks = 100;
-constexpr double kJump = 0.5;        // s
-constexpr double kLeastForce = 1e-3; // N: no ratio of less
+constexpr double kJump = 0.5;      // s
+constexpr double kMinForce = 1e-3; // N: no ratio of less
 
 const ContactReport* most(const HapticOutput& touch) {
     const ContactReport* found = nullptr;
@@ -35,7 +35,7 @@ void TouchHistory::add(const std::vector<TracePoint>& points, const TouchFrame& 
         s.normal = point.normalForce;
         s.tangential = point.tangentialForce;
         s.touching = point.touching;
-        s.ratio = s.normal > kLeastForce ? s.tangential / s.normal : 0;
+        s.ratio = s.normal > kMinForce ? s.tangential / s.normal : 0;
         if (contact && s.touching) {
             s.staticFriction = contact->staticFriction;
             s.dynamicFriction = contact->dynamicFriction;

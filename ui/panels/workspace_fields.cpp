@@ -22,7 +22,7 @@ namespace {
 /// In the order of the rows of a list.
 constexpr std::array<int, 6> kAxes{1, -1, 2, -2, 3, -3};
 constexpr double kReach = 0.4;       // of the workspace's radius, that a motion has to go
-constexpr double kLeastReach = 0.01; // m
+constexpr double kMinReach = 0.01;   // m
 constexpr double kUsualReach = 0.03; // m, where the radius is not known
 
 QString axisName(int axis) {
@@ -179,7 +179,7 @@ void WorkspaceFields::show(const Workspace& workspace, int buttons, double radiu
 
 void WorkspaceFields::beginCapture() {
     if (!possible_) return;
-    capture_.emplace(radius_ > 0 ? std::max(kLeastReach, kReach * radius_) : kUsualReach);
+    capture_.emplace(radius_ > 0 ? std::max(kMinReach, kReach * radius_) : kUsualReach);
     showCapture();
     emit captureBegun();
 }

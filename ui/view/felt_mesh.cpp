@@ -13,7 +13,7 @@ namespace {
 
 // A repeat of a pattern is seen when this many vertices fall on it; of an image, whose details are finer.
 constexpr double kPerRepeat = 16, kPerImage = 64;
-constexpr int kMostCuts = 96;
+constexpr int kMaxCuts = 96;
 
 bool isTriangle(const std::array<Index, 3>& t) {
     return t[0] != t[1] && t[1] != t[2];
@@ -162,7 +162,7 @@ private:
         const double room =
             std::sqrt(double(wish_.mostTriangles) / double(std::max<std::size_t>(1, faces_.size())));
         const double wanted = std::ceil(edge / wantedSpacing(stack_, wish_));
-        cuts_ = int(std::clamp(std::min(wanted, std::floor(room)), 1.0, double(kMostCuts)));
+        cuts_ = int(std::clamp(std::min(wanted, std::floor(room)), 1.0, double(kMaxCuts)));
         spacing_ = edge / cuts_;
     }
 

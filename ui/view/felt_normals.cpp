@@ -116,7 +116,7 @@ NormalNeedles normalNeedles(const World& world, double length, const Progress& p
         for (Index s = 0; s < Index(body.materials.size()); ++s)
             (shadingOf(body, s) ? result.shaded : result.facets) = true;
         for (const Needle& n : needlesOf(body, drawnNormalsOf(soup, progress),
-                                         std::size_t(std::ceil(share * double(kMostNeedles))))) {
+                                         std::size_t(std::ceil(share * double(kMaxNeedles))))) {
             for (const Vec3& p : {n.at, Vec3(n.at + length * n.normal)})
                 for (Eigen::Index k = 0; k < 3; ++k)
                     mesh.positions.push_back(float(p[k]));

@@ -9,7 +9,7 @@
 namespace tactum {
 
 /// More would be a fur: of a finer mesh, some of its places, evenly.
-inline constexpr std::size_t kMostNeedles = 4'000;
+inline constexpr std::size_t kMaxNeedles = 4'000;
 
 struct Needle {
     Vec3 at = Vec3::Zero(), normal = Vec3::UnitZ(); ///< body frame; unit length

@@ -14,7 +14,7 @@ namespace tactum {
 namespace {
 
 /// Of all textured surfaces together: what is uploaded within a frame.
-constexpr std::size_t kMostTriangles = 500'000;
+constexpr std::size_t kMaxTriangles = 500'000;
 /// More of the height than this left out is worth a word.
 constexpr double kNoticed = 0.1;
 
@@ -41,7 +41,7 @@ void FeltSurfaces::set(std::shared_ptr<const World> world, std::optional<FeltVal
         made_.wish = wish_;
         return dress();
     }
-    wish_.mostTriangles = kMostTriangles / textured;
+    wish_.mostTriangles = kMaxTriangles / textured;
     dress(); // what takes no time
     Result known;
     known.normals = made_.normals;

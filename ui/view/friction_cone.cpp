@@ -11,7 +11,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kLeastConeHeight = 56; // logical pixels
+constexpr double kMinConeHeight = 56; // logical pixels
 constexpr double kThinRim = 1e-3;
 
 /// Its tip at the origin, open at Y = 1, where its radius is 1.
@@ -68,7 +68,7 @@ void FrictionCone::update(const TouchState& state, const ViewCamera& camera) {
     if (!shown) return;
     const Vec3 arrow = arrowTip(state, camera) - state.proxy;
     const double height =
-        std::max(kLeastConeHeight * camera.pixelSize(state.proxy), arrow.dot(contact->normal));
+        std::max(kMinConeHeight * camera.pixelSize(state.proxy), arrow.dot(contact->normal));
     const QColor colour = contact->slipping ? theme_->slip : theme_->stick;
     mantle_.setColour(colour, 0.22);
     rim_.setColour(colour, 0.95);

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr double kArm = 78, kRing = 54;    // pixels
 constexpr double kNear = 8, kNearLine = 5; // pixels from which a handle is grabbed
 constexpr double kCorner = 34;             // pixels, from the origin to the handle of the size at least
-constexpr double kLeastDrag = 6;           // pixels from the origin: nearer, a ratio means nothing
+constexpr double kMinDrag = 6;             // pixels from the origin: nearer, a ratio means nothing
 constexpr double kRadiusAngle = -0.6;      // rad, where on the circle its handle is
 constexpr int kRingParts = 64, kEdgeParts = 12;
 
@@ -250,8 +250,8 @@ MappingFrame MappingGizmo::dragged(QPointF cursor, const ViewCamera& camera) con
         next.pose.rotation =
             (next.pose.rotation * Quat(Eigen::AngleAxisd(angle, Vec3::Unit(i)))).normalized();
     } else if (const auto centre = camera.project(origin)) {
-        const double factor = std::max(lengthOf(cursor - *centre), kLeastDrag) /
-                              std::max(lengthOf(held_->from - *centre), kLeastDrag);
+        const double factor = std::max(lengthOf(cursor - *centre), kMinDrag) /
+                              std::max(lengthOf(held_->from - *centre), kMinDrag);
         if (held_->handle == MappingHandle::Size)
             next.size = kTextureSize.clamped(factor * next.size);
         else

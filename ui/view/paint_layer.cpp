@@ -24,7 +24,7 @@ namespace tactum {
 namespace {
 
 // The model stays to be seen where nothing is painted, and a quarter of the range is as opaque as all of it.
-constexpr double kLeastOpacity = 0.06, kMostOpacity = 0.88, kOpaqueFrom = 0.25;
+constexpr double kMinOpacity = 0.06, kMaxOpacity = 0.88, kOpaqueFrom = 0.25;
 constexpr int kLargestPicture = 1024; // texels of a side that are drawn
 
 using Rgba = std::array<unsigned char, 4>;
@@ -36,7 +36,7 @@ const std::array<Rgba, 256>& table() {
             const double part = double(i) / 255;
             const QColor c = mapColour(part);
             const double opacity =
-                kLeastOpacity + std::min(1.0, part / kOpaqueFrom) * (kMostOpacity - kLeastOpacity);
+                kMinOpacity + std::min(1.0, part / kOpaqueFrom) * (kMaxOpacity - kMinOpacity);
             made[i] = {(unsigned char)(c.red()), (unsigned char)(c.green()), (unsigned char)(c.blue()),
                        (unsigned char)(std::lround(255 * opacity))};
         }

@@ -16,7 +16,7 @@ namespace {
 
 // Logical pixels.
 constexpr double kFingerLine = 1.4, kProxyLine = 1.7, kLongestArrow = 90, kPathShaft = 1.3, kPathHead = 4.2,
-                 kHeadLength = 11, kLeastArrow = 4;
+                 kHeadLength = 11, kMinArrow = 4;
 constexpr std::size_t kArrows = 48;
 
 /// The path as a line whose points are at least a pixel apart.
@@ -75,7 +75,7 @@ PathLayer::PathLayer(vtkRenderer& solid, vtkRenderer& ghost, const TouchTrace& r
     for (std::size_t i = 0; i < rows.size(); i += std::max<std::size_t>(1, rows.size() / kArrows)) {
         const TouchRow& row = rows[i];
         const double pixels = most > 0 ? kLongestArrow * row.force.norm() / most : 0;
-        if (pixels < kLeastArrow) continue;
+        if (pixels < kMinArrow) continue;
         auto& arrow = *impl_->arrows.emplace_back(std::make_unique<TouchArrow>(solid, ghost));
         arrow.setColour(theme.proxy);
         arrow.place(row.proxy, row.proxy + pixels * pixel * row.force.normalized(), kPathShaft * pixel,

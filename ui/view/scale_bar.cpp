@@ -15,7 +15,7 @@ namespace tactum {
 namespace {
 
 // Logical pixels.
-constexpr double kBarWidth = 16, kMostHeight = 176, kLeastHeight = 60, kBarEdge = 12, kBarPad = 10, kTick = 4,
+constexpr double kBarWidth = 16, kMaxHeight = 176, kMinHeight = 60, kBarEdge = 12, kBarPad = 10, kTick = 4,
                  kGap = 8;
 
 const Parameter& parameterOf(FeltValue value) {
@@ -69,7 +69,7 @@ QRectF drawScaleBar(QPainter& painter, const QSizeF& view, double taken, FeltVal
     const QFontMetricsF metrics(painter.font());
     const double line = metrics.height();
     const double around = line + kGap + 2 * kBarPad + 0.5 * line;
-    const double bar = std::clamp(view.height() - taken - 2 * kBarEdge - around, kLeastHeight, kMostHeight);
+    const double bar = std::clamp(view.height() - taken - 2 * kBarEdge - around, kMinHeight, kMaxHeight);
     const double height = bar + around;
     const double step = tickStep(high - low, std::clamp(int(bar / (1.6 * line)), 1, 5));
     double numbers = 0;

@@ -176,8 +176,8 @@ void SceneView::showStandardView(StandardView standard) {
 }
 
 void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
-    constexpr double kLeast = 0.02; // of the scene: nearer there is nothing left to know it by
-    const double size = std::max(radius, kLeast * impl_->picker.bounds().diagonal());
+    constexpr double kMin = 0.02; // of the scene: nearer there is nothing left to know it by
+    const double size = std::max(radius, kMin * impl_->picker.bounds().diagonal());
     ViewCamera to = impl_->camera;
     to.size = impl_->camera.size = this->size();
     if (const Vec3 from = from_W.stableNormalized(); from != Vec3::Zero()) {

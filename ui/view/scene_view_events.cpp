@@ -18,7 +18,7 @@ constexpr double kGrabPixels = 24, kClickPixels = 4;
 constexpr double kZoomPerNotch = 0.87;
 constexpr double kFineStep = 0.2;
 // Between places of a stroke, so that it stays on the surface; and how many of a move are looked at.
-constexpr double kStrokePixels = 6, kMostEventPlaces = 32;
+constexpr double kStrokePixels = 6, kMaxEventPlaces = 32;
 /// Added in linear light to the surface under the cursor.
 const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
 
@@ -55,7 +55,7 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
 
 void SceneView::Impl::strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     const double places =
-        std::clamp(std::ceil(length(cursor - cursorAt) / kStrokePixels), 1.0, kMostEventPlaces);
+        std::clamp(std::ceil(length(cursor - cursorAt) / kStrokePixels), 1.0, kMaxEventPlaces);
     for (double i = 1; i <= places; ++i) {
         brushAt = pick(cursorAt + i / places * (cursor - cursorAt), ScenePicker::Patience::Wait);
         emit view.stroked(brushAt ? StrokeStep::Move : StrokeStep::Lift, brushAt, modifiers);

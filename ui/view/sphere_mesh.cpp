@@ -9,7 +9,7 @@ namespace tactum {
 namespace {
 
 /// What a graphics card draws at once, and the processor still.
-constexpr std::size_t kMostSphereTriangles = 260'000;
+constexpr std::size_t kMaxSphereTriangles = 260'000;
 
 /// A sphere of radius 1 from triangles of about one size.
 struct UnitSphere {
@@ -62,7 +62,7 @@ UnitSphere finer(const UnitSphere& coarse) {
 /// As round as there is room for so many.
 UnitSphere sphereFor(std::size_t count) {
     UnitSphere s = icosahedron();
-    for (int i = 0; i < 3 && 4 * s.triangles.size() * count <= kMostSphereTriangles; ++i)
+    for (int i = 0; i < 3 && 4 * s.triangles.size() * count <= kMaxSphereTriangles; ++i)
         s = finer(s);
     return s;
 }
@@ -114,11 +114,11 @@ SphereLevel sphereLevel(const World& world, int level, const Vec3& near_W, const
         result.meshes.push_back({world.bodies[b].object, {}, {}, {}});
     }
     result.all = found.size();
-    result.drawn = std::min(found.size(), kMostSpheres);
+    result.drawn = std::min(found.size(), kMaxSpheres);
     const auto nearer = [](const Found& a, const Found& b) { return a.distance < b.distance; };
-    if (found.size() > kMostSpheres) {
-        std::ranges::nth_element(found, found.begin() + std::ptrdiff_t(kMostSpheres), nearer);
-        found.resize(kMostSpheres);
+    if (found.size() > kMaxSpheres) {
+        std::ranges::nth_element(found, found.begin() + std::ptrdiff_t(kMaxSpheres), nearer);
+        found.resize(kMaxSpheres);
     }
     const UnitSphere shape = sphereFor(result.drawn);
     for (const Found& f : found)

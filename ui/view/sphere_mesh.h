@@ -9,7 +9,7 @@
 namespace tactum {
 
 /// More are not drawn: of a level that has more, those nearest to a place.
-inline constexpr std::size_t kMostSpheres = 10'000;
+inline constexpr std::size_t kMaxSpheres = 10'000;
 
 /// The spheres of one object, as triangles.
 struct SphereMesh {

@@ -23,7 +23,7 @@ namespace tactum {
 namespace {
 
 constexpr double kPlotShare = 0.3; ///< of the picture's height
-constexpr double kLeastPitch = 0.2, kMostPitch = 0.6;
+constexpr double kMinPitch = 0.2, kMaxPitch = 0.6;
 constexpr int kLegendLines = 3;
 
 /// Looks against the mean force, so that the touched side faces the reader.
@@ -34,7 +34,7 @@ void faceTouch(ViewCamera& camera, const TouchTrace& rows) {
     if (!(sum.norm() > 0)) return;
     const Vec3 d = sum.normalized();
     if (std::hypot(d.x(), d.z()) > 0.2) camera.yaw = std::atan2(d.x(), d.z()) + 0.35;
-    camera.pitch = std::clamp(std::asin(d.y()), kLeastPitch, kMostPitch);
+    camera.pitch = std::clamp(std::asin(d.y()), kMinPitch, kMaxPitch);
 }
 
 Bounds boundsOfTouch(const Scene& scene, const TouchTrace& rows) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kLine = 2.5, kBead = 8; // logical pixels
 constexpr double kBeadTime = 0.08;       // s at one place are a bead
 constexpr double kGap = 0.1;             // s without a tick, or a jump, part the line
-constexpr std::size_t kMostPlaces = 4000;
+constexpr std::size_t kMaxPlaces = 4000;
 
 } // namespace
 
@@ -78,7 +78,7 @@ void TrailLayer::add(std::span<const TracePoint> points, const HapticOutput& tou
         places_.push_back({point.proxy, point.t, kind});
     }
     while (!places_.empty() &&
-           (places_.size() > kMostPlaces || now_ - places_.front().t - places_.front().rested > kSpan))
+           (places_.size() > kMaxPlaces || now_ - places_.front().t - places_.front().rested > kSpan))
         places_.pop_front();
 }
 

@@ -37,7 +37,7 @@ Json parseJson(const Source& source, std::string_view text) {
     } catch (const Json::parse_error& mistake) {
         if (text.data() == source.bytes().data()) // in a part of a binary file lines say nothing
             source.failAtLine(source.lineAt(text.data() + std::min(mistake.byte, text.size())),
-                              "its JSON cannot be parsed; mend that line or re-export the file");
+                              "its JSON cannot be parsed; repair that line or re-export the file");
     } catch (const Json::exception&) { // a number that no double can hold
     }
     source.fail("its JSON cannot be parsed; re-export the file");

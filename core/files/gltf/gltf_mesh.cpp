@@ -30,7 +30,7 @@ std::string whereIsMesh(int mesh) {
 std::size_t elementsOf(const tinygltf::Model& model) {
     std::size_t count = 0;
     for (const tinygltf::Accessor& accessor : model.accessors)
-        count += std::min(accessor.count, kMostGltfTriangles);
+        count += std::min(accessor.count, kMaxGltfTriangles);
     return count;
 }
 
@@ -72,7 +72,7 @@ GltfMeshReader::GltfMeshReader(const Source& source, const GltfFile& file, const
 
 void GltfMeshReader::countTriangles(std::size_t more) {
     triangles_ += more;
-    if (triangles_ > kMostGltfTriangles)
+    if (triangles_ > kMaxGltfTriangles)
         source_.fail("has more than 67 million triangles with all its copies; split or simplify it");
 }
 
@@ -212,7 +212,7 @@ GltfMeshReader::Vertices GltfMeshReader::readVertices(const tinygltf::Primitive&
     const auto normals = attribute("NORMAL", 3);
     const auto uvs = attribute("TEXCOORD_0", 2);
     const std::size_t first = pools_.positions.size(), count = positions->size();
-    if (first + count > kMostGltfTriangles)
+    if (first + count > kMaxGltfTriangles)
         source_.fail("has more than 67 million vertices; split or simplify it");
     const Vertices vertices{Index(first), Index(count), normals && normals->size() >= count,
                             uvs && uvs->size() >= count};
@@ -244,7 +244,7 @@ void GltfMeshReader::readPaints(const tinygltf::Primitive& primitive, const Vert
         if (number < 0) continue;
         painted_ += vertices.count;
         const GltfAccessor values(source_, model_, accessor, 1);
-        if (painted_ > kMostPaintedValues || values.size() < vertices.count) {
+        if (painted_ > kMaxPaintedValues || values.size() < vertices.count) {
             paintsAreRight_ = false;
             continue;
         }

@@ -24,7 +24,7 @@ struct RawMesh {
 };
 
 /// A small file can name one mesh very often.
-inline constexpr std::size_t kMostGltfTriangles = std::size_t(1) << 26;
+inline constexpr std::size_t kMaxGltfTriangles = std::size_t(1) << 26;
 
 /// Thread: any but real time.
 class GltfMeshReader {

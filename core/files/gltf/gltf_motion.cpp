@@ -218,14 +218,14 @@ Affine GltfMotions::frameAt(const std::vector<int>& chain, double t) const {
 // Evenly, and on both sides of every jump.
 std::vector<double> GltfMotions::sampleTimes(const std::vector<int>& chain, double duration) const {
     const std::size_t steps =
-        std::clamp<std::size_t>(std::size_t(std::ceil(duration / kSampleStep)), 1, kMostSamples);
+        std::clamp<std::size_t>(std::size_t(std::ceil(duration / kSampleStep)), 1, kMaxSamples);
     std::vector<double> times;
     for (std::size_t i = 0; i <= steps; ++i)
         times.push_back(duration * double(i) / double(steps));
     for (int node : chain)
         if (moves(node))
             for (double jump : motions_[std::size_t(node)].local->jumps) {
-                if (times.size() >= 2 * kMostSamples) break;
+                if (times.size() >= 2 * kMaxSamples) break;
                 times.insert(times.end(), {std::nextafter(jump, -1.0), jump});
             }
     std::ranges::sort(times);

@@ -30,13 +30,13 @@ public:
     };
     /// `chain`: nodes from the root down; the last of them moves.
     /// Exact for one moving node under ancestors that do not distort; otherwise the product of the chain's
-    /// transforms, sampled a thousand times a second, at most kMostSamples times.
+    /// transforms, sampled a thousand times a second, at most kMaxSamples times.
     Course courseOf(const std::vector<int>& chain) const;
 
     /// What was left out.
     const std::vector<Finding>& findings() const { return findings_; }
 
-    static constexpr std::size_t kMostSamples = 1 << 16;
+    static constexpr std::size_t kMaxSamples = 1 << 16;
 
 private:
     struct NodeMotion {

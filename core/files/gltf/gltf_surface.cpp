@@ -166,7 +166,7 @@ int paintNumber(std::string_view attribute) {
     std::int64_t number = -1;
     if (!attribute.starts_with(kPaintAttribute)) return -1;
     const bool isOne = parseNumber(attribute.substr(kPaintAttribute.size()), number);
-    return isOne && number >= 0 && number < kMostPaints ? int(number) : -1;
+    return isOne && number >= 0 && number < kMaxPaints ? int(number) : -1;
 }
 
 const Json* member(const Json& object, const char* key) {

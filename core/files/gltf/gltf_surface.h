@@ -20,9 +20,9 @@ inline constexpr int kFormatMajor = 1, kFormatMinor = 0;
 
 /// What is painted on a mesh is an attribute of its vertices, whose name is this and a number.
 inline constexpr std::string_view kPaintAttribute = "_TACTUM_PAINT_";
-inline constexpr int kMostPaints = 1 << 16; ///< of one mesh
+inline constexpr int kMaxPaints = 1 << 16; ///< of one mesh
 /// Values of all meshes together: a small file can name one list of them very often.
-inline constexpr std::size_t kMostPaintedValues = std::size_t(1) << 25;
+inline constexpr std::size_t kMaxPaintedValues = std::size_t(1) << 25;
 /// The number in the name of an attribute; -1 for any other attribute.
 int paintNumber(std::string_view attribute);
 

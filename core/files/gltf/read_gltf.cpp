@@ -329,14 +329,14 @@ Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed, const RawM
 
 std::shared_ptr<const PaintedValues> GltfReader::paintOf(const Json& painted, const RawMesh& raw,
                                                          std::vector<std::string>& complaints) {
-    const int number = indexIn(painted, "attribute", kMostPaints);
+    const int number = indexIn(painted, "attribute", kMaxPaints);
     if (const auto found = raw.paints.find(number); found != raw.paints.end()) return found->second;
     const int view = indexIn(painted, "bufferView", model_.bufferViews.size());
     if (const auto found = paints_.find(view); found != paints_.end()) return found->second;
     const tinygltf::BufferView* of = view < 0 ? nullptr : &model_.bufferViews[std::size_t(view)];
     const std::size_t count = of ? of->byteLength / sizeof(float) : 0;
     painted_ += count;
-    if (count == 0 || painted_ > kMostPaintedValues) {
+    if (count == 0 || painted_ > kMaxPaintedValues) {
         complaints.push_back("what is painted names values that are not there");
         return nullptr;
     }

@@ -15,14 +15,14 @@ public:
     std::shared_ptr<const TriangleSoup> shared(const std::shared_ptr<const TriangleSoup>& soup) {
         const auto [first, end] = soups_.equal_range({soup->triangles.size(), soup->positions.size()});
         int looks = 0;
-        for (auto other = first; other != end && looks < kMostLooks; ++other, ++looks)
+        for (auto other = first; other != end && looks < kMaxLooks; ++other, ++looks)
             if (other->second == soup || *other->second == *soup) return other->second;
         soups_.emplace(std::pair{soup->triangles.size(), soup->positions.size()}, soup);
         return soup;
     }
 
 private:
-    static constexpr int kMostLooks = 64; ///< of equal size: a thousand different cubes stay cheap
+    static constexpr int kMaxLooks = 64; ///< of equal size: a thousand different cubes stay cheap
     std::multimap<std::pair<std::size_t, std::size_t>, std::shared_ptr<const TriangleSoup>> soups_;
 };
 

@@ -39,12 +39,12 @@ constexpr const char* kNoMemoryForPicture = "for the picture; scale it down";
 } // namespace
 
 DecodedImage emptyImage(const Source& source, std::uint64_t width, std::uint64_t height, int bits) {
-    constexpr std::uint64_t kSide = TextureImage::kLargestSide, kMost = TextureImage::kMostTexels;
+    constexpr std::uint64_t kSide = TextureImage::kLargestSide, kMax = TextureImage::kMaxTexels;
     const std::string size = std::to_string(width) + " x " + std::to_string(height) + " texels";
     if (width == 0 || height == 0) source.fail("has " + size + "; export it again");
-    if (width > kSide || height > kSide || width * height > kMost)
+    if (width > kSide || height > kSide || width * height > kMax)
         source.fail("has " + size + ", more than " + std::to_string(kSide) + " a side or " +
-                    std::to_string(kMost >> 20) + " million in all; scale it down");
+                    std::to_string(kMax >> 20) + " million in all; scale it down");
     DecodedImage image{int(width), int(height), bits, {}, {}};
     image.texels.resize(std::size_t(width * height));
     return image;

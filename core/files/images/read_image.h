@@ -19,7 +19,7 @@ struct LoadedImage {
 /// Reads a picture of 8 or 16 bits (TIFF also of 32-bit numbers, which are clamped to 0 to 1 with a note).
 /// The numbers are taken as they are: colour profiles, gamma and transparency are ignored; colours become
 /// their luminance 0.299 R + 0.587 G + 0.114 B. 16 bits stay 16. At most TextureImage::kLargestSide texels a
-/// side and kMostTexels in all, checked before anything is allocated for them.
+/// side and kMaxTexels in all, checked before anything is allocated for them.
 /// Errors: one line that names the file and the remedy. Thread: any but real time.
 Result<LoadedImage> readImage(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ namespace tactum {
 namespace {
 
 /// A picture of a few kilobytes can claim more passes than anybody waits for.
-constexpr int kMostScans = 200;
+constexpr int kMaxScans = 200;
 
 class JpegDecoder {
 public:
@@ -71,7 +71,7 @@ void JpegDecoder::fail(j_common_ptr jpeg) {
 }
 
 void JpegDecoder::watchScans(j_common_ptr jpeg) {
-    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMostScans) return;
+    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMaxScans) return;
     auto* errors = reinterpret_cast<Errors*>(jpeg->err);
     std::strcpy(errors->words, "it has too many passes");
     std::longjmp(errors->wayOut, 1);

@@ -14,7 +14,7 @@ namespace tactum {
 namespace {
 
 /// What libtiff may allocate at once: a strip or tile of the largest picture that is read.
-constexpr tmsize_t kMostAtOnce = tmsize_t(1) << 29;
+constexpr tmsize_t kMaxAtOnce = tmsize_t(1) << 29;
 
 /// The bytes of the file as libtiff reads them, and the words of its first fault.
 struct TiffInput {
@@ -53,7 +53,7 @@ using TiffHandle = std::unique_ptr<TIFF, void (*)(TIFF*)>;
 TiffHandle openTiff(TiffInput& input) {
     const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
                                                                                &TIFFOpenOptionsFree);
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kMostAtOnce);
+    TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), kMaxAtOnce);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &noteFault, &input);
     TIFFOpenOptionsSetWarningHandlerExtR(
         options.get(), [](TIFF*, void*, const char*, const char*, va_list) { return 1; }, nullptr);
@@ -128,7 +128,7 @@ void TiffDecoder::demandReadable() const {
 void TiffDecoder::readStrips(DecodedImage& image) {
     const std::size_t needed = std::size_t(width_) * pixelBytes();
     const std::uint64_t size = TIFFScanlineSize64(tiff_.get());
-    if (size < needed || size > std::uint64_t(kMostAtOnce)) failDamaged(source_, "rows of a wrong length");
+    if (size < needed || size > std::uint64_t(kMaxAtOnce)) failDamaged(source_, "rows of a wrong length");
     std::vector<unsigned char> row(size);
     for (std::uint32_t y = 0; y < height_; ++y) {
         if (TIFFReadScanline(tiff_.get(), row.data(), y) < 0) failDamaged(source_, input_.words);
@@ -142,7 +142,7 @@ void TiffDecoder::readTiles(DecodedImage& image) {
     TIFFGetField(tiff_.get(), TIFFTAG_TILELENGTH, &high);
     const std::uint64_t size = TIFFTileSize64(tiff_.get());
     constexpr std::uint32_t kSide = TextureImage::kLargestSide;
-    if (wide == 0 || high == 0 || wide > kSide || high > kSide || size > std::uint64_t(kMostAtOnce) ||
+    if (wide == 0 || high == 0 || wide > kSide || high > kSide || size > std::uint64_t(kMaxAtOnce) ||
         size < std::uint64_t(wide) * high * pixelBytes())
         failDamaged(source_, "tiles of a wrong size");
     std::vector<unsigned char> tile(size);

@@ -7,7 +7,7 @@
 namespace tactum {
 namespace {
 
-constexpr std::size_t kMostProperties = 4096; // of all elements together
+constexpr std::size_t kMaxProperties = 4096; // of all elements together
 
 class HeaderReader {
 public:
@@ -71,13 +71,13 @@ void HeaderReader::readElement(Fields& fields) {
     if (!parseNumber(word, count) || count < 0)
         fail("element needs a count where " + inQuotes(word) + " is; re-export the file");
     element.count = std::uint64_t(count);
-    if (header_.elements.size() == kMostProperties) fail("too many elements; re-export the file");
+    if (header_.elements.size() == kMaxProperties) fail("too many elements; re-export the file");
     header_.elements.push_back(std::move(element));
 }
 
 void HeaderReader::readProperty(Fields& fields) {
     if (header_.elements.empty()) fail("property before any element; re-export the file");
-    if (++properties_ > kMostProperties) fail("too many properties; re-export the file");
+    if (++properties_ > kMaxProperties) fail("too many properties; re-export the file");
     PlyProperty property;
     std::string_view word = fields.next();
     if (word == "list") {

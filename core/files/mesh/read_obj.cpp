@@ -2,7 +2,7 @@
 //
 // `o` starts an object. Within one, every pair of group (`g`) and material (`usemtl`) that has faces is a
 // surface, named by its group, or by its material where there is no group; with both words where a group has
-// several materials. Where that makes more than kMostSurfaces, surfaces are told apart by material alone.
+// several materials. Where that makes more than kMaxSurfaces, surfaces are told apart by material alone.
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -17,8 +17,8 @@
 namespace tactum {
 namespace {
 
-constexpr std::size_t kMostSurfaces = 1024;
-constexpr std::size_t kMostObjects = 100'000;
+constexpr std::size_t kMaxSurfaces = 1024;
+constexpr std::size_t kMaxObjects = 100'000;
 
 /// Words numbered in the order in which they first come; number 0 is "no word".
 class Names {
@@ -267,7 +267,7 @@ Draft& ObjReader::draft() {
     if (draft_) return *draft_;
     draft_ = draftOf_[objectName_];
     if (draft_) return *draft_;
-    if (drafts_.size() == kMostObjects) fail("has more than 100000 objects; join some of them");
+    if (drafts_.size() == kMaxObjects) fail("has more than 100000 objects; join some of them");
     drafts_.push_back(std::make_unique<Draft>(objectName_, pools_));
     return *(draft_ = draftOf_[objectName_] = drafts_.back().get());
 }
@@ -318,13 +318,13 @@ void ObjReader::finishObject(LoadedScene& loaded, Draft& draft, bool alone) {
 }
 
 std::vector<Surface> ObjReader::surfacesOf(Draft& draft, LoadedScene& loaded) {
-    const bool byMaterialOnly = draft.pairs.size() > kMostSurfaces;
+    const bool byMaterialOnly = draft.pairs.size() > kMaxSurfaces;
     std::map<Pair, Index> numberOf;
     std::vector<Index> newNumber;
     std::vector<Surface> surfaces;
     for (Pair pair : draft.pairs) {
         if (byMaterialOnly) pair.first = 0;
-        if (byMaterialOnly && numberOf.size() >= kMostSurfaces) pair.second = draft.pairs[0].second;
+        if (byMaterialOnly && numberOf.size() >= kMaxSurfaces) pair.second = draft.pairs[0].second;
         const auto [it, isNew] = numberOf.try_emplace(pair, Index(surfaces.size()));
         if (isNew) {
             surfaces.push_back(surfaceOf(draft, pair, byMaterialOnly));

@@ -124,13 +124,13 @@ Index StlReader::vertex() {
     return index;
 }
 
-/// The rest of the line is the name. Beyond kMostSolids the last surface goes on.
+/// The rest of the line is the name. Beyond kMaxSolids the last surface goes on.
 void StlReader::startSolid() {
     const std::size_t end = std::min(text_.find('\n'), text_.size());
     const std::string_view name = trimmed(text_.substr(0, end));
     text_.remove_prefix(end);
-    constexpr std::size_t kMostSolids = 1024;
-    if (surfaces_.size() < kMostSolids)
+    constexpr std::size_t kMaxSolids = 1024;
+    if (surfaces_.size() < kMaxSolids)
         surfaces_.push_back(namedSurface(name.empty() ? "surface" : std::string(name)));
 }
 

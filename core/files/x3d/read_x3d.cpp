@@ -53,12 +53,12 @@ private:
 
     void visit(X3dNode given, const Place& parent, int depth) {
         constexpr int kDeepest = 128;
-        constexpr std::size_t kMostVisits = 1'000'000;
+        constexpr std::size_t kMaxVisits = 1'000'000;
         const X3dNode node = document_.resolved(given);
         if (!node) return;
         if (depth > kDeepest)
             document_.fail(node, "lies deeper than 128 levels, or inside itself; flatten it");
-        if (++visits_ > kMostVisits)
+        if (++visits_ > kMaxVisits)
             document_.fail(node, "is used too often; export the scene with fewer copies");
         if (progress_.isCancelled()) throw ReadFault{cancelledError().value()};
         const std::string_view kind = node.name();
@@ -109,12 +109,12 @@ private:
 
     /// Every use of a shape is a mesh of its own, so that a few lines could ask for any number of them.
     void demandBounded(X3dNode shape, std::size_t positions) {
-        constexpr std::size_t kMostShapes = 20'000, kMostPositions = 20'000'000;
+        constexpr std::size_t kMaxShapes = 20'000, kMaxPositions = 20'000'000;
         positions_ += positions;
-        if (++shapes_ > kMostShapes)
+        if (++shapes_ > kMaxShapes)
             document_.fail(shape, "is the " + std::to_string(shapes_) +
                                       "th shape to be shown; join shapes, or export fewer copies");
-        if (positions_ > kMostPositions && shapes_ > 1)
+        if (positions_ > kMaxPositions && shapes_ > 1)
             document_.fail(shape, "brings the copies of all shapes to more than 20 million vertices; export "
                                   "fewer copies");
     }

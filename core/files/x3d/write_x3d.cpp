@@ -17,7 +17,7 @@ namespace {
 constexpr double kLookAround = 0.02;
 /// A cubic becomes straight pieces of this length. s
 constexpr double kCubicStep = 1e-3;
-constexpr std::size_t kMostCubicKeys = 1 << 16;
+constexpr std::size_t kMaxCubicKeys = 1 << 16;
 
 /// Axis and angle as one attribute. The identity has an axis too.
 std::string axisAngle(const Quat& rotation) {
@@ -60,7 +60,7 @@ template <class Value, class At> Keys keysOf(const Track<Value>& track, double c
     if (track.interpolation == Interpolation::CubicSpline) {
         const double length = track.times.back() - track.times.front();
         const auto pieces =
-            std::clamp<std::size_t>(std::size_t(std::min(length / kCubicStep, 1e9)), 16, kMostCubicKeys);
+            std::clamp<std::size_t>(std::size_t(std::min(length / kCubicStep, 1e9)), 16, kMaxCubicKeys);
         for (std::size_t i = 0; i <= pieces; ++i) {
             const double t = track.times.front() + length * double(i) / double(pieces);
             keys.add(t / cycle, at(t));

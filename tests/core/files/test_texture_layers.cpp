@@ -230,7 +230,7 @@ private slots:
         QVERIFY(oneFinding(sceneWith(steep), Severity::Warning, "is large for its size"));
         Scene scene = sceneWith({});
         auto& layers = scene.objects[0].surfaces[0].layers;
-        layers.resize(std::size_t(kMostTextureLayers) + 1);
+        layers.resize(std::size_t(kMaxTextureLayers) + 1);
         QVERIFY(oneFinding(scene, Severity::Warning, "has 17 layers, of which 16 are felt"));
         layers.resize(5);
         for (TextureLayer& layer : layers)

@@ -126,7 +126,7 @@ private:
     }
     bool goesOn(const Meeting& edge, const std::vector<Index>& uses, Index a, Index b, double angle) const {
         if (edge.size() == 1) return goesOnAtEnd(edge, uses, a, b, angle);
-        if (uses.size() > FaceGraph::kMostAround || !hasNormal(a) || !hasNormal(b)) return false;
+        if (uses.size() > FaceGraph::kMaxAround || !hasNormal(a) || !hasNormal(b)) return false;
         const bool agree = forward(a, edge) != forward(b, edge);
         if (uses.size() > 2 && !agree) return false;
         return between(normal(a), agree ? normal(b) : -normal(b)) <= angle;

@@ -93,7 +93,7 @@ private slots:
         const TriangleSoup sheet = grid(80, [](double, double) { return 0.0; });
         const Problem found = problems(joined(sheet, sheet))[ProblemKind::Duplicate];
         QCOMPARE(found.count, std::size_t(12800));
-        QCOMPARE(found.triangles.size(), Problem::kMostTriangles);
+        QCOMPARE(found.triangles.size(), Problem::kMaxTriangles);
     }
 
     void countsAreThoseOfTheExamination() {

@@ -1,7 +1,7 @@
 // The overload ladder: on machines that are formulas, and its lower rungs on a real surface.
 #include <QTest>
 
-#include "core/haptics/fidelity.h"
+#include "core/haptics/degradation.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/test_program.h"
@@ -18,7 +18,7 @@ constexpr double kBudget = 0.8e-3;
 /// A machine whose steps take a time that depends on the fidelity.
 struct Machine {
     std::array<double, 4> took{}; ///< s, by fidelity
-    OverloadLadder ladder{kBudget};
+    DegradationController ladder{kBudget};
     double now = 0;
     int changes = 0;
 
@@ -64,7 +64,7 @@ private slots:
     void comesBackByItself() {
         Machine machine{.took = {2e-3, 2e-3, 2e-3, 2e-3}};
         machine.run(0.3);
-        QCOMPARE(machine.ladder.fidelity(), kLeastFidelity);
+        QCOMPARE(machine.ladder.fidelity(), kMinFidelity);
         machine.took.fill(0.1e-3);
         machine.run(2.5);
         QCOMPARE(machine.ladder.fidelity(), Fidelity::Full);
@@ -92,7 +92,7 @@ private slots:
         machine.run(1);
         machine.took.fill(1e-3);
         machine.run(0.2);
-        QCOMPARE(machine.ladder.fidelity(), kLeastFidelity);
+        QCOMPARE(machine.ladder.fidelity(), kMinFidelity);
         machine.took = usual;
         machine.run(60);
         QCOMPARE(machine.ladder.fidelity(), Fidelity::Full);

@@ -178,9 +178,9 @@ private slots:
             QCOMPARE(found.object, scene.objects[0].id);
             QVERIFY(saysHealth(found.finding));
             // Its own repair makes an end of it.
-            const Mended mended = repair(scene.objects[0].geometry, found.repair).value();
+            const Repaired repaired = repair(scene.objects[0].geometry, found.repair).value();
             Scene after = scene;
-            after.objects[0].geometry = mended.soup;
+            after.objects[0].geometry = repaired.soup;
             const Examined second = examine(after).value();
             for (const PlacedFinding& left : second.findings)
                 QCOMPARE_NE(left.problem->kind, found.problem->kind);

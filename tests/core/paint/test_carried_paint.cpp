@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/geometry/mend.h"
+#include "core/geometry/repair.h"
 #include "core/paint/carry.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"

@@ -118,7 +118,7 @@ bool couldComeNearer(const Vec3& proxy, const Vec3& finger, double radius, Rng& 
 /// What goes wrong first on a path, and where; empty: nothing. step(i, finger) makes a step of two proxies
 /// that are told the same and says whether they came to the same; faultOf(i, finger) is what is wrong then,
 /// or empty; freezes(i, finger): whether the proxy rests where it could come nearer, which a few more steps
-/// may mend.
+/// may repair.
 template <class Step, class FaultOf, class Freezes>
 QString firstFault(const std::vector<Vec3>& path, Step&& step, FaultOf&& faultOf, Freezes&& freezes) {
     for (int i = 0; i < int(path.size()); ++i) {

@@ -20,7 +20,7 @@ constexpr int kSteps = 160;
 constexpr int kPhase = 20;
 // What passes over the proxy may come as near as this before it is left out, in radii; it is felt again once
 // there is a way back for half of it.
-constexpr double kNearest = 0.5 * (1 - kMostGive);
+constexpr double kNearest = 0.5 * (1 - kMaxGive);
 
 struct Trial {
     explicit Trial(std::uint64_t number)

@@ -42,15 +42,16 @@ public:
         recorder_.end(row);
         fresh_ = true;
     }
-    void tick(double time, bool valid) {
+    void tick(double time, bool credible) {
         const Vec3 at = wanderingFinger(4 * time);
         ServoRow row{.time = time,
                      .dt = kTick,
                      .apart = kTick,
-                     .position = tripleOf(at),
+                     .position =
+                         tripleOf(credible ? at : Vec3(at + Vec3::UnitX())), // a metre off: it cannot be
                      .velocity = tripleOf((at - wanderingFinger(4 * (time - kTick))) / kTick),
                      .model = recorder_.proxyCount(),
-                     .flags = std::uint32_t(ServoRow::Armed) | (valid ? ServoRow::Valid : 0u) |
+                     .flags = std::uint32_t(ServoRow::Armed) | std::uint32_t(ServoRow::Valid) |
                               (fresh_ ? ServoRow::Fresh : 0u)};
         recorder_.begin(row, servo_);
         const ServoOutput output = stepFrom(row, servo_, sim_.model);

@@ -113,7 +113,7 @@ private slots:
         QCOMPARE(again.ticks, live.ticks);
         QCOMPARE(again.finger, live.finger);
         QCOMPARE(again.force, live.force);
-        QCOMPARE(again.withheld, live.withheld);
+        QCOMPARE(again.inhibit, live.inhibit);
         QCOMPARE(again.gain, live.gain);
         QCOMPARE(again.faults, live.faults);
         QCOMPARE(again.pauses, live.pauses);
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(again.clamped, live.clamped);
         QCOMPARE(again.invalidSamples, live.invalidSamples);
         QCOMPARE(again.oscillations, live.oscillations);
-        QCOMPARE(again.calm, live.calm);
+        QCOMPARE(again.stiffnessScale, live.stiffnessScale);
         QCOMPARE(again.heat, live.heat);
         QCOMPARE(again.energy, live.energy);
         QCOMPARE(again.passivityDamping, live.passivityDamping);

@@ -12,7 +12,7 @@
 #include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 #include "tests/core/recording/hand_made_run.h"
 #include "tests/realtime/bumpy_scene.h"
 #include "tests/support/compare.h"
@@ -133,9 +133,9 @@ private slots:
     }
 
     void aReasonThatIsNoneIsRefused() {
-        for (const std::uint32_t reason : {std::uint32_t(kGuardWords.size()), 17u, 255u, ~0u}) {
+        for (const std::uint32_t reason : {std::uint32_t(kInhibitWords.size()), 17u, 255u, ~0u}) {
             Recording recording = shortRecording();
-            recording.run.servo.rows[100].withheld = reason;
+            recording.run.servo.rows[100].inhibit = reason;
             const std::string text = refusal(recordingBytes(recording));
             QVERIFY2(isSentence(text) && text.find("servo tick 100") != std::string::npos, text.c_str());
         }
@@ -161,14 +161,14 @@ private slots:
         writeGrid(model, 330);
         const auto loaded = loadScene(model);
         VERIFY_RESULT(loaded);
-        Scene mended = loaded->scene;
-        TriangleSoup fewer = *mended.objects[0].geometry;
+        Scene repaired = loaded->scene;
+        TriangleSoup fewer = *repaired.objects[0].geometry;
         fewer.triangles.pop_back();
         fewer.surfaceOf.pop_back();
         fewer.cornerNormals.clear();
         fewer.cornerUvs.clear();
-        mended.objects[0].geometry = std::make_shared<const TriangleSoup>(fewer);
-        const Recording changed{handMadeRun(50, mended), "a triangle less", {model}};
+        repaired.objects[0].geometry = std::make_shared<const TriangleSoup>(fewer);
+        const Recording changed{handMadeRun(50, repaired), "a triangle less", {model}};
         QCOMPARE(refusal(recordingBytes(changed)), std::string());
 
         Scene layered = loaded->scene;

@@ -80,7 +80,7 @@ private slots:
                      qPrintable(QStringLiteral("haptic step %1").arg(tick)));
             touching += one.contacts > 0;
             LocalContactModel model = sim.model;
-            model.anchoring = servo.guard.anchoring();
+            model.anchoring = servo.gate.anchoring();
             const ServoRow input{.dt = kTick,
                                  .apart = kTick,
                                  .position = tripleOf(finger),
@@ -92,7 +92,7 @@ private slots:
                      qPrintable(QStringLiteral("servo tick %1").arg(tick)));
         }
         QCOMPARE_GT(touching, 4000);
-        QCOMPARE_GT(servo.oscillations, 0); // the shaking was noticed
+        QCOMPARE_GT(servo.schedule.oscillations(), 0); // the shaking was noticed
     }
 
     void damagedStatesAreRefused() {

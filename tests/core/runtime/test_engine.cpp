@@ -65,23 +65,26 @@ struct TouchedPlate {
     bool pushesWith(double force) {
         return pushesUntil([&] { return std::abs(probe->push - force) < 1e-5 * force + 1e-12; });
     }
-    /// A machine that is late again and again has the force taken away, and one that stood still lets the
+    /// A machine that stood still lets the
     /// proxy begin anew at the finger, in the plate: whoever holds it arms once more and comes from above
     /// again.
     template <class Condition> bool pushesUntil(Condition condition) {
-        std::optional<double> wanted;
+        double wanted = 0;
+        bool isAside = false;
         return eventually([&] {
-            const Withheld why = polled().servo().withheld;
-            if (why == Withheld::Late) engine.setArmed(false);
-            if (why == Withheld::NotArmed) engine.setArmed(true);
+            const InhibitReason why = polled().servo().inhibit;
+            if (why == InhibitReason::NotArmed) engine.setArmed(true);
             const double z = engine.proxy().output.proxy.z();
-            if (z < 0 && !wanted) wanted = probe->height.exchange(0.01);
-            if (z < 0 && engine.servo().finger.z() > 2 * kRadius) engine.restartProxy();
-            if (z > 2 * kRadius && wanted) {
-                probe->height = *wanted;
-                wanted.reset();
+            if (z < 0 && !isAside) {
+                wanted = probe->height.exchange(0.01);
+                isAside = true;
             }
-            return !wanted && condition();
+            if (z < 0 && engine.servo().finger.z() > 2 * kRadius) engine.restartProxy();
+            if (z > 2 * kRadius && isAside) {
+                probe->height = wanted;
+                isAside = false;
+            }
+            return !isAside && condition();
         });
     }
 
@@ -231,7 +234,7 @@ private slots:
         plate.probe->hangs = true;
         QVERIFY(eventually([&] { return plate.polled().servoStandsStill(); }));
         QCOMPARE(plate.engine.servo().rate, 0.0);
-        QCOMPARE(plate.engine.servo().withheld, Withheld::Stall);
+        QCOMPARE(plate.engine.servo().inhibit, InhibitReason::Stall);
         QVERIFY(plate.engine.servo().gain == 0 && plate.engine.servo().force.isZero(0));
         plate.probe->hangs = false;
         QVERIFY(eventually([&] { return !plate.polled().servoStandsStill(); }));
@@ -278,7 +281,7 @@ private slots:
         QVERIFY(plate.pushesWith(500 * kDepth));
     }
 
-    /// A real device has a guardian, and what a fork shares is given anew page by page.
+    /// A real device has a device watchdog, and what a fork shares is given anew page by page.
     void theLoopsOfARealDeviceFaultNoPages() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         QSKIP("the sanitizer's own memory faults");

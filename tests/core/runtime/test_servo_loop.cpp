@@ -34,9 +34,8 @@ struct RunningServo {
     ~RunningServo() { stop(); }
 
     void start() {
-        thread = std::thread([this] {
-            servoLoop(*channels, device, device.info(), motors, {guardian, canary}, sleepersClock);
-        });
+        thread = std::thread(
+            [this] { servoLoop(*channels, device, device.info(), motors, watchdog, sleepersClock); });
     }
     void stop() {
         channels->stop = true;
@@ -52,14 +51,11 @@ struct RunningServo {
         channels->contactModel.write({model, 1});
     }
     /// Publishes models until the command is `wanted`.
-    /// A machine that is late again and again has the force taken away: whoever holds the device arms once
-    /// more.
     bool pushesSteadily(double wanted) {
         if (eventually([&] {
                 publishModel();
-                const Withheld why = channels->servoTelemetry.read().withheld;
-                if (why == Withheld::Late) channels->armed = false;
-                if (why == Withheld::NotArmed) channels->armed = true;
+                const InhibitReason why = channels->servoTelemetry.read().inhibit;
+                if (why == InhibitReason::NotArmed) channels->armed = true;
                 return std::abs(probe->push - wanted) < 1e-12;
             }))
             return true;
@@ -69,8 +65,7 @@ struct RunningServo {
 
     std::shared_ptr<Probe> probe = std::make_shared<Probe>();
     ProbeDevice device{probe};
-    Guardian guardian; // of nothing
-    Canary canary;     // asleep
+    DeviceWatchdog watchdog; // of nothing
     LeftHeat motors;
     std::unique_ptr<Channels> channels = std::make_unique<Channels>();
     std::thread thread;
@@ -174,7 +169,8 @@ private slots:
         const ServoTelemetry& telemetry = servo.channels->servoTelemetry.read();
         QCOMPARE_GT(telemetry.invalidSamples, 0);
         QCOMPARE(telemetry.finger, Vec3(0, 0, -kDepth)); // the last one that was read
-        QVERIFY(!servo.channels->finger.read().valid);
+        // At once for what cannot be true; where there is nothing the device counts as lost after kLostAfter.
+        QVERIFY(eventually([&] { return !servo.channels->finger.read().valid; }));
     }
 
     void lastCommandIsZero() {

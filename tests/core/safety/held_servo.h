@@ -33,7 +33,7 @@ struct Held {
         sample.position = finger;
         sample.valid = true;
         sample.buttons = buttons;
-        model.anchoring = state.guard.anchoring();
+        model.anchoring = state.gate.anchoring();
         output = servoStep(state, settings,
                            {.sample = sample,
                             .frame = frame,

@@ -62,11 +62,12 @@ private slots:
         held.settings.overrideCeiling = false;
         held.model = wall(10000);
         held.rest({0, 0, 0.01});
-        QCOMPARE_EQ(held.state.guard.gain(), 1);
+        QCOMPARE_EQ(held.state.gate.gain(), 1);
         for (int i = 0; i < 100; ++i) {
             held.tick({0, 0, -3e-4 * i});
-            QVERIFY2(held.state.ease.rendered().stiffness <= held.state.ceiling.value,
-                     qPrintable(QString("tick %1: %2 N/m").arg(i).arg(held.state.ease.rendered().stiffness)));
+            QVERIFY2(held.state.transition.rendered().stiffness <= held.state.schedule.ceiling().value,
+                     qPrintable(
+                         QString("tick %1: %2 N/m").arg(i).arg(held.state.transition.rendered().stiffness)));
         }
     }
 
@@ -91,8 +92,8 @@ private slots:
             sample.velocity = wild ? anyVector(random) : Vec3::Zero();
             sample.jumped = wild && random() % 8 == 0;
             sample.valid = !wild || random() % 4 != 0;
-            model = wild ? anyModel(random, state.guard.anchoring()) : wall(800);
-            if (!wild) model.anchoring = state.guard.anchoring();
+            model = wild ? anyModel(random, state.gate.anchoring()) : wall(800);
+            if (!wild) model.anchoring = state.gate.anchoring();
             const double dt = wild && random() % 8 == 0 ? std::abs(anyNumber(random)) : kTick;
             const ServoOutput output = servoStep(state, settings,
                                                  {.sample = sample,
@@ -114,7 +115,7 @@ private slots:
             sample.position = {0, 0, -1e-3};
             sample.valid = true;
             model = wall(800);
-            model.anchoring = state.guard.anchoring();
+            model.anchoring = state.gate.anchoring();
             force = servoStep(state, settings, {.sample = sample, .dt = kTick, .fresh = true}, model).force;
         }
         QCOMPARE_GT(force.z(), 0.1);
@@ -180,16 +181,16 @@ private slots:
         held.model.planes = 0;
         ++held.model.restarts;
         held.tick(finger);
-        QVERIFY(held.state.ease.easing());
-        QCOMPARE_GT(held.state.ease.rendered().stiffness, 900);
+        QVERIFY(held.state.transition.easing());
+        QCOMPARE_GT(held.state.transition.rendered().stiffness, 900);
         held.settings.period = 5e-3;
         for (int i = 0; i < 20; ++i)
             held.tick(finger);
-        QVERIFY(held.state.ease.easing());
-        QVERIFY2(held.state.ease.rendered().stiffness <= held.state.ceiling.value,
+        QVERIFY(held.state.transition.easing());
+        QVERIFY2(held.state.transition.rendered().stiffness <= held.state.schedule.ceiling().value,
                  qPrintable(QString("%1 N/m of %2")
-                                .arg(held.state.ease.rendered().stiffness)
-                                .arg(held.state.ceiling.value)));
+                                .arg(held.state.transition.rendered().stiffness)
+                                .arg(held.state.schedule.ceiling().value)));
     }
 
     /// The author's wish is bounded as the stiffness is, unless the person knows better.
@@ -200,10 +201,10 @@ private slots:
             held.model = wall(100);
             held.model.damping = 20;
             held.rest({0, 0, -0.001});
-            const double most = held.state.ceiling.damping;
+            const double most = held.state.schedule.ceiling().damping;
             QCOMPARE_GT(most, 0.1);
             QCOMPARE_LT(most, 2);
-            QCOMPARE(held.state.ease.rendered().damping, knowsBetter ? 20.0 : most);
+            QCOMPARE(held.state.transition.rendered().damping, knowsBetter ? 20.0 : most);
         }
     }
 
@@ -244,7 +245,7 @@ private slots:
         held.rest({0, 0, 0.01});
         for (int i = 0; i < 100; ++i) {
             held.tick({0, 0, -3e-5 * i});
-            QCOMPARE_LE(held.state.ease.rendered().stiffness, held.state.ceiling.value);
+            QCOMPARE_LE(held.state.transition.rendered().stiffness, held.state.schedule.ceiling().value);
         }
     }
 
@@ -257,8 +258,8 @@ private slots:
         QCOMPARE_GT(held.tick({0, 0, -0.001}).z(), 0.9);
         held.clutched = true;
         QCOMPARE_EQ(held.tick({0, 0, -0.001}), Vec3(0, 0, 0));
-        QCOMPARE(held.state.guard.withheld(), Withheld::Clutched);
-        QCOMPARE(held.state.guard.faults(), 0u);
+        QCOMPARE(held.state.gate.inhibit(), InhibitReason::Clutched);
+        QCOMPARE(held.state.gate.faults(), 0u);
         for (int i = 1; i <= 100; ++i) { // the handle moves, the finger does not
             held.frame.offset.z() -= 1e-4;
             held.tick({0, 0, -0.001 + 1e-4 * i});

@@ -192,7 +192,7 @@ void ShadedNormalTest::nothingLeansTooFar() {
         const Vec3 away = (centre - closestPoint(triangleOf(*normals->soup, 0), centre).point).normalized();
         QVERIFY(felt.allFinite());
         COMPARE_NEAR(felt.norm(), 1, 1e-12, "");
-        QCOMPARE_GE(felt.dot(away), kMostLean - 1e-12);
+        QCOMPARE_GE(felt.dot(away), kMaxLean - 1e-12);
     }
 }
 

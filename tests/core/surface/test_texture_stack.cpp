@@ -114,15 +114,15 @@ void TextureStackTest::opacityAndMaskScaleTheLayer() {
 
 void TextureStackTest::ownPlanesStayApart() {
     std::vector<TextureLayer> layers;
-    for (int i = 0; i < kMostOwnPlanes + 1; ++i) {
+    for (int i = 0; i < kMaxOwnPlanes + 1; ++i) {
         layers.push_back(imageLayer(ramp(), TextureMapping::Planar, 0.01, 1e-4 * (i + 1)));
         layers.back().ownPlane = true;
     }
     const TextureFeel all = felt(layers);
-    QCOMPARE(all.ownPlanes, kMostOwnPlanes);
-    for (int i = 0; i < kMostOwnPlanes; ++i)
+    QCOMPARE(all.ownPlanes, kMaxOwnPlanes);
+    for (int i = 0; i < kMaxOwnPlanes; ++i)
         COMPARE_NEAR(all.ownSlopes[std::size_t(i)].x(), 0.01 * (i + 1), texel(0.01 * (i + 1)), "");
-    COMPARE_NEAR(all.slope.x(), 0.01 * (kMostOwnPlanes + 1), texel(0.01 * (kMostOwnPlanes + 1)),
+    COMPARE_NEAR(all.slope.x(), 0.01 * (kMaxOwnPlanes + 1), texel(0.01 * (kMaxOwnPlanes + 1)),
                  ""); // one too many: it joins the blend
     // A plane for a layer that is no height is none.
     TextureLayer friction = evenLayer(1, TextureTarget::DynamicFriction, 1);
@@ -185,8 +185,8 @@ void TextureStackTest::whatCannotBeFeltIsLeftOut() {
 
 void TextureStackTest::layersBeyondTheBoundAreLeftOut() {
     const std::vector<TextureLayer> many(100, evenLayer(1, TextureTarget::Height, 1e-4));
-    QCOMPARE(stackOf(many)->layers.size(), std::size_t(kMostTextureLayers));
-    COMPARE_NEAR(felt(many).height / 1e-4, kMostTextureLayers, texel(kMostTextureLayers), "");
+    QCOMPARE(stackOf(many)->layers.size(), std::size_t(kMaxTextureLayers));
+    COMPARE_NEAR(felt(many).height / 1e-4, kMaxTextureLayers, texel(kMaxTextureLayers), "");
 }
 
 void TextureStackTest::unchangedLayersShareTheirStack() {

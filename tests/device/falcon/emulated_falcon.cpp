@@ -208,8 +208,8 @@ void EmulatedFalcon::advance(std::int64_t now) {
 }
 
 void EmulatedFalcon::moveTo(std::int64_t now) {
-    constexpr std::int64_t kStep = 200'000, kMost = 300'000'000;
-    if (time_ == 0 || now - time_ > kMost) time_ = std::max(time_, now - (time_ ? kMost : 0));
+    constexpr std::int64_t kStep = 200'000, kMax = 300'000'000;
+    if (time_ == 0 || now - time_ > kMax) time_ = std::max(time_, now - (time_ ? kMax : 0));
     while (time_ < now) {
         const std::int64_t step = std::min(kStep, now - time_);
         const Vec3 before = body_.degrees();

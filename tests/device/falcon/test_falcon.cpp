@@ -43,8 +43,8 @@ struct Fault {
         bench.device->setFaults({});
         EmulatedBus::the().setFaults(kSocket, {});
     };
-    bool heard = true; ///< whether the device still gets commands
-    bool mends = true; ///< whether readings come back when it ends
+    bool heard = true;   ///< whether the device still gets commands
+    bool repairs = true; ///< whether readings come back when it ends
 };
 
 std::function<void(FalconBench&)> inTheDevice(const FalconFaults& faults) {

@@ -76,8 +76,8 @@ struct Touch {
     /// anew where the grip is, below the surface: then the person arms anew and comes from above once more.
     bool pushes(const Vec3& goal) {
         engine->poll();
-        const Withheld why = engine->servo().withheld;
-        const bool faulty = why == Withheld::Late || why == Withheld::DeviceLost;
+        const InhibitReason why = engine->servo().inhibit;
+        const bool faulty = why == InhibitReason::DeviceLost;
         const bool fellThrough = goal.z() < 0 && engine->servo().gain == 1 && bench.device->gripArrived() &&
                                  engine->proxy().output.contacts == 0;
         if (!faulty && !fellThrough) return engine->servo().gain == 1;
@@ -86,7 +86,7 @@ struct Touch {
         (void)eventually([&] {
             engine->poll();
             return bench.device->gripArrived() && engine->servo().finger.z() > 0.5 * kAbove &&
-                   engine->servo().withheld == Withheld::NotArmed;
+                   engine->servo().inhibit == InhibitReason::NotArmed;
         });
         engine->restartProxy();
         const std::uint64_t updates = engine->proxy().updates;
@@ -241,7 +241,7 @@ private slots:
         QVERIFY(eventually([&] { return device.motors() == FalconLegs{}; }));
         QVERIFY(eventually([&] {
             touch.engine->poll();
-            return touch.engine->servo().withheld == Withheld::DeviceLost;
+            return touch.engine->servo().inhibit == InhibitReason::DeviceLost;
         }));
         // Two commands were on the way, three readings may be missed.
         const int pushed = device.torqueCommands() - before;
@@ -261,7 +261,7 @@ private slots:
         device.leadGrip({0, 0, 0.01});
         QVERIFY(eventually([&] {
             touch.engine->poll();
-            return device.gripArrived() && touch.engine->servo().withheld == Withheld::NotArmed;
+            return device.gripArrived() && touch.engine->servo().inhibit == InhibitReason::NotArmed;
         }));
         QCOMPARE(device.torqueCommands(), torques);
         touch.engine->restartProxy(); // it was lost below the sheet
@@ -277,7 +277,7 @@ private slots:
         const std::uint64_t then = touch.engine->servo().ticks;
         QVERIFY(eventually([&] {
             touch.engine->poll();
-            return touch.engine->servo().withheld == Withheld::DeviceLost;
+            return touch.engine->servo().inhibit == InhibitReason::DeviceLost;
         }));
         qInfo("noticed within %d ticks", int(touch.engine->servo().ticks - then));
         COMPARE_CONTAINS(touch.driver->trouble(), "unplugged");

@@ -21,7 +21,7 @@ int serve(Served& served, const char* way) {
     return code;
 }
 
-/// Holds the program's sockets after its death, as a forked guardian does.
+/// Holds the program's sockets after its death, as a forked device watchdog does.
 void leaveAHolder(const Served& served) {
     if (fork() != 0) return;
     while (kill(served.server, 0) == 0)

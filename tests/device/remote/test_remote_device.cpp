@@ -228,7 +228,7 @@ private slots:
         hand.force.x() = how;
         QVERIFY(hand.until([&] { return !hand.last.valid; }));
         QVERIFY(comesToZero());
-        // Its handler at once, its guardian when it is gone.
+        // Its handler at once, its device watchdog when it is gone.
         QVERIFY(test::waitFor([&] { return served_->stops >= 2; }));
         QVERIFY(hand.until([&] { return device->trouble().find("crashed") != std::string::npos; }));
         hand.forTicks(20);
@@ -247,7 +247,7 @@ private slots:
         QVERIFY(hand.until([&] { return hand.last.valid && served_->push == 2; }));
         hand.force.x() = kHang;
         QVERIFY(hand.until([&] { return !hand.last.valid; }));
-        QVERIFY(comesToZero()); // by its guardian
+        QVERIFY(comesToZero()); // by its device watchdog
         QVERIFY(hand.until([&] { return device->trouble().find("stands still") != std::string::npos; }));
     }
 
@@ -355,7 +355,7 @@ private slots:
         VERIFY_RESULT(device->open());
         QCOMPARE(served_->opens.load(), 2);
         QVERIFY(hand.until([&] { return served_->push == 2; }));
-        const pid_t holder = fork(); // of its sockets, as a guardian is
+        const pid_t holder = fork(); // of its sockets, as a device watchdog is
         if (holder == 0) {
             pause();
             _exit(0);

@@ -22,7 +22,7 @@ namespace tactum::test {
 namespace {
 
 constexpr int kBus = 1;
-constexpr int kMostDescriptors = 4096;
+constexpr int kMaxDescriptors = 4096;
 const std::string kSysfs = "/sys/bus/usb/devices/";
 const std::string kNodes = "/dev/bus/usb/";
 
@@ -46,7 +46,7 @@ State& state() {
     return it;
 }
 
-std::array<std::atomic<bool>, kMostDescriptors> nodes{};
+std::array<std::atomic<bool>, kMaxDescriptors> nodes{};
 thread_local bool insideNow = false;
 
 std::int64_t monotonic() {
@@ -217,7 +217,7 @@ std::optional<int> openNode(const char* path) {
         if (plugged->forbidden) return -EACCES;
         const int descriptor = eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
         if (descriptor < 0) return -errno;
-        assert(descriptor < kMostDescriptors);
+        assert(descriptor < kMaxDescriptors);
         state().files[descriptor] = std::make_unique<UsbfsFile>(plugged, descriptor);
         nodes[static_cast<std::size_t>(descriptor)] = true;
         return descriptor;
@@ -243,7 +243,7 @@ std::optional<Bytes> sysfsFile(const char* path) {
 }
 
 bool isNode(int descriptor) {
-    return descriptor >= 0 && descriptor < kMostDescriptors && nodes[static_cast<std::size_t>(descriptor)];
+    return descriptor >= 0 && descriptor < kMaxDescriptors && nodes[static_cast<std::size_t>(descriptor)];
 }
 
 void closeNode(int descriptor) {
@@ -293,9 +293,9 @@ Look lookAtNodes(pollfd* fds, nfds_t count) {
 
 /// The others, for real; of the nodes only whether something rang. At most `wait` ns.
 int pollOthers(pollfd* fds, nfds_t count, std::int64_t wait) {
-    constexpr nfds_t kMost = 64;
-    assert(count <= kMost);
-    pollfd copies[kMost];
+    constexpr nfds_t kMax = 64;
+    assert(count <= kMax);
+    pollfd copies[kMax];
     std::copy_n(fds, count, copies);
     for (nfds_t i = 0; i < count; ++i)
         if (isNode(fds[i].fd)) copies[i].events = POLLIN;

@@ -258,7 +258,7 @@ private slots:
         QVERIFY(link->read(1).value().empty()); // it has nothing to say
     }
 
-    void mendsAStallBetweenTransfers() {
+    void endsAStallBetweenTransfers() {
         plugEcho();
         const auto link = open().value();
         UsbFaults faults;

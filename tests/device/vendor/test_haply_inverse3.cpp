@@ -171,7 +171,7 @@ private slots:
         QVERIFY(test::waitFor([&] { return motors().isZero(); }));
     }
 
-    void theGuardianStopsItAtOnce() {
+    void theDeviceWatchdogStopsItAtOnce() {
         const auto device = opened();
         Hand hand(*device, {1, 0, 0});
         QVERIFY(hand.until([&] { return motors().x() == 1; }));

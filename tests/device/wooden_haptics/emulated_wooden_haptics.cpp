@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kPeriod = 1'000'000; // ns
 constexpr int kWatchdog = 500;              // ms
-constexpr std::size_t kMostWaiting = 4;     // reports that the board keeps
+constexpr std::size_t kMaxWaiting = 4;      // reports that the board keeps
 
 Eigen::AngleAxisd about(const Vec3& axis, double angle) {
     return {angle, axis};
@@ -91,7 +91,7 @@ void EmulatedWoodenHaptics::tick() {
     const WoodenBytes bytes = encode({counts(), counter_});
     reports_.emplace_back(bytes.begin(), bytes.end());
     reports_.back().resize(reportSize);
-    if (reports_.size() > kMostWaiting) reports_.pop_front();
+    if (reports_.size() > kMaxWaiting) reports_.pop_front();
 }
 
 void EmulatedWoodenHaptics::hold(const Vec3& joints) {

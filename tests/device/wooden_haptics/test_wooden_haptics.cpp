@@ -345,13 +345,13 @@ private slots:
         exchange({2, 0, 0});
         exchange({2, 0, 0});
         QVERIFY(!motorsRest());
-        const pid_t guardian = fork();
-        if (guardian == 0) {
+        const pid_t watchdog = fork();
+        if (watchdog == 0) {
             device_->emergencyStop();
             _exit(0);
         }
         int status = 0;
-        QCOMPARE(waitpid(guardian, &status, 0), guardian);
+        QCOMPARE(waitpid(watchdog, &status, 0), watchdog);
         QCOMPARE(status, 0);
         QVERIFY(motorsRest());
     }

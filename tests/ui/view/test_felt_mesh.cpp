@@ -151,7 +151,7 @@ private slots:
         for (int level = 0; level < 6; ++level) {
             const SphereLevel spheres = sphereLevel(*world, level, Vec3::Zero());
             QCOMPARE(spheres.all, tree.spheresAt(level).size());
-            QCOMPARE(spheres.drawn, std::min(spheres.all, kMostSpheres));
+            QCOMPARE(spheres.drawn, std::min(spheres.all, kMaxSpheres));
         }
         QCOMPARE(sphereLevel(*world, 0, Vec3::Zero()).all, std::size_t(8));
     }
@@ -159,8 +159,8 @@ private slots:
     void ofTooManySpheresTheNearestAreDrawn() {
         const auto world = compile(ballScene(400, 400)).value();
         const SphereLevel spheres = sphereLevel(*world, kDeepestLevel, {0, 0, 2 * kBallRadius});
-        QCOMPARE_GT(spheres.all, 2 * kMostSpheres);
-        QCOMPARE_EQ(spheres.drawn, kMostSpheres);
+        QCOMPARE_GT(spheres.all, 2 * kMaxSpheres);
+        QCOMPARE_EQ(spheres.drawn, kMaxSpheres);
         for (std::size_t i = 2; i < spheres.meshes[0].positions.size(); i += 3)
             QCOMPARE_GT(spheres.meshes[0].positions[i], -0.5f * float(kBallRadius));
         QCOMPARE_LT(spheres.meshes[0].triangles.size() / 3, 300'000);

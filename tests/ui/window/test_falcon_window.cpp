@@ -4,7 +4,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "core/safety/guard.h"
+#include "core/safety/force_gate.h"
 #include "device/registry.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
@@ -51,7 +51,7 @@ struct Desk {
         bool inside = false;
         bench.device->leadGrip(kAbove);
         return test::waitFor([&] {
-            const bool faulty = isFault(servo().withheld);
+            const bool faulty = isFault(servo().inhibit);
             if (faulty || (inside && program.touch().proxy.y() < kTop)) {
                 bench.device->leadGrip(kAbove);
                 inside = false;

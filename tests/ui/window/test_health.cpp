@@ -9,7 +9,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include "core/safety/guard_words.h"
+#include "core/safety/inhibit_words.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
@@ -64,7 +64,7 @@ struct TroubledWindow {
     }
     /// The guard has seen that the forces are off.
     bool disarmed() {
-        return test::waitFor([this] { return program.engine.servo().withheld == Withheld::NotArmed; });
+        return test::waitFor([this] { return program.engine.servo().inhibit == InhibitReason::NotArmed; });
     }
     bool fullForce() { return program.fullForce(); }
 
@@ -101,20 +101,20 @@ private slots:
 };
 
 void TestHealth::everyReasonHasItsWords() {
-    for (std::size_t i = 0; i < kGuardWords.size(); ++i) {
-        const GuardWords& words = kGuardWords[i];
-        QCOMPARE(words.why, Withheld(i));
+    for (std::size_t i = 0; i < kInhibitWords.size(); ++i) {
+        const InhibitWords& words = kInhibitWords[i];
+        QCOMPARE(words.why, InhibitReason(i));
         QVERIFY(*words.brief);
         QVERIFY(*words.what);
         const QString sentences = guardSentences(words.why);
         QVERIFY2(sentences.endsWith(u'.'), qPrintable(sentences));
         // A fault says how to go on, and all of it has room in the bar.
-        // Who has no guardian gets none by arming.
-        const char* again = words.why == Withheld::Unguarded ? "start the program again" : "arm again";
+        // Who has no device watchdog gets none by arming.
+        const char* again = words.why == InhibitReason::Unguarded ? "start the program again" : "arm again";
         if (isFault(words.why)) QVERIFY2(sentences.contains(QLatin1String(again)), words.what);
         QCOMPARE_LE(sentences.size(), 150);
     }
-    QCOMPARE(kGuardWords.back().why, Withheld::Stopped); // the last of them
+    QCOMPARE(kInhibitWords.back().why, InhibitReason::Stopped); // the last of them
 }
 
 void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
@@ -123,7 +123,7 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
     QVERIFY(troubled.fullForce());
     QVERIFY(!troubled.red());
     QVERIFY(!troubled.widget("arm-again").isVisible());
-    const QString sentences = guardSentences(Withheld::DeviceLost);
+    const QString sentences = guardSentences(InhibitReason::DeviceLost);
     for (const char* button : {"arm-again", "notice-act"}) {
         troubled.trouble->nonsense = true;
         QTRY_VERIFY_WITH_TIMEOUT(troubled.red(), kPatience);
@@ -153,7 +153,7 @@ void TestHealth::aFaultTurnsTheBarRedUntilArmedAgain() {
         QVERIFY(!troubled.widget("arm-again").isVisible());
         QVERIFY(!troubled.widget("notice").isVisible());
     }
-    QCOMPARE(troubled.events().count(QString::fromLatin1(guardWords(Withheld::DeviceLost).what)), 2);
+    QCOMPARE(troubled.events().count(QString::fromLatin1(inhibitWords(InhibitReason::DeviceLost).what)), 2);
 }
 
 void TestHealth::armingDoesNotHideAFaultThatGoesOn() {
@@ -175,12 +175,12 @@ void TestHealth::aPauseIsSaidQuietly() {
     QVERIFY(troubled.program.open(writeCube(folder_)));
     QVERIFY(troubled.fullForce());
     troubled.trouble->slow = true;
-    const QString sentences = guardSentences(Withheld::Stall);
+    const QString sentences = guardSentences(InhibitReason::Stall);
     QTRY_COMPARE_WITH_TIMEOUT(troubled.widget("status-note").toolTip(), sentences, kPatience);
     QVERIFY(!troubled.red());
     QVERIFY(troubled.program.engine.armed());
     QVERIFY(!troubled.widget("notice").isVisible());
-    COMPARE_CONTAINS(troubled.events(), QString::fromLatin1(guardWords(Withheld::Stall).what));
+    COMPARE_CONTAINS(troubled.events(), QString::fromLatin1(inhibitWords(InhibitReason::Stall).what));
     troubled.trouble->slow = false;
     QVERIFY(troubled.fullForce());
     troubled.trouble->hangs = true;
@@ -260,11 +260,11 @@ void TestHealth::whatLimitsTheStiffnessIsSaid() {
     servo.ceiling = {0.5 * promised.value, CeilingReason::Damping};
     COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("late"));
     QCOMPARE(ceilingNow(servo, device).value, 0.5 * promised.value);
-    servo.calm = 0.25;
+    servo.stiffnessScale = 0.25;
     COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("oscillation"));
     QCOMPARE(ceilingNow(servo, device).value, 0.125 * promised.value);
     device.maxStiffness = 100;
-    servo.calm = 1;
+    servo.stiffnessScale = 1;
     servo.ceiling = {100, CeilingReason::Maker};
     COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("maker"));
     device.maxStiffness = 0;
@@ -326,7 +326,7 @@ void TestHealth::theCeilingIsOverriddenOnceItsRiskIsTaken() {
 }
 
 void TestHealth::theButtonMustBeHeldToFeel() {
-    const QString sentences = guardSentences(Withheld::DeadMan);
+    const QString sentences = guardSentences(InhibitReason::DeadMan);
     COMPARE_CONTAINS(sentences, QStringLiteral("Hold the button to feel"));
     {
         TroubledWindow troubled;
@@ -338,8 +338,8 @@ void TestHealth::theButtonMustBeHeldToFeel() {
         QVERIFY(action.isEnabled());
         QVERIFY(!action.isChecked());
         action.trigger();
-        const auto withheld = [&] { return program.engine.servo().withheld; };
-        QTRY_COMPARE_WITH_TIMEOUT(withheld(), Withheld::DeadMan, kPatience);
+        const auto inhibit = [&] { return program.engine.servo().inhibit; };
+        QTRY_COMPARE_WITH_TIMEOUT(inhibit(), InhibitReason::DeadMan, kPatience);
         QTRY_COMPARE_WITH_TIMEOUT(troubled.widget("status-note").toolTip(), sentences, kPatience);
         QVERIFY(!troubled.red());
         QVERIFY(program.engine.armed()); // no fault
@@ -347,7 +347,7 @@ void TestHealth::theButtonMustBeHeldToFeel() {
         QVERIFY(troubled.fullForce());
         QTRY_VERIFY_WITH_TIMEOUT(program.engine.servo().force.norm() > 0.1, kPatience);
         program.release(program.centre());
-        QTRY_COMPARE_WITH_TIMEOUT(withheld(), Withheld::DeadMan, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(inhibit(), InhibitReason::DeadMan, kPatience);
         QCOMPARE(program.engine.servo().force.norm(), 0.0);
         program.window->close();
     }
@@ -356,7 +356,7 @@ void TestHealth::theButtonMustBeHeldToFeel() {
     QVERIFY(action.isChecked());
     QVERIFY(again.program.engine.deadMan());
     QVERIFY(again.program.open(writeCube(folder_)));
-    QTRY_COMPARE_WITH_TIMEOUT(again.program.engine.servo().withheld, Withheld::DeadMan, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(again.program.engine.servo().inhibit, InhibitReason::DeadMan, kPatience);
     action.trigger();
     QVERIFY(again.fullForce());
 }

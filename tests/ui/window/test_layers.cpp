@@ -59,10 +59,10 @@ void TestLayers::layersAreAddedToAllSelectedSurfaces() {
 void TestLayers::noMoreThanAreFelt() {
     Layered window(folder_);
     window.add({"layer-noise"});
-    for (int i = 1; i < kMostTextureLayers + 3; ++i)
+    for (int i = 1; i < kMaxTextureLayers + 3; ++i)
         window.program.command("layer-duplicate").trigger();
-    QCOMPARE(int(window.layers().size()), kMostTextureLayers);
-    QCOMPARE(window.layers().back().name, "Noise " + std::to_string(kMostTextureLayers));
+    QCOMPARE(int(window.layers().size()), kMaxTextureLayers);
+    QCOMPARE(window.layers().back().name, "Noise " + std::to_string(kMaxTextureLayers));
     auto* notice = window.program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
     QVERIFY(notice->isVisible());
     COMPARE_CONTAINS(notice->text(), QStringLiteral("16 layers"));

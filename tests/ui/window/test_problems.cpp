@@ -1,4 +1,4 @@
-// The list of problems: where they are, and mending them.
+// The list of problems: where they are, and repairing them.
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
@@ -63,7 +63,7 @@ private slots:
     void init() { useSettingsIn(folder_.path()); }
 
     void rowsShowTheirPlace();
-    void fixMendsAndUndoBringsBack();
+    void fixRepairsAndUndoBringsBack();
     void aWrongUnitIsOneStep();
 };
 
@@ -99,7 +99,7 @@ void TestProblems::rowsShowTheirPlace() {
     QVERIFY(!view.hasMarked());
 }
 
-void TestProblems::fixMendsAndUndoBringsBack() {
+void TestProblems::fixRepairsAndUndoBringsBack() {
     TouchedWindow program;
     QVERIFY(program.open(writeTroubled(folder_)));
     const Scene before = program.document.scene();
@@ -115,8 +115,8 @@ void TestProblems::fixMendsAndUndoBringsBack() {
     QVERIFY(!program.window->view().hasMarked());
     fix(program, kHole);
     QTRY_VERIFY_WITH_TIMEOUT(!row(program, kHole), kPatience);
-    const TriangleSoup& mended = *program.document.scene().objects[0].geometry;
-    QCOMPARE(mended.triangles.size(), std::size_t(12));
+    const TriangleSoup& repaired = *program.document.scene().objects[0].geometry;
+    QCOMPARE(repaired.triangles.size(), std::size_t(12));
     QCOMPARE(program.document.history().index(), steps + 2);
     QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
     program.document.history().undo();

@@ -70,8 +70,6 @@ TouchedWindow::TouchedWindow(QSize size, const QStringList& samples, const Aroun
     engine.setArmed(true);
     applyTheme(rememberedTheme());
     window = std::make_unique<MainWindow>(document, engine, hand, samples);
-    QObject::connect(window->findChild<GuardWatch*>(), &GuardWatch::faulted,
-                     [this](Withheld why) { fault_ = why; });
     if (size.isValid()) window->resize(size);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get(), kPatience)) qFatal("the window does not appear");
@@ -97,13 +95,7 @@ void TouchedWindow::takeKeyboard() {
 }
 
 bool TouchedWindow::fullForce() {
-    return test::waitFor([this] {
-        if (fault_ == Withheld::Late && engine.servo().withheld == Withheld::NotArmed && !engine.armed()) {
-            fault_.reset();
-            command("armed").trigger();
-        }
-        return engine.servo().gain == 1;
-    });
+    return test::waitFor([this] { return engine.servo().gain == 1; });
 }
 
 bool TouchedWindow::open(const QString& file) {

@@ -11,7 +11,7 @@
 
 #include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
-#include "core/safety/guard.h"
+#include "core/safety/force_gate.h"
 #include "tests/support/waiting.h"
 #include "ui/document.h"
 #include "ui/main_window.h"
@@ -82,7 +82,6 @@ private:
     void takeKeyboard();
 
     QMetaObject::Connection keyboard_;
-    std::optional<Withheld> fault_; ///< the last one, that nobody has armed after
 };
 
 } // namespace tactum

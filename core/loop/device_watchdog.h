@@ -12,25 +12,25 @@
 namespace tactum {
 
 /// A servo that has not ticked for so long has the device stopped behind its back. Unit: ms.
-inline constexpr int kGuardianPatience = 10;
+inline constexpr int kWatchdogPatience = 10;
 
-/// A guardian that has not looked for so long is dead or stopped itself. Unit: s.
-inline constexpr double kGuardianSilence = 0.5;
+/// A device watchdog that has not looked for so long is dead or stopped itself. Unit: s.
+inline constexpr double kWatchdogSilence = 0.5;
 
 /// A forked process that stops the device (HapticDevice::emergencyStop) when the program has died, of
-/// whatever signal, and when the servo does not tick for kGuardianPatience: blocked, stopped, or busy with
+/// whatever signal, and when the servo does not tick for kWatchdogPatience: blocked, stopped, or busy with
 /// writing the memory of a crash to disk. A signal handler could do no more, and cannot see SIGKILL. Fork
-/// first, start the loops after: the child has only the thread that forked. Who kills the guardian alone (the
-/// kernel does, when memory is short) leaves nobody to do that: so it counts its looks, and the servo watches
-/// them. Thread of its members: any but real time, where they do not say otherwise.
-class Guardian {
+/// first, start the loops after: the child has only the thread that forked. Who kills the device watchdog
+/// alone (the kernel does, when memory is short) leaves nobody to do that: so it counts its looks, and the
+/// servo watches them. Thread of its members: any but real time, where they do not say otherwise.
+class DeviceWatchdog {
 public:
-    Guardian() = default;
-    ~Guardian() { stop(); }
-    Guardian(const Guardian&) = delete;
-    Guardian& operator=(const Guardian&) = delete;
+    DeviceWatchdog() = default;
+    ~DeviceWatchdog() { stop(); }
+    DeviceWatchdog(const DeviceWatchdog&) = delete;
+    DeviceWatchdog& operator=(const DeviceWatchdog&) = delete;
 
-    /// The device is open; it outlives the guardian or stop().
+    /// The device is open; it outlives the device watchdog or stop().
     Result<void> start(HapticDevice& device);
     /// Ends the watch without stopping the device. Safe to call twice.
     void stop();
@@ -67,16 +67,17 @@ private:
     Shared* shared_ = nullptr; ///< mapped in both
 };
 
-/// Whether the guardian still looks, tick by tick. Thread: real time.
-class GuardianWatch {
+/// Whether the device watchdog still looks, tick by tick. Thread: real time.
+class WatchdogCheck {
 public:
-    /// `dt`: s since the last call. A tick that came late tells little of the guardian, which came late too.
-    bool isDead(const Guardian& guardian, double dt) noexcept {
-        constexpr double kLongest = 1e-3 * kGuardianPatience;
-        const std::uint64_t looks = guardian.looks();
-        silent_ = looks == seen_ && guardian.guards() ? silent_ + std::min(dt, kLongest) : 0;
+    /// `dt`: s since the last call. A tick that came late tells little of the device watchdog, which came
+    /// late too.
+    bool isDead(const DeviceWatchdog& watchdog, double dt) noexcept {
+        constexpr double kLongest = 1e-3 * kWatchdogPatience;
+        const std::uint64_t looks = watchdog.looks();
+        silent_ = looks == seen_ && watchdog.guards() ? silent_ + std::min(dt, kLongest) : 0;
         seen_ = looks;
-        return silent_ > kGuardianSilence;
+        return silent_ > kWatchdogSilence;
     }
 
 private:

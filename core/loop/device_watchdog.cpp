@@ -1,4 +1,4 @@
-#include "core/loop/guardian.h"
+#include "core/loop/device_watchdog.h"
 
 #include <array>
 #include <cerrno>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kPriority = 85;                                     ///< above the loops
 constexpr int kLook = 4;                                          ///< ms between two looks at the pulse
-constexpr std::int64_t kPatience = 1'000'000 * kGuardianPatience; ///< ns
+constexpr std::int64_t kPatience = 1'000'000 * kWatchdogPatience; ///< ns
 constexpr char kFarewell = 'f';
 
 // From here on in the child: nothing but async-signal-safe calls.
@@ -29,7 +29,7 @@ void standApart() {
     setsid();
     for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE})
         std::signal(signal, SIG_IGN);
-    prctl(PR_SET_NAME, "tactum-guardian");
+    prctl(PR_SET_NAME, "tactum-watchdog");
     const sched_param parameters{.sched_priority = kPriority};
     sched_setscheduler(0, SCHED_FIFO, &parameters); // where that is allowed
     // Locks are not inherited, and who waits for a page from the disk stops nothing in time.
@@ -47,13 +47,13 @@ News listen(int lifeline) noexcept {
     return got == 1 && word == kFarewell ? News::Farewell : News::Death;
 }
 
-[[noreturn]] void watch(int lifeline, Guardian::Shared& shared, HapticDevice& device) noexcept {
+[[noreturn]] void watch(int lifeline, DeviceWatchdog::Shared& shared, HapticDevice& device) noexcept {
     standApart();
     std::uint64_t last = 0;
     std::int64_t since = monotonicNanoseconds();
     bool stopped = false;
     while (true) {
-        Guardian::raise(shared.looks);
+        DeviceWatchdog::raise(shared.looks);
         const News news = listen(lifeline);
         if (news == News::Farewell) _exit(0);
         if (news == News::Death) {
@@ -79,7 +79,7 @@ tl::unexpected<Error> cannotGuard(const char* what) {
 
 } // namespace
 
-Result<void> Guardian::start(HapticDevice& device) {
+Result<void> DeviceWatchdog::start(HapticDevice& device) {
     stop();
     void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return cannotGuard("shared memory");
@@ -97,7 +97,7 @@ Result<void> Guardian::start(HapticDevice& device) {
     return {};
 }
 
-void Guardian::stop() {
+void DeviceWatchdog::stop() {
     if (child_ > 0) {
         // A child that was killed itself is no reason to be killed by SIGPIPE.
         void (*const handler)(int) = std::signal(SIGPIPE, SIG_IGN);

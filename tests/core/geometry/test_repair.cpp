@@ -1,4 +1,4 @@
-// Repairs: what they mend, that they leave a sound mesh alone, and that doing it twice is doing it once.
+// Repairs: what they repair, that they leave a sound mesh alone, and that doing it twice is doing it once.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,14 +8,14 @@
 #include <QTest>
 
 #include "core/geometry/closed.h"
-#include "core/geometry/mend.h"
 #include "core/geometry/mesh_health.h"
+#include "core/geometry/repair.h"
 #include "core/geometry/weld.h"
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
-namespace test_mend {
+namespace test_repair {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -127,11 +127,11 @@ void erase(TriangleSoup& soup, std::vector<Index> triangles) {
     }
 }
 
-using Repair = std::function<Mended(const SharedSoup&)>;
+using Repair = std::function<Repaired(const SharedSoup&)>;
 std::vector<Repair> repairs() {
     return {[](const SharedSoup& s) { return weldVertices(s).value(); },
             [](const SharedSoup& s) { return removeDuplicates(s).value(); },
-            [](const SharedSoup& s) { return mendSlivers(s).value(); },
+            [](const SharedSoup& s) { return repairSlivers(s).value(); },
             [](const SharedSoup& s) { return agreeOnFronts(s).value(); },
             [](const SharedSoup& s) { return fillHoles(s).value(); },
             [](const SharedSoup& s) { return scaled(s, 1); }};
@@ -147,7 +147,7 @@ private slots:
         for (const TriangleSoup& soup : {cube(), dressed(cube()), ring(12), TriangleSoup{}}) {
             const SharedSoup before = shared(soup);
             for (const Repair& repair : repairs()) {
-                const Mended after = repair(before);
+                const Repaired after = repair(before);
                 QCOMPARE(after.soup.get(), before.get());
                 QCOMPARE(after.changes, std::size_t(0));
                 QVERIFY(!after.done.empty());
@@ -161,7 +161,7 @@ private slots:
         for (int round = 0; round < 400; ++round) {
             const SharedSoup soup = shared(dressed(tangle(random, Index(random() % 40))));
             for (std::size_t i = 0; i < repairs().size(); ++i) {
-                const Mended once = repairs()[i](soup), twice = repairs()[i](once.soup);
+                const Repaired once = repairs()[i](soup), twice = repairs()[i](once.soup);
                 const TriangleSoup& found = *once.soup;
                 QVERIFY2(twice.soup == once.soup, qPrintable(QString::number(i)));
                 QCOMPARE(found.surfaceOf.size(), found.triangles.size());
@@ -176,7 +176,7 @@ private slots:
     void weldingKeepsTheShapeAndWhatCornersCarry() {
         TriangleSoup split = apart(dressed(cube()));
         split.positions.emplace_back(7, 7, 7);
-        const Mended welded = weldVertices(shared(split)).value();
+        const Repaired welded = weldVertices(shared(split)).value();
         QCOMPARE(welded.soup->positions.size(), std::size_t(8));
         QCOMPARE(welded.changes, std::size_t(29));
         QCOMPARE(volume(*welded.soup), 1.0);
@@ -198,14 +198,14 @@ private slots:
         repeat(4, {1, 2, 0}, 2); // the same once more
         repeat(4, {0, 2, 1}, 2); // looks to the other way
         repeat(4, {0, 1, 2}, 5); // feels otherwise
-        const Mended mended = removeDuplicates(shared(soup)).value();
-        QCOMPARE(mended.changes, std::size_t(1));
-        QCOMPARE(mended.soup->triangles.size(), std::size_t(14));
+        const Repaired repaired = removeDuplicates(shared(soup)).value();
+        QCOMPARE(repaired.changes, std::size_t(1));
+        QCOMPARE(repaired.soup->triangles.size(), std::size_t(14));
         TriangleSoup expected = sound;
         repeat(4, {0, 2, 1}, 2);
-        QCOMPARE(mended.soup->triangles[12], soup.triangles[13]);
-        QCOMPARE(mended.soup->surfaceOf[13], Index(5));
-        QCOMPARE(mended.soup->cornerUvs[36], soup.cornerUvs[39]);
+        QCOMPARE(repaired.soup->triangles[12], soup.triangles[13]);
+        QCOMPARE(repaired.soup->surfaceOf[13], Index(5));
+        QCOMPARE(repaired.soup->cornerUvs[36], soup.cornerUvs[39]);
     }
 
     void flippedTrianglesAreTurnedBack() {
@@ -213,10 +213,10 @@ private slots:
             TriangleSoup soup = sound;
             for (Index t : {1u, 4u, 5u})
                 turn(soup, t);
-            const Mended mended = agreeOnFronts(shared(soup)).value();
-            QCOMPARE(mended.changes, std::size_t(3));
-            QVERIFY(*mended.soup == sound);
-            QCOMPARE(mended.done, std::string("3 triangles turned over"));
+            const Repaired repaired = agreeOnFronts(shared(soup)).value();
+            QCOMPARE(repaired.changes, std::size_t(3));
+            QVERIFY(*repaired.soup == sound);
+            QCOMPARE(repaired.done, std::string("3 triangles turned over"));
         }
     }
 
@@ -265,24 +265,24 @@ private slots:
             TriangleSoup soup = dressed(cube());
             erase(soup, {2, 3});
             if (split) soup = apart(soup);
-            const Mended mended = fillHoles(shared(soup)).value();
-            QCOMPARE(mended.changes, std::size_t(1));
-            QCOMPARE(mended.soup->triangles.size(), std::size_t(12));
-            QVERIFY(isClosed(*mended.soup));
-            QCOMPARE(euler(*mended.soup), 2L);
-            QCOMPARE(volume(*mended.soup), 1.0);
-            QVERIFY(isStillDressed(*mended.soup));
+            const Repaired repaired = fillHoles(shared(soup)).value();
+            QCOMPARE(repaired.changes, std::size_t(1));
+            QCOMPARE(repaired.soup->triangles.size(), std::size_t(12));
+            QVERIFY(isClosed(*repaired.soup));
+            QCOMPARE(euler(*repaired.soup), 2L);
+            QCOMPARE(volume(*repaired.soup), 1.0);
+            QVERIFY(isStillDressed(*repaired.soup));
         }
     }
 
     void severalHolesNextToEachOther() {
         TriangleSoup soup = ring(16);
         erase(soup, {0, 1, 40, 41, 42, 43, 100, 300});
-        const Mended mended = fillHoles(shared(soup)).value();
-        QCOMPARE(mended.changes, std::size_t(4));
-        QVERIFY(isClosed(*mended.soup));
-        QCOMPARE(euler(*mended.soup), 0L);
-        COMPARE_NEAR(volume(*mended.soup) / volume(ring(16)), 1, 0.01, "");
+        const Repaired repaired = fillHoles(shared(soup)).value();
+        QCOMPARE(repaired.changes, std::size_t(4));
+        QVERIFY(isClosed(*repaired.soup));
+        QCOMPARE(euler(*repaired.soup), 0L);
+        COMPARE_NEAR(volume(*repaired.soup) / volume(ring(16)), 1, 0.01, "");
     }
 
     /// A saddle of a hole: no plane holds it.
@@ -294,11 +294,11 @@ private slots:
                 for (Index k = 0; k < 2; ++k)
                     patch.push_back(2 * (i * 24 + j) + k);
         erase(soup, patch);
-        const Mended mended = fillHoles(shared(soup)).value();
-        QVERIFY(isClosed(*mended.soup));
-        QCOMPARE(euler(*mended.soup), 0L);
-        QCOMPARE_LT(area(*mended.soup), area(ring(24)));
-        QCOMPARE_GT(area(*mended.soup), 0.95 * area(ring(24)));
+        const Repaired repaired = fillHoles(shared(soup)).value();
+        QVERIFY(isClosed(*repaired.soup));
+        QCOMPARE(euler(*repaired.soup), 0L);
+        QCOMPARE_LT(area(*repaired.soup), area(ring(24)));
+        QCOMPARE_GT(area(*repaired.soup), 0.95 * area(ring(24)));
     }
 
     void whatIsMeantToBeOpenStaysOpen() {
@@ -323,9 +323,9 @@ private slots:
         TriangleSoup soup = cube();
         erase(soup, {0, 1, 2});
         const HoleLimits limits{.area = 0.17}; // between 1 of 5.5 and 1 of 6
-        const Mended mended = fillHoles(shared(soup), limits).value();
-        QCOMPARE(mended.changes, std::size_t(2));
-        QVERIFY(isClosed(*mended.soup));
+        const Repaired repaired = fillHoles(shared(soup), limits).value();
+        QCOMPARE(repaired.changes, std::size_t(2));
+        QVERIFY(isClosed(*repaired.soup));
     }
 
     /// Two holes that meet in a corner: which rim goes on into which nobody can say.
@@ -343,13 +343,13 @@ private slots:
         soup = dressed(soup);
         const std::size_t slivers = healthOf(soup).value().slivers;
         QCOMPARE_GT(slivers, 0);
-        const Mended mended = mendSlivers(shared(soup)).value();
-        QCOMPARE(healthOf(*mended.soup).value().slivers, std::size_t(0));
-        QCOMPARE(mended.soup->triangles.size(), soup.triangles.size() - 2);
-        QVERIFY(isClosed(*mended.soup));
-        QCOMPARE(euler(*mended.soup), 0L);
-        COMPARE_NEAR(volume(*mended.soup), volume(soup), 1e-9, "m³");
-        QVERIFY(isStillDressed(*mended.soup));
+        const Repaired repaired = repairSlivers(shared(soup)).value();
+        QCOMPARE(healthOf(*repaired.soup).value().slivers, std::size_t(0));
+        QCOMPARE(repaired.soup->triangles.size(), soup.triangles.size() - 2);
+        QVERIFY(isClosed(*repaired.soup));
+        QCOMPARE(euler(*repaired.soup), 0L);
+        COMPARE_NEAR(volume(*repaired.soup), volume(soup), 1e-9, "m³");
+        QVERIFY(isStillDressed(*repaired.soup));
     }
 
     /// A vertex in the middle of an edge, of one side of it alone.
@@ -363,14 +363,14 @@ private slots:
         soup = dressed(soup);
         QVERIFY(isClosed(soup));
         QCOMPARE(healthOf(soup).value().slivers, std::size_t(1));
-        const Mended mended = mendSlivers(shared(soup)).value();
-        QCOMPARE(mended.changes, std::size_t(1));
-        QCOMPARE(healthOf(*mended.soup).value().slivers, std::size_t(0));
-        QCOMPARE(mended.soup->triangles.size(), std::size_t(14));
-        QVERIFY(isClosed(*mended.soup));
-        QCOMPARE(euler(*mended.soup), 2L);
-        COMPARE_NEAR(volume(*mended.soup), 1, 1e-12, "m³");
-        QVERIFY(isStillDressed(*mended.soup));
+        const Repaired repaired = repairSlivers(shared(soup)).value();
+        QCOMPARE(repaired.changes, std::size_t(1));
+        QCOMPARE(healthOf(*repaired.soup).value().slivers, std::size_t(0));
+        QCOMPARE(repaired.soup->triangles.size(), std::size_t(14));
+        QVERIFY(isClosed(*repaired.soup));
+        QCOMPARE(euler(*repaired.soup), 2L);
+        COMPARE_NEAR(volume(*repaired.soup), 1, 1e-12, "m³");
+        QVERIFY(isStillDressed(*repaired.soup));
     }
 
     /// A three-sided tube, bent to a ring and pinched to nothing at one place: an edge less there, and it
@@ -392,15 +392,15 @@ private slots:
             }
         soup.surfaceOf.assign(soup.triangles.size(), 0);
         QCOMPARE_GT(healthOf(soup).value().slivers, 0);
-        const Mended mended = mendSlivers(shared(soup)).value();
-        QVERIFY(isClosed(*mended.soup));
-        QCOMPARE(euler(*mended.soup), 0L);
-        QVERIFY(healthOf(*mended.soup).value().closed());
+        const Repaired repaired = repairSlivers(shared(soup)).value();
+        QVERIFY(isClosed(*repaired.soup));
+        QCOMPARE(euler(*repaired.soup), 0L);
+        QVERIFY(healthOf(*repaired.soup).value().closed());
     }
 
     void scalingScalesLengthsAlone() {
         const TriangleSoup soup = dressed(cube());
-        const Mended small = scaled(shared(soup), 0.001);
+        const Repaired small = scaled(shared(soup), 0.001);
         COMPARE_NEAR(volume(*small.soup), 1e-9, 1e-20, "m³");
         QCOMPARE(small.soup->cornerUvs, soup.cornerUvs);
     }
@@ -411,7 +411,7 @@ private slots:
         const SharedSoup soup = shared(cube());
         QVERIFY(!weldVertices(soup, progress));
         QVERIFY(!removeDuplicates(soup, progress));
-        QVERIFY(!mendSlivers(soup, progress));
+        QVERIFY(!repairSlivers(soup, progress));
         QVERIFY(!agreeOnFronts(soup, progress));
         QVERIFY(!fillHoles(soup, {}, progress));
     }
@@ -419,6 +419,6 @@ private slots:
 
 TACTUM_TEST(TestMend)
 
-} // namespace test_mend
+} // namespace test_repair
 
-#include "test_mend.moc"
+#include "test_repair.moc"

@@ -24,33 +24,36 @@ inline constexpr double kHandOverPower = 1e-3, kHandOverEnergy = 5e-4;
 
 /// A newer model may turn the force by this part of the device's limit at once, measured as rise(): half of
 /// what the guard takes for a fault.
-inline constexpr double kMostTurn = 0.3;
+inline constexpr double kMaxTurn = 0.3;
 
 /// What is rendered at most.
-struct EaseBounds {
+struct TransitionBounds {
     double ceiling = 0; ///< N/m: nothing is met stiffer; what is under load when it falls comes down by
                         ///< kSurfaceRate, in an edit by kEditRate: faster, a resting hand would be thrown
     double leaving = 0; ///< N/m, the ceiling of what was touched and is not there any more
     double force = 0;   ///< N, of the device
 };
 
-/// What the servo renders instead of the newest model. When the proxy was put elsewhere, what was touched
-/// before fades away first; then the proxy's new surroundings are
-/// moved so that they begin at the finger, without force, and come back with kReturnSpeed. An edit leaves the
+/// What the servo renders instead of the newest model. An edit, of shape too, leaves the
 /// rendered proxy where it was, held by as much friction as that takes, and the stiffness what it was; all
-/// then go to their new values. A late model that finds the finger deep in something is met as a restart is.
-/// A body that moves by itself goes on as fast as it does, and what it thereby does on the hand is no change.
-/// Where the proxy fell from one side of the finger to another, the new surroundings begin with no more push
-/// than there was along theirs, and come back as well.
-/// World frame, SI. Thread: real time.
-class ContactEase {
+/// then go to their new values, and what was moved comes with kReturnSpeed. What is not there any more, or
+/// pushes the other way, fades away first; then the proxy's new surroundings are moved so that they begin at
+/// the finger, without force, and come back as well. A late model that finds the finger deep in something is
+/// met as a restart is. A body that moves by itself goes on as fast as it does, and what it thereby does on
+/// the hand is no change. Where the proxy fell from one side of the finger to another, the new surroundings
+/// begin with no more push than there was along theirs, and come back as well. World frame, SI. Thread: real
+/// time.
+class ContactTransition {
 public:
     /// Call at every servo tick. `fresh`: `newest` is another one than at the last call.
     const LocalContactModel& operator()(const LocalContactModel& newest, bool fresh, const Vec3& finger,
-                                        const Vec3& velocity, const EaseBounds& bounds, double dt) noexcept;
+                                        const Vec3& velocity, const TransitionBounds& bounds,
+                                        double dt) noexcept;
     /// The next model begins at the finger as after a restart of the proxy; until then none is eased.
     void restart() noexcept { begun_ = false; }
     const LocalContactModel& rendered() const noexcept { return rendered_; }
+    /// m/s, of the surface itself: without its way back.
+    const Vec3& motion() const noexcept { return motion_; }
     /// s since the finger that it answers was read, at least, in a tick of `dt`: for anchorOf().
     double since(double dt) const noexcept;
     /// Whether the surroundings are still on their way.
@@ -58,20 +61,22 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.begun_, self.editing_, self.leaving_, self.offset_, self.slip_, self.hold_, self.credit_,
-              self.age_, self.revision_, self.restarts_, self.motion_, self.rendered_);
+        visit(self.begun_, self.editing_, self.leaving_, self.fallen_, self.offset_, self.slip_, self.hold_,
+              self.credit_, self.age_, self.revision_, self.restarts_, self.motion_, self.rendered_);
     }
 
 private:
-    void meet(const LocalContactModel& newest, const Vec3& finger, const EaseBounds& bounds,
+    void meet(const LocalContactModel& newest, const Vec3& finger, const TransitionBounds& bounds,
               double dt) noexcept;
     void handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-                  const EaseBounds& bounds, double dt) noexcept;
+                  const TransitionBounds& bounds, double dt) noexcept;
     void turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-              const EaseBounds& bounds, double dt) noexcept;
+              const TransitionBounds& bounds, double dt) noexcept;
     void catchUp(const LocalContactModel& newest) noexcept;
     void slipOn(const LocalContactModel& newest, const Vec3& finger, double dt) noexcept;
     bool lost(const LocalContactModel& newest, const Vec3& finger) const noexcept;
+    bool fell(const LocalContactModel& newest, const Vec3& finger, const TransitionBounds& bounds,
+              double dt) const noexcept;
     void leave(const Vec3& finger, double ceiling, double dt) noexcept;
     void edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept;
     Vec3 motionOf(const LocalContactModel& newest) const noexcept;
@@ -82,6 +87,7 @@ private:
     bool begun_ = false;
     bool editing_ = false;
     bool leaving_ = false;       ///< what is not there any more
+    bool fallen_ = false;        ///< and by no edit
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
     Vec3 slip_ = Vec3::Zero();   ///< of the rendered proxy along its plane, where the true one still sticks
     double hold_ = 0;            ///< least coefficient of friction, after an edit

@@ -1,4 +1,4 @@
-#include "core/safety/contact_ease.h"
+#include "core/safety/contact_transition.h"
 
 #include <algorithm>
 
@@ -7,6 +7,9 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
+/// A slide against viscosity goes on for as long as the model is believed at all: one that stopped before
+/// would leave the anchor behind, and the next answer would bring what it had not slid as a pull. Unit: s.
+constexpr double kModelAge = 0.1;
 constexpr double kSoftest = 2, kWeakest = 0.03; ///< N/m and N, of what is about to be gone
 constexpr int kCorrections = 4;
 constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
@@ -47,7 +50,7 @@ LocalContactModel moved(const LocalContactModel& model, const Vec3& by) noexcept
 
 /// N/m, of what is rendered and what is wanted.
 double stifferOf(const LocalContactModel& rendered, const LocalContactModel& newest,
-                 const EaseBounds& bounds) noexcept {
+                 const TransitionBounds& bounds) noexcept {
     return std::max(rendered.stiffness, std::min(newest.stiffness, bounds.ceiling));
 }
 
@@ -57,21 +60,21 @@ double editRate(double stiffness) noexcept {
     return std::min(kEditRate, kReturnSpeed * stiffness);
 }
 
-double ContactEase::since(double dt) const noexcept {
-    return std::min(age_ + dt, kOldest);
+double ContactTransition::since(double dt) const noexcept {
+    return std::min(age_ + dt, kModelAge);
 }
 
 // A proxy that was put elsewhere begins at the finger, without force.
-void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, const EaseBounds& bounds,
-                       double dt) noexcept {
+void ContactTransition::meet(const LocalContactModel& newest, const Vec3& finger,
+                             const TransitionBounds& bounds, double dt) noexcept {
     const Anchor before = begun_ ? anchorOf(rendered_, finger, since(dt)) : Anchor{finger, false};
     age_ = 0;
     if (!before.touching) { // nothing is under load: no value needs a ramp
         rendered_ = newest;
         rendered_.stiffness = std::min(newest.stiffness, bounds.ceiling);
     }
-    const bool edited = newest.revision != revision_;
-    if (!begun_ || newest.restarts != restarts_ || (edited && !before.touching)) {
+    const bool edited = newest.revision != revision_ || newest.restarts != restarts_;
+    if (!begun_ || (edited && !before.touching)) {
         offset_ = finger - anchorOf(newest, finger).position;
         slip_ = Vec3::Zero();
         editing_ = false;
@@ -91,8 +94,8 @@ void ContactEase::meet(const LocalContactModel& newest, const Vec3& finger, cons
 // The surroundings stay with the anchor as far as the energy that they add to the spring is not paid for.
 // Planes that meet at an angle take more than one correction. An answer that came a tick later than the one
 // after it makes a body that moves by itself seem to stand and then to leap: its work of one tick is free.
-void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-                           const EaseBounds& bounds, double dt) noexcept {
+void ContactTransition::handOver(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+                                 const TransitionBounds& bounds, double dt) noexcept {
     const double stiffness = stifferOf(rendered_, newest, bounds);
     const double own = stiffness * std::max(0.0, (before - finger).dot(motion_) * dt);
     for (int i = 0;; ++i) {
@@ -110,12 +113,12 @@ void ContactEase::handOver(const LocalContactModel& newest, const Vec3& before, 
 // Off the rim of a sheet, or out of one pocket into the next, the proxy comes nearer to the finger and may
 // yet push it the other way: no energy is brought, and still it would be a kick. What surroundings that are
 // left were off by is none of the new ones' either.
-void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
-                       const EaseBounds& bounds, double dt) noexcept {
+void ContactTransition::turn(const LocalContactModel& newest, const Vec3& before, const Vec3& finger,
+                             const TransitionBounds& bounds, double dt) noexcept {
     const double felt = bounds.force / stifferOf(rendered_, newest, bounds);
     const Vec3 was = atMost(before - finger, felt);
     const Vec3 now = atMost(anchorOf(byNow(newest), finger, since(dt)).position - finger, felt);
-    if (!(rise(now, was) > kMostTurn * felt)) return;
+    if (!(rise(now, was) > kMaxTurn * felt)) return;
     const Vec3 stretch = anchorOf(newest, finger, since(dt)).position - finger;
     const double length2 = stretch.squaredNorm();
     const double kept = length2 > 0 ? std::clamp(was.dot(stretch) / length2, 0.0, 1.0) : 0;
@@ -124,7 +127,7 @@ void ContactEase::turn(const LocalContactModel& newest, const Vec3& before, cons
 }
 
 /// What the true proxy slips by itself, the rendered one has slipped before.
-void ContactEase::catchUp(const LocalContactModel& newest) noexcept {
+void ContactTransition::catchUp(const LocalContactModel& newest) noexcept {
     if (slip_.isZero(0)) return;
     const Vec3 way = newest.proxy - (rendered_.proxy - offset_ - slip_);
     const double length = slip_.norm(), caughtUp = std::clamp(way.dot(slip_) / length, 0.0, length);
@@ -134,7 +137,7 @@ void ContactEase::catchUp(const LocalContactModel& newest) noexcept {
 
 // Surroundings on their way back are met less deep than the true ones: the rendered proxy slips where the
 // true one sticks. If it slipped back as they return, it would pull the finger to where the true one stuck.
-void ContactEase::slipOn(const LocalContactModel& newest, const Vec3& finger, double dt) noexcept {
+void ContactTransition::slipOn(const LocalContactModel& newest, const Vec3& finger, double dt) noexcept {
     if (offset_.isZero(0) && slip_.isZero(0)) return;
     const Anchor rendered = anchorOf(rendered_, finger, since(dt));
     if (!rendered.touching) slip_ = Vec3::Zero();
@@ -151,29 +154,41 @@ void ContactEase::slipOn(const LocalContactModel& newest, const Vec3& finger, do
     rendered_.proxy += more;
 }
 
-/// Whether what is rendered under load is not there any more.
-bool ContactEase::lost(const LocalContactModel& newest, const Vec3& finger) const noexcept {
-    const bool gone =
-        newest.restarts != restarts_ || (newest.revision != revision_ && !anchorOf(newest, finger).touching);
-    return gone && anchorOf(rendered_, finger).touching;
+// Where a body was moved, or grew over the proxy, the proxy begins anew; but what pushes the finger the same
+// way is the same body to the hand, and to let it sink in first would be a fall.
+bool ContactTransition::lost(const LocalContactModel& newest, const Vec3& finger) const noexcept {
+    if (newest.restarts == restarts_ && newest.revision == revision_) return false;
+    const Anchor rendered = anchorOf(rendered_, finger), next = anchorOf(newest, finger);
+    const bool goesOn = next.touching && (next.position - finger).dot(rendered.position - finger) > 0;
+    return rendered.touching && !goesOn;
 }
 
-// It becomes softer as it does in an edit, until next to nothing is left; what the device does not bear goes
-// as it does in any other contact.
-void ContactEase::leave(const Vec3& finger, double ceiling, double dt) noexcept {
+// Around the last edge, or out on the far side: what pushed is gone in one step of the proxy, or pushes the
+// other way.
+bool ContactTransition::fell(const LocalContactModel& newest, const Vec3& finger,
+                             const TransitionBounds& bounds, double dt) const noexcept {
+    const Vec3 was = anchorOf(rendered_, finger, since(dt)).position - finger;
+    const Vec3 now = anchorOf(byNow(newest), finger, since(dt)).position - finger;
+    return rendered_.stiffness * was.norm() > kMaxTurn * bounds.force && now.dot(was) <= 0;
+}
+
+// It becomes softer as it does in an edit, until next to nothing is left; what was left by the finger's own
+// way, and what the device does not bear, goes as fast as in any other contact.
+void ContactTransition::leave(const Vec3& finger, double ceiling, double dt) noexcept {
     const double depth = (anchorOf(rendered_, finger, since(dt)).position - finger).norm();
     const auto softer = [&](double rate) {
         return rendered_.stiffness - rate * dt / std::max(depth, kThinnest);
     };
-    rendered_.stiffness =
-        std::min(softer(editRate(rendered_.stiffness)), std::max(ceiling, softer(kSurfaceRate)));
+    const double slowly = fallen_ ? kSurfaceRate : editRate(rendered_.stiffness);
+    rendered_.stiffness = std::min(softer(slowly), std::max(ceiling, softer(kSurfaceRate)));
     rendered_.damping = 0;
     rendered_.velocity = motion_ = Vec3::Zero(); // it stands where it was last
     leaving_ = rendered_.stiffness > kSoftest && rendered_.stiffness * depth > kWeakest;
     begun_ = leaving_;
 }
 
-void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, const Vec3& finger) noexcept {
+void ContactTransition::edit(const LocalContactModel& newest, const Vec3& anchor,
+                             const Vec3& finger) noexcept {
     offset_ = anchor - newest.proxy;
     slip_ = Vec3::Zero();
     editing_ = true;
@@ -181,12 +196,12 @@ void ContactEase::edit(const LocalContactModel& newest, const Vec3& anchor, cons
 }
 
 /// A body of which nothing was heard for too long stands still.
-Vec3 ContactEase::motionOf(const LocalContactModel& newest) const noexcept {
+Vec3 ContactTransition::motionOf(const LocalContactModel& newest) const noexcept {
     return age_ < kOldest ? newest.velocity : Vec3(Vec3::Zero());
 }
 
 /// The model where it is by now, but for the stiffness.
-LocalContactModel ContactEase::byNow(const LocalContactModel& newest) const noexcept {
+LocalContactModel ContactTransition::byNow(const LocalContactModel& newest) const noexcept {
     LocalContactModel model = moved(newest, offset_ + slip_ + std::min(age_, kOldest) * newest.velocity);
     model.velocity = motionOf(newest);
     if (!offset_.isZero(0)) model.velocity -= kReturnSpeed * offset_.normalized();
@@ -196,8 +211,8 @@ LocalContactModel ContactEase::byNow(const LocalContactModel& newest) const noex
 }
 
 // From what was rendered before to what is wanted now, by no more force in a time than the hand bears.
-void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity,
-                           double ceiling, double dt) noexcept {
+void ContactTransition::approach(const LocalContactModel& before, const Vec3& finger, const Vec3& velocity,
+                                 double ceiling, double dt) noexcept {
     const LocalContactModel wanted = rendered_;
     const double stiffness = std::min(wanted.stiffness, ceiling);
     const double depth = (anchorOf(rendered_, finger, since(dt)).position - finger).norm();
@@ -210,15 +225,17 @@ void ContactEase::approach(const LocalContactModel& before, const Vec3& finger, 
     editing_ = rendered_.stiffness != stiffness || rendered_.damping != wanted.damping || hold_ > 0;
 }
 
-const LocalContactModel& ContactEase::operator()(const LocalContactModel& newest, bool fresh,
-                                                 const Vec3& finger, const Vec3& velocity,
-                                                 const EaseBounds& bounds, double dt) noexcept {
+const LocalContactModel& ContactTransition::operator()(const LocalContactModel& newest, bool fresh,
+                                                       const Vec3& finger, const Vec3& velocity,
+                                                       const TransitionBounds& bounds, double dt) noexcept {
     age_ += dt;
     credit_ = std::min(kHandOverEnergy, credit_ + kHandOverPower * dt);
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_ + motion_ * dt;
     offset_ = left;
-    leaving_ = begun_ && (leaving_ || lost(newest, finger));
+    fallen_ =
+        begun_ && (leaving_ ? fallen_ : fresh && !lost(newest, finger) && fell(newest, finger, bounds, dt));
+    leaving_ = begun_ && (leaving_ || fallen_ || lost(newest, finger));
     if (leaving_) leave(finger, bounds.leaving, dt);
     if (leaving_) return rendered_;
     if (fresh || !begun_) meet(newest, finger, bounds, dt);

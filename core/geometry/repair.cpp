@@ -1,11 +1,11 @@
-#include "core/geometry/mend.h"
+#include "core/geometry/repair.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include "core/geometry/filing.h"
-#include "core/geometry/mend_parts.h"
 #include "core/geometry/orientation.h"
+#include "core/geometry/repair_parts.h"
 #include "core/geometry/weld.h"
 
 namespace tactum {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Index kUnused = ~Index{0};
 
-Mended mended(TriangleSoup soup, std::size_t changes, std::string done) {
+Repaired repaired(TriangleSoup soup, std::size_t changes, std::string done) {
     return {std::make_shared<const TriangleSoup>(std::move(soup)), changes, std::move(done)};
 }
 
@@ -61,7 +61,7 @@ void turnOver(TriangleSoup& soup, Index triangle) {
         if (soup.cornerNormals[i].cast<double>().dot(front) < 0) soup.cornerNormals[i] *= -1;
 }
 
-Result<Mended> weldVertices(const SharedSoup& soup, const Progress& progress) {
+Result<Repaired> weldVertices(const SharedSoup& soup, const Progress& progress) {
     const std::vector<Index> first = weldMap(soup->positions, progress);
     if (progress.isCancelled()) return cancelledError();
     std::vector<Index> number(first.size(), kUnused);
@@ -77,14 +77,14 @@ Result<Mended> weldVertices(const SharedSoup& soup, const Progress& progress) {
     }
     const std::size_t gone = soup->positions.size() - result.positions.size();
     std::string done = sentence(gone, "vertex", "vertices", "merged or removed");
-    if (gone == 0) return Mended{soup, 0, std::move(done)};
+    if (gone == 0) return Repaired{soup, 0, std::move(done)};
     for (Corners& c : result.triangles)
         for (Index& v : c)
             v = number[first[v]];
-    return mended(std::move(result), gone, std::move(done));
+    return repaired(std::move(result), gone, std::move(done));
 }
 
-Result<Mended> removeDuplicates(const SharedSoup& soup, const Progress& progress) {
+Result<Repaired> removeDuplicates(const SharedSoup& soup, const Progress& progress) {
     struct Face {
         Index second, third, surface, triangle;
         auto key() const { return std::tie(second, third, surface); }
@@ -118,46 +118,46 @@ Result<Mended> removeDuplicates(const SharedSoup& soup, const Progress& progress
             }
     }
     std::string done = sentence(gone, "repeated triangle", "repeated triangles", "removed");
-    if (gone == 0) return Mended{soup, 0, std::move(done)};
-    return mended(withTriangles(*soup, kept), gone, std::move(done));
+    if (gone == 0) return Repaired{soup, 0, std::move(done)};
+    return repaired(withTriangles(*soup, kept), gone, std::move(done));
 }
 
-Result<Mended> agreeOnFronts(const SharedSoup& soup, const Progress& progress) {
+Result<Repaired> agreeOnFronts(const SharedSoup& soup, const Progress& progress) {
     const Result<FaceGraph> graph = FaceGraph::build(soup, partOf(progress, 0, 0.7));
     if (!graph) return cancelledError();
     const Result<Orientation> orientation = orientationOf(*graph, partOf(progress, 0.7, 1));
     if (!orientation) return cancelledError();
     const TriangleSet& turns = orientation->turned;
     std::string done = sentence(turns.size(), "triangle", "triangles", "turned over");
-    if (turns.empty()) return Mended{soup, 0, std::move(done)};
+    if (turns.empty()) return Repaired{soup, 0, std::move(done)};
     TriangleSoup result = *soup;
     for (Index t : turns)
         turnOver(result, t);
-    return mended(std::move(result), turns.size(), std::move(done));
+    return repaired(std::move(result), turns.size(), std::move(done));
 }
 
-Mended turnOver(const SharedSoup& soup) {
+Repaired turnOver(const SharedSoup& soup) {
     TriangleSoup result = *soup;
     for (Index t = 0; t < result.triangles.size(); ++t)
         turnOver(result, t);
-    return mended(std::move(result), soup->triangles.size(),
-                  sentence(soup->triangles.size(), "triangle", "triangles", "turned over"));
+    return repaired(std::move(result), soup->triangles.size(),
+                    sentence(soup->triangles.size(), "triangle", "triangles", "turned over"));
 }
 
-Mended turnOver(const SharedSoup& soup, const TriangleSet& triangles) {
+Repaired turnOver(const SharedSoup& soup, const TriangleSet& triangles) {
     TriangleSoup result = *soup;
     for (const Index t : triangles)
         turnOver(result, t);
-    return mended(std::move(result), triangles.size(),
-                  sentence(triangles.size(), "triangle", "triangles", "turned over"));
+    return repaired(std::move(result), triangles.size(),
+                    sentence(triangles.size(), "triangle", "triangles", "turned over"));
 }
 
-Mended scaled(const SharedSoup& soup, double factor) {
+Repaired scaled(const SharedSoup& soup, double factor) {
     if (factor == 1) return {soup, 0, "nothing scaled"};
     TriangleSoup result = *soup;
     for (Vec3& p : result.positions)
         p *= factor;
-    return mended(std::move(result), soup->triangles.size(), "all lengths scaled");
+    return repaired(std::move(result), soup->triangles.size(), "all lengths scaled");
 }
 
 } // namespace tactum

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/geometry/mend.h"
+#include "core/geometry/repair.h"
 
 namespace tactum {
 

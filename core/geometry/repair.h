@@ -12,7 +12,7 @@ namespace tactum {
 
 /// What a repair gives back. Corner normals, texture coordinates and surfaces go with their triangles. Where
 /// nothing was to be done the soup is the one that came in, the very same object.
-struct Mended {
+struct Repaired {
     std::shared_ptr<const TriangleSoup> soup;
     std::size_t changes = 0; ///< how many triangles, vertices or holes, as the repair counts
     std::string done;        ///< "2 triangles turned over"; says so, too, when there was nothing to do
@@ -24,28 +24,28 @@ struct Mended {
 using SharedSoup = std::shared_ptr<const TriangleSoup>;
 
 /// One vertex for each place; vertices that no triangle uses go.
-Result<Mended> weldVertices(const SharedSoup& soup, const Progress& progress = {});
+Result<Repaired> weldVertices(const SharedSoup& soup, const Progress& progress = {});
 
 /// Removes triangles (segments, points) with the corners of an earlier one that has the same front and the
 /// same surface: nobody can feel the difference. Twins that look to opposite ways stay: together they are a
 /// sheet with a front on each side, or the wall between two bodies.
-Result<Mended> removeDuplicates(const SharedSoup& soup, const Progress& progress = {});
+Result<Repaired> removeDuplicates(const SharedSoup& soup, const Progress& progress = {});
 
 /// Takes slivers out of the mesh without opening it: a needle goes with its short edge, which becomes one
 /// vertex; of a cap the long edge is turned, so that its neighbour is cut in two. No vertex moves by more
 /// than 2e-6 of the diagonal, no other triangle turns over, no part changes its topology; a sliver for which
 /// that cannot be had stays.
-Result<Mended> mendSlivers(const SharedSoup& soup, const Progress& progress = {});
+Result<Repaired> repairSlivers(const SharedSoup& soup, const Progress& progress = {});
 
 /// Turns triangles over until neighbours agree about front and back: in each patch the smaller area. A closed
 /// patch that no other one encloses then has its front outside. What cannot have one front stays as it is.
 /// The normals of a corner look to the front afterwards.
-Result<Mended> agreeOnFronts(const SharedSoup& soup, const Progress& progress = {});
+Result<Repaired> agreeOnFronts(const SharedSoup& soup, const Progress& progress = {});
 
 /// Turns every triangle over. Twice gives the first soup back where its normals looked to the front.
-Mended turnOver(const SharedSoup& soup);
+Repaired turnOver(const SharedSoup& soup);
 /// Turns these over. `triangles`: in rising order, of the soup.
-Mended turnOver(const SharedSoup& soup, const TriangleSet& triangles);
+Repaired turnOver(const SharedSoup& soup, const TriangleSet& triangles);
 
 /// Which openings are holes, and which are meant.
 struct HoleLimits {
@@ -59,10 +59,10 @@ struct HoleLimits {
 /// along their rim; others get the triangles of the smallest area (G. Barequet and M. Sharir, "Filling Gaps
 /// in the Boundary of a Polyhedron", 1995). A hole stays open when that would make an edge of more than
 /// two triangles. The lid is on the surface of the rim, and flat to shading.
-Result<Mended> fillHoles(const SharedSoup& soup, const HoleLimits& limits = {},
-                         const Progress& progress = {});
+Result<Repaired> fillHoles(const SharedSoup& soup, const HoleLimits& limits = {},
+                           const Progress& progress = {});
 
 /// All lengths times the factor, about the origin of the body. `factor` > 0.
-Mended scaled(const SharedSoup& soup, double factor);
+Repaired scaled(const SharedSoup& soup, double factor);
 
 } // namespace tactum

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/geometry/filing.h"
-#include "core/geometry/mend.h"
-#include "core/geometry/mend_parts.h"
+#include "core/geometry/repair.h"
+#include "core/geometry/repair_parts.h"
 #include "core/geometry/sliver.h"
 #include "core/geometry/weld.h"
 
@@ -15,17 +15,17 @@ namespace {
 
 constexpr double kShort = 2e-6; // of the diagonal: the short edge of a needle
 
-class SliverMending {
+class SliverRepair {
 public:
-    SliverMending(TriangleSoup& soup, const Progress& progress)
+    SliverRepair(TriangleSoup& soup, const Progress& progress)
         : soup_(soup), progress_(progress), isSliver_(soup),
           weld_(weldMap(soup.positions, Progress{{}, progress.cancelled})), kept_(soup.triangles.size(), 1) {}
 
     /// How many slivers are gone.
     std::size_t run() {
-        constexpr int kMostPasses = 100;
+        constexpr int kMaxPasses = 100;
         std::size_t gone = 0;
-        for (int pass = 0; pass < kMostPasses && !progress_.isCancelled(); ++pass) {
+        for (int pass = 0; pass < kMaxPasses && !progress_.isCancelled(); ++pass) {
             const std::size_t now = onePass();
             gone += now;
             if (now == 0) break;
@@ -43,13 +43,13 @@ private:
     }
     const Vec3& at(Index place) const { return soup_.positions[place]; }
     Vec3 normal(const Corners& c) const { return (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])); }
-    bool mendable(Index t) const { return kept_[t] && kindOf(welded(t)) == Kind::Triangle && isSliver_(t); }
+    bool repairable(Index t) const { return kept_[t] && kindOf(welded(t)) == Kind::Triangle && isSliver_(t); }
 
     /// What one repair has touched is left alone until the next pass, so that `around` stays right.
     std::size_t onePass() {
         std::vector<Index> slivers;
         for (Index t = 0; t < kept_.size(); ++t)
-            if (mendable(t)) slivers.push_back(t);
+            if (repairable(t)) slivers.push_back(t);
         if (slivers.empty()) return 0;
         Around around(weld_.size());
         for (Index t = 0; t < kept_.size(); ++t)
@@ -247,15 +247,15 @@ private:
 
 } // namespace
 
-Result<Mended> mendSlivers(const SharedSoup& soup, const Progress& progress) {
+Result<Repaired> repairSlivers(const SharedSoup& soup, const Progress& progress) {
     TriangleSoup result = *soup;
-    SliverMending mending(result, progress);
-    const std::size_t gone = mending.run();
+    SliverRepair repairing(result, progress);
+    const std::size_t gone = repairing.run();
     if (progress.isCancelled()) return cancelledError();
     std::string done = sentence(gone, "sliver", "slivers", "taken out");
-    if (gone == 0) return Mended{soup, 0, std::move(done)};
-    return Mended{std::make_shared<const TriangleSoup>(withTriangles(result, mending.kept())), gone,
-                  std::move(done)};
+    if (gone == 0) return Repaired{soup, 0, std::move(done)};
+    return Repaired{std::make_shared<const TriangleSoup>(withTriangles(result, repairing.kept())), gone,
+                    std::move(done)};
 }
 
 } // namespace tactum

@@ -4,25 +4,25 @@
 
 #include <QTest>
 
-#include "core/safety/guard.h"
+#include "core/safety/force_gate.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
-namespace test_guard {
+namespace test_force_gate {
 
 using namespace tactum;
 
 namespace {
 
-constexpr double kMaxForce = 8, kTripSpeed = 1.5;
+constexpr double kTripSpeed = 1.5;
 
-GuardInput calm() {
+GateInput calm() {
     return {.armed = true, .answered = true};
 }
 
 /// A guard whose forces are on.
-Guard running() {
-    Guard guard(kMaxForce, kTripSpeed);
+ForceGate running() {
+    ForceGate guard(kTripSpeed);
     for (int i = 0; i < 1000; ++i)
         guard(calm());
     return guard;
@@ -30,45 +30,46 @@ Guard running() {
 
 struct Case {
     const char* name;
-    Withheld why;
-    std::function<void(GuardInput&)> change;
+    InhibitReason why;
+    std::function<void(GateInput&)> change;
     int ticks = 1; ///< that it takes
 };
 
 const std::vector<Case>& faults() {
     static const std::vector<Case> all{
-        {"device lost", Withheld::DeviceLost, [](GuardInput& tick) { tick.deviceLost = true; }},
-        {"let go", Withheld::TooFast, [](GuardInput& tick) { tick.speed = 1.01 * kTripSpeed; }},
-        {"jump", Withheld::ForceJump, [](GuardInput& tick) { tick.sudden = 1.01 * kForceJump * kMaxForce; }},
-        {"not finite", Withheld::NotFinite, [](GuardInput& tick) { tick.finite = false; }},
-        {"no guardian", Withheld::Unguarded, [](GuardInput& tick) { tick.unguarded = true; }},
-        {"late", Withheld::Late, [](GuardInput& tick) { tick.late = true; }, kLateTicks + 1}};
+        {"device lost", InhibitReason::DeviceLost, [](GateInput& tick) { tick.deviceLost = true; }},
+        {"let go", InhibitReason::TooFast, [](GateInput& tick) { tick.speed = 1.01 * kTripSpeed; }},
+        {"nothing from the device", InhibitReason::DeviceLost,
+         [](GateInput& tick) { tick.unread = 1.01 * kLostAfter; }},
+        {"not finite", InhibitReason::NotFinite, [](GateInput& tick) { tick.finite = false; }},
+        {"no device watchdog", InhibitReason::Unguarded, [](GateInput& tick) { tick.unguarded = true; }}};
     return all;
 }
 
 const std::vector<Case>& pauses() {
     static const std::vector<Case> all{
-        {"dead man", Withheld::DeadMan, [](GuardInput& tick) { tick.held = false; }},
-        {"stall", Withheld::Stall, [](GuardInput& tick) { tick.dt = 1.01 * kStall; }},
-        {"stale", Withheld::Stall, [](GuardInput& tick) { tick.unread = 1.01 * kStall; }},
-        {"stop button", Withheld::Stopped, [](GuardInput& tick) { tick.stopped = true; }},
-        {"silence", Withheld::ProxySilent, [](GuardInput& tick) { tick.answered = false; }}};
+        {"dead man", InhibitReason::DeadMan, [](GateInput& tick) { tick.held = false; }},
+        {"stall", InhibitReason::Stall, [](GateInput& tick) { tick.dt = 1.01 * kStall; }},
+        {"stale", InhibitReason::Stall, [](GateInput& tick) { tick.unread = 1.01 * kStall; }},
+        {"stale for long", InhibitReason::Stall, [](GateInput& tick) { tick.unread = 0.99 * kLostAfter; }},
+        {"stop button", InhibitReason::Stopped, [](GateInput& tick) { tick.stopped = true; }},
+        {"silence", InhibitReason::ProxySilent, [](GateInput& tick) { tick.answered = false; }}};
     return all;
 }
 
 } // namespace
 
-class TestGuard : public QObject {
+class TestForceGate : public QObject {
     Q_OBJECT
 
 private slots:
     /// A spring that stiffens under load gives energy.
     void underLoadItComesMoreSlowly() {
         for (const double load : {1.0, 5.0, 20.0, 100.0}) {
-            Guard guard(kMaxForce, kTripSpeed);
+            ForceGate guard(kTripSpeed);
             while (guard.gain() == 0)
                 guard(calm());
-            GuardInput pressed = calm();
+            GateInput pressed = calm();
             pressed.wanted = load;
             double seconds = 0;
             while (guard.gain() < 1) {
@@ -81,8 +82,8 @@ private slots:
     }
 
     void forceComesGently() {
-        Guard guard(kMaxForce, kTripSpeed);
-        QCOMPARE(guard.withheld(), Withheld::NotArmed);
+        ForceGate guard(kTripSpeed);
+        QCOMPARE(guard.inhibit(), InhibitReason::NotArmed);
         double last = 0;
         for (int i = 1; i <= 800; ++i) {
             const double gain = guard(calm());
@@ -95,16 +96,16 @@ private slots:
             last = gain;
         }
         QCOMPARE(last, 1.0);
-        QCOMPARE(guard.withheld(), Withheld::Nothing);
+        QCOMPARE(guard.inhibit(), InhibitReason::Nothing);
     }
 
     void strongForceIsWaitedFor() {
-        Guard guard(kMaxForce, kTripSpeed);
-        GuardInput pressed = calm();
+        ForceGate guard(kTripSpeed);
+        GateInput pressed = calm();
         pressed.wanted = 1.01 * kSmallForce;
         for (int i = 0; i < 1000; ++i)
             QCOMPARE(guard(pressed), 0.0);
-        QCOMPARE(guard.withheld(), Withheld::Settling);
+        QCOMPARE(guard.inhibit(), InhibitReason::Settling);
     }
 
     void faultStaysUntilArmedAnew_data() {
@@ -116,21 +117,21 @@ private slots:
     void faultStaysUntilArmedAnew() {
         QFETCH(int, fault);
         const Case& what = faults()[std::size_t(fault)];
-        Guard guard = running();
-        GuardInput bad = calm();
+        ForceGate guard = running();
+        GateInput bad = calm();
         what.change(bad);
         for (int i = 1; i < what.ticks; ++i)
             QCOMPARE_GT(guard(bad), 0);
         QCOMPARE(guard(bad), 0.0);
         for (int i = 0; i < 2000; ++i)
             QCOMPARE(guard(calm()), 0.0); // it is over, and still no force
-        QCOMPARE(guard.withheld(), what.why);
-        QVERIFY(isFault(guard.withheld()));
+        QCOMPARE(guard.inhibit(), what.why);
+        QVERIFY(isFault(guard.inhibit()));
         QCOMPARE(guard.faults(), 1u);
-        GuardInput off = calm();
+        GateInput off = calm();
         off.armed = false;
         guard(off);
-        QCOMPARE(guard.withheld(), Withheld::NotArmed);
+        QCOMPARE(guard.inhibit(), InhibitReason::NotArmed);
         for (int i = 0; i < 1000; ++i)
             guard(calm());
         QCOMPARE(guard.gain(), 1.0);
@@ -138,16 +139,14 @@ private slots:
 
     /// What is just allowed is no fault, and without force there is nothing to take away.
     void nothingElseIsAFault() {
-        Guard guard = running();
-        GuardInput hard = calm();
+        ForceGate guard = running();
+        GateInput hard = calm();
         hard.speed = 0.99 * kTripSpeed;
-        hard.sudden = 0.99 * kForceJump * kMaxForce;
-        for (int i = 0; i < 1000; ++i) {
-            hard.late = i % (kLateTicks + 1) != 0;
+        hard.unread = 0.99 * kStall;
+        for (int i = 0; i < 1000; ++i)
             QCOMPARE(guard(hard), 1.0);
-        }
-        Guard off(kMaxForce, kTripSpeed);
-        GuardInput fast = calm();
+        ForceGate off(kTripSpeed);
+        GateInput fast = calm();
         fast.speed = 10 * kTripSpeed;
         off(fast);
         QCOMPARE(off.faults(), 0u);
@@ -162,24 +161,50 @@ private slots:
     void pauseEndsByItself() {
         QFETCH(int, pause);
         const Case& what = pauses()[std::size_t(pause)];
-        Guard guard = running();
-        GuardInput tick = calm();
+        ForceGate guard = running();
+        GateInput tick = calm();
         what.change(tick);
         QCOMPARE(guard(tick), 0.0);
-        QCOMPARE(guard.withheld(), what.why);
+        QCOMPARE(guard.inhibit(), what.why);
         QCOMPARE(guard.faults(), 0u);
         QCOMPARE(guard(calm()), 0.0); // not at once
-        QCOMPARE(guard.withheld(), Withheld::Settling);
+        QCOMPARE(guard.inhibit(), InhibitReason::Settling);
         for (int i = 0; i < 1000; ++i)
             guard(calm());
         QCOMPARE(guard.gain(), 1.0);
     }
 
+    /// The states follow each other as the header says, and each has its reason.
+    void statesFollowEachOther() {
+        ForceGate gate(kTripSpeed);
+        QCOMPARE(gate.state(), GateState::Off);
+        gate(calm());
+        QCOMPARE(gate.state(), GateState::Settling);
+        while (gate.gain() == 0)
+            gate(calm());
+        QCOMPARE(gate.state(), GateState::Rising);
+        QCOMPARE(gate.inhibit(), InhibitReason::Rising);
+        while (gate.gain() < 1)
+            gate(calm());
+        QCOMPARE(gate.state(), GateState::On);
+        QCOMPARE(gate.inhibit(), InhibitReason::Nothing);
+        gate.latch(InhibitReason::ForceJump);
+        QCOMPARE(gate.state(), GateState::Latched);
+        QCOMPARE(gate.gain(), 0.0);
+        QCOMPARE(gate(calm()), 0.0);
+        QCOMPARE(gate.inhibit(), InhibitReason::ForceJump);
+        GateInput off = calm();
+        off.armed = false;
+        gate(off);
+        QCOMPARE(gate.state(), GateState::Off);
+        QCOMPARE(gate.inhibit(), InhibitReason::NotArmed);
+    }
+
     /// Only where nobody knows which way the finger went.
     void proxyBeginsAtTheFinger() {
-        Guard guard = running();
+        ForceGate guard = running();
         const std::uint32_t before = guard.anchoring();
-        GuardInput tick = calm();
+        GateInput tick = calm();
         tick.dt = 0.02;
         guard(tick);
         QCOMPARE(guard.anchoring(), before);
@@ -196,8 +221,8 @@ private slots:
     }
 };
 
-TACTUM_TEST(TestGuard)
+TACTUM_TEST(TestForceGate)
 
-} // namespace test_guard
+} // namespace test_force_gate
 
-#include "test_guard.moc"
+#include "test_force_gate.moc"

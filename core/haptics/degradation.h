@@ -13,16 +13,16 @@ enum class Fidelity : std::uint8_t {
     PlaneOnly, ///< few rounds a step: the proxy comes after, the servo goes on with the plane that it has
 };
 
-inline constexpr Fidelity kLeastFidelity = Fidelity::PlaneOnly;
+inline constexpr Fidelity kMinFidelity = Fidelity::PlaneOnly;
 
 /// Chooses the fidelity from how long the steps take. Down at once when a twentieth of a second of steps took
 /// longer than there was time; up again when they leave half of the time unused, after a wait that doubles
 /// each time the better level turns out to be too much, or when they just fit for much longer: what was too
 /// much may have been another program. Thread: real time.
-class OverloadLadder {
+class DegradationController {
 public:
     /// `budget` in s: what a step may take in the mean.
-    explicit OverloadLadder(double budget) noexcept : budget_(budget) {}
+    explicit DegradationController(double budget) noexcept : budget_(budget) {}
 
     /// After each step: `now` in s, never falling; `took` in s. Returns the fidelity of the next step.
     Fidelity operator()(double now, double took) noexcept;
