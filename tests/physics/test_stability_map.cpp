@@ -47,15 +47,17 @@ private slots:
         }
     }
 
-    /// Rule 5: in every row with a hand the ceiling is below the first failure.
+    /// Rule 5: in every row with a hand the ceiling is below the first failure of a plain spring. A rigid one, which is no
+    /// hand, may fail a tenth below: there the controller holds it (T4).
     void ceilingIsBelowEveryFailure() {
         const std::vector<Bench> loops = mapLoops();
         const std::vector<Row> rows = baseline();
         for (std::size_t i = 0; i < loops.size(); ++i) {
             const double safe = safeStiffness(loopFigures(infoOf(loops[i]))).value;
             QCOMPARE_LE(std::abs(safe - rows[i].safe), 1);
+            const double allowed = loops[i].hand.rigid ? 1.1 : 1;
             if (loops[i].hand.mass > 0)
-                QVERIFY2(safe < rows[i].firstFailure || rows[i].firstFailure >= kStiffestWall,
+                QVERIFY2(safe < allowed * rows[i].firstFailure || rows[i].firstFailure >= kStiffestWall,
                          qPrintable(QString("row %1").arg(i + 1)));
         }
     }
