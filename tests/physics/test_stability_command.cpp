@@ -10,6 +10,7 @@
 #include "tests/physics/hand_script.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
+#include "tests/support/repeats.h"
 #include "tests/support/test_program.h"
 
 namespace test_stability_command {
@@ -101,6 +102,47 @@ private slots:
               leaving.unexplained, leaving.large, kMaxChange * limit, int(on.servo.state.gate.inhibit()));
         QCOMPARE(leaving.large, 0);
         QCOMPARE_LE(leaving.unexplained, 0.05 * limit);
+    }
+
+    void tenMinutesAreCalm_data() {
+        QTest::addColumn<int>("device");
+        addDevices();
+    }
+
+    /// Strokes, taps and holds with edits between 300 N/m and more than the device bears: no tick that the
+    /// finger does not explain, no softened contact, no fault. Clamped rigidly, which is no hand, it may be
+    /// softened.
+    void tenMinutesAreCalm() {
+        QFETCH(int, device);
+        const Connected& connected = kConnected[std::size_t(device)];
+        const double limit = connected.plant.maxForce;
+        for (const HandProfile& hand : {kPinch, kGrasp, kFirm, kRigid}) {
+            OnTheWall on(connected, hand, 3);
+            HandScript script(std::uint64_t(70 + device), 0, 0.25);
+            on.loop.plant.place({0, 0, 0.01});
+            on.loop.warmUp();
+            Leaving leaving;
+            Rng random(std::uint64_t(device + 1));
+            double softest = 1, next = 5;
+            bool sound = true;
+            on.loop.run(longOnly(600), [&](ClosedLoop& now) {
+                now.plant.setGoal(script.goal(1e-3));
+                leaving.add(now, on.servo.state.transition.rendered().stiffness);
+                softest = std::min(softest, on.servo.state.schedule.scale());
+                sound = sound && now.command.allFinite() && now.command.norm() <= limit * (1 + 1e-12);
+                if (now.time < next) return;
+                next += uniform(random, 1, 5);
+                on.model.model.stiffness = uniform(random, 300, 5000);
+                ++on.model.model.revision;
+            });
+            qInfo("%s: softest %.3f, %.2f N a tick beyond the finger's way", hand.name, softest,
+                  leaving.unexplained);
+            QVERIFY(sound);
+            QCOMPARE_LE(leaving.unexplained, kMaxChange * limit);
+            QCOMPARE(on.servo.state.gate.faults(), 0u);
+            QCOMPARE(on.servo.state.schedule.oscillations(), 0u);
+            if (!hand.rigid) QCOMPARE_GE(softest, 0.9);
+        }
     }
 
     void tapsAndStrokesDoNotKick_data() {

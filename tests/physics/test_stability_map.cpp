@@ -47,8 +47,8 @@ private slots:
         }
     }
 
-    /// Rule 5: in every row with a hand the ceiling is below the first failure of a plain spring. A rigid one, which is no
-    /// hand, may fail a tenth below: there the controller holds it (T4).
+    /// Rule 5: in every row with a hand the ceiling is below the first failure of a plain spring. A rigid
+    /// one, which is no hand, may fail a tenth below: there the controller holds it (T4).
     void ceilingIsBelowEveryFailure() {
         const std::vector<Bench> loops = mapLoops();
         const std::vector<Row> rows = baseline();
