@@ -4,7 +4,8 @@ find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
 
 # What a test program has besides its tests: main(), which runs the one that it is asked for, and comparisons.
 add_library(tactum_test_program OBJECT
-  "${PROJECT_SOURCE_DIR}/tests/support/test_program.cpp" "${PROJECT_SOURCE_DIR}/tests/support/compare.cpp")
+  "${PROJECT_SOURCE_DIR}/tests/support/test_program.cpp" "${PROJECT_SOURCE_DIR}/tests/support/compare.cpp"
+  "${PROJECT_SOURCE_DIR}/tests/support/as_shown.cpp")
 target_include_directories(tactum_test_program PUBLIC "${PROJECT_SOURCE_DIR}")
 target_link_libraries(tactum_test_program PRIVATE tactum_options PUBLIC tactum_base Qt6::Test)
 

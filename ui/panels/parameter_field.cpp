@@ -21,6 +21,12 @@ QString parameterText(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
+/// "800 N/m", or "0.60" of what has no unit.
+QString shownValue(double shown, const DisplayUnit& unit) {
+    const QString number = numberText(shown, unit.decimals);
+    return unit.name.isEmpty() ? number : number + u' ' + unit.name;
+}
+
 } // namespace
 
 ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
@@ -87,9 +93,9 @@ void ParameterField::wire() {
 
 void ParameterField::describe() {
     const QString range =
-        tr("%1 to %2 %3, default %4")
-            .arg(numberText(box_->minimum(), unit_.decimals), numberText(box_->maximum(), unit_.decimals),
-                 unit_.name, numberText(unit_.factor * parameter_.initial, unit_.decimals));
+        tr("%1 to %2, default %3")
+            .arg(numberText(box_->minimum(), unit_.decimals), shownValue(box_->maximum(), unit_),
+                 numberText(unit_.factor * parameter_.initial, unit_.decimals));
     // Rich parameterText, so that long sentences wrap.
     setToolTip(QStringLiteral("<p><b>%1</b><br>%2</p><p>%3%4</p>")
                    .arg(parameterText(parameter_.label).toHtmlEscaped(),
@@ -104,8 +110,8 @@ void ParameterField::describe() {
     box_->setAccessibleDescription(parameterText(parameter_.sentence));
     slider_->setAccessibleName(tr("%1, slider").arg(parameterText(parameter_.label)));
     reset_->setAccessibleName(tr("Reset %1").arg(parameterText(parameter_.label)));
-    reset_->setToolTip(tr("Back to the default, %1 %2")
-                           .arg(numberText(unit_.factor * parameter_.initial, unit_.decimals), unit_.name));
+    reset_->setToolTip(
+        tr("Back to the default, %1").arg(shownValue(unit_.factor * parameter_.initial, unit_)));
 }
 
 void ParameterField::edit(double value, Gesture gesture) {
@@ -115,8 +121,7 @@ void ParameterField::edit(double value, Gesture gesture) {
 
 void ParameterField::showLimit(double typed) {
     const double limit = typed > box_->maximum() ? box_->maximum() : box_->minimum();
-    hint_->setText((typed > limit ? tr("At most %1 %2") : tr("At least %1 %2"))
-                       .arg(numberText(limit, unit_.decimals), unit_.name));
+    hint_->setText((typed > limit ? tr("At most %1") : tr("At least %1")).arg(shownValue(limit, unit_)));
     hint_->show();
 }
 

@@ -58,7 +58,7 @@ WorkspaceFields::WorkspaceFields(QWidget* parent)
     auto* row = new QGridLayout;
     auto* label = new QLabel(tr("Clutch"));
     label->setBuddy(clutch_);
-    clutch_->setToolTip(tr("While this fieldButton is held the handle moves and the finger stays"));
+    clutch_->setToolTip(tr("While this button is held the handle moves and the finger stays"));
     row->addWidget(label, 0, 0);
     row->addWidget(clutch_, 0, 1);
     row->setColumnStretch(1, 1);
@@ -66,9 +66,9 @@ WorkspaceFields::WorkspaceFields(QWidget* parent)
     bump_->setObjectName(QStringLiteral("workspace-bump"));
     bump_->setToolTip(tr("The workspace drifts along when the finger is pressed against its edge"));
     column->addWidget(bump_);
-    centre_ = fieldButton(tr("Re-centre"), "workspace-centre-fieldButton",
+    centre_ = fieldButton(tr("Re-centre"), "workspace-centre-button",
                           tr("The middle of the workspace comes to the middle of the model"));
-    fit_ = fieldButton(tr("Fit to the model"), "workspace-fit-fieldButton",
+    fit_ = fieldButton(tr("Fit to the model"), "workspace-fit-button",
                        tr("Centred, and scaled so that the workspace takes in the model"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(centre_, 1);
@@ -167,7 +167,7 @@ void WorkspaceFields::show(const Workspace& workspace, int buttons, double radiu
     }
     const QSignalBlocker quiet(clutch_);
     clutch_->clear();
-    clutch_->addItem(tr("No fieldButton"));
+    clutch_->addItem(tr("No button"));
     for (int i = 0; i < buttons; ++i) {
         clutch_->addItem(tr("Button %1").arg(i + 1));
         if (workspace.clutch >> i & 1) clutch_->setCurrentIndex(i + 1);

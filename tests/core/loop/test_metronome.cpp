@@ -67,6 +67,21 @@ private slots:
         QCOMPARE_GE(after.time - late.time, 0.01 - 1e-9);
     }
 
+    /// What the loop did before made it late, or the machine did: it says whether it slept.
+    void whoCameLateDidNotSleep() {
+        Metronome metronome(1000);
+        metronome.wait();
+        for (int i = 0; i < 5; ++i) {
+            workFor(0.003);
+            QVERIFY(!metronome.wait().asleep);
+        }
+        Metronome slow(50); // 20 ms are enough to come in time now and then
+        bool slept = false;
+        for (int i = 0; i < 200 && !slept; ++i)
+            slept = slow.wait().asleep;
+        QVERIFY(slept);
+    }
+
     void overloadedLoopStillRests() {
         constexpr double kRest = 0.125, kWork = 0.002;
         Metronome metronome(2000, kRest);

@@ -223,6 +223,27 @@ private slots:
         QVERIFY(!run.servo.rows.empty());
     }
 
+    /// Every scene that was felt in the last minute belongs to the recording.
+    void whatWasFeltIsRemembered() {
+        TouchedPlate plate(500);
+        QVERIFY(plate.touch(kDepth));
+        std::shared_ptr<const World> world = plate.world;
+        std::vector<std::uint64_t> revisions{world->revision};
+        for (const double stiffness : {510.0, 520.0, 530.0}) {
+            world = plateWorld(stiffness, world.get());
+            plate.engine.publish(world);
+            revisions.push_back(world->revision);
+            QVERIFY(eventually([&] { return plate.polled().proxy().worldRevision == world->revision; }));
+        }
+        const RecordedRun run = plate.engine.recorded();
+        for (std::size_t i = 0; i < revisions.size(); ++i) {
+            const RecordedScene* scene = run.sceneOf(revisions[i]);
+            QVERIFY(scene);
+            QCOMPARE(scene->scene->objects[0].surfaces[0].material.stiffness, 500 + 10 * double(i));
+        }
+        QVERIFY(!run.sceneOf(revisions.back() + 1000));
+    }
+
     /// A driver that does not come back: what the servo told last is not told for ever.
     void aServoThatStandsStillIsSeen() {
         TouchedPlate plate(500);

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QTest>
 
 #include "tests/support/compare.h"
@@ -85,6 +87,77 @@ private slots:
         ViewCamera moved = camera();
         moved.pan({30, -12});
         QCOMPARE_LT(apart(*moved.project(camera().focus), QPointF(480, 288)), 1e-9);
+    }
+
+    /// A pixel at the focus is the view's height over its pixels.
+    void aPixelHasALength() {
+        ViewCamera c = camera();
+        COMPARE_NEAR(c.pixelSize(c.focus), 2 * 0.8 * std::tan(0.25) / 600, 1e-12, "m");
+        COMPARE_NEAR(c.pixelSize(c.focus + 0.8 * c.forward()), 2 * c.pixelSize(c.focus), 1e-12, "m");
+        COMPARE_NEAR(c.depth(c.focus), 0.8, 1e-12, "m");
+        COMPARE_NEAR(c.depth(c.eye()), 0, 1e-12, "m");
+        COMPARE_NEAR((c.pointAtDepthOf(c.focus, {450, 300}) - c.focus).norm(), 0, 1e-12, "m");
+        COMPARE_NEAR((*c.project(c.focus + 10 * c.pixelSize(c.focus) * c.right())).x(), 460, 1e-9, "pixels");
+        COMPARE_NEAR((*c.project(c.focus + 10 * c.pixelSize(c.focus) * c.up())).y(), 290, 1e-9, "pixels");
+        QVERIFY(!c.project(c.eye()));
+    }
+
+    /// OpenGL sees the same places as project().
+    void clipSpaceAgreesWithPixels() {
+        const ViewCamera c = camera();
+        for (const Vec3& p : {c.focus, Vec3(c.focus + Vec3(0.1, 0.05, -0.1)), Vec3(0, 0, 0)}) {
+            const Eigen::Vector4d clip = c.clipFromWorld() * p.homogeneous();
+            const QPointF seen = *c.project(p);
+            COMPARE_NEAR(clip.x() / clip.w(), 2 * seen.x() / 900 - 1, 1e-9, "");
+            COMPARE_NEAR(clip.y() / clip.w(), 1 - 2 * seen.y() / 600, 1e-9, "");
+            COMPARE_NEAR(clip.w(), c.depth(p), 1e-9, "m");
+        }
+        // From a thousandth of the distance to a thousand times it.
+        for (const auto& [depth, z] : {std::pair(1e-3 * 0.8, -1.0), {1e3 * 0.8, 1.0}}) {
+            const Eigen::Vector4d clip =
+                c.clipFromWorld() * Vec3(c.eye() + depth * c.forward()).homogeneous();
+            COMPARE_NEAR(clip.z() / clip.w(), z, 1e-6, "");
+        }
+    }
+
+    /// Half a turn for the shorter side; to the right turns the model to the right, down shows its top.
+    void aDragTurnsByItsLength() {
+        ViewCamera c;
+        c.size = {900, 600};
+        c.orbit({150, 0});
+        COMPARE_NEAR(c.yaw, -EIGEN_PI / 4, 1e-12, "rad");
+        c.orbit({0, 150});
+        COMPARE_NEAR(c.pitch, EIGEN_PI / 4, 1e-12, "rad");
+        c.orbit({0, -1e6});
+        COMPARE_NEAR(c.pitch, -EIGEN_PI / 2, 1e-12, "rad");
+        c.orbit({-600 * 3, 0}); // three half turns
+        COMPARE_NEAR(std::abs(std::remainder(c.yaw - 3 * EIGEN_PI / 4, 2 * EIGEN_PI)), 0, 1e-9, "rad");
+        QCOMPARE_LE(std::abs(c.yaw), EIGEN_PI);
+        ViewCamera high;
+        high.size = {300, 900};
+        high.orbit({300, 0});
+        COMPARE_NEAR(std::abs(high.yaw), EIGEN_PI, 1e-9, "rad");
+    }
+
+    void fitLeavesWhatItCannotUse() {
+        ViewCamera c = camera();
+        c.fit({});
+        COMPARE_NEAR(c.focus, camera().focus, 1e-12, "m");
+        QCOMPARE(c.distance, 0.8);
+        const Vec3 one[] = {{1, 2, 3}};
+        c.fit(one);
+        COMPARE_NEAR(c.focus, Vec3(1, 2, 3), 1e-12, "m");
+        QCOMPARE(c.distance, 0.8);
+        QCOMPARE(c.yaw, camera().yaw);
+        // A margin of a fifth: what is fitted ends at 1 / 1.2 of the view.
+        ViewCamera front;
+        front.size = {600, 600};
+        const Vec3 two[] = {{0, -1, 0}, {0, 1, 0}};
+        front.fit(two);
+        COMPARE_NEAR(front.distance, 1.2 / std::tan(0.25), 1e-9, "m");
+        const Vec3 behind[] = {{0, 0, -1}, {0, 0, 1}};
+        front.fit(behind); // never into what is looked at
+        QCOMPARE_GE(front.distance, 1.0);
     }
 
     void fitShowsEveryPointAndFillsTheView() {

@@ -1,0 +1,70 @@
+// What tests of panels share: an application with settings of its own, and a scene of a few known values.
+#pragma once
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/waiting.h"
+#include "ui/document.h"
+#include "ui/style.h"
+
+namespace tactum::testing {
+
+/// Before the application: names under which the settings of the test are kept.
+inline void namePanelTest(const char* name) {
+    QCoreApplication::setOrganizationName(QStringLiteral("TactumTest"));
+    QCoreApplication::setApplicationName(QLatin1String(name));
+}
+
+/// A square of two triangles for each of `surfaces`, one above the other, 1 cm apart; with texture
+/// coordinates and normals where they are asked for.
+inline std::shared_ptr<const TriangleSoup> plates(int surfaces, bool uvs = false, bool normals = false) {
+    auto soup = std::make_shared<TriangleSoup>();
+    for (int i = 0; i < surfaces; ++i) {
+        const auto first = Index(soup->positions.size());
+        for (const auto& [x, z] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+            soup->positions.emplace_back(0.05 * x, 0.01 * i, 0.05 * z);
+        for (const auto& corners : {std::array<Index, 3>{0, 2, 1}, std::array<Index, 3>{0, 3, 2}}) {
+            soup->triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
+            soup->surfaceOf.push_back(Index(i));
+            for (const Index corner : corners) {
+                if (uvs) soup->cornerUvs.emplace_back(corner == 1 || corner == 2, corner > 1);
+                if (normals) soup->cornerNormals.emplace_back(0.f, 1.f, 0.f);
+            }
+        }
+    }
+    return soup;
+}
+
+/// Two objects: "Box" with the surfaces "lid" and "floor", which feel different, and "Plate" with "top".
+inline Scene knownScene() {
+    Scene scene;
+    SceneObject box;
+    box.name = "Box";
+    box.geometry = plates(2);
+    box.surfaces.resize(2);
+    box.surfaces[0].name = "lid";
+    box.surfaces[0].material = {500, 1.5, 0.6, 0.4, 2};
+    box.surfaces[0].colour = {1, 0, 0};
+    box.surfaces[1].name = "floor";
+    box.surfaces[1].sides = Sides::Front;
+    scene.add(box);
+    SceneObject plate;
+    plate.name = "Plate";
+    plate.geometry = plates(1, true, true);
+    plate.pose.translation = {0.2, 0, 0};
+    plate.surfaces.resize(1);
+    plate.surfaces[0].name = "top";
+    scene.add(plate);
+    return scene;
+}
+
+/// A document with a scene that came from no file, of which nothing is selected.
+inline void adopt(Document& document, const Scene& scene, std::vector<Finding> findings = {}) {
+    document.adoptRecovered({scene, std::move(findings), true}, FileStamp(), true);
+    document.select({});
+}
+
+} // namespace tactum::testing
