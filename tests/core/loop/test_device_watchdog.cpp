@@ -61,7 +61,7 @@ void wait(const DeviceWatchdog& watchdog, std::uint64_t looks) {
 
 } // namespace
 
-class TestGuardian : public QObject {
+class TestDeviceWatchdog : public QObject {
     Q_OBJECT
 
 private slots:
@@ -89,7 +89,7 @@ private slots:
             QCOMPARE(getsid(child), child);
             std::string name;
             std::getline(std::ifstream("/proc/" + std::to_string(child) + "/comm"), name);
-            QCOMPARE(name, "tactum-device watchdog");
+            QCOMPARE(name, "tactum-watchdog");
             for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE})
                 QCOMPARE(kill(child, signal), 0);
             wait(watchdog, 3); // it goes on
@@ -222,7 +222,7 @@ private slots:
     }
 };
 
-TACTUM_TEST(TestGuardian)
+TACTUM_TEST(TestDeviceWatchdog)
 
 } // namespace test_device_watchdog
 
