@@ -94,7 +94,7 @@ private:
     wire::Block& block_;
     int talk_, program_; ///< descriptors; the second tells of the program's death, whoever holds its sockets
     mutable bool cancelled_ = false;
-    DeviceWatchdog guardian_;
+    DeviceWatchdog watchdog_;
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};
     bool runs_ = false;
@@ -113,12 +113,12 @@ void Server::loop() noexcept {
         const Tick tick = metronome.wait();
         const Vec3 force = limiter(block_.mailbox.force(monotonicNanoseconds()));
         const DeviceSample sample = device_.exchange({force}, tick.elapsed);
-        guardian_.beat();
+        watchdog_.beat();
         const std::int64_t now = monotonicNanoseconds();
         block_.mailbox.measured(sample, now);
         block_.lastTick.store(now, std::memory_order_relaxed);
     }
-    guardian_.rest();
+    watchdog_.rest();
     for (int i = 0; i < kFarewells; ++i)
         device_.exchange({}, metronome.period());
 }
@@ -128,7 +128,7 @@ Result<void> Server::startLoop() {
     stop_ = false;
     block_.lastTick = monotonicNanoseconds();
     // Before the thread: the device watchdog is a fork, which has only the thread that forks.
-    if (Result<void> guarded = guardian_.start(device_); !guarded) return guarded;
+    if (Result<void> watched = watchdog_.start(device_); !watched) return watched;
     return thread_.start("tactum-device", kPriority, [this] { loop(); });
 }
 
@@ -136,7 +136,7 @@ void Server::endLoop() {
     if (!runs_) return;
     stop_ = true;
     thread_.join();
-    guardian_.stop();
+    watchdog_.stop();
     runs_ = false;
 }
 
@@ -146,7 +146,7 @@ Result<void> Server::open() {
     Result<void> started = checkDevice(device_.info()).and_then([this] { return startLoop(); });
     runs_ = started.has_value();
     if (!started) {
-        guardian_.stop();
+        watchdog_.stop();
         device_.close();
     }
     return started;

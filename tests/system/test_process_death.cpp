@@ -152,7 +152,7 @@ private slots:
     }
 
     /// A crash would leave the force on: without a device watchdog there is none.
-    void withoutAGuardianThereIsNoForce_data() {
+    void withoutADeviceWatchdogThereIsNoForce_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("killed") << SIGKILL;
         QTest::newRow("stopped") << SIGSTOP;

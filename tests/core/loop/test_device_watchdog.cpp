@@ -175,7 +175,7 @@ private slots:
         QCOMPARE(device.stops(), 1);
     }
 
-    void aGuardianThatWasKilledOrStoppedCanBeEnded() {
+    void aWatchdogThatWasKilledOrStoppedCanBeEnded() {
         CountedDevice device;
         for (const int signal : {SIGKILL, SIGSTOP}) {
             DeviceWatchdog watchdog;

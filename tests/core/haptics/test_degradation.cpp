@@ -1,4 +1,4 @@
-// The overload ladder: on machines that are formulas, and its lower rungs on a real surface.
+// The degradation controller: on machines that are formulas, and its lower rungs on a real surface.
 #include <QTest>
 
 #include "core/haptics/degradation.h"
@@ -6,7 +6,7 @@
 #include "tests/support/hand.h"
 #include "tests/support/test_program.h"
 
-namespace test_fidelity {
+namespace test_degradation {
 
 using namespace tactum;
 using namespace tactum::test;
@@ -32,7 +32,7 @@ struct Machine {
 
 } // namespace
 
-class TestFidelity : public QObject {
+class TestDegradation : public QObject {
     Q_OBJECT
 
 private slots:
@@ -147,8 +147,8 @@ private slots:
     }
 };
 
-TACTUM_TEST(TestFidelity)
+TACTUM_TEST(TestDegradation)
 
-} // namespace test_fidelity
+} // namespace test_degradation
 
-#include "test_fidelity.moc"
+#include "test_degradation.moc"
