@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/haptics/compile.h"
+#include "core/runtime/recorded_step.h"
 #include "core/runtime/state_bytes.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -99,6 +100,25 @@ private slots:
         QVERIFY(!belongs([](ProxyState& p) { p.passedCount = 1, p.passed[0].body = 2; }));
         QVERIFY(belongs([](ProxyState& p) { p.straddledCount = 1, p.straddled[0].body = 1; }));
         QVERIFY(!belongs([](ProxyState& p) { p.straddledCount = 1, p.straddled[0].body = 2; }));
+    }
+
+    /// Recordings that lie on disks have these bits.
+    void flagsOfRowsStay() {
+        std::uint32_t bit = 1;
+        for (const auto flag : {ProxyRow::Restart, ProxyRow::Forget, ProxyRow::Found}) {
+            QCOMPARE(std::uint32_t(flag), bit);
+            bit *= 2;
+        }
+        QCOMPARE(std::uint32_t(ProxyRow::kFidelity), 8u);
+        QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x307u);
+        bit = 1;
+        for (const auto flag :
+             {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh, ServoRow::Armed,
+              ServoRow::Override, ServoRow::Unguarded, ServoRow::Clutched, ServoRow::Stopped}) {
+            QCOMPARE(std::uint32_t(flag), bit);
+            bit *= 2;
+        }
+        QCOMPARE(std::uint32_t(ServoRow::kAllFlags), bit - 1);
     }
 };
 
