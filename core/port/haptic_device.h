@@ -36,7 +36,7 @@ struct DeviceSample {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero(); ///< where the device measures it
     std::uint32_t buttons = 0;    ///< a bit for each that is held
-    bool valid = false;   ///< false: nothing new was read; after three of them the force is taken away
+    bool valid = false;           ///< false: nothing new was read; after 10 ms of it the force is taken away
     bool jumped = false;  ///< the finger did not go here but was put here, as only a simulated one can be
     bool stopped = false; ///< a button of the device has ended all force: the next command will not go out
     std::int64_t at = 0;  ///< ns of monotonicNanoseconds(), when it was measured; 0: during this exchange
@@ -68,7 +68,8 @@ public:
     /// Thread: any but real time, also while exchange() runs.
     virtual std::string trouble() const { return {}; }
     /// Sends the command and returns the newest reading. `dt` is the time since the last exchange, in s.
-    /// Thread: servo, real time: no allocation, lock or wait but the device's own transfer.
+    /// Thread: servo, real time: no allocation, lock or wait but those of the device's own transfer, which
+    /// for USB are libusb's (docs/decisions/usb.md).
     virtual DeviceSample exchange(const DeviceCommand& command, double dt) noexcept = 0;
     /// Brings the device to zero force by the shortest way, because the program is dying or stands still.
     /// Thread: any, also a signal handler and a forked child, also while exchange() runs: only what is
