@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr double kHalf = 0.5;
+constexpr std::int64_t kBurst = 4; ///< times its rate that frames may come
 /// No machine sleeps for less, and reading two clocks takes less, unless the thread is stopped between them.
 constexpr std::int64_t kShortestSleep = 1'000'000; // ns
 
@@ -41,17 +42,29 @@ Tick Metronome::wait() noexcept {
     const std::int64_t due = scheduled_ + period_;
     const std::int64_t now = monotonicNanoseconds();
     sleepUntil(std::max(due, now + std::int64_t(rest_ * double(now - last_))));
+    return wakeUp(due, now < due, false);
+}
 
+Tick Metronome::wait(HapticDevice& device) noexcept {
+    const std::int64_t due = scheduled_ + period_, soonest = last_ + period_ / kBurst;
+    const std::int64_t now = monotonicNanoseconds();
+    if (!device.awaitFrame(due + period_ / 2)) return wait();
+    if (monotonicNanoseconds() < soonest) sleepUntil(soonest);
+    return wakeUp(due, now < due, true);
+}
+
+/// `sleeping`: it was asleep before the tick was due. `framed`: the next one counts from this one.
+Tick Metronome::wakeUp(std::int64_t due, bool sleeping, bool framed) noexcept {
     const std::int64_t woke = monotonicNanoseconds(), slept = asleep();
     Tick tick;
     tick.time = double(woke - start_) / double(kSecond);
     tick.elapsed = last_ == start_ ? period() : double(woke - last_ + slept) / double(kSecond);
-    const std::int64_t late = woke + slept - due;
+    const std::int64_t late = std::max(std::int64_t(0), woke + slept - due);
     tick.late = double(late) / double(kSecond);
     tick.missed = late > period_;
     tick.woke = woke;
-    tick.asleep = now < due;
-    scheduled_ = tick.missed ? woke : due;
+    tick.asleep = sleeping;
+    scheduled_ = tick.missed || framed ? woke : due;
     last_ = woke;
     return tick;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/clock.h"
+#include "core/port/haptic_device.h"
 
 namespace tactum {
 
@@ -33,11 +34,15 @@ public:
     /// Sleeps until the next tick. A tick that was missed shifts the ones after it: no burst catches up.
     /// Thread: the loop's, outside every RealtimeScope.
     Tick wait() noexcept;
+    /// The same, but the frames of a device that can tell of them are the ticks, however fast they come: up
+    /// to four times the rate, and where none comes half a period late.
+    Tick wait(HapticDevice& device) noexcept;
 
     double period() const noexcept; ///< s, nominal
 
 private:
     std::int64_t asleep() noexcept;
+    Tick wakeUp(std::int64_t due, bool sleeping, bool framed) noexcept;
 
     std::int64_t period_, start_, last_, scheduled_;
     double rest_;

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "core/base/clock.h"
+#include "core/base/futex.h"
 #include "core/base/wait_free.h"
 #include "core/port/haptic_device.h"
 
@@ -38,6 +39,10 @@ public:
         return sample;
     }
 
+    /// Until there is a reading that no earlier call knew of, or until a moment in ns. Thread: the servo's,
+    /// outside every RealtimeScope.
+    void awaitReading(std::int64_t until) noexcept { known_ = waitForChange(count_, known_, until); }
+
     /// Every command until now counts for nothing. Thread: any, also a signal handler and a forked child.
     void stop(std::int64_t now) noexcept { stopped_.store(now, std::memory_order_relaxed); }
 
@@ -49,7 +54,11 @@ public:
         if (last.at <= stopped_.load(std::memory_order_relaxed)) return Vec3::Zero();
         return partLeft(now - last.at) * last.force;
     }
-    void measured(const DeviceSample& sample, std::int64_t now) noexcept { readings_.write({sample, now}); }
+    void measured(const DeviceSample& sample, std::int64_t now) noexcept {
+        readings_.write({sample, now});
+        count_.fetch_add(1, std::memory_order_release);
+        wakeAll(count_);
+    }
 
 private:
     struct Command {
@@ -63,6 +72,8 @@ private:
     TripleBuffer<Command> commands_;
     TripleBuffer<Reading> readings_;
     std::atomic<std::int64_t> stopped_{0};
+    FutexWord count_{0};      ///< of readings
+    std::uint32_t known_ = 0; ///< of them, to awaitReading()
 };
 
 } // namespace tactum

@@ -71,6 +71,13 @@ public:
     /// Thread: servo, real time: no allocation, lock or wait but those of the device's own transfer, which
     /// for USB are libusb's (docs/decisions/usb.md).
     virtual DeviceSample exchange(const DeviceCommand& command, double dt) noexcept = 0;
+    /// Waits until there is a reading that exchange() has not returned yet, at most until a moment in ns of
+    /// monotonicNanoseconds(). False, at once: it cannot tell, and the loop's own clock decides. Two clocks
+    /// that run freely cost a tick of delay. Thread: servo, outside every RealtimeScope.
+    virtual bool awaitFrame(std::int64_t) noexcept { return false; }
+    /// The command that the next exchange() will send, as soon as it is known: for whoever hands it on to
+    /// another loop, which would else get it a tick later. Thread: servo, real time.
+    virtual void announce(const DeviceCommand&) noexcept {}
     /// Brings the device to zero force by the shortest way, because the program is dying or stands still.
     /// Thread: any, also a signal handler and a forked child, also while exchange() runs: only what is
     /// async-signal-safe.

@@ -30,6 +30,10 @@ public:
     Result<void> open() override { return device_->open(); }
     void close() override { device_->close(); }
     std::string trouble() const override { return device_->trouble(); }
+    void announce(const DeviceCommand& command) noexcept override {
+        if (!stop_->pressed.load(std::memory_order_relaxed)) device_->announce(command);
+    }
+    bool awaitFrame(std::int64_t until) noexcept override { return device_->awaitFrame(until); }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
         const bool off = stop_->pressed.load(std::memory_order_relaxed);
         DeviceSample sample = device_->exchange(off ? DeviceCommand{} : command, dt);

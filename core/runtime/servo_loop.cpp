@@ -114,7 +114,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
     Metronome metronome(info.rate, 0, sinceBoot);
     DeviceCommand command;
     while (!channels.stop.load(std::memory_order_relaxed)) {
-        const Tick tick = metronome.wait();
+        const Tick tick = metronome.wait(device);
         // Nobody has felt the force of before a stall since; now it would be a kick.
         if (tick.elapsed > kStall) command = DeviceCommand{};
         const DeviceSample sample = device.exchange(command, tick.elapsed);
@@ -125,6 +125,7 @@ void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info,
         const ServoOutput output = stepServo(servo, sample, tick);
         channels.finger.write(output.finger);
         command.force = output.force;
+        device.announce(command);
         countMisses(servo, tick, metronome.period());
         reportTick(servo, output, tick, metronome.period());
         measurePeriod(servo, metronome.period());

@@ -57,6 +57,13 @@ public:
         mailbox.command(command.force, now);
         return mailbox.newest(now);
     }
+    bool awaitFrame(std::int64_t until) noexcept override {
+        process_.block()->mailbox.awaitReading(until);
+        return true;
+    }
+    void announce(const DeviceCommand& command) noexcept override {
+        process_.block()->mailbox.command(command.force, monotonicNanoseconds());
+    }
     void emergencyStop() noexcept override { process_.block()->mailbox.stop(monotonicNanoseconds()); }
 
 private:
@@ -147,7 +154,6 @@ void RemoteDevice::take(const Packet& packet, Opening* opening) {
     if (packet.kind == Kind::Info) {
         const std::lock_guard lock(infoMutex_);
         info_ = wire::infoOf(packet);
-        info_.delay += 1; // its loop and ours tick apart
     }
     if (packet.kind == Kind::Step && !introduced_) steps_.push_back(wire::stringOf(packet.text));
     if (!opening) return;

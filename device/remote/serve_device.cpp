@@ -110,7 +110,7 @@ void Server::loop() noexcept {
     ForceLimiter limiter{.maxForce = info.maxForce};
     Metronome metronome(info.rate);
     while (!stop_.load(std::memory_order_relaxed)) {
-        const Tick tick = metronome.wait();
+        const Tick tick = metronome.wait(device_);
         const Vec3 force = limiter(block_.mailbox.force(monotonicNanoseconds()));
         const DeviceSample sample = device_.exchange({force}, tick.elapsed);
         watchdog_.beat();

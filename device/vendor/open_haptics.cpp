@@ -77,6 +77,13 @@ public:
         mailbox_->command(command.force, now);
         return mailbox_->newest(now);
     }
+    bool awaitFrame(std::int64_t until) noexcept override {
+        mailbox_->awaitReading(until);
+        return true;
+    }
+    void announce(const DeviceCommand& command) noexcept override {
+        mailbox_->command(command.force, monotonicNanoseconds());
+    }
     void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 
 private:

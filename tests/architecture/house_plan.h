@@ -80,17 +80,17 @@ inline const std::vector<Library> kLibraries{
     {"pthread.h", {"core/loop/", "core/runtime/"}},
     {"sched.h", {"core/loop/", "core/runtime/", "core/import/worker/", "device/remote/"}},
     {"sys/",
-     {"core/base/atomic_file.cpp", "core/base/child_program.h", "core/loop/", "core/runtime/", "core/import/",
-      "device/", "app/"}},
+     {"core/base/atomic_file.cpp", "core/base/child_program.h", "core/base/futex.h", "core/loop/",
+      "core/runtime/", "core/import/", "device/", "app/"}},
     {"unistd.h",
-     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/", "core/runtime/",
-      "core/import/", "device/", "app/"}},
+     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/base/futex.h", "core/loop/",
+      "core/runtime/", "core/import/", "device/", "app/"}},
     {"poll.h", {"core/loop/device_watchdog.cpp", "core/import/worker_process.cpp", "device/"}},
     {"fcntl.h",
      {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/device_watchdog.cpp",
       "core/import/", "device/", "app/"}},
     {"spawn.h", {"core/base/child_program.cpp"}},
-    {"linux/", {"core/import/worker/sandbox.cpp", "device/usb/"}},
+    {"linux/", {"core/base/futex.h", "core/import/worker/sandbox.cpp", "device/usb/"}},
 };
 
 /// Standard headers whose contents lock, wait, write text or allocate by design.

@@ -1,6 +1,8 @@
 // The clock of the loops. Only lower bounds are checked: how late a machine wakes a thread is its own affair.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include <QTest>
 
@@ -21,6 +23,26 @@ void workFor(double seconds) {
     }
 }
 
+/// Has a frame every so many ns.
+class FramedDevice final : public HapticDevice {
+public:
+    explicit FramedDevice(std::int64_t every, bool tells = true) : every_(every), tells_(tells) {}
+    DeviceInfo info() const override { return {}; }
+    Result<void> open() override { return {}; }
+    void close() override {}
+    DeviceSample exchange(const DeviceCommand&, double) noexcept override { return {}; }
+    bool awaitFrame(std::int64_t until) noexcept override {
+        last_ = std::min(until, std::max(last_ + every_, monotonicNanoseconds()));
+        while (tells_ && monotonicNanoseconds() < last_) {
+        }
+        return tells_;
+    }
+
+private:
+    std::int64_t every_, last_ = monotonicNanoseconds();
+    bool tells_;
+};
+
 std::atomic<std::int64_t> slept{0}; // ns, of a machine that the test sends to sleep
 
 std::int64_t sleepersClock() noexcept {
@@ -40,6 +62,31 @@ private slots:
             tick = metronome.wait();
             QCOMPARE_GE(tick.time, i / 2000.0);
         }
+    }
+
+    /// Slower than its rate, no faster than four times, and half a period late where none comes.
+    void framesAreTheTicks() {
+        for (const auto& [every, least] :
+             {std::pair{2e-3, 2e-3}, std::pair{0.0, 0.25e-3}, std::pair{1.0, 1.5e-3}}) {
+            FramedDevice device{std::int64_t(1e9 * every)};
+            Metronome metronome(1000);
+            metronome.wait(device);
+            Tick tick;
+            double sum = 0;
+            for (int i = 1; i <= 50; ++i) {
+                tick = metronome.wait(device);
+                sum += tick.elapsed;
+                QCOMPARE_GE(tick.late, 0);
+            }
+            QCOMPARE_GE(sum, 50 * least * 0.999);
+        }
+    }
+
+    void whoHasNoFramesKeepsTheClock() {
+        FramedDevice device{0, false};
+        Metronome metronome(2000);
+        for (int i = 1; i <= 100; ++i)
+            QCOMPARE_GE(metronome.wait(device).time, i / 2000.0);
     }
 
     void elapsedTimesAddUpToTheTime() {

@@ -1,4 +1,9 @@
 // What lies between the servo and a driver elsewhere, by a clock that the test holds.
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
 #include <QTest>
 
 #include "core/port/device_mailbox.h"
@@ -35,6 +40,52 @@ private slots:
         QVERIFY(!box.newest(kNow + 6 * kMillisecond).valid);
         box.measured(kReading, kNow + 7 * kMillisecond);
         QVERIFY(box.newest(kNow + 8 * kMillisecond).valid);
+    }
+
+    /// One that nobody knew of yet is there at once, a new one wakes, and the moment ends it.
+    void whoAwaitsAReadingIsWoken() {
+        DeviceMailbox box;
+        constexpr std::int64_t kLong = 60'000 * kMillisecond;
+        box.measured(kReading, kNow);
+        box.awaitReading(monotonicNanoseconds() + kLong);
+        const std::int64_t begun = monotonicNanoseconds();
+        box.awaitReading(begun + 5 * kMillisecond);
+        QCOMPARE_GE(monotonicNanoseconds() - begun, 5 * kMillisecond);
+        std::thread driver([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            box.measured(kReading, kNow + 7);
+        });
+        box.awaitReading(monotonicNanoseconds() + kLong);
+        QCOMPARE(box.newest(kNow + 7).at, kNow + 7);
+        driver.join();
+        box.awaitReading(monotonicNanoseconds() - kMillisecond); // a moment that is over
+    }
+
+    /// The whole way: a driver at 500 Hz, a servo that wakes with its readings and announces what it makes of
+    /// them. The force that answers a reading goes out with the next one; with two free clocks it is the one
+    /// after that, too.
+    void theAnswerGoesOutATickLater() {
+        DeviceMailbox box;
+        constexpr int kTicks = 200;
+        std::atomic<bool> ended{false};
+        std::thread servo([&] {
+            while (!ended) {
+                box.awaitReading(monotonicNanoseconds() + 100 * kMillisecond);
+                box.command(box.newest(monotonicNanoseconds()).position, monotonicNanoseconds());
+            }
+        });
+        std::vector<int> late;
+        std::int64_t due = monotonicNanoseconds();
+        for (int tick = 1; tick <= kTicks; ++tick) {
+            late.push_back(tick - int(box.force(monotonicNanoseconds()).x()));
+            box.measured({.position = {double(tick), 0, 0}, .valid = true}, monotonicNanoseconds());
+            due += 2 * kMillisecond;
+            std::this_thread::sleep_for(std::chrono::nanoseconds(due - monotonicNanoseconds()));
+        }
+        ended = true;
+        servo.join();
+        std::ranges::nth_element(late, late.begin() + kTicks / 2);
+        QCOMPARE(late[kTicks / 2], 1);
     }
 
     void aReadingThatWasNoneStaysNone() {
