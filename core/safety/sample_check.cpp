@@ -25,8 +25,9 @@ bool SampleCheck::operator()(const DeviceSample& sample, double apart) noexcept 
     if (!canBeTrue(sample, since_)) {
         ++refused_;
         good_ = 0;
-        // None at all is late, or the end of the device: time tells (ForceGate). It is no lie.
-        if (sample.valid && ++bad_ >= kBadSamplesToLoss) lost_ = true;
+        // None at all is late, or the end of the device: time tells (ForceGate). It is no lie, but it clears
+        // none up either.
+        if ((sample.valid || bad_ > 0) && ++bad_ >= kBadSamplesToLoss) lost_ = true;
         if (lost_) believed_.valid = false;
         believed_.velocity = Vec3::Zero(); // of a finger that is not seen to move
         believed_.jumped = false;

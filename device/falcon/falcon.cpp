@@ -1,5 +1,6 @@
 #include "device/falcon/falcon.h"
 
+#include <limits>
 #include <thread>
 
 #include "core/base/realtime.h"
@@ -147,6 +148,9 @@ DeviceSample Falcon::exchange(const DeviceCommand& wanted, double dt) noexcept {
     const FalconTrouble trouble = troubleNow();
     trouble_.store(trouble, std::memory_order_relaxed);
     if (trouble == FalconTrouble::Gone || trouble == FalconTrouble::Broken) sample.valid = false;
+    // What was read and cannot be true is no silence: the servo shall not go on from there by itself.
+    else if (readings_.distrusted())
+        sample = {.position = Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), .valid = true};
     return sample;
 }
 

@@ -33,6 +33,8 @@ public:
     const Mat3* whereToPush() const noexcept { return mayPush() ? &arm_.jacobian : nullptr; }
     FalconTrouble trouble() const noexcept;
     bool homed() const noexcept { return homed_; }
+    /// Whether a reading that cannot be true came in the last kDistrust exchanges.
+    bool distrusted() const noexcept { return distrust_ > 0; }
     /// s since the last report.
     double silence() const noexcept { return silence_; }
 

@@ -92,6 +92,18 @@ private slots:
         QCOMPARE(check.believed().position.z(), 0.05);
     }
 
+    /// A slow device that jumps: what is not read between two readings that cannot be true is no excuse for
+    /// them.
+    void silenceAfterABadReadingCounts() {
+        SampleCheck check(DeviceInfo{});
+        check(at(0.001), kTick);
+        QVERIFY(!check(at(0.02), kTick));
+        QVERIFY(!check(DeviceSample{}, kTick));
+        QVERIFY(!check.lost());
+        QVERIFY(!check(DeviceSample{}, kTick));
+        QVERIFY(check.lost());
+    }
+
     void fastestFingerIsBelieved() {
         DeviceInfo info;
         SampleCheck check(info);

@@ -103,7 +103,7 @@ inline Run exchange(Falcon& falcon, int times, const Vec3& force = Vec3::Zero())
         const auto now = Clock::now();
         const double elapsed = std::chrono::duration<double>(now - std::exchange(last, now)).count();
         run.last = falcon.exchange({force}, std::max(1e-3, elapsed));
-        run.valid += run.last.valid;
+        run.valid += run.last.valid && run.last.position.allFinite(); // what is no number cannot be true
         std::this_thread::sleep_for(std::chrono::microseconds(300));
     }
     return run;
