@@ -7,9 +7,6 @@ namespace {
 
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
-/// A slide against viscosity goes on for as long as the model is believed at all: one that stopped before
-/// would leave the anchor behind, and the next answer would bring what it had not slid as a pull. Unit: s.
-constexpr double kModelAge = 0.1;
 constexpr double kSoftest = 2, kWeakest = 0.03; ///< N/m and N, of what is about to be gone
 constexpr int kCorrections = 4;
 constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
@@ -60,8 +57,10 @@ double editRate(double stiffness) noexcept {
     return std::min(kEditRate, kReturnSpeed * stiffness);
 }
 
+// A slide against viscosity goes on for as long as the model is believed at all: one that stopped before
+// would leave the anchor behind, and the next answer would bring what it had not slid as a pull.
 double ContactTransition::since(double dt) const noexcept {
-    return std::min(age_ + dt, kModelAge);
+    return std::min(age_ + dt, kModelPatience);
 }
 
 // A proxy that was put elsewhere begins at the finger, without force.

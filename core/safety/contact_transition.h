@@ -6,6 +6,8 @@
 
 namespace tactum {
 
+/// A model that the proxy loop has not renewed for so long is no longer believed: zero force. Unit: s.
+inline constexpr double kModelPatience = 0.1;
 /// A surface that was changed under the finger comes to its place at this speed. Unit: m/s.
 inline constexpr double kReturnSpeed = 0.015;
 /// An edited stiffness, damping or friction changes the force by no more than this, and on a soft surface by

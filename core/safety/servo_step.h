@@ -15,9 +15,6 @@
 
 namespace tactum {
 
-/// A model that the proxy loop has not renewed for so long is no longer believed: zero force. Unit: s.
-inline constexpr double kModelPatience = 0.1;
-
 /// Where the finger is. World frame, SI.
 struct FingerSample {
     Vec3 position = Vec3::Zero();

@@ -18,6 +18,13 @@ inline void namePanelTest(const char* name) {
     QCoreApplication::setApplicationName(QLatin1String(name));
 }
 
+/// The widget of a panel by its name; who asks for one that is not there ends.
+template <class T> T& part(QWidget& in, const char* name) {
+    auto* found = in.findChild<T*>(QLatin1String(name));
+    if (!found) qFatal("no %s", name);
+    return *found;
+}
+
 /// A square of two triangles for each of `surfaces`, one above the other, 1 cm apart; with texture
 /// coordinates and normals where they are asked for.
 inline std::shared_ptr<const TriangleSoup> plates(int surfaces, bool uvs = false, bool normals = false) {

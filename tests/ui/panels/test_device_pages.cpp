@@ -53,12 +53,6 @@ public:
     Result<std::string> supply(const std::string&, const std::filesystem::path&) override { return "taken"; }
 };
 
-template <class T> T& part(QWidget& in, const char* name) {
-    auto* found = in.findChild<T*>(QLatin1String(name));
-    if (!found) qFatal("no %s", name);
-    return *found;
-}
-
 struct Loops {
     Engine engine{std::make_unique<SimulatedHand>(std::make_shared<HandTarget>())};
 };

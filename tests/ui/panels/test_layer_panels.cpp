@@ -37,12 +37,6 @@ namespace {
 
 constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
 
-template <class T> T& part(QWidget& in, const char* name) {
-    auto* found = in.findChild<T*>(QLatin1String(name));
-    if (!found) qFatal("no %s", name);
-    return *found;
-}
-
 TextureLayer layerOf(const char* name, TextureSource source) {
     TextureLayer layer;
     layer.name = name;

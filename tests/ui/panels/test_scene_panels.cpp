@@ -46,12 +46,6 @@ namespace {
 
 constexpr SurfaceRef kLid{1, 0}, kFloor{1, 1}, kTop{2, 0};
 
-template <class T> T& part(QWidget& in, const char* name) {
-    auto* found = in.findChild<T*>(QLatin1String(name));
-    if (!found) qFatal("no %s", name);
-    return *found;
-}
-
 /// The row with a name, also deeper down.
 QTreeWidgetItem* row(QTreeWidget& tree, const char* name) {
     for (QTreeWidgetItemIterator it(&tree); *it; ++it)
