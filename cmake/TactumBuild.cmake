@@ -2,7 +2,7 @@
 
 option(TACTUM_TESTS "Build the tests" ON)
 option(TACTUM_NATIVE "Compile for the processor of this machine" OFF)
-option(TACTUM_UNITY "Compile the sources of a target a few at a time, as one: three times as fast" ON)
+set(TACTUM_UNITY_BATCH 8 CACHE STRING "How many sources of a target are compiled as one: three times as fast; 0: each alone")
 option(TACTUM_FUZZ "Build the core and tests/fuzz alone, by clang" OFF)
 set(TACTUM_SANITIZE "" CACHE STRING "A sanitizer: address, undefined or thread")
 
@@ -15,6 +15,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 # "Check" is what the tests run: optimised, so that 10^6 haptic steps take seconds, but with assertions.
 set(CMAKE_CXX_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
 set(CMAKE_C_FLAGS_CHECK "-O2 -g1" CACHE STRING "" FORCE)
+# The rooms of a haptic step ask for more (core/CMakeLists.txt): the others gain nothing and build a sixth longer.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "" FORCE)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Check CACHE STRING "" FORCE)
 endif()
@@ -70,11 +72,12 @@ if(TACTUM_FUZZ)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# Compiles the sources of a target eight at a time, where TACTUM_UNITY says so: most of the time of a source goes into
-# the headers and templates that its neighbours want too (docs/testing.md has the figures).
+# Compiles the sources of a target TACTUM_UNITY_BATCH at a time: most of the time of a source goes into the headers and
+# templates that its neighbours want too (docs/testing.md has the figures).
 function(tactum_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TACTUM_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-  if(TACTUM_UNITY) # a type of a source may have members of types that only this source knows
+  if(TACTUM_UNITY_BATCH)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${TACTUM_UNITY_BATCH})
+    # a type of a source may have members of types that only this source knows
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()

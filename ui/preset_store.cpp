@@ -29,7 +29,7 @@ std::filesystem::path presetPathOf(const QString& file) {
     return std::filesystem::path(file.toStdU16String());
 }
 
-QString presetEnding() {
+QString dottedEnding() {
     return u'.' + QString::fromUtf8(kPresetEnding.data(), qsizetype(kPresetEnding.size()));
 }
 
@@ -65,7 +65,7 @@ Loaded loadAll(const Progress& progress) {
     Loaded loaded;
     const auto add = [&](const QString& folder, bool own) {
         for (const QFileInfo& file :
-             QDir(folder).entryInfoList({u'*' + presetEnding()}, QDir::Files, QDir::Name)) {
+             QDir(folder).entryInfoList({u'*' + dottedEnding()}, QDir::Files, QDir::Name)) {
             if (progress.isCancelled()) return;
             const auto read = presetIn(file.filePath());
             if (read)
@@ -86,9 +86,9 @@ Loaded loadAll(const Progress& progress) {
 
 QString freeFile(const std::string& name) {
     const QString stem = PresetStore::folder() + u'/' + QString::fromStdString(presetFileName(name));
-    QString file = stem + presetEnding();
+    QString file = stem + dottedEnding();
     for (int number = 2; QFileInfo::exists(file); ++number)
-        file = stem + u'-' + QString::number(number) + presetEnding();
+        file = stem + u'-' + QString::number(number) + dottedEnding();
     return file;
 }
 

@@ -11,15 +11,15 @@ namespace tactum {
 
 namespace {
 
-constexpr int kCorners = 64;
+constexpr int kRingCorners = 64;
 constexpr double kRingHalo = 3.5, kRingLine = 1.6, kThin = 0.8, kRingMargin = 4; // logical pixels
 constexpr double kLargest = 4000; // pixels across: else it is not drawn
 
 QPolygonF ringCircle(const PickHit& at, double radius, const ViewCamera& camera) {
     const Vec3 u = at.normal.unitOrthogonal(), v = at.normal.cross(u);
     QPolygonF polygon;
-    for (int i = 0; i <= kCorners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / kCorners;
+    for (int i = 0; i <= kRingCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRingCorners;
         const auto seen = camera.project(at.point + radius * (std::cos(angle) * u + std::sin(angle) * v));
         if (!seen) return {};
         polygon << *seen;

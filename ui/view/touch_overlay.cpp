@@ -24,7 +24,7 @@ namespace {
 // Sizes in logical pixels.
 constexpr double kProxyLeast = 5.5, kFingerLeast = 4.5, kHalo = 13;
 constexpr double kCoil = 4, kWire = 1.1, kCoilPitch = 7;
-constexpr double kShaft = 2, kHead = 6.5, kHeadLength = 17, kArrowAtLimit = 240, kArrowLeast = 22;
+constexpr double kShaft = 2, kHead = 6.5, kArrowHead = 17, kArrowAtLimit = 240, kArrowLeast = 22;
 constexpr double kDisc = 30, kNormalLength = 42, kNormalShaft = 1, kNormalHead = 4, kNormalHeadLength = 10;
 constexpr int kCoilSteps = 14; ///< points of a turn
 
@@ -209,7 +209,7 @@ void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& c
     arrow.setVisible(state.pushes());
     if (!state.pushes()) return;
     arrow.setColour(state.atLimit() ? theme->fault : theme->proxy, state.armed ? 1 : 0.35);
-    arrow.place(state.proxy, arrowTip(state, camera), kShaft * pixel, kHead * pixel, kHeadLength * pixel);
+    arrow.place(state.proxy, arrowTip(state, camera), kShaft * pixel, kHead * pixel, kArrowHead * pixel);
 }
 
 void TouchOverlay::Impl::placeContact(ContactMark& mark, const ContactReport& contact, double pixel,
