@@ -29,8 +29,8 @@ public:
 
     /// Once a frame: a second after a fault its recording is saved into folder().
     void watch();
-    /// A fault that is not saved yet, or a device that hangs, is saved now: the recorder is about to go, with
-    /// device or program.
+    /// A fault that is not saved yet, or a device that hangs or does not answer, is saved now: the recorder
+    /// is about to go, with device or program.
     void flush();
     /// The last minute as it is now; nothing, and failed(), when there is none.
     Taken take(const QString& reason);

@@ -156,6 +156,15 @@ ClosestPoint closestPoint(const Triangle& t, const Vec3& p) noexcept {
     return closestWith(t, p, [&] { return faceNormal(t); });
 }
 
+ClosestPoint footOnPlane(const Triangle& triangle, const Vec3& p) noexcept {
+    const Vec3 b = triangle.b - triangle.a, c = triangle.c - triangle.a, n = b.cross(c);
+    const double area2 = n.squaredNorm();
+    if (!(area2 > 1e-24 * b.squaredNorm() * c.squaredNorm())) return closestPoint(triangle, p);
+    const Vec3 m = p - triangle.a;
+    const double alongB = m.cross(c).dot(n) / area2, alongC = b.cross(m).dot(n) / area2;
+    return {triangle.a + alongB * b + alongC * c, Vec3(1 - alongB - alongC, alongB, alongC), Feature::Face};
+}
+
 double sweepSphere(const Triangle& t, const Vec3& p, const Vec3& d, double r, double until) noexcept {
     const Vec3 normal = faceNormal(t);
     const double doubleArea = normal.norm();

@@ -24,6 +24,10 @@ struct ClosestPoint {
 /// Thread: real time. Cost: about 60 multiplications. Source: Voronoi regions of the triangle.
 ClosestPoint closestPoint(const Triangle& triangle, const Vec3& p) noexcept;
 
+/// The foot of p on the plane of the triangle, which may lie outside of it: some weights are negative then. A
+/// triangle without a plane has none: the closest point instead. Thread: real time.
+ClosestPoint footOnPlane(const Triangle& triangle, const Vec3& p) noexcept;
+
 /// When a sphere of radius r, whose centre moves from p to p + d, first touches the triangle: the smallest
 /// t in [0, 1] at which the distance is r and falling. `kNoContact` if there is none. A sphere that
 /// overlaps already gives 0 when the move goes deeper and kNoContact when it leads out: the distance to a

@@ -12,13 +12,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Texels: from a place in a triangle to the farthest of the four that an interpolation reads there.
-constexpr double kMargin = 1.4142135623730951;
+/// Texels: how far from a place an interpolation reads, and from there to the farthest of those that it
+/// reads.
+constexpr double kReads = 3;
+constexpr double kMargin = 1.4142135623730951 * kReads;
 constexpr int kTile = 32; ///< texels: what is known of changes
 /// A triangle that the brush reaches on more texels than this shows the image so often that none can be told.
 constexpr double kMaxTexels = 1 << 24;
 
-/// The texels of a triangle that a ball reaches, and one more all around.
+/// The texels of a triangle that a ball reaches, and what is read all around.
 TexelBox reached(const TriangleSoup& soup, Index index, const TexelTriangle& on, const TexelMap& map,
                  const Vec3& centre, double radius) {
     const auto& t = soup.triangles[index];
@@ -31,7 +33,7 @@ TexelBox reached(const TriangleSoup& soup, Index index, const TexelTriangle& on,
     const Vector2d middle = a + perMetre * (centre - triangle.a), reach = radius * perMetre.rowwise().norm();
     const Vector2d least = a.cwiseMin(b).cwiseMin(c).cwiseMax(middle - reach),
                    most = a.cwiseMax(b).cwiseMax(c).cwiseMin(middle + reach);
-    return TexelBox::around(least - Vector2d::Ones(), most + Vector2d::Ones());
+    return TexelBox::around(least.array() - kMargin, most.array() + kMargin);
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace tactum {
 
 /// As VertexStroke, on the texels of an image: each whose centre lies on a triangle within reach, by its
 /// place on the surface. A texel beside all triangles takes the value of the nearest point of one, if it
-/// is a next texel of that point: so no gap shows along the seams of the coordinates. What the image shows
+/// is read there: so no gap shows along the seams of the coordinates. What the image shows
 /// in several places is painted in all of them. Thread: any but real time, one at a time; ten bytes a texel
 /// while it lasts.
 class ImageStroke {

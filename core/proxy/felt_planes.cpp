@@ -6,6 +6,7 @@
 
 #include "core/base/inplace_vector.h"
 #include "core/proxy/surface_under.h"
+#include "core/surface/friction.h"
 #include "core/surface/shaded_normal.h"
 
 namespace tactum {
@@ -19,19 +20,22 @@ constexpr double kHovering = 4 * kSkin;
 constexpr double kCrossing = 1e-4;
 constexpr double kFarthest = 2;
 // A slide is good whose end wishes no more than this part of it back.
-constexpr double kOvershoot = 0.1;
+constexpr double kOvershoot = 0.02;
 constexpr int kSearches = 8;
 
 // All contacts of a proxy at one place: what is there, what is felt, and the two passes.
 class Passes {
 public:
-    explicit Passes(const FeltContacts& on) noexcept : on_(on) {}
+    /// `ahead`: at places that the proxy may go to, where faces that it touches count as going on beyond
+    /// their edges: what comes next there is not yet known, and seldom an end.
+    Passes(const FeltContacts& on, bool ahead) noexcept : on_(on), ahead_(ahead) {}
 
     const NearestPoint& at(const Vec3& centre) noexcept {
         centre_ = centre;
         for (auto* planes : {&true_, &felt_})
             planes->clear();
         closest_.clear();
+        foot_.clear();
         material_.clear();
         owner_.clear();
         double touching = -std::numeric_limits<double>::infinity();
@@ -51,6 +55,21 @@ public:
         const bool isKnown = alone >= 0 ? alongTheFeltNormal(u, alone) : alongBothNormals(u);
         if (!isKnown) secondPass(pushing_.x);
         return result_;
+    }
+
+    // What dry friction holds back of a wish along the unit vector `way` where the proxy slides: the least of
+    // the planes that push, m.
+    double held(const Vec3& way) const noexcept {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
+            if (!(result_.lambda[i] > 0)) continue;
+            double depth = 0;
+            for (std::size_t k = 0; k < on_.contacts.size(); ++k)
+                depth += depthShare(result_.lambda[k], true_[k].normal, true_[i].normal);
+            const double coefficient = frictionLimit(material_[i], true).coefficient;
+            least = std::min(least, coefficient * depth * leanOf(i, way, coefficient));
+        }
+        return std::isfinite(least) ? least : 0;
     }
 
     void settle(ProxyState& state) const noexcept {
@@ -74,8 +93,10 @@ private:
         const Obstacle& obstacle = on_.obstacles[contact.body];
         const Pose& pose = poseNow(obstacle, on_.movers);
         const Vec3 centre = pose.applyInverse(centre_);
-        closest_.push(closestPoint(obstacle.triangle(contact.triangle), centre));
-        const Vec3 away = centre - closest_[i].point;
+        const Triangle triangle = obstacle.triangle(contact.triangle);
+        closest_.push(closestPoint(triangle, centre));
+        foot_.push(ahead_ && contact.bend == 0 ? footOnPlane(triangle, centre) : closest_[i]);
+        const Vec3 away = centre - foot_[i].point;
         const double distance = away.norm();
         true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_.radius - distance});
         material_.push(obstacle.material(contact.triangle));
@@ -97,13 +118,25 @@ private:
             feel->normals ? shadedNormal(*feel->normals, contact.triangle, triangle, closest, away) : away;
         if (!feel->texture) return add(i, pose.rotate(base));
         const TextureFeel touch =
-            tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, closest, base),
+            tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, foot_[i], base),
                          on_.smallestFeature);
         material_[i] = modulated(material_[i], touch);
         FeltSlopes slopes;
         const int count = slopesOf(touch, slopes);
         for (int k = 0; k < count; ++k)
             add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
+    }
+
+    double leanOf(std::size_t i, const Vec3& way, double coefficient) const noexcept {
+        int alone = -1;
+        for (std::size_t j = 0; j < felt_.size(); ++j) {
+            if (owner_[j] != i || !(pushing_.lambda[j] > 0)) continue;
+            if (alone >= 0) return 1;
+            alone = int(j);
+        }
+        if (alone < 0) return 1;
+        const Vec3& normal = felt_[std::size_t(alone)].normal;
+        return slopeFactor(normal.dot(true_[i].normal), normal.dot(way), coefficient);
     }
 
     // A felt plane goes through the proxy's foot on the true one; none asks the proxy to move.
@@ -227,9 +260,11 @@ private:
     }
 
     const FeltContacts& on_;
+    bool ahead_;
     Vec3 centre_ = Vec3::Zero();
     InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
-    InplaceVector<ClosestPoint, kMaxPlanes> closest_;
+    InplaceVector<ClosestPoint, kMaxPlanes> closest_,
+        foot_; ///< on the triangles, and where they count as going on
     InplaceVector<Material, kMaxPlanes> material_;
     InplaceVector<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
     NearestPoint pushing_;                          ///< of pass 1
@@ -245,24 +280,28 @@ bool isFelt(std::span<const Obstacle> obstacles, std::span<const Contact> contac
 }
 
 NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept {
-    Passes passes(on);
+    Passes passes(on, false);
     const NearestPoint result = passes.at(state.position);
     passes.settle(state);
     return result;
 }
 
 double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                 bool mayExtend) noexcept {
-    Passes passes(on);
+                 double hold, bool mayExtend) noexcept {
+    Passes passes(on, true);
+    const double atStart = slide.norm();
+    const Vec3 way = slide / atStart;
+    passes.at(state.position);
+    const double heldAtStart = hold > 0 ? passes.held(way) : 0;
     const auto wishAfter = [&](double part) {
-        return passes.at(state.position + drop + part * slide).x.dot(slide);
+        const double wish = passes.at(state.position + drop + part * slide).x.dot(way);
+        return hold > 0 ? wish - (hold + passes.held(way) - heldAtStart) : wish;
     };
-    const double atStart = slide.squaredNorm();
     double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
     if (atHigh >= -kOvershoot * atStart)
         return mayExtend && atHigh > 0 && atHigh < atLow ? std::min(atLow / (atLow - atHigh), kFarthest) : 1;
-    // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the crease
-    // between two texels, the proxy comes to rest on the side that it came from.
+    // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the edge
+    // between two painted triangles, the proxy comes to rest on the side that it came from.
     for (int i = 0; i < kSearches; ++i) {
         const double middle = low + (high - low) * atLow / (atLow - atHigh);
         const double there = wishAfter(middle);

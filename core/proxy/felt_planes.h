@@ -7,9 +7,12 @@
 
 namespace tactum {
 
-/// Features of a texture that pass by in less than so many steps are filtered: at a servo rate f and a slide
-/// of v, what is shorter than v / (f / 10).
-inline constexpr double kStepsToAFeature = 10;
+/// The smallest feature of a texture passes by in so many steps. Of waves as short nothing is left, for the
+/// steps would show them as others; from eight times of it on all is. At a rate f frequencies up to f / 20
+/// are whole, half is left of f / 7, and none of f / 2.5.
+inline constexpr double kStepsToAFeature = 2.5;
+/// Features of a texture below this part of the proxy's radius are not felt at any speed.
+inline constexpr double kFinestFeature = 0.05;
 
 /// What the update stage works on. World frame, SI.
 struct FeltContacts {
@@ -31,10 +34,12 @@ bool isFelt(std::span<const Obstacle> obstacles, std::span<const Contact> contac
 /// for each contact.
 NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept;
 
-/// How much of `slide` leads on, after `drop`, of what updateFelt wished: the felt normal changes on the way,
-/// and beyond the place where the wish turns back the proxy would swing to and fro. At most 1, or 2 with
-/// `mayExtend`, where the wish is seen to reach farther. Thread: real time; at most nine updates.
+/// How much of `slide` leads on, after `drop`, of what updateFelt wished: the felt normal, the depth and the
+/// friction change on the way, and beyond the place where the wish turns back, or where friction holds what
+/// is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the wish at the
+/// beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther. Thread: real
+/// time; at most ten updates.
 double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                 bool mayExtend) noexcept;
+                 double hold, bool mayExtend) noexcept;
 
 } // namespace tactum

@@ -65,14 +65,17 @@ private:
 
     // step_friction.cpp
     double lag() const noexcept;
-    double frictionAllows(const Vec3& wish, double excess) noexcept;
+    bool rubs() noexcept;
+    double frictionAllows(const Vec3& way, double excess) noexcept;
     double depthOn(const Contact& contact) noexcept;
-    bool isHeld(double excess) noexcept;
+    double depthOnSlope(const Contact& contact, double coefficient, const Vec3& way) noexcept;
+    const FeltPlane* feltAlone(const Contact& contact) noexcept;
+    bool isHeld(const Vec3& way, double excess) noexcept;
     bool isViscous() noexcept;
 
     // step_felt.cpp
     FeltContacts feltContacts() noexcept;
-    Vec3 alongFelt(const Vec3& wish, double part, bool free) noexcept;
+    Vec3 alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept;
     double settled() const noexcept;
     Vec3 seat() noexcept;
     bool isSeated() noexcept;

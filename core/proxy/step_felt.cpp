@@ -12,25 +12,27 @@ constexpr double kSettled = 1e-4;
 constexpr double kStrideGrowth = 1.2;
 // A finger that holds still for so many steps feels the proxy come to rest, each step with half the stride.
 constexpr int kSettling = 8;
+// A push is made so many times harder at most to lead down onto its plane.
+constexpr double kMaxPush = 1e3;
 // Where a viscous slide has to die out first, so many of its lags later, but no more steps than that.
 constexpr double kLags = 20, kMaxLag = 1e5;
 
 } // namespace
 
-// Features that pass by too fast for the servo are left out. A finger at rest feels all of them, however
-// far the proxy just went: what is felt must not change while the proxy settles.
+// Features that pass by too fast for the steps are left out, and those that the ball would bridge: of a
+// picture with finer texels than that each would be felt by the rounding of its 16 bits. A finger at rest
+// feels all others, however far the proxy just went: what is felt must not change while the proxy settles.
 FeltContacts Step::feltContacts() noexcept {
     const double way = std::min(state_.speed, fingerVelocity_.norm()) * dt_;
-    return {obstacles_, movers_, contacts(), radius_, finger_, kStepsToAFeature * way};
+    return {obstacles_, movers_, contacts(),
+            radius_,    finger_, std::max(kStepsToAFeature * way, kFinestFeature * radius_)};
 }
 
 // Down onto the surfaces, and along them as far as the felt normal, which changes on the way, still leads
 // on. Between where the drop and where the wish end no plane is crossed.
-Vec3 Step::alongFelt(const Vec3& wish, double part, bool free) noexcept {
-    const Vec3 drop = seat();
-    Vec3 slide = part * (wish - drop);
+Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept {
     if (slide.norm() <= rest_) return drop;
-    const double reach = feltReach(state_, feltContacts(), drop, slide, free);
+    const double reach = feltReach(state_, feltContacts(), drop, slide, hold, mayExtend);
     if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
     if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
     const double most = std::min(state_.stride, settlingStride());
@@ -49,10 +51,13 @@ double Step::settled() const noexcept {
 Vec3 Step::seat() noexcept {
     if (isSeated()) return Vec3::Zero();
     Vec3 push = Vec3::Zero();
-    for (const Contact& contact : contacts())
+    double scale = 1; // what pushes hardly still goes all the way down
+    for (const Contact& contact : contacts()) {
         push -= contact.lambda * contact.normal;
+        if (contact.lambda > 0) scale = std::max(scale, contact.gap / contact.lambda);
+    }
     Planes held = planes();
-    return nearestReachable(push, held.all()).x;
+    return nearestReachable(std::min(scale, kMaxPush) * push, held.all()).x;
 }
 
 // Once down it stays: where planes hardly lean from each other the way onto all of them at once is mostly

@@ -12,17 +12,24 @@ double Step::lag() const noexcept {
     return most;
 }
 
+bool Step::rubs() noexcept {
+    return std::ranges::any_of(contacts(), [](const Contact& contact) {
+        return contact.lambda > 0 && hasFriction(contact.material);
+    });
+}
+
 // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.
-double Step::frictionAllows(const Vec3& wish, double excess) noexcept {
-    if (isHeld(excess)) return 0;
-    const double speed = fingerVelocity_.dot(wish) / excess;
+double Step::frictionAllows(const Vec3& way, double excess) noexcept {
+    if (isHeld(way, excess)) return 0;
+    const double speed = fingerVelocity_.dot(way);
     double slide = excess;
     for (Contact& contact : contacts()) {
         if (contact.lambda <= 0) continue;
         contact.slipping = true;
         state_.slidingOn = contact.body;
         const FrictionLimit limit = frictionLimit(contact.material, true);
-        slide = std::min(slide, allowedSlide(limit, excess, depthOn(contact), speed, timeLeft_));
+        const double depth = depthOnSlope(contact, limit.coefficient, way);
+        slide = std::min(slide, allowedSlide(limit, excess, depth, speed, timeLeft_));
     }
     return slide;
 }
@@ -35,11 +42,32 @@ double Step::depthOn(const Contact& contact) noexcept {
     return depth;
 }
 
-bool Step::isHeld(double excess) noexcept {
+// The same where the felt normal leans.
+double Step::depthOnSlope(const Contact& contact, double coefficient, const Vec3& way) noexcept {
+    const double depth = depthOn(contact);
+    const FeltPlane* felt = feltAlone(contact);
+    if (!felt) return depth;
+    return depth * slopeFactor(felt->normal.dot(contact.normal), felt->normal.dot(way), coefficient);
+}
+
+// The felt plane of a contact, if it has one alone.
+const FeltPlane* Step::feltAlone(const Contact& contact) noexcept {
+    const FeltPlane* found = nullptr;
+    for (int i = 0; i < state_.feltCount; ++i) {
+        const FeltPlane& plane = state_.felt[std::size_t(i)];
+        if (plane.body != contact.body || plane.triangle != contact.triangle) continue;
+        if (found) return nullptr;
+        found = &plane;
+    }
+    return found;
+}
+
+bool Step::isHeld(const Vec3& way, double excess) noexcept {
     bool held = false;
     for (Contact& contact : contacts()) {
         const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
-        if (contact.lambda > 0 && excess <= limit.coefficient * depthOn(contact)) held = true;
+        if (contact.lambda <= 0) continue;
+        held |= excess <= limit.coefficient * depthOnSlope(contact, limit.coefficient, way);
     }
     return held;
 }

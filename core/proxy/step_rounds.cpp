@@ -100,16 +100,20 @@ bool Step::round() noexcept {
     guessed_ = false;
     if (comesOut()) return true;
     const Vec3 wish = unconstrainedByFriction();
-    const double excess = wish.norm();
-    if (excess <= rest_) return false;
-    const double slide = frictionAllows(wish, excess);
-    if (slide <= 0 && !felt_) return false; // what is felt lets the proxy down onto it even when it holds
+    if (wish.norm() <= rest_) return false;
+    // Friction holds the slide back, never the way down onto what is pressed.
+    const Vec3 drop = felt_ || rubs() ? seat() : Vec3::Zero();
+    const Vec3 along = wish - drop;
+    const double excess = along.norm();
+    const double slide = excess > rest_ ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
-    const bool free = slide == excess && rounds_ < mostRounds_ - 2 && vainGuesses_ < kMaxVain;
-    const Vec3 motion = felt_  ? alongFelt(wish, slide / excess, free)
-                        : free ? alongCurvature(wish, excess)
-                               : Vec3(wish * (slide / excess));
-    if (felt_ && motion.norm() <= rest_) return false;
+    const bool bold = rounds_ < mostRounds_ - 2 && vainGuesses_ < kMaxVain;
+    const bool free = slide == excess && bold;
+    const Vec3 allowed = excess > 0 ? Vec3(along * (slide / excess)) : Vec3::Zero();
+    const Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
+                        : free ? alongCurvature(wish, wish.norm())
+                               : Vec3(drop + allowed);
+    if (motion.norm() <= rest_) return false;
     const bool takesTime = slide < excess && isViscous();
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.

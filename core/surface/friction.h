@@ -33,6 +33,16 @@ inline double depthShare(double lambda, const Vec3& normal, const Vec3& on) noex
     return std::max(0.0, lambda) * std::max(0.0, normal.dot(on));
 }
 
+/// How many times more a plane holds that is felt to lean: the cone of friction stands about the felt normal
+/// n', so that up a slope s it takes (s + mu) / (1 - s mu) of the normal force in all, down (mu - s) / (1 + s
+/// mu), and across mu (1 + s^2)^(1/2). Of that the slope's own part is in the wish; what is left of the wish
+/// at the edge of the cone is mu times this of the depth. `lean`: n' times the plane's normal n; `up`: n'
+/// times the unit vector of the slide, negative uphill. At most kMaxSlopeFactor: where s mu comes near
+/// to 1 a real stylus would jam, or be lifted over the bump, which a tilted plane does not do. Thread:
+/// real time.
+double slopeFactor(double lean, double up, double coefficient) noexcept;
+inline constexpr double kMaxSlopeFactor = 2.5;
+
 /// How far the proxy slides in a time.
 /// `excess`: distance from the proxy to where it would go without friction, that is tangential force / k, at
 /// the end of the time. `depth`: normal force / k, the sum of depthShare(). `speed`: of the finger in the

@@ -1,4 +1,5 @@
-// An image read with the detail that a hand can follow: bilinear in a level, linear between two levels.
+// An image read with the detail that the servo can render: quadratic B-splines in a level, linear between
+// two.
 #pragma once
 
 #include "core/surface/texture_field.h"
@@ -11,14 +12,15 @@ inline constexpr int kMaxStretch = 8;
 /// Places that are averaged at most where the image lies stretched on the surface.
 inline constexpr int kMaxProbes = 2 * kMaxStretch;
 
-/// Value and slope of the image there, the slope being exactly that of the interpolated value.
+/// Value and slope of the image there, the slope being exactly that of the interpolated value, and
+/// continuous.
 ///
 /// A circle of the diameter `smallestFeature` (m) on the surface covers an ellipse of texels. The level of
 /// detail is that in which the short axis of the ellipse is one texel; along the long axis samples are
-/// averaged under a raised cosine. So details shorter than `smallestFeature` in metres vanish in every
-/// direction, however the coordinates are stretched, mirrored or skewed. 0 asks for all details. Of a
-/// grating's slope less than 1 % is left up to `smallestFeature`, and at least 90 % from eight times of it.
-/// Thread: real time; at most 8 x kMaxProbes texels, 8 where the image is not stretched.
+/// averaged under a raised cosine. So details vanish by their length in metres in every direction, however
+/// the coordinates are stretched, mirrored or skewed, as kept() says of the formulas: nothing is left up to
+/// half of `smallestFeature`, and at least 98 % of a slope from four times of it. 0 asks for all details.
+/// Thread: real time; at most 72 x kMaxProbes texels, 72 where the image is not stretched.
 FlatSample sampleImage(const TextureImage& image, const FlatPoint& point, double smallestFeature) noexcept;
 
 } // namespace tactum

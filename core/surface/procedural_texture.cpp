@@ -9,6 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFadingOctaves = 3;
 
 double sinc(double x) noexcept {
     return std::abs(x) < 1e-9 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
@@ -109,17 +110,26 @@ double densestOf(const FlatPoint& point) noexcept {
 
 WaveShape waveShape(double fill, double softness) noexcept {
     WaveShape wave{fill, 0, {}};
+    double highest = fill, lowest = fill; // in the middle of the raised part and of the other one
     for (int n = 1; n <= WaveShape::kHarmonics; ++n) {
         const double amplitude = 2 * fill * sinc(n * fill) * raisedCosineSpectrum(n * softness);
         wave.amplitude[std::size_t(n - 1)] = amplitude;
         if (std::abs(amplitude) > 1e-6) wave.harmonics = n;
+        highest += amplitude;
+        lowest += n % 2 == 0 ? amplitude : -amplitude;
     }
+    const double scale = 1 / (highest - lowest);
+    wave.mean = scale * (wave.mean - lowest);
+    for (double& amplitude : wave.amplitude)
+        amplitude *= scale;
     return wave;
 }
 
 double kept(double wavelength, double smallestFeature) noexcept {
     if (!(smallestFeature > 0)) return 1;
-    const double x = std::clamp(wavelength / smallestFeature - 1, 0.0, 1.0);
+    const double octaves = std::log2(wavelength / smallestFeature);
+    if (!(octaves > 0)) return 0;
+    const double x = std::min(octaves / kFadingOctaves, 1.0);
     return x * x * (3 - 2 * x);
 }
 

@@ -8,8 +8,8 @@
 
 namespace tactum {
 
-/// One period of a raised and a low part with soft edges, as a Fourier series about the middle of the raised
-/// part: value(x) = mean + sum of amplitude[n - 1] cos(2 pi n x).
+/// One period of a raised and a low part with soft edges, from 0 to 1, as a Fourier series about the middle
+/// of the raised part: value(x) = mean + sum of amplitude[n - 1] cos(2 pi n x).
 struct WaveShape {
     static constexpr int kHarmonics = 16;
     double mean = 0;
@@ -18,10 +18,12 @@ struct WaveShape {
 };
 
 /// `fill`: the raised part of the period. `softness`: width of an edge, part of a period; an edge is a raised
-/// cosine, which 16 harmonics render within 1 % from a softness of 0.1 on.
+/// cosine, which 16 harmonics render within 1 % from a softness of 0.1 on. Where the edges leave no room for
+/// a plain top or bottom the wave is stretched: its highest place is always 1 above its lowest.
 WaveShape waveShape(double fill, double softness) noexcept;
 
-/// What of a wave of this length (m) is kept: nothing up to `smallestFeature`, all from twice of it on.
+/// What of a wave of this length (m) is kept: nothing up to `smallestFeature`, a quarter of twice its length,
+/// all from eight times of it on.
 double kept(double wavelength, double smallestFeature) noexcept;
 
 // Values from 0 to 1. Thread: real time; a bounded number of operations each.

@@ -3,52 +3,68 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "core/base/realtime.h"
 
 namespace tactum {
 namespace {
 
-/// The texels that one texel of the next level covers, and how much of each: begin, count, weights that sum
-/// to 1. Halving with rounding up makes it three at most.
+constexpr int kLobes = 3;
+
+double lanczos(double x) {
+    if (std::abs(x) < 1e-9) return 1;
+    if (std::abs(x) >= kLobes) return 0;
+    const double angle = std::numbers::pi * x;
+    return kLobes * std::sin(angle) * std::sin(angle / kLobes) / (angle * angle);
+}
+
+/// What one texel of the next level is made of: texels in a row, which repeats, by Lanczos' kernel of three
+/// lobes. Its zeros lie a texel of the next level apart, so that it keeps waves from three of those on and
+/// nothing below two, which the level would show as others. Source: Duchon, J. Appl. Meteorology 18 (1979).
 struct Cover {
-    int begin = 0, count = 0;
-    std::array<double, 3> weight{};
+    Cover(int which, int fine, int coarse) {
+        const double ratio = double(fine) / coarse, centre = (which + 0.5) * ratio, reach = kLobes * ratio;
+        begin = int(std::floor(centre - reach));
+        double sum = 0;
+        for (int x = begin; x < centre + reach; ++x) {
+            weights.push_back(lanczos((x + 0.5 - centre) / ratio));
+            sum += weights.back();
+        }
+        for (double& weight : weights)
+            weight /= sum;
+    }
+    int end() const { return begin + int(weights.size()); }
+
+    int begin = 0;
+    std::vector<double> weights;
 };
 
-std::vector<Cover> coversOf(int fine, int coarse) {
-    std::vector<Cover> covers;
-    const double span = double(fine) / coarse;
-    for (int i = 0; i < coarse; ++i) {
-        const double from = i * span, to = i + 1 == coarse ? fine : (i + 1) * span;
-        Cover cover{int(from), 0, {}};
-        for (int x = cover.begin; x < fine && x < to && cover.count < 3; ++x)
-            cover.weight[std::size_t(cover.count++)] =
-                (std::min(to, x + 1.0) - std::max(from, double(x))) / (to - from);
-        covers.push_back(cover);
+/// The texels of the next level that any of `count` from `begin` on counts for.
+std::pair<int, int> above(int begin, int count, int fine, int coarse) {
+    const double ratio = double(fine) / coarse;
+    const int first = int(std::floor(begin / ratio - kLobes - 1)),
+              last = int(std::ceil((begin + count) / ratio + kLobes + 1));
+    return last - first >= coarse ? std::pair(0, coarse) : std::pair(first, last - first);
+}
+
+int repeated(int i, int size) {
+    const int rest = i % size;
+    return rest < 0 ? rest + size : rest;
+}
+
+/// Adds weight x row[begin ...] to the sums; the row repeats.
+void addRepeated(std::span<double> sums, double weight, const std::uint16_t* row, int begin, int width) {
+    std::size_t done = 0;
+    for (int at = repeated(begin, width); done < sums.size(); at = 0) {
+        const std::size_t count = std::min(sums.size() - done, std::size_t(width - at));
+        for (std::size_t i = 0; i < count; ++i)
+            sums[done + i] += weight * row[std::size_t(at) + i];
+        done += count;
     }
-    return covers;
-}
-
-std::uint16_t meanOf(const TextureImage& image, const TextureImage::Level& finer, const Cover& column,
-                     const Cover& row) {
-    double mean = 0;
-    for (int y = 0; y < row.count; ++y)
-        for (int x = 0; x < column.count; ++x)
-            mean += row.weight[std::size_t(y)] * column.weight[std::size_t(x)] *
-                    image.texel(finer, column.begin + x, row.begin + y);
-    return std::uint16_t(std::lround(65535 * std::clamp(mean, 0.0, 1.0)));
-}
-
-/// Narrows a range of fine texels to that of the coarse ones which cover any of them.
-void coarsen(const std::vector<Cover>& covers, int& begin, int& count) {
-    const int end = begin + count;
-    int first = 0, last = int(covers.size());
-    while (covers[std::size_t(first)].begin + covers[std::size_t(first)].count <= begin)
-        ++first;
-    while (covers[std::size_t(last - 1)].begin >= end)
-        --last;
-    begin = first, count = last - first;
 }
 
 std::size_t texelsWithLevels(int width, int height) {
@@ -78,26 +94,44 @@ TextureImage::TextureImage(int width, int height, std::vector<std::uint16_t> tex
 
 void TextureImage::addLevel(const Level& finer) {
     const Level next{(finer.width + 1) / 2, (finer.height + 1) / 2, texels_.size()};
-    const std::vector<Cover> columns = coversOf(finer.width, next.width),
-                             rows = coversOf(finer.height, next.height);
-    for (const Cover& row : rows)
-        for (const Cover& column : columns)
-            texels_.push_back(meanOf(*this, finer, column, row));
+    texels_.resize(next.begin + std::size_t(next.width) * std::size_t(next.height));
     levels_[std::size_t(levelCount_++)] = next;
+    fill(levelCount_ - 1, {0, 0, next.width, next.height});
 }
 
-/// The texels of the next level that cover some of each region, which becomes theirs.
+/// A part of a level from the one below it, first down the columns and then along the rows.
+void TextureImage::fill(int which, const Region& region) {
+    const Level &from = level(which - 1), &to = level(which);
+    std::vector<Cover> along;
+    for (int x = region.x; x < region.x + region.width; ++x)
+        along.emplace_back(x, from.width, to.width);
+    const int begin = along.front().begin;
+    std::vector<double> sums(std::size_t(along.back().end() - begin));
+    for (int y = region.y; y < region.y + region.height; ++y) {
+        const Cover down(y, from.height, to.height);
+        std::ranges::fill(sums, 0.0);
+        for (std::size_t k = 0; k < down.weights.size(); ++k)
+            addRepeated(sums, down.weights[k], row(from, repeated(down.begin + int(k), from.height)), begin,
+                        from.width);
+        std::uint16_t* texels =
+            texels_.data() + to.begin + std::size_t(repeated(y, to.height)) * std::size_t(to.width);
+        for (std::size_t i = 0; i < along.size(); ++i) {
+            const double* first = sums.data() + (along[i].begin - begin);
+            const double value =
+                std::inner_product(along[i].weights.begin(), along[i].weights.end(), first, 0.0);
+            texels[repeated(region.x + int(i), to.width)] =
+                std::uint16_t(std::lround(std::clamp(value, 0.0, 65535.0)));
+        }
+    }
+}
+
+/// The texels of the next level that show some of each region, which becomes theirs.
 void TextureImage::fillAbove(int finer, std::span<Region> regions) {
     const Level &from = level(finer), &to = level(finer + 1);
-    const std::vector<Cover> columns = coversOf(from.width, to.width),
-                             rows = coversOf(from.height, to.height);
     for (Region& region : regions) {
-        coarsen(columns, region.x, region.width);
-        coarsen(rows, region.y, region.height);
-        for (int y = region.y; y < region.y + region.height; ++y)
-            for (int x = region.x; x < region.x + region.width; ++x)
-                texels_[to.begin + std::size_t(y) * std::size_t(to.width) + std::size_t(x)] =
-                    meanOf(*this, from, columns[std::size_t(x)], rows[std::size_t(y)]);
+        std::tie(region.x, region.width) = above(region.x, region.width, from.width, to.width);
+        std::tie(region.y, region.height) = above(region.y, region.height, from.height, to.height);
+        fill(finer + 1, region);
     }
 }
 

@@ -15,8 +15,8 @@ namespace tactum {
 
 /// Texels from 0 (0) to 65535 (1), whatever depth the file had: 8 bits v are 257 v, which is exact. Row 0
 /// lies at v = 0, the lower edge of the picture, and the image repeats in both directions. A level is half as
-/// wide and high as the one before, rounded up; each of its texels is the mean of the area that it covers, so
-/// that no size needs to be a power of two. Shared through a shared_ptr to const.
+/// wide and high as the one before, rounded up, so that no size needs to be a power of two; it holds what of
+/// that one is longer than two of its own texels. Shared through a shared_ptr to const.
 class TextureImage {
 public:
     static constexpr int kMaxLevels = 16;
@@ -58,6 +58,7 @@ public:
 
 private:
     void addLevel(const Level& finer);
+    void fill(int which, const Region& region);
     void fillAbove(int finer, std::span<Region> regions);
 
     std::string name_;

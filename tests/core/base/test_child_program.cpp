@@ -115,7 +115,8 @@ private slots:
         sigemptyset(&blocked);
         sigaddset(&blocked, SIGUSR1);
         pthread_sigmask(SIG_BLOCK, &blocked, &old);
-        const Ended ended = run({"-c", "grep -E 'SigBlk|SigIgn' /proc/$$/status"});
+        // Of the shell itself: one that waits for a grep of its own blocks signals meanwhile.
+        const Ended ended = run({"-c", "exec grep -E 'SigBlk|SigIgn' /proc/$$/status"});
         pthread_sigmask(SIG_SETMASK, &old, nullptr);
         std::signal(SIGTERM, before);
         unsigned long long blockedThere = 1,

@@ -300,7 +300,9 @@ void ShadingTest::frictionAlongALeaningGroove_data() {
 }
 
 // In a right-angled groove whose normals lean along it by the slope s the force leans by s sqrt 2, and a hand
-// that slides has to overcome that, b v, and mu times what each face bears: f_z / sqrt 2.
+// that slides has to overcome that, b v, and mu times what each face bears: f_z / sqrt 2, by (1 + s^2) / (1 -
+// s mu) more uphill and by (1 + s^2) / (1 + s mu) downhill, for the cone of friction stands about the leaning
+// normal.
 void ShadingTest::frictionAlongALeaningGroove() {
     QFETCH(double, slope);
     const double r = 1e-3, v = 0.05;
@@ -314,7 +316,8 @@ void ShadingTest::frictionAlongALeaningGroove() {
                 hand.go({0, sign * 0.02, 0}, v);
                 const Vec3 force = hand.output().force;
                 const double drag = -sign * force.y() - sign * slope * std::numbers::sqrt2 * force.z();
-                const double expected = mu * force.z() / std::numbers::sqrt2 + b * v;
+                const double onSlope = (1 + slope * slope) / (1 - sign * slope * mu);
+                const double expected = mu * onSlope * force.z() / std::numbers::sqrt2 + b * v;
                 QVERIFY2(std::abs(drag - expected) < 0.003 * expected + 1e-4,
                          qPrintable(QString("mu %1, b %2: %3 instead of %4")
                                         .arg(sign * mu)
@@ -339,7 +342,9 @@ void ShadingTest::hollowComesToRest() {
     }
 }
 
-// A plane whose normals all lean by the slope s: the force leans as they do, and friction holds by mu around.
+// A plane whose normals all lean by the slope s, as a real slope: the force leans as they do, and friction
+// holds by mu around them, so that up the slope it takes (s + mu) / (1 - s mu), and down (mu - s) / (1 + s
+// mu).
 void ShadingTest::frictionConeStandsOnTheFeltNormal() {
     const double s = 0.3, mu = 0.2, depth = 1e-3;
     const Soup leaning = withNormals(sheet(0.05), [&](const Vec3&) { return Vec3(-s, 0, 1).normalized(); });
@@ -353,7 +358,7 @@ void ShadingTest::frictionConeStandsOnTheFeltNormal() {
             worst = std::max(worst, std::abs(h.output().contact[0].normalForce - kStiffness.initial * depth));
         });
         QCOMPARE_LT(worst, 1e-3);
-        COMPARE_NEAR(largest / (mu + sign * s), 1, 0.005, "");
+        COMPARE_NEAR(largest, (mu + sign * s) / (1 - sign * s * mu), 0.001, "");
     }
 }
 

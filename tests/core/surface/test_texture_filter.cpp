@@ -79,13 +79,13 @@ void TextureFilterTest::gratingsShorterThanTheFeatureVanish() {
 
 // Between the two a mip level does what it can: the slope of a grating of 2, 4 and 6 features.
 void TextureFilterTest::longGratingsStay() {
-    qInfo("kept of a grating of 2, 4, 6, 8 features: %.0f %%, %.0f %%, %.0f %%, %.0f %%",
-          100 * keptOfGrating(2 * kFeature), 100 * keptOfGrating(4 * kFeature),
-          100 * keptOfGrating(6 * kFeature), 100 * keptOfGrating(8 * kFeature));
+    for (double features : {1.5, 2.0, 3.0, 4.0, 6.0, 8.0})
+        qInfo("kept of a grating of %g features: %.1f %%", features,
+              100 * keptOfGrating(features * kFeature));
     for (double ratio : {8.0, 9.7, 12.0, 20.0, 50.0})
         for (double rotation : {0.0, 0.5, kPi / 2}) {
             const double share = keptOfGrating(ratio * kFeature, rotation);
-            QVERIFY2(share >= 0.9 && share < 1.02, qPrintable(QString("%1: %2").arg(ratio).arg(share)));
+            QVERIFY2(share >= 0.98 && share < 1.02, qPrintable(QString("%1: %2").arg(ratio).arg(share)));
         }
 }
 
@@ -130,7 +130,7 @@ void TextureFilterTest::stretchedUvsAreFilteredInMetres() {
                                      .arg(fine)
                                      .arg(coarse);
             // Askew, the creases of the interpolation do not line up with the places that are averaged.
-            QVERIFY2(fine < (skew == 0 ? 0.03 : 0.1) && coarse >= 0.9, qPrintable(what));
+            QVERIFY2(fine < (skew == 0 ? 0.03 : 0.1) && coarse >= 0.95, qPrintable(what));
         }
 }
 
@@ -138,55 +138,57 @@ void TextureFilterTest::proceduralPatternsFadeByTheirWaves() {
     for (TextureSource source :
          {TextureSource::Noise, TextureSource::Grooves, TextureSource::Dots, TextureSource::Weave}) {
         QCOMPARE_EQ(keptOfPattern(source, kFeature), 0);
-        QVERIFY2(keptOfPattern(source, 6 * kFeature) >= 0.9, qPrintable(QString::number(int(source))));
+        QVERIFY2(keptOfPattern(source, 32 * kFeature) >= 0.99, qPrintable(QString::number(int(source))));
     }
-    QCOMPARE_GT(keptOfPattern(TextureSource::Grooves, 2 * kFeature), 0.999);
-    QCOMPARE_GT(keptOfPattern(TextureSource::Noise, 2 * kFeature), 0.999);
+    COMPARE_NEAR(keptOfPattern(TextureSource::Grooves, 2 * kFeature), 7.0 / 27, 1e-6, "");
+    QCOMPARE_GT(keptOfPattern(TextureSource::Grooves, 8 * kFeature), 0.999);
+    QCOMPARE_GT(keptOfPattern(TextureSource::Noise, 8 * kFeature), 0.999);
 }
 
-// Noise of 8 octaves from 8 mm on, with features of 1 mm: what is left is the noise of its first two octaves
-// (and the fading third), whose height among all eight is known.
+// Noise from 32 features on: of its octaves the first three are longer than eight features and whole, the
+// next two fade each by its own length, and the finer ones are gone.
 void TextureFilterTest::fineOctavesGoFirst() {
-    TextureLayer many = heightLayer(TextureSource::Noise, TextureMapping::Planar, 8 * kFeature, 1e-3);
-    many.pattern.octaves = 8;
-    TextureLayer few = many;
-    few.pattern.octaves = 3;
-    few.strength *= (2 - std::exp2(-2)) / (2 - std::exp2(-7));
-    const Stack fine = stackOf({many}), coarse = stackOf({few});
+    const auto noise = [](int octaves) {
+        TextureLayer layer = heightLayer(TextureSource::Noise, TextureMapping::Planar, 32 * kFeature, 1e-3);
+        layer.pattern.octaves = octaves;
+        layer.strength *= 2 - std::exp2(1 - octaves); // each octave as high as in any other
+        return stackOf({layer});
+    };
+    const Stack all = noise(8), three = noise(3), four = noise(4), five = noise(5);
     Rng rng(2);
     for (int i = 0; i < 500; ++i) {
         TexturePoint point;
         point.position = inBox(rng, 0.1);
-        const Vec3 slope = feel(*fine, point, kFeature).slope;
-        COMPARE_NEAR(slope, feel(*coarse, point, 0).slope, 1e-12, "");
+        const auto slope = [&](const Stack& stack) { return feel(*stack, point, 0).slope; };
+        const Vec3 expected =
+            slope(three) + 20.0 / 27 * (slope(four) - slope(three)) + 7.0 / 27 * (slope(five) - slope(four));
+        COMPARE_NEAR(feel(*all, point, kFeature).slope, expected, 1e-12, "");
     }
 }
 
 void TextureFilterTest::aliasOfASlide_data() {
     QTest::addColumn<double>("rate");
-    QTest::addColumn<double>("bound");
-    // Measured: 2.7, 7.7 and 14.7 %. It is the creases between texels that sound there; at 4 kHz waves up to
-    // 400 Hz are rendered on purpose.
-    QTest::newRow("1 kHz") << 1000.0 << 0.04;
-    QTest::newRow("2 kHz") << 2000.0 << 0.10;
-    QTest::newRow("4 kHz") << 4000.0 << 0.20;
+    QTest::newRow("1 kHz") << 1000.0;
+    QTest::newRow("2 kHz") << 2000.0;
+    QTest::newRow("4 kHz") << 4000.0;
 }
 
-// White grain, the worst there is: 20 um high, finer than any feature here, pressed with 1 N.
+// White grain, the worst there is: 20 um high, 0.1 mm fine, pressed with 1 N. What sounds within a tenth of
+// the rate from its half is not there by itself: it is what a level or the interpolation shows wrongly, or
+// the last of the fading waves.
 void TextureFilterTest::aliasOfASlide() {
     QFETCH(double, rate);
-    QFETCH(double, bound);
-    const double speed = 0.15, feature = speed / (rate / 10);
+    const double speed = 0.15, feature = 2.5 * speed / rate;
     Rng rng(9);
     const Image grain = imageOf(512, 512, [&](double, double) { return uniform(rng, 0, 1); });
     const Stack stack = stackOf({imageLayer(grain, TextureMapping::Planar, 0.05, 2e-5)});
-    const Spectrum sharp = spectrumOf(slide(*stack, speed, rate, 0), rate, 300),
-                   soft = spectrumOf(slide(*stack, speed, rate, feature), rate, 300);
-    qInfo("force above 300 Hz: %.3g mN, %.1f %% of the energy; unfiltered %.3g mN, %.1f %%",
+    const Spectrum sharp = spectrumOf(slide(*stack, speed, rate, 0), rate, 0.4 * rate),
+                   soft = spectrumOf(slide(*stack, speed, rate, feature), rate, 0.4 * rate);
+    qInfo("force above %g Hz: %.3g mN, %.2f %% of the energy; unfiltered %.3g mN, %.1f %%", 0.4 * rate,
           1e3 * std::sqrt(soft.above), 100 * soft.above / soft.whole, 1e3 * std::sqrt(sharp.above),
           100 * sharp.above / sharp.whole);
-    QCOMPARE_LT(soft.above, bound * soft.whole);
-    QCOMPARE_LT(soft.above, 1e-3 * sharp.above);
+    QCOMPARE_LT(soft.above, 0.02 * soft.whole);
+    QCOMPARE_LE(soft.above, sharp.above);
     QCOMPARE_GT(soft.whole, 0);
 }
 

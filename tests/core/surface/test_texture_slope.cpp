@@ -88,18 +88,21 @@ void TextureSlopeTest::everySourceInEveryMappingAgreesWithDifferences() {
                 // Around an axis the filter itself changes from place to place, which the slope leaves out.
                 const bool round =
                     mapping == TextureMapping::Cylindrical || mapping == TextureMapping::Spherical;
-                const double detail = round || i % 2 == 0 ? 0 : 1e-3;
+                const double detail = round ? 0 : 5e-4 * (i % 3);
                 const Vec3 slope = feel(*stack, point, detail).slope;
                 if (slope.norm() > 0.99 * kSteepestSlope) continue; // cut
                 QCOMPARE_LT(std::abs(slope.dot(point.normal)), 1e-12);
                 steepest = std::max(steepest, slope.norm());
-                // A bilinear surface has creases: a step across one of them says nothing.
+                // The slope of a spline has creases: a step across one of them says little.
                 const Vec3 coarse = measuredSlope(*stack, point, detail, 2e-9),
                            fine = measuredSlope(*stack, point, detail, 1e-9);
                 if ((coarse - fine).norm() > 1e-3 * (0.1 + slope.norm())) continue;
                 worst = std::max(worst, (slope - fine).norm());
             }
-            QVERIFY2(steepest > 0.02, qPrintable(QString("source %1").arg(int(source))));
+            QVERIFY2(
+                steepest > 0.02,
+                qPrintable(
+                    QString("source %1, mapping %2: %3").arg(int(source)).arg(int(mapping)).arg(steepest)));
             QVERIFY2(worst < 0.01 * steepest, qPrintable(QString("source %1 mapping %2: %3 of %4")
                                                              .arg(int(source))
                                                              .arg(int(mapping))
@@ -111,7 +114,7 @@ void TextureSlopeTest::everySourceInEveryMappingAgreesWithDifferences() {
 // 1 mm over 10 mm along x.
 void TextureSlopeTest::imageRampHasTheSlopeOfItsHeights() {
     const Stack stack = stackOf({imageLayer(ramp(), TextureMapping::Planar, 0.01, 1e-3)});
-    for (double x : {0.001, 0.0037, 0.005, 0.0092}) {
+    for (double x : {0.0022, 0.0037, 0.005, 0.0078}) {
         TexturePoint point;
         point.position = {x, 0.0021, 0};
         for (double detail : {0.0, 2e-4}) {

@@ -241,8 +241,8 @@ private slots:
         QVERIFY(waitFor([&] { return !swatch.working() && !swatch.ground().values.empty(); }));
         QCOMPARE(swatch.ground().side, 0.03);
         QCOMPARE(swatch.ground().pixels, 112);
-        COMPARE_NEAR(swatch.ground().high, 1e-4, 1e-7, "m");
-        COMPARE_NEAR(swatch.ground().low, 0, 1e-7, "m");
+        COMPARE_NEAR(swatch.ground().high, 1e-4, 5e-7, "m");
+        COMPARE_NEAR(swatch.ground().low, 0, 5e-7, "m");
         COMPARE_SHOWN(drawnBy(swatch), "swatch");
         QVERIFY(swatch.readingAt({56, 28}).endsWith(QStringLiteral(" at 15.0, 22.5 mm")));
         QVERIFY(!swatch.readingAt({0, 0}).isEmpty());
@@ -278,13 +278,13 @@ private slots:
             swatch.display({layer}, TextureTarget::Height, nullptr, 0);
         }
         QVERIFY(waitFor([&] { return !swatch.working() && swatch.ground().high > 4.9e-4; }));
-        COMPARE_NEAR(swatch.ground().high, 5e-4, 1e-6, "m");
+        COMPARE_NEAR(swatch.ground().high, 5e-4, 2e-5, "m"); // some waves are finer than the pixels
         layer.target = TextureTarget::Stiffness;
         layer.strength = 0.5;
         swatch.display({layer}, TextureTarget::Stiffness, nullptr, 0);
         QVERIFY(
             waitFor([&] { return !swatch.working() && swatch.ground().target == TextureTarget::Stiffness; }));
-        COMPARE_NEAR(swatch.ground().high, 1.5, 1e-3, "");
+        COMPARE_NEAR(swatch.ground().high, 1.5, 0.05, "");
     }
 
     void aColourAsASquare() {

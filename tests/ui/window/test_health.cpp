@@ -282,7 +282,7 @@ void TestHealth::motorsWarmUp() {
     QVERIFY(program.open(writeCube(folder_)));
     program.window->view().showStandardView(StandardView::Front);
     troubled.showHealth();
-    QCOMPARE(troubled.text("health-heat"), QStringLiteral("0 % warm"));
+    QTRY_COMPARE_WITH_TIMEOUT(troubled.text("health-heat"), QStringLiteral("0 % warm"), kPatience);
     program.press(program.centre());
     QTRY_VERIFY_WITH_TIMEOUT(program.touch().contacts == 1, kPatience);
     program.wheel(program.centre(), 8);
