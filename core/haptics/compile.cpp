@@ -99,9 +99,14 @@ bool sameShape(const World& a, const World& b) {
 
 // In which shape of the world each obstacle came to where it is.
 void datePlaces(World& world, const World* previous) {
-    for (Obstacle& obstacle : world.obstacles) {
+    for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+        Obstacle& obstacle = world.obstacles[i];
         obstacle.placedIn = world.shapeRevision;
         if (!previous) continue;
+        if (i < previous->obstacles.size() && sameShape(obstacle, previous->obstacles[i])) {
+            obstacle.placedIn = previous->obstacles[i].placedIn; // most edits leave all where they are
+            continue;
+        }
         const auto before = std::ranges::find_if(
             previous->obstacles, [&](const Obstacle& known) { return sameShape(obstacle, known); });
         if (before != previous->obstacles.end()) obstacle.placedIn = before->placedIn;
@@ -159,6 +164,7 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
         world->obstacles[i].feels = world->bodies[i].feels;
         world->obstacles[i].sides = world->bodies[i].sides;
     }
+    world->near = NearBodies(world->obstacles);
     return world;
 }
 

@@ -133,7 +133,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     moveBodies(world, state, dt);
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
-                      {state.movers.data(), world.movers.size()}, roundsAt(input.fidelity));
+                      {state.movers.data(), world.movers.size()}, roundsAt(input.fidelity), &world.near);
     describeSurroundings(world, state, dt);
     HapticOutput output = reportOf(world, state);
     output.report = report;

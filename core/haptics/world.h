@@ -8,6 +8,7 @@
 #include "core/collision/collision_mesh.h"
 #include "core/dynamics/motion.h"
 #include "core/haptics/degradation.h"
+#include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
 #include "core/scene/scene.h"
 #include "core/surface/material.h"
@@ -47,6 +48,7 @@ struct World {
     std::vector<Obstacle> obstacles;         ///< one for each body, in the same order
     std::vector<Obstacle> untextured, plain; ///< the same, with less to feel: see Fidelity
     std::vector<Mover> movers;               ///< at most kMaxMovers; Obstacle::mover is an index into them
+    NearBodies near;                         ///< of all three
     double proxyRadius = 0;                  ///< m
     std::shared_ptr<const Scene> scene;      ///< what it was made of
     std::uint64_t revision = 0;              ///< rises with every compile

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/proxy/carry_bounds.h"
+#include "core/proxy/near_bodies.h"
 #include "core/proxy/passed_bodies.h"
 #include "core/proxy/straddled_bodies.h"
 #include "core/surface/friction.h"
@@ -32,8 +33,8 @@ struct Meeting {
 class Carry {
 public:
     Carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-          double radius)
-        : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius) {}
+          double radius, const NearBodies* near)
+        : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius), near_(near) {}
 
     CarryReport run() noexcept {
         letGoOfJumps();
@@ -100,17 +101,26 @@ private:
         return best && moves(best->body) ? &movers_[std::size_t(obstacles_[best->body].mover)] : nullptr;
     }
 
+    template <class Seen> void forEachMoving(Seen&& seen) noexcept {
+        if (near_) {
+            for (const std::uint32_t body : near_->moving())
+                if (moves(body)) seen(body);
+            return;
+        }
+        for (std::uint32_t body = 0; body < obstacles_.size(); ++body)
+            if (moves(body)) seen(body);
+    }
+
     // Which bodies can reach the proxy, and into how many pieces that cuts the step.
     int look() noexcept {
         double pieces = 0;
-        for (std::uint32_t body = 0; body < obstacles_.size(); ++body) {
-            if (!moves(body)) continue;
+        forEachMoving([&](std::uint32_t body) {
             const BodyMotion& motion = movers_[std::size_t(obstacles_[body].mover)];
             const double turn = motion.before.rotation.angularDistance(motion.now.rotation);
             const double slide = (motion.now.translation - motion.before.translation).norm();
             const Vec3 at_B = motion.before.applyInverse(state_.position);
             const double way = slide + turn * at_B.norm();
-            if (!ride_ && obstacles_[body].mesh->tree.isBeyond(at_B, radius_ + way)) continue;
+            if (!ride_ && obstacles_[body].mesh->tree.isBeyond(at_B, radius_ + way)) return;
             inReach_ |= std::uint64_t(1) << obstacles_[body].mover;
             // The second derivative of the relative path is at most this; a chord's sagitta is an eighth of
             // it.
@@ -118,7 +128,7 @@ private:
             pieces =
                 std::max({pieces, 1.0, (motion.carried(state_.position) - state_.position).norm() / radius_,
                           std::sqrt(bend / (8 * kSagitta * radius_))});
-        }
+        });
         return int(std::ceil(std::min(pieces, double(kMaxPieces))));
     }
 
@@ -130,8 +140,8 @@ private:
     }
 
     void followSides(const Vec3& before_W) noexcept {
-        if (anyOneSided(obstacles_))
-            followCarried(state_, obstacles_, movers_, radius_, before_W, from_, to_);
+        if (near_ ? near_->oneSided() : anyOneSided(obstacles_))
+            followCarried(state_, obstacles_, movers_, radius_, before_W, from_, to_, near_);
     }
 
     // One piece of the step: a goal, and rounds of sweeping to it and keeping out of what was met.
@@ -187,16 +197,18 @@ private:
     Meeting firstOnTheWay(const Vec3& start, const CarryBounds::Place& place) noexcept {
         Meeting first;
         const bool stays = start == place.at;
-        for (std::uint32_t body = 0; body < obstacles_.size(); ++body) {
-            if (stays && !(moves(body) && inReach_ >> obstacles_[body].mover & 1)) continue;
-            if (hasPassed(state_, body)) continue;
+        const double reach = radius_ + (place.at - start).norm();
+        forEachNear(near_, obstacles_.size(), start, reach, [&](std::uint32_t body) {
+            if (stays && !(moves(body) && inReach_ >> obstacles_[body].mover & 1)) return;
+            if (hasPassed(state_, body)) return;
             const Vec3 from_B = poseAt(body, from_).applyInverse(start);
             const Vec3 way_B = poseAt(body, to_).applyInverse(place.at) - from_B;
             const SpherePath path{from_B, way_B, (radius_ - place.give) * (1 - kSkin), obstacles_[body].sides,
                                   cameFrom(state_, body, from_B)};
             const SweepHit hit = sweepBody(body, path);
-            if (hit.t < first.hit.t) first = {hit, body, from_B + hit.t * way_B};
-        }
+            if (hit.t < first.hit.t || (hit.t == first.hit.t && hit.t <= 1 && body < first.body))
+                first = {hit, body, from_B + hit.t * way_B};
+        });
         return first;
     }
 
@@ -248,6 +260,7 @@ private:
     std::span<const Obstacle> obstacles_;
     std::span<const BodyMotion> movers_;
     double radius_;
+    const NearBodies* near_;
     CarryReport report_;
     Vec3 from_W_ = state_.position;    ///< where the proxy was
     const BodyMotion* ride_ = nullptr; ///< of the body that holds the proxy by friction
@@ -259,9 +272,9 @@ private:
 } // namespace
 
 CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                  double radius) noexcept {
+                  double radius, const NearBodies* near) noexcept {
     if (movers.empty()) return {.start = state.position};
-    return Carry(state, obstacles, movers, radius).run();
+    return Carry(state, obstacles, movers, radius, near).run();
 }
 
 } // namespace tactum

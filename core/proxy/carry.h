@@ -37,6 +37,6 @@ struct CarryReport {
 /// Thread: real time; at most kMaxPieces x (kMaxCarryRounds + 1) sweeps of each body, and again for every
 /// body that passes over or lets the proxy go; one sweep of the bodies in reach is usual.
 CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                  double radius) noexcept;
+                  double radius, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

@@ -15,11 +15,11 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept {
 }
 
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers,
-                          int mostRounds) noexcept {
-    const CarryReport carried = carry(state, obstacles, movers, radius);
+                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers, int mostRounds,
+                          const NearBodies* near) noexcept {
+    const CarryReport carried = carry(state, obstacles, movers, radius, near);
     ProxyReport report =
-        Step(state, obstacles, movers, radius, finger_W, dt, carried.start, mostRounds).run();
+        Step(state, obstacles, movers, radius, finger_W, dt, carried.start, mostRounds, near).run();
     report.squeezed |= carried.squeezed;
     report.passed = carried.passed;
     return report;

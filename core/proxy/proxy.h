@@ -76,6 +76,8 @@ struct ProxyState {
     int straddledCount = 0;
 };
 
+class NearBodies;
+
 struct ProxyReport {
     int rounds = 0;
     bool boundHit = false; ///< the rounds ended the step; the state is valid and the next step goes on
@@ -91,11 +93,12 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// is felt from where it came. The distance to the finger has grown only where a moving body pushed or
 /// carried the proxy, where it came out of a squeeze, and on shaded or textured surfaces. `contacts` holds
 /// what is touched. `movers`: what the obstacles' `mover` names, how each of them moved in this step.
-/// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there.
-/// Thread: real time; at most as many sweeps of each obstacle, and before them, where `movers` move, those of
-/// carry(). With every move one nearestOn() of each body in reach that is felt from one side alone.
+/// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there. `near`: of these
+/// obstacles, where they are many; without it each is looked at. Thread: real time; at most as many sweeps of
+/// each obstacle, and before them, where `movers` move, those of carry(). With every move one nearestOn() of
+/// each body in reach that is felt from one side alone.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
-                          int mostRounds = kMaxRounds) noexcept;
+                          int mostRounds = kMaxRounds, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

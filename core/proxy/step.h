@@ -8,6 +8,7 @@
 
 #include "core/base/inplace_vector.h"
 #include "core/proxy/felt_planes.h"
+#include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
 #include "core/proxy/straddled_bodies.h"
 
@@ -31,11 +32,12 @@ inline constexpr double kBoldest = 256;
 class Step {
 public:
     Step(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-         double radius, const Vec3& finger, double dt, const Vec3& start, int mostRounds)
+         double radius, const Vec3& finger, double dt, const Vec3& start, int mostRounds,
+         const NearBodies* near)
         : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius),
           rest_(std::max(kRest * radius, kTold * start.norm())), finger_(finger), dt_(dt), timeLeft_(dt),
-          fingerVelocity_((finger - state.finger) / dt), start_(start), mostRounds_(mostRounds),
-          oneSided_(anyOneSided(obstacles)) {}
+          fingerVelocity_((finger - state.finger) / dt), start_(start), mostRounds_(mostRounds), near_(near),
+          oneSided_(near ? near->oneSided() : anyOneSided(obstacles)) {}
 
     ProxyReport run() noexcept;
 
@@ -91,6 +93,7 @@ private:
 
     // step_sweep.cpp
     SweepHit sweep(const Vec3& motion, std::uint32_t& body) noexcept;
+    void sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::uint32_t& body) noexcept;
     void goTo(const Vec3& place) noexcept;
     bool isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept;
     bool isStillFelt(const Contact& contact) noexcept;
@@ -110,7 +113,8 @@ private:
     Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
     Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
     int mostRounds_;
-    bool oneSided_; ///< something is felt from one side alone
+    const NearBodies* near_; ///< null: look at every obstacle
+    bool oneSided_;          ///< something is felt from one side alone
     int rounds_ = 0;
     bool squeezed_ = false;
     Vec3 nearest_; ///< the nearest place of this step that it was at

@@ -11,38 +11,43 @@ namespace tactum {
 // its plane is free of it.
 SweepHit Step::sweep(const Vec3& motion, std::uint32_t& body) noexcept {
     SweepHit first;
-    for (std::uint32_t i = 0; i < obstacles_.size(); ++i) {
-        const Obstacle& obstacle = obstacles_[i];
-        if (hasPassed(state_, i)) continue;
-        std::array<Index, kMaxPlanes> touched;
-        std::size_t count = 0;
-        for (const Contact& contact : contacts())
-            if (contact.body == i) touched[count++] = contact.triangle;
-        const Vec3 from_B = poseNow(obstacle, movers_).applyInverse(state_.position);
-        const SpherePath path{from_B, poseNow(obstacle, movers_).rotateInverse(motion), radius_ * (1 - kSkin),
-                              obstacle.sides, cameFrom(state_, i, from_B)};
-        // Of many bodies most are far away, and memories are few.
-        if (obstacles_.size() > state_.memories.size() &&
-            obstacle.mesh->tree.isBeyond(path.from, path.radius + path.motion.norm()))
-            continue;
-        SweepMemory& memory = state_.memories[i % state_.memories.size()];
-        const SweepHit hit = sweepFrom(memory, *obstacle.mesh, path, {touched.data(), count});
-        if (hit.t < first.t) {
-            first = hit;
-            body = i;
-        } else if (hit.soonCount > 0 && body == kNoBody) {
-            first.soon = hit.soon;
-            first.soonCount = hit.soonCount;
-            soonBody_ = i;
-        }
-    }
+    const auto look = [&](std::uint32_t i) { sweepOne(i, motion, first, body); };
+    forEachNear(near_, obstacles_.size(), state_.position, radius_ + motion.norm(), look);
     return first;
+}
+
+// Of two bodies that are met at the same time the one with the lower index counts, in whichever order they
+// come.
+void Step::sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::uint32_t& body) noexcept {
+    const Obstacle& obstacle = obstacles_[i];
+    if (hasPassed(state_, i)) return;
+    std::array<Index, kMaxPlanes> touched;
+    std::size_t count = 0;
+    for (const Contact& contact : contacts())
+        if (contact.body == i) touched[count++] = contact.triangle;
+    const Vec3 from_B = poseNow(obstacle, movers_).applyInverse(state_.position);
+    const SpherePath path{from_B, poseNow(obstacle, movers_).rotateInverse(motion), radius_ * (1 - kSkin),
+                          obstacle.sides, cameFrom(state_, i, from_B)};
+    // Of many bodies most are far away, and memories are few.
+    if (obstacles_.size() > state_.memories.size() &&
+        obstacle.mesh->tree.isBeyond(path.from, path.radius + path.motion.norm()))
+        return;
+    SweepMemory& memory = state_.memories[i % state_.memories.size()];
+    const SweepHit hit = sweepFrom(memory, *obstacle.mesh, path, {touched.data(), count});
+    if (hit.t < first.t || (hit.t == first.t && hit.t <= 1 && i < body)) {
+        first = hit;
+        body = i;
+    } else if (hit.soonCount > 0 && body == kNoBody) {
+        first.soon = hit.soon;
+        first.soonCount = hit.soonCount;
+        soonBody_ = i;
+    }
 }
 
 // All motion of the rounds, but the way back to the nearest place.
 void Step::goTo(const Vec3& place) noexcept {
     const Vec3 before = std::exchange(state_.position, place);
-    if (oneSided_) followMoved(state_, obstacles_, movers_, radius_, before);
+    if (oneSided_) followMoved(state_, obstacles_, movers_, radius_, before, near_);
 }
 
 bool Step::isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept {

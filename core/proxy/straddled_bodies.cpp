@@ -1,6 +1,7 @@
 #include "core/proxy/straddled_bodies.h"
 
 #include "core/collision/nearest.h"
+#include "core/proxy/near_bodies.h"
 
 namespace tactum {
 
@@ -28,17 +29,18 @@ Pose poseAt(const Obstacle& obstacle, std::span<const BodyMotion> movers, double
 
 template <class Unwanted>
 void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-            double radius, const Vec3& before_W, double from, double to, Unwanted&& unwanted) noexcept {
+            double radius, const Vec3& before_W, double from, double to, const NearBodies* near,
+            Unwanted&& unwanted) noexcept {
     int count = 0;
     std::array<StraddledBody, kMaxStraddled> now;
-    for (std::uint32_t body = 0; body < obstacles.size() && count < kMaxStraddled; ++body) {
+    forEachNear(near, obstacles.size(), state.position, radius, [&](std::uint32_t body) {
         const Obstacle& obstacle = obstacles[body];
-        if (obstacle.sides.empty() || unwanted(obstacle)) continue;
+        if (count == kMaxStraddled || obstacle.sides.empty() || unwanted(obstacle)) return;
         const Vec3 at_B = poseAt(obstacle, movers, to).applyInverse(state.position);
-        if (!overlaps(obstacle, at_B, radius)) continue;
+        if (!overlaps(obstacle, at_B, radius)) return;
         const Vec3 before_B = poseAt(obstacle, movers, from).applyInverse(before_W);
         now[std::size_t(count++)] = {body, cameFrom(state, body, before_B)};
-    }
+    });
     std::copy_n(now.begin(), count, state.straddled.begin());
     state.straddledCount = count;
 }
@@ -46,14 +48,15 @@ void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<co
 } // namespace
 
 void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                   double radius, const Vec3& before_W, double from, double to) noexcept {
-    follow(state, obstacles, movers, radius, before_W, from, to,
+                   double radius, const Vec3& before_W, double from, double to,
+                   const NearBodies* near) noexcept {
+    follow(state, obstacles, movers, radius, before_W, from, to, near,
            [&](const Obstacle& obstacle) { return isPut(obstacle, movers, radius, before_W); });
 }
 
 void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                 double radius, const Vec3& before_W) noexcept {
-    follow(state, obstacles, movers, radius, before_W, 1, 1, [](const Obstacle&) { return false; });
+                 double radius, const Vec3& before_W, const NearBodies* near) noexcept {
+    follow(state, obstacles, movers, radius, before_W, 1, 1, near, [](const Obstacle&) { return false; });
 }
 
 } // namespace tactum

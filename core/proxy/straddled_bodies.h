@@ -30,11 +30,12 @@ inline bool anyOneSided(std::span<const Obstacle> obstacles) noexcept {
 /// farther away than it is wide, which it did not come to. World frame, metre. Thread: real time; one
 /// nearestOn() of each such obstacle within the radius.
 void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                   double radius, const Vec3& before_W, double from, double to) noexcept;
+                   double radius, const Vec3& before_W, double from, double to,
+                   const NearBodies* near = nullptr) noexcept;
 
 /// The same after a move of the proxy alone: the side counts that it was on when the move began, or before it
 /// began to overlap.
 void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                 double radius, const Vec3& before_W) noexcept;
+                 double radius, const Vec3& before_W, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

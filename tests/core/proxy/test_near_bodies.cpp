@@ -1,0 +1,132 @@
+// A hierarchy over many bodies leaves out only what is far, and nobody feels that it is there.
+//
+// The judges are the distance to every triangle, and the same steps with every body looked at. They would be
+// wrong if both ways left out the same body: then the first test would see it.
+
+#include <QTest>
+
+#include "core/collision/nearest.h"
+#include "core/proxy/near_bodies.h"
+#include "tests/support/compare.h"
+#include "tests/support/hand.h"
+#include "tests/support/test_program.h"
+
+namespace test_near_bodies {
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+Vec3 inCube(Rng& rng, double half) {
+    return {uniform(rng, -half, half), uniform(rng, -half, half), uniform(rng, -half, half)};
+}
+
+/// Plates of several sizes, anyhow turned, in a cube.
+struct Heap {
+    explicit Heap(int count, double half = 0.1) : material(rough(0.4, 0.3)) {
+        const Soup soup = plate(0.004, 0.002), large = plate(0.015, 0.001);
+        meshes = {CollisionMesh{soup, SphereTree(*soup)}, CollisionMesh{large, SphereTree(*large)}};
+        Rng rng(3);
+        for (int i = 0; i < count; ++i) {
+            Obstacle obstacle;
+            obstacle.mesh = &meshes[i % 5 == 0];
+            obstacle.pose = {Quat(Eigen::AngleAxisd(uniform(rng, 0, 3), inCube(rng, 1).normalized())),
+                             inCube(rng, half)};
+            obstacle.materials = {&material, 1};
+            obstacles.push_back(obstacle);
+        }
+    }
+
+    Material material;
+    std::vector<CollisionMesh> meshes;
+    std::vector<Obstacle> obstacles;
+};
+
+} // namespace
+
+class NearBodiesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nothingThatIsNearIsLeftOut();
+    void mostOfWhatIsFarIsLeftOut();
+    void theStepIsTheSame();
+    void whatMovesIsAlwaysThere();
+};
+
+void NearBodiesTest::nothingThatIsNearIsLeftOut() {
+    for (int count : {0, 1, 8, 9, 40, 700}) {
+        const Heap heap(count);
+        const NearBodies near(heap.obstacles);
+        Rng rng(4);
+        for (int trial = 0; trial < 100; ++trial) {
+            const Vec3 at = inCube(rng, 0.12);
+            const double reach = uniform(rng, 0, 0.02);
+            std::vector<int> seen(heap.obstacles.size());
+            near.forEach(at, reach, [&](std::uint32_t body) { ++seen[body]; });
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                QCOMPARE_LE(seen[i], 1);
+                const Obstacle& obstacle = heap.obstacles[i];
+                if (nearestOn(*obstacle.mesh, obstacle.pose.applyInverse(at), reach).distance < reach)
+                    QCOMPARE(seen[i], 1);
+            }
+        }
+    }
+}
+
+// Ten times as many bodies, as dense: as many are looked at.
+void NearBodiesTest::mostOfWhatIsFarIsLeftOut() {
+    const auto looked = [](int count, double half) {
+        const Heap heap(count, half);
+        const NearBodies near(heap.obstacles);
+        Rng rng(5);
+        int seen = 0;
+        for (int trial = 0; trial < 200; ++trial)
+            near.forEach(inCube(rng, 0.5 * half), 1e-3, [&](std::uint32_t) { ++seen; });
+        return seen / 200.0;
+    };
+    const double few = looked(500, 0.1), many = looked(5000, 0.1 * std::cbrt(10.0));
+    qInfo("looked at: %.1f of 500, %.1f of 5000", few, many);
+    QCOMPARE_LT(many, 1.3 * few);
+    QCOMPARE_LT(many, 50);
+}
+
+void NearBodiesTest::theStepIsTheSame() {
+    const Heap heap(600, 0.05);
+    const NearBodies near(heap.obstacles);
+    ProxyState with, without;
+    Rng rng(6);
+    Vec3 finger(0.07, 0, 0);
+    restart(with, finger);
+    restart(without, finger);
+    int touched = 0;
+    for (int leg = 0; leg < 60; ++leg) {
+        const Vec3 target = inCube(rng, 0.05), way = (target - finger) / 100;
+        for (int i = 0; i < 100; ++i) {
+            finger += way;
+            moveAndUpdate(with, heap.obstacles, 1e-3, finger, kMillisecond, {}, kMaxRounds, &near);
+            moveAndUpdate(without, heap.obstacles, 1e-3, finger, kMillisecond);
+            COMPARE_NEAR(with.position, without.position, 1e-9, "m");
+            touched += with.contactCount > 0;
+        }
+    }
+    QCOMPARE_GT(touched, 1000);
+}
+
+void NearBodiesTest::whatMovesIsAlwaysThere() {
+    Heap heap(100);
+    heap.obstacles[7].mover = 0;
+    heap.obstacles[90].mover = 1;
+    const NearBodies near(heap.obstacles);
+    std::vector<std::uint32_t> seen;
+    near.forEach({50, 0, 0}, 1e-3, [&](std::uint32_t body) { seen.push_back(body); });
+    QCOMPARE(seen, (std::vector<std::uint32_t>{7, 90}));
+    QCOMPARE(near.moving().size(), std::size_t(2));
+}
+
+TACTUM_TEST(NearBodiesTest)
+
+} // namespace test_near_bodies
+
+#include "test_near_bodies.moc"
