@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <unordered_map>
 
 #include "core/base/realtime.h"
 #include "core/dynamics/body_motion.h"
@@ -13,47 +14,56 @@ namespace tactum {
 
 namespace {
 
-std::shared_ptr<const CollisionMesh> reuseOrBuild(const std::shared_ptr<const TriangleSoup>& soup,
-                                                  const World& world, const World* previous) {
-    const CollisionMesh* regrouped = nullptr; // its triangles were of other surfaces
-    for (const World* known : {&world, previous}) {
-        if (!known) continue;
-        for (const WorldBody& body : known->bodies) {
-            if (body.mesh->soup == soup) return body.mesh;
-            if (!regrouped && haveSameShape(*body.mesh->soup, *soup)) regrouped = body.mesh.get();
-        }
+// All that can be used again: of the world before, and of this one as far as it is made.
+class Known {
+public:
+    explicit Known(const World* previous) : previous_(previous) {
+        if (!previous) return;
+        for (const WorldBody& body : previous->bodies)
+            remember(body);
     }
-    if (regrouped)
-        return std::make_shared<const CollisionMesh>(CollisionMesh{soup, regrouped->tree, regrouped->closed});
-    return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup), isClosed(*soup)});
-}
 
-// All that worlds know already of one kind: to be found again.
-template <class T>
-std::vector<std::shared_ptr<const T>> known(std::vector<std::shared_ptr<const T>> WorldBody::*kind,
-                                            const World& world, const World* previous) {
-    std::vector<std::shared_ptr<const T>> result;
-    for (const World* each : {&world, previous}) {
-        if (!each) continue;
-        for (const WorldBody& body : each->bodies)
-            for (const auto& one : body.*kind)
-                if (one) result.push_back(one);
+    void remember(const WorldBody& body) {
+        meshes_.try_emplace(body.mesh->soup.get(), body.mesh);
+        for (const auto& one : body.normals)
+            if (one) normals.push_back(one);
+        for (const auto& one : body.textures)
+            if (one) textures.push_back(one);
     }
-    return result;
-}
+
+    std::shared_ptr<const CollisionMesh> meshOf(const std::shared_ptr<const TriangleSoup>& soup) const {
+        if (const auto found = meshes_.find(soup.get()); found != meshes_.end()) return found->second;
+        if (const CollisionMesh* regrouped = regroupedFrom(*soup))
+            return std::make_shared<const CollisionMesh>(
+                CollisionMesh{soup, regrouped->tree, regrouped->closed});
+        return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup), isClosed(*soup)});
+    }
+
+    std::vector<std::shared_ptr<const SmoothNormals>> normals;
+    std::vector<std::shared_ptr<const TextureStack>> textures;
+
+private:
+    // Whose triangles are the same, of other surfaces.
+    const CollisionMesh* regroupedFrom(const TriangleSoup& soup) const {
+        if (!previous_) return nullptr;
+        const auto found = std::ranges::find_if(
+            previous_->bodies, [&](const WorldBody& body) { return haveSameShape(*body.mesh->soup, soup); });
+        return found == previous_->bodies.end() ? nullptr : found->mesh.get();
+    }
+
+    const World* previous_;
+    std::unordered_map<const TriangleSoup*, std::shared_ptr<const CollisionMesh>> meshes_;
+};
 
 // Shading and texture of every surface; nothing at all where none has any.
-Result<void> addFeels(WorldBody& body, const SceneObject& object, const World& world, const World* previous,
-                      const Progress& progress) {
-    auto normals = known(&WorldBody::normals, world, previous);
-    const auto textures = known(&WorldBody::textures, world, previous);
+Result<void> addFeels(WorldBody& body, const SceneObject& object, Known& known, const Progress& progress) {
     for (std::size_t i = 0; i < object.surfaces.size(); ++i) {
         const Surface& surface = object.surfaces[i];
-        const auto shaded = compileNormals(surface.shading, object.geometry, normals, progress);
+        const auto shaded = compileNormals(surface.shading, object.geometry, known.normals, progress);
         if (!shaded) return tl::unexpected(shaded.error());
-        normals.push_back(*shaded);
+        if (*shaded) known.normals.push_back(*shaded); // the next surface may have the same
         body.normals.push_back(*shaded);
-        body.textures.push_back(compileTextures(surface.layers, object.geometry, Index(i), textures));
+        body.textures.push_back(compileTextures(surface.layers, object.geometry, Index(i), known.textures));
         body.feels.push_back({body.normals.back().get(), body.textures.back().get()});
     }
     const bool plain = std::ranges::none_of(
@@ -140,6 +150,7 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
     world->scene = std::make_shared<const Scene>(scene);
     world->proxyRadius = kProxyRadius.clamped(scene.proxyRadius);
     world->bodies.reserve(scene.objects.size());
+    Known known(previous);
     for (const SceneObject& object : scene.objects) {
         if (progress.isCancelled())
             return inputError("cancelled: the scene was not compiled; nothing was changed");
@@ -147,12 +158,13 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
         if (!object.visible || !object.geometry || object.geometry->triangles.empty()) continue;
         WorldBody body;
         body.object = object.id;
-        body.mesh = reuseOrBuild(object.geometry, *world, previous);
+        body.mesh = known.meshOf(object.geometry);
         for (const Surface& surface : object.surfaces)
             body.materials.push_back(madeSafe(surface.material));
-        if (const auto added = addFeels(body, object, *world, previous, progress); !added)
+        if (const auto added = addFeels(body, object, known, progress); !added)
             return tl::unexpected(added.error());
         addSides(body, object);
+        known.remember(body);
         world->bodies.push_back(std::move(body));
         world->obstacles.push_back({.pose = object.pose});
         if (object.motion) addMover(*world, object);
