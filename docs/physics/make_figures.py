@@ -20,6 +20,7 @@ FIGURES = {
     "friction-cone.svg": friction.cone,
     "viscous-approach.svg": friction.viscous,
     "bumps.svg": texture.bumps,
+    "sine.svg": texture.sine,
     "sphere-tree.png": collision.sphere_tree,
     "moving-plate.svg": moving.plate,
     "z-width.svg": z_width.z_width,
