@@ -6,7 +6,8 @@
 namespace tactum {
 
 double slopeFactor(double lean, double up, double coefficient) noexcept {
-    return 1 / std::max(lean * (std::sqrt(1 - up * up) + coefficient * up), 1 / kMaxSlopeFactor);
+    return 1 /
+           std::max(lean * (std::sqrt(std::max(0.0, 1 - up * up)) + coefficient * up), 1 / kMaxSlopeFactor);
 }
 
 double allowedSlide(const FrictionLimit& limit, double excess, double depth, double speed,

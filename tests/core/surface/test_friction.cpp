@@ -46,6 +46,7 @@ private slots:
     void smallViscosityTendsToNone();
     void steadySlideLagsByViscosity();
     void stickingContactObeysStaticFriction();
+    void aSlopeTurnsTheCone();
 };
 
 void FrictionTest::followsTheEquation() {
@@ -127,6 +128,20 @@ void FrictionTest::stickingContactObeysStaticFriction() {
     QCOMPARE(frictionLimit(material, false).lag, 0.0);
     QCOMPARE(frictionLimit(material, true).coefficient, 0.3);
     QCOMPARE(frictionLimit(material, true).lag, 0.004);
+}
+
+// By a block on a slope s, pushed along the horizontal plane: up (s + mu) / (1 - s mu), down, and across by
+// the normal force on the slope, which is (1 + s^2)^(1/2) of the one on the flat.
+void FrictionTest::aSlopeTurnsTheCone() {
+    for (const double s : {0.0, 0.1, 0.5})
+        for (const double mu : {0.1, 0.3, 0.6}) {
+            const double lean = 1 / std::sqrt(1 + s * s), up = s * lean;
+            COMPARE_NEAR(s + mu * slopeFactor(lean, -up, mu), (s + mu) / (1 - s * mu), 1e-12, "");
+            COMPARE_NEAR(-s + mu * slopeFactor(lean, up, mu), (mu - s) / (1 + s * mu), 1e-12, "");
+            COMPARE_NEAR(slopeFactor(lean, 0, mu), std::sqrt(1 + s * s), 1e-12, "");
+        }
+    QCOMPARE(slopeFactor(0.707, -0.707, 0.99), kMaxSlopeFactor);           // it would jam
+    QCOMPARE(slopeFactor(0, -std::nextafter(1, 2), 0.5), kMaxSlopeFactor); // and rounding is no cosine
 }
 
 TACTUM_TEST(FrictionTest)
