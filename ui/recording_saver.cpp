@@ -58,7 +58,8 @@ void RecordingSaver::watch() {
 }
 
 void RecordingSaver::flush() {
-    const bool hangs = engine_.servoStandsStill() || engine_.servo().inhibit == InhibitReason::Stall;
+    const bool hangs =
+        engine_.servoStandsStill() || (engine_.running() && engine_.servo().inhibit == InhibitReason::Stall);
     if (hangs) reason_ = QString::fromUtf8(inhibitWords(InhibitReason::Stall).brief);
     if (!due_.isActive() && !hangs) return;
     due_.stop();

@@ -37,7 +37,7 @@ void Step::sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::u
     if (hit.t < first.t || (hit.t == first.t && hit.t <= 1 && i < body)) {
         first = hit;
         body = i;
-    } else if (hit.soonCount > 0 && body == kNoBody) {
+    } else if (hit.soonCount > 0 && body == kNoBody && (first.soonCount == 0 || i > soonBody_)) {
         first.soon = hit.soon;
         first.soonCount = hit.soonCount;
         soonBody_ = i;

@@ -1,5 +1,5 @@
-// An image read with the detail that the servo can render: quadratic B-splines in a level, linear between
-// two.
+// An image read with the detail that the servo can render: cubics through every
+// texel of a level, linear between two levels.
 #pragma once
 
 #include "core/surface/texture_field.h"
@@ -18,9 +18,9 @@ inline constexpr int kMaxProbes = 2 * kMaxStretch;
 /// A circle of the diameter `smallestFeature` (m) on the surface covers an ellipse of texels. The level of
 /// detail is that in which the short axis of the ellipse is one texel; along the long axis samples are
 /// averaged under a raised cosine. So details vanish by their length in metres in every direction, however
-/// the coordinates are stretched, mirrored or skewed, as kept() says of the formulas: nothing is left up to
-/// half of `smallestFeature`, and at least 98 % of a slope from four times of it. 0 asks for all details.
-/// Thread: real time; at most 72 x kMaxProbes texels, 72 where the image is not stretched.
+/// the coordinates are stretched, mirrored or skewed, nearly as kept() says of the formulas: nothing is left
+/// up to half of `smallestFeature`, and at least 98 % of a slope from four times of it. 0 asks for all
+/// details. Thread: real time; at most 72 x kMaxProbes texels, 72 where the image is not stretched.
 FlatSample sampleImage(const TextureImage& image, const FlatPoint& point, double smallestFeature) noexcept;
 
 } // namespace tactum

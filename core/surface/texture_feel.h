@@ -28,7 +28,7 @@ struct TextureFeel {
 };
 
 /// Samples every layer. `smallestFeature`: details of the texture shorter than this length are filtered out,
-/// m; about ten times the way of the finger between two ticks of the servo. 0 keeps all.
+/// m; kStepsToAFeature times the way of the slide in a step. 0 keeps all.
 /// Anything not finite gives the plain surface. Thread: real time; at most kMaxTextureLayers patterns and
 /// masks of three samples each.
 TextureFeel feel(const TextureStack& stack, const TexturePoint& point, double smallestFeature) noexcept;

@@ -47,7 +47,8 @@ inline double repeatPart(double x) noexcept {
     return part < 0 ? part + 1 : part;
 }
 
-/// Value from 0 to 1 of a pattern, and its derivative by the place in repeats.
+/// Value of a pattern, from 0 to 1 (beside a hard edge of a picture up to a fifth beyond), and its derivative
+/// by the place in repeats.
 struct FlatSample {
     double value = 0;
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
