@@ -77,12 +77,6 @@ Vec3 bounded(const Vec3& slope) noexcept {
     return steepness > kSteepestSlope ? Vec3(slope * (kSteepestSlope / steepness)) : slope;
 }
 
-/// A mask beside a hard edge, where its picture swings beyond black and white.
-TextureField bounded(const TextureField& mask) noexcept {
-    if (mask.value >= 0 && mask.value <= 1) return mask;
-    return {mask.value > 0 ? 1.0 : 0.0, Vec3::Zero()};
-}
-
 double finiteOr(double value, double otherwise) noexcept {
     return std::isfinite(value) ? value : otherwise;
 }
@@ -97,7 +91,7 @@ TextureFeel feel(const TextureStack& stack, const TexturePoint& point, double sm
     for (const CompiledLayer& layer : stack.layers) {
         const TextureField value = sample(layer.pattern, point, smallestFeature);
         TextureField weight{layer.opacity, Vec3::Zero()};
-        if (layer.mask) weight = layer.opacity * bounded(sample(*layer.mask, point, smallestFeature));
+        if (layer.mask) weight = layer.opacity * sample(*layer.mask, point, smallestFeature);
         TextureField& below = sum[std::size_t(layer.target)];
         if (layer.ownPlane)
             result.ownSlopes[std::size_t(result.ownPlanes++)] =
