@@ -46,7 +46,7 @@ ImageStroke::ImageStroke(std::shared_ptr<const SoupReach> reach, PaintableSurfac
     assertNotRealtime();
     const TexelMap& map = cover_->map();
     assert(map.width == before_->width() && map.height == before_->height());
-    const std::uint16_t* first = before_->row(before_->level(0), 0);
+    const std::uint16_t* first = before_->row(0);
     now_.assign(first, first + map.texels());
     mask_.resize(map.texels(), 0);
     slotOf_.resize(map.texels(), 0);
@@ -113,7 +113,7 @@ void ImageStroke::paint(const Dab& dab) {
     assertNotRealtime();
     if (brush_.mode == BrushMode::Smooth) return smooth(dab);
     gather(dab, brush_.radius);
-    const std::uint16_t* before = before_->row(before_->level(0), 0);
+    const std::uint16_t* before = before_->row(0);
     for (const Touched& each : touched_) {
         const float weight = float(falloffAt(each.distance / brush_.radius, brush_.falloff));
         if (weight <= mask_[each.texel]) continue;

@@ -63,7 +63,7 @@ template <class Io> void soup(Io& io, TriangleSoup& s) {
 std::vector<std::uint16_t> texelsOf(const TextureImage& image) {
     std::vector<std::uint16_t> texels;
     for (int y = 0; y < image.height(); ++y) {
-        const std::uint16_t* row = image.row(image.level(0), y);
+        const std::uint16_t* row = image.row(y);
         texels.insert(texels.end(), row, row + image.width());
     }
     return texels;

@@ -64,13 +64,14 @@ FlatSample smooth(const TextureImage& image, const TextureImage::Level& level, c
                                  rows = texelsOf(y.first, level.height);
     double value = 0, alongX = 0, alongY = 0;
     for (std::size_t j = 0; j < rows.size(); ++j) {
-        const std::uint16_t* row = image.row(level, rows[j]);
         double sum = 0, slope = 0;
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const double texel = row[columns[i]];
-            sum += x.value[i] * texel;
-            slope += x.slope[i] * texel;
-        }
+        image.visitRow(level, rows[j], [&](const auto* row) {
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                const auto texel = double(row[columns[i]]);
+                sum += x.value[i] * texel;
+                slope += x.slope[i] * texel;
+            }
+        });
         value += y.value[j] * sum;
         alongX += y.value[j] * slope;
         alongY += y.slope[j] * sum;

@@ -18,8 +18,8 @@ inline constexpr int kMaxProbes = 2 * kMaxStretch;
 /// A circle of the diameter `smallestFeature` (m) on the surface covers an ellipse of texels. The level of
 /// detail is that in which the short axis of the ellipse is one texel; along the long axis samples are
 /// averaged under a raised cosine. So details vanish by their length in metres in every direction, however
-/// the coordinates are stretched, mirrored or skewed, nearly as kept() says of the formulas: nothing is left
-/// up to half of `smallestFeature`, and at least 98 % of a slope from four times of it. 0 asks for all
+/// the coordinates are stretched, mirrored or skewed, much as kept() says of the formulas: nothing is left
+/// up to `smallestFeature`, and a slope is whole within 2 % from eight times of it. 0 asks for all
 /// details. Thread: real time; at most 72 x kMaxProbes texels, 72 where the image is not stretched.
 FlatSample sampleImage(const TextureImage& image, const FlatPoint& point, double smallestFeature) noexcept;
 

@@ -57,18 +57,19 @@ int repeated(int i, int size) {
 }
 
 /// Adds weight x row[begin ...] to the sums; the row repeats.
-void addRepeated(std::span<double> sums, double weight, const std::uint16_t* row, int begin, int width) {
+template <class Texel>
+void addRepeated(std::span<double> sums, double weight, const Texel* row, int begin, int width) {
     std::size_t done = 0;
     for (int at = repeated(begin, width); done < sums.size(); at = 0) {
         const std::size_t count = std::min(sums.size() - done, std::size_t(width - at));
         for (std::size_t i = 0; i < count; ++i)
-            sums[done + i] += weight * row[std::size_t(at) + i];
+            sums[done + i] += weight * double(row[std::size_t(at) + i]);
         done += count;
     }
 }
 
-std::size_t texelsWithLevels(int width, int height) {
-    std::size_t count = std::size_t(width) * std::size_t(height);
+std::size_t texelsAbove(int width, int height) {
+    std::size_t count = 0;
     while (width > 1 || height > 1) {
         width = (width + 1) / 2, height = (height + 1) / 2;
         count += std::size_t(width) * std::size_t(height);
@@ -84,8 +85,8 @@ TextureImage::TextureImage(int width, int height, std::vector<std::uint16_t> tex
     assertNotRealtime();
     assert(width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide);
     assert(texels_.size() == std::size_t(width) * std::size_t(height));
-    texels_.reserve(texelsWithLevels(width, height));
-    levels_[0] = {width, height, 0};
+    coarser_.reserve(texelsAbove(width, height));
+    levels_[0] = {width, height};
     levelCount_ = 1;
     while (levels_[std::size_t(levelCount_ - 1)].width > 1 ||
            levels_[std::size_t(levelCount_ - 1)].height > 1)
@@ -93,8 +94,8 @@ TextureImage::TextureImage(int width, int height, std::vector<std::uint16_t> tex
 }
 
 void TextureImage::addLevel(const Level& finer) {
-    const Level next{(finer.width + 1) / 2, (finer.height + 1) / 2, texels_.size()};
-    texels_.resize(next.begin + std::size_t(next.width) * std::size_t(next.height));
+    const Level next{(finer.width + 1) / 2, (finer.height + 1) / 2, coarser_.size(), false};
+    coarser_.resize(next.begin + std::size_t(next.width) * std::size_t(next.height));
     levels_[std::size_t(levelCount_++)] = next;
     fill(levelCount_ - 1, {0, 0, next.width, next.height});
 }
@@ -111,16 +112,14 @@ void TextureImage::fill(int which, const Region& region) {
         const Cover down(y, from.height, to.height);
         std::ranges::fill(sums, 0.0);
         for (std::size_t k = 0; k < down.weights.size(); ++k)
-            addRepeated(sums, down.weights[k], row(from, repeated(down.begin + int(k), from.height)), begin,
-                        from.width);
-        std::uint16_t* texels =
-            texels_.data() + to.begin + std::size_t(repeated(y, to.height)) * std::size_t(to.width);
+            visitRow(from, repeated(down.begin + int(k), from.height),
+                     [&](const auto* row) { addRepeated(sums, down.weights[k], row, begin, from.width); });
+        float* texels =
+            coarser_.data() + to.begin + std::size_t(repeated(y, to.height)) * std::size_t(to.width);
         for (std::size_t i = 0; i < along.size(); ++i) {
             const double* first = sums.data() + (along[i].begin - begin);
-            const double value =
-                std::inner_product(along[i].weights.begin(), along[i].weights.end(), first, 0.0);
             texels[repeated(region.x + int(i), to.width)] =
-                std::uint16_t(std::lround(std::clamp(value, 0.0, 65535.0)));
+                float(std::inner_product(along[i].weights.begin(), along[i].weights.end(), first, 0.0));
         }
     }
 }

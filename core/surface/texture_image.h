@@ -16,7 +16,9 @@ namespace tactum {
 /// Texels from 0 (0) to 65535 (1), whatever depth the file had: 8 bits v are 257 v, which is exact. Row 0
 /// lies at v = 0, the lower edge of the picture, and the image repeats in both directions. A level is half as
 /// wide and high as the one before, rounded up, so that no size needs to be a power of two; it holds what of
-/// that one is longer than two of its own texels. Shared through a shared_ptr to const.
+/// that one is longer than two of its own texels, which beside hard edges goes beyond black and white: so its
+/// texels are floats and nothing is cut, or each level of a sparse picture would be brighter than the one
+/// before. Shared through a shared_ptr to const.
 class TextureImage {
 public:
     static constexpr int kMaxLevels = 16;
@@ -25,7 +27,8 @@ public:
 
     struct Level {
         int width = 0, height = 0;
-        std::size_t begin = 0; ///< of its first texel
+        std::size_t begin = 0; ///< of its first texel among those of its kind
+        bool finest = true;    ///< whole numbers, as they were read
     };
 
     /// `texels`: width x height of them, row by row; sides from 1 to kLargestSide, at most kMaxTexels.
@@ -49,11 +52,19 @@ public:
     const std::string& name() const noexcept { return name_; }
     int levelCount() const noexcept { return levelCount_; }
     const Level& level(int i) const noexcept { return levels_[std::size_t(i)]; }
-    /// From 0 to 1. Thread: real time.
-    double texel(const Level& at, int x, int y) const noexcept { return row(at, y)[x] / 65535.0; }
-    /// The texels of a row, from 0 to 65535. Thread: real time.
-    const std::uint16_t* row(const Level& at, int y) const noexcept {
-        return texels_.data() + at.begin + std::size_t(y) * std::size_t(at.width);
+    /// The texels of a row of the finest level, from 0 to 65535. Thread: real time.
+    const std::uint16_t* row(int y) const noexcept {
+        return texels_.data() + std::size_t(y) * std::size_t(width());
+    }
+    /// visit(texels) for those of any level's row, whole numbers or floats, 65535 for white. Thread: real
+    /// time.
+    template <class Visit> auto visitRow(const Level& at, int y, Visit&& visit) const noexcept {
+        if (at.finest) return visit(row(y));
+        return visit(coarser_.data() + at.begin + std::size_t(y) * std::size_t(at.width));
+    }
+    /// From 0 to 1, and a little beyond in a coarser level. Thread: real time.
+    double texel(const Level& at, int x, int y) const noexcept {
+        return visitRow(at, y, [x](const auto* row) { return double(row[x]); }) / 65535.0;
     }
 
 private:
@@ -65,7 +76,8 @@ private:
     int bits_ = 16;
     int levelCount_ = 0;
     std::array<Level, kMaxLevels> levels_{};
-    std::vector<std::uint16_t> texels_; ///< all levels, one after the other
+    std::vector<std::uint16_t> texels_; ///< of the finest level
+    std::vector<float> coarser_;        ///< of all others, one after the other
 };
 
 } // namespace tactum

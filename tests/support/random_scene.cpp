@@ -9,9 +9,7 @@ std::string difference(const Scene& a, const Scene& b) {
             x->height() != y->height())
             return false;
         for (int row = 0; row < x->height(); ++row)
-            if (!std::equal(x->row(x->level(0), row), x->row(x->level(0), row) + x->width(),
-                            y->row(y->level(0), row)))
-                return false;
+            if (!std::equal(x->row(row), x->row(row) + x->width(), y->row(row))) return false;
         return true;
     };
     const auto samePattern = [&](TexturePattern x, TexturePattern y) {

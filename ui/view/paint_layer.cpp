@@ -128,9 +128,10 @@ struct PaintLayer::Part {
         picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
         auto* to = static_cast<unsigned char*>(picture->GetScalarPointer());
         for (int y = 0; y < level.height; ++y) {
-            const std::uint16_t* row = image.row(level, y);
-            for (int x = 0; x < level.width; ++x)
-                to = std::ranges::copy(table()[row[x] >> 8], to).out;
+            for (int x = 0; x < level.width; ++x) {
+                const double value = std::clamp(image.texel(level, x, y), 0.0, 1.0);
+                to = std::ranges::copy(table()[std::size_t(255 * value)], to).out;
+            }
         }
         picture->Modified();
         texture->Modified();

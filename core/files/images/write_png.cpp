@@ -41,7 +41,7 @@ std::vector<std::uint16_t> fromTheTop(const TextureImage& image) {
     std::vector<std::uint16_t> values;
     values.reserve(std::size_t(finest.width) * std::size_t(finest.height));
     for (int y = finest.height; y-- > 0;) // its first row is the lowest
-        values.insert(values.end(), image.row(finest, y), image.row(finest, y) + finest.width);
+        values.insert(values.end(), image.row(y), image.row(y) + finest.width);
     return values;
 }
 

@@ -33,7 +33,7 @@ inline QString imageText(const TextureImage& image) {
     double sum = 0;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
-            sum += image.row(image.level(0), y)[x] * (1 + x + 3.0 * y);
+            sum += image.row(y)[x] * (1 + x + 3.0 * y);
     return text + QStringLiteral(" sum ") + number(sum);
 }
 

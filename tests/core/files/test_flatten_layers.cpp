@@ -91,8 +91,7 @@ void TestFlattenLayers::anImageComesBackTexelForTexel() {
         QCOMPARE(picture.image->height(), height);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
-                QCOMPARE(picture.image->row(picture.image->level(0), y)[x],
-                         image->row(image->level(0), y)[x]);
+                QCOMPARE(picture.image->row(y)[x], image->row(y)[x]);
     }
 }
 
@@ -238,8 +237,7 @@ void TestFlattenLayers::coordinatesBeyondTheUnitSquareGetARectangle() {
     QCOMPARE(picture.canvas.height, 4);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 24; ++x)
-            QCOMPARE(picture.image->row(picture.image->level(0), y)[x],
-                     image->row(image->level(0), y)[x % 8]);
+            QCOMPARE(picture.image->row(y)[x], image->row(y)[x % 8]);
 }
 
 void TestFlattenLayers::overlapsLeaveOutWhatNeedsPlaces() {

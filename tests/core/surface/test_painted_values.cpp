@@ -142,8 +142,7 @@ private slots:
         for (int round = 0; round < 200; ++round) {
             const int width = 1 + int(rng() % 70), height = 1 + int(rng() % 70);
             const auto before = imageOf(width, height, [&](double, double) { return uniform(rng, 0, 1); });
-            std::vector<std::uint16_t> texels(before->row(before->level(0), 0),
-                                              before->row(before->level(0), 0) + width * height);
+            std::vector<std::uint16_t> texels(before->row(0), before->row(0) + width * height);
             std::vector<TextureImage::Region> regions;
             for (int i = int(rng() % 4); i > 0; --i) {
                 TextureImage::Region region{int(rng() % unsigned(width)), int(rng() % unsigned(height)), 0,
@@ -161,9 +160,8 @@ private slots:
             QCOMPARE(after->name(), before->name());
             for (int i = 0; i < whole.levelCount(); ++i)
                 for (int y = 0; y < whole.level(i).height; ++y)
-                    QVERIFY(std::equal(whole.row(whole.level(i), y),
-                                       whole.row(whole.level(i), y) + whole.level(i).width,
-                                       after->row(after->level(i), y)));
+                    for (int x = 0; x < whole.level(i).width; ++x)
+                        QCOMPARE_EQ(after->texel(after->level(i), x, y), whole.texel(whole.level(i), x, y));
         }
     }
 };

@@ -165,7 +165,7 @@ void TestLayerViews::aDroppedPictureBecomesALayer() {
     QCOMPARE(layer.name, std::string("bark"));
     QCOMPARE(layer.pattern.source, TextureSource::Image);
     QCOMPARE(layer.pattern.image->width(), 64);
-    QCOMPARE(layer.pattern.image->row(layer.pattern.image->level(0), 0)[10], 40 * 257);
+    QCOMPARE(layer.pattern.image->row(0)[10], 40 * 257);
     QCOMPARE(window.program.document.selection()->surface, Layered::kFront);
     QCOMPARE(window.program.document.path().filename(),
              std::filesystem::path("cube.obj")); // nothing was opened
