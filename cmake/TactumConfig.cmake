@@ -3,7 +3,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(Eigen3 3.4)
-find_dependency(OpenMesh)
 find_dependency(TinyGLTF)
 find_dependency(nlohmann_json)
 find_dependency(PNG)

@@ -20,8 +20,8 @@ namespace tactum {
 /// tens of milliseconds at most for a million triangles. Immutable; shares the soup. Thread: any but real
 /// time, many at a time.
 ///
-/// Not built with OpenMesh: a half-edge mesh holds neither edges of three triangles nor segments, so that
-/// regions would end where the soup had to be cut open for it (topology.cpp), and costs four times as much.
+/// Not a half-edge mesh: that holds neither edges of three triangles nor segments, so that regions would end
+/// where the soup had to be cut open for it, and costs four times as much.
 class FaceGraph {
 public:
     /// Fails only when cancelled. At most 2^31 - 1 triangles.

@@ -1,10 +1,11 @@
 #include "core/surface/smooth_normals.h"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
 
 #include "core/base/realtime.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/corner_normals.h"
+#include "core/geometry/edges.h"
 #include "core/geometry/weld.h"
 
 namespace tactum {
@@ -17,44 +18,18 @@ constexpr float kSameNormal = 1e-3f;
 // Places that differ by less than about this part of the mesh's size are the same.
 constexpr double kSamePlace = 1e-9;
 
-/// One triangle's side: the places of its ends, the lower first, and the triangle's normals there.
-struct Side {
-    Index low, high;
-    Index triangle;
-    std::uint8_t opposite; ///< the corner that is not on it
-    Normal atLow, atHigh;
-};
-
-bool isBefore(const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle, a.opposite) < std::tie(b.low, b.high, b.triangle, b.opposite);
-}
-
-/// Turned to one side or the other: a proxy does not feel which.
-bool goesOn(const Side& a, const Side& b) {
+/// Whether the normals go on from one triangle to the other. Turned to one side or the other: a proxy does
+/// not feel which.
+bool goOn(std::span<const Normal> corners, const EdgeUse& a, const EdgeUse& b) {
+    const auto at = [&](const EdgeUse& use, bool low) {
+        return corners[low == use.forward ? use.corner : nextCorner(use.corner)];
+    };
     const auto same = [&](float sign) {
-        return (a.atLow - sign * b.atLow).norm() < kSameNormal &&
-               (a.atHigh - sign * b.atHigh).norm() < kSameNormal;
+        return std::ranges::all_of(std::array{true, false}, [&](bool low) {
+            return (at(a, low) - sign * at(b, low)).norm() < kSameNormal;
+        });
     };
     return same(1) || same(-1);
-}
-
-std::vector<Side> sidesOf(const TriangleSoup& soup, std::span<const Normal> corners,
-                          const std::vector<Index>& place) {
-    std::vector<Side> sides;
-    sides.reserve(3 * soup.triangles.size());
-    for (Index i = 0; i < Index(soup.triangles.size()); ++i)
-        for (std::uint8_t k = 0; k < 3; ++k) {
-            const int a = (k + 1) % 3, b = (k + 2) % 3;
-            Side side{place[soup.triangles[i][a]], place[soup.triangles[i][b]], i, k,
-                      corners[3 * i + a],          corners[3 * i + b]};
-            if (side.low > side.high) {
-                std::swap(side.low, side.high);
-                std::swap(side.atLow, side.atHigh);
-            }
-            sides.push_back(side);
-        }
-    std::ranges::sort(sides, isBefore);
-    return sides;
 }
 
 /// Like the weld map, but for the last digits of the coordinates: formulas and exporters lose them.
@@ -69,20 +44,22 @@ std::vector<Index> roundedWeldMap(const TriangleSoup& soup) {
 
 std::vector<std::uint8_t> seamsOf(const TriangleSoup& soup, std::span<const Normal> corners) {
     const std::vector<Index> place = roundedWeldMap(soup);
-    const std::vector<Side> sides = sidesOf(soup, corners, place);
-    std::vector<std::uint8_t> seams(soup.triangles.size(), 0);
-    std::vector<char> ends(soup.positions.size(), 0); // of each place: some edge of it is a seam
-    for (std::size_t i = 0, j; i < sides.size(); i = j) {
-        for (j = i + 1; j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high;)
-            ++j;
-        if (j - i == 2 && goesOn(sides[i], sides[i + 1])) continue;
-        ends[sides[i].low] = ends[sides[i].high] = 1;
-        for (std::size_t k = i; k < j; ++k)
-            seams[sides[k].triangle] |= std::uint8_t(1 << sides[k].opposite);
-    }
-    for (std::size_t i = 0; i < soup.triangles.size(); ++i)
+    std::vector<Corners> placed(soup.triangles);
+    for (Corners& t : placed)
+        for (Index& corner : t)
+            corner = place[corner];
+    std::vector<std::uint8_t> seams(placed.size(), 0);
+    std::vector<char> ends(place.size(), 0); // of each place: some edge of it is a seam
+    const auto any = [](const Corners&) { return true; };
+    forEachEdge(placed, place.size(), any, [&](Index low, std::span<const EdgeUse> uses) {
+        if (uses.size() == 2 && goOn(corners, uses[0], uses[1])) return;
+        ends[low] = ends[uses[0].high] = 1;
+        for (const EdgeUse& use : uses) // named by the corner that is not on it
+            seams[use.corner / 3] |= std::uint8_t(1 << previousCorner(use.corner) % 3);
+    });
+    for (std::size_t i = 0; i < seams.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            if (ends[place[soup.triangles[i][k]]]) seams[i] |= std::uint8_t(8 << k);
+            if (ends[placed[i][k]]) seams[i] |= std::uint8_t(8 << k);
     return seams;
 }
 

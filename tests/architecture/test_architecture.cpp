@@ -133,7 +133,6 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/scene/a.cpp", "<QString>", false);
     add("core/scene/a.cpp", "<vtkPolyData.h>", false);
     add("core/scene/a.cpp", "<libusb-1.0/libusb.h>", false);
-    add("core/geometry/topology.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
     add("core/geometry/soup.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
     add("core/files/gltf/gltf_model.h", "<tiny_gltf.h>", true);
     add("core/files/gltf/read_gltf.cpp", "<tiny_gltf.h>", false);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/topology.h"
+#include "core/geometry/corner_normals.h"
 
 namespace tactum {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/topology.h"
+#include "core/geometry/corner_normals.h"
 #include "core/surface/texture_feel.h"
 #include "ui/view/display_mesh.h"
 

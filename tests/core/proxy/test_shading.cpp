@@ -2,7 +2,7 @@
 
 #include <QTest>
 
-#include "core/geometry/topology.h"
+#include "core/geometry/corner_normals.h"
 #include "core/proxy/felt_planes.h"
 #include "tests/core/proxy/felt_rig.h"
 #include "tests/support/compare.h"
