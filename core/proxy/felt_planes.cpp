@@ -291,8 +291,8 @@ double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& dr
     Passes passes(on, true);
     const double atStart = slide.norm();
     const Vec3 way = slide / atStart;
-    passes.at(state.position);
-    const double heldAtStart = hold > 0 ? passes.held(way) : 0;
+    double heldAtStart = 0;
+    if (hold > 0) passes.at(state.position), heldAtStart = passes.held(way);
     const auto wishAfter = [&](double part) {
         const double wish = passes.at(state.position + drop + part * slide).x.dot(way);
         return hold > 0 ? wish - (hold + passes.held(way) - heldAtStart) : wish;

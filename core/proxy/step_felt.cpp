@@ -32,7 +32,9 @@ FeltContacts Step::feltContacts() noexcept {
 // on. Between where the drop and where the wish end no plane is crossed.
 Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept {
     if (slide.norm() <= rest_) return drop;
-    const double reach = feltReach(state_, feltContacts(), drop, slide, hold, mayExtend);
+    // The last round's slide is too short for the felt normal to change on it.
+    const bool isLast = slide.norm() <= settled();
+    const double reach = isLast ? 1 : feltReach(state_, feltContacts(), drop, slide, hold, mayExtend);
     if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
     if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
     const double most = std::min(state_.stride, settlingStride());

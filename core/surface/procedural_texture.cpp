@@ -10,6 +10,7 @@ namespace {
 using Eigen::Vector2d;
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kFadingOctaves = 3;
+constexpr double kWhole = 8; ///< 2 to its power
 
 double sinc(double x) noexcept {
     return std::abs(x) < 1e-9 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
@@ -127,9 +128,10 @@ WaveShape waveShape(double fill, double softness) noexcept {
 
 double kept(double wavelength, double smallestFeature) noexcept {
     if (!(smallestFeature > 0)) return 1;
-    const double octaves = std::log2(wavelength / smallestFeature);
-    if (!(octaves > 0)) return 0;
-    const double x = std::min(octaves / kFadingOctaves, 1.0);
+    const double ratio = wavelength / smallestFeature;
+    if (!(ratio > 1)) return 0;
+    if (ratio >= kWhole) return 1; // most are: no logarithm for them
+    const double x = std::log2(ratio) / kFadingOctaves;
     return x * x * (3 - 2 * x);
 }
 

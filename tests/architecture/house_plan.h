@@ -53,7 +53,7 @@ struct Library {
 inline const std::vector<Library> kLibraries{
     {"Eigen/", {"core/", "device/", "ui/", "app/"}},
     {"tl/expected.hpp", {"core/base/result.h"}},
-    {"OpenMesh/", {}}, // what tests compare with
+    {"OpenMesh/", {"tests/core/geometry/"}}, // what is compared with
     {"tiny_gltf.h", {"core/files/gltf/gltf_model.h"}},
     {"assimp/", {"core/files/read_assimp.cpp"}},
     {"pugixml.hpp", {"core/files/x3d/x3d_document.h", "core/presets/read_hatt.cpp"}},
