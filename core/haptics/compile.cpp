@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/realtime.h"
 #include "core/dynamics/body_motion.h"
@@ -17,25 +19,32 @@ namespace {
 // All that can be used again: of the world before, and of this one as far as it is made.
 class Known {
 public:
-    explicit Known(const World* previous) : previous_(previous) {
+    explicit Known(const World* previous) {
         if (!previous) return;
         for (const WorldBody& body : previous->bodies)
             remember(body);
     }
 
     void remember(const WorldBody& body) {
-        meshes_.try_emplace(body.mesh->soup.get(), body.mesh);
+        if (meshes_.try_emplace(body.mesh->soup.get(), body.mesh).second)
+            shapes_.emplace(shapeKey(*body.mesh->soup), body.mesh);
         for (const auto& one : body.normals)
-            if (one) normals.push_back(one);
+            remember(normals, one);
         for (const auto& one : body.textures)
-            if (one) textures.push_back(one);
+            remember(textures, one);
+    }
+    template <class T>
+    void remember(std::vector<std::shared_ptr<const T>>& all, const std::shared_ptr<const T>& one) {
+        if (one && seen_.insert(one.get()).second) all.push_back(one);
     }
 
     std::shared_ptr<const CollisionMesh> meshOf(const std::shared_ptr<const TriangleSoup>& soup) const {
         if (const auto found = meshes_.find(soup.get()); found != meshes_.end()) return found->second;
-        if (const CollisionMesh* regrouped = regroupedFrom(*soup))
-            return std::make_shared<const CollisionMesh>(
-                CollisionMesh{soup, regrouped->tree, regrouped->closed});
+        // The same triangles, of other surfaces or read twice.
+        const auto [first, last] = shapes_.equal_range(shapeKey(*soup));
+        for (auto like = first; like != last; ++like)
+            if (const CollisionMesh& mesh = *like->second; haveSameShape(*mesh.soup, *soup))
+                return std::make_shared<const CollisionMesh>(CollisionMesh{soup, mesh.tree, mesh.closed});
         return std::make_shared<const CollisionMesh>(CollisionMesh{soup, SphereTree(*soup), isClosed(*soup)});
     }
 
@@ -43,16 +52,18 @@ public:
     std::vector<std::shared_ptr<const TextureStack>> textures;
 
 private:
-    // Whose triangles are the same, of other surfaces.
-    const CollisionMesh* regroupedFrom(const TriangleSoup& soup) const {
-        if (!previous_) return nullptr;
-        const auto found = std::ranges::find_if(
-            previous_->bodies, [&](const WorldBody& body) { return haveSameShape(*body.mesh->soup, soup); });
-        return found == previous_->bodies.end() ? nullptr : found->mesh.get();
+    // Equal for equal shapes, and for few others.
+    static std::size_t shapeKey(const TriangleSoup& soup) {
+        std::size_t key = soup.triangles.size();
+        for (const std::size_t i : {std::size_t(0), soup.positions.size() / 2, soup.positions.size() - 1})
+            for (const double c : soup.positions[i])
+                key = 31 * key + std::hash<double>{}(c);
+        return key;
     }
 
-    const World* previous_;
     std::unordered_map<const TriangleSoup*, std::shared_ptr<const CollisionMesh>> meshes_;
+    std::unordered_multimap<std::size_t, std::shared_ptr<const CollisionMesh>> shapes_;
+    std::unordered_set<const void*> seen_;
 };
 
 // Shading and texture of every surface; nothing at all where none has any.
@@ -61,7 +72,7 @@ Result<void> addFeels(WorldBody& body, const SceneObject& object, Known& known, 
         const Surface& surface = object.surfaces[i];
         const auto shaded = compileNormals(surface.shading, object.geometry, known.normals, progress);
         if (!shaded) return tl::unexpected(shaded.error());
-        if (*shaded) known.normals.push_back(*shaded); // the next surface may have the same
+        known.remember(known.normals, *shaded); // the next surface may have the same
         body.normals.push_back(*shaded);
         body.textures.push_back(compileTextures(surface.layers, object.geometry, Index(i), known.textures));
         body.feels.push_back({body.normals.back().get(), body.textures.back().get()});
@@ -109,17 +120,16 @@ bool sameShape(const World& a, const World& b) {
 
 // In which shape of the world each obstacle came to where it is.
 void datePlaces(World& world, const World* previous) {
-    for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
-        Obstacle& obstacle = world.obstacles[i];
+    const std::span<const Obstacle> known = previous ? previous->obstacles : std::span<const Obstacle>{};
+    auto expected = known.begin(); // most edits leave all others in their order
+    for (Obstacle& obstacle : world.obstacles) {
         obstacle.placedIn = world.shapeRevision;
-        if (!previous) continue;
-        if (i < previous->obstacles.size() && sameShape(obstacle, previous->obstacles[i])) {
-            obstacle.placedIn = previous->obstacles[i].placedIn; // most edits leave all where they are
-            continue;
-        }
-        const auto before = std::ranges::find_if(
-            previous->obstacles, [&](const Obstacle& known) { return sameShape(obstacle, known); });
-        if (before != previous->obstacles.end()) obstacle.placedIn = before->placedIn;
+        const auto isIt = [&](const Obstacle& one) { return sameShape(obstacle, one); };
+        const auto before =
+            expected != known.end() && isIt(*expected) ? expected : std::ranges::find_if(known, isIt);
+        if (before == known.end()) continue;
+        obstacle.placedIn = before->placedIn;
+        expected = before + 1;
     }
 }
 

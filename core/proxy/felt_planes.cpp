@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/inplace_vector.h"
 #include "core/proxy/surface_under.h"
@@ -60,14 +61,14 @@ public:
     // What dry friction holds back of a wish along the unit vector `way` where the proxy slides: the least of
     // the planes that push, m.
     double held(const Vec3& way) const noexcept {
+        InplaceVector<Push, kMaxPlanes> pushes;
+        for (std::size_t i = 0; i < on_.contacts.size(); ++i)
+            pushes.push({true_[i].normal, result_.lambda[i], feltAlone(i)});
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
-            if (!(result_.lambda[i] > 0)) continue;
-            double depth = 0;
-            for (std::size_t k = 0; k < on_.contacts.size(); ++k)
-                depth += depthShare(result_.lambda[k], true_[k].normal, true_[i].normal);
+        for (std::size_t i = 0; i < pushes.size(); ++i) {
+            if (!(pushes[i].lambda > 0)) continue;
             const double coefficient = frictionLimit(material_[i], true).coefficient;
-            least = std::min(least, coefficient * depth * leanOf(i, way, coefficient));
+            least = std::min(least, coefficient * depthOnSlope(pushes.all(), i, coefficient, way));
         }
         return std::isfinite(least) ? least : 0;
     }
@@ -127,16 +128,15 @@ private:
             add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
     }
 
-    double leanOf(std::size_t i, const Vec3& way, double coefficient) const noexcept {
-        int alone = -1;
+    // Of a contact: the felt normal that pushes, if it is one alone.
+    std::optional<Vec3> feltAlone(std::size_t i) const noexcept {
+        std::optional<Vec3> found;
         for (std::size_t j = 0; j < felt_.size(); ++j) {
             if (owner_[j] != i || !(pushing_.lambda[j] > 0)) continue;
-            if (alone >= 0) return 1;
-            alone = int(j);
+            if (found) return std::nullopt;
+            found = felt_[j].normal;
         }
-        if (alone < 0) return 1;
-        const Vec3& normal = felt_[std::size_t(alone)].normal;
-        return slopeFactor(normal.dot(true_[i].normal), normal.dot(way), coefficient);
+        return found;
     }
 
     // A felt plane goes through the proxy's foot on the true one; none asks the proxy to move.

@@ -11,6 +11,7 @@
 #include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
 #include "core/proxy/straddled_bodies.h"
+#include "core/surface/friction.h"
 
 namespace tactum {
 
@@ -43,6 +44,7 @@ public:
 
 private:
     using Planes = InplaceVector<ConstraintPlane, kMaxPlanes>;
+    using Pushes = InplaceVector<Push, kMaxPlanes>;
 
     std::span<const Contact> contacts() const {
         return {state_.contacts.data(), std::size_t(state_.contactCount)};
@@ -69,10 +71,9 @@ private:
     double lag() const noexcept;
     bool rubs() noexcept;
     double frictionAllows(const Vec3& way, double excess) noexcept;
-    double depthOn(const Contact& contact) noexcept;
-    double depthOnSlope(const Contact& contact, double coefficient, const Vec3& way) noexcept;
-    const FeltPlane* feltAlone(const Contact& contact) noexcept;
-    bool isHeld(const Vec3& way, double excess) noexcept;
+    bool isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept;
+    Pushes pushes() noexcept;
+    std::optional<Vec3> feltAlone(const Contact& contact) noexcept;
     bool isViscous() noexcept;
 
     // step_felt.cpp

@@ -20,56 +20,51 @@ bool Step::rubs() noexcept {
 
 // Sections 4.1 and 4.2: any plane in static contact holds; of the sliding ones the lowest bound wins.
 double Step::frictionAllows(const Vec3& way, double excess) noexcept {
-    if (isHeld(way, excess)) return 0;
+    const Pushes pushing = pushes();
+    if (isHeld(pushing, way, excess)) return 0;
     const double speed = fingerVelocity_.dot(way);
     double slide = excess;
-    for (Contact& contact : contacts()) {
+    for (std::size_t i = 0; i < pushing.size(); ++i) {
+        Contact& contact = contacts()[i];
         if (contact.lambda <= 0) continue;
         contact.slipping = true;
         state_.slidingOn = contact.body;
         const FrictionLimit limit = frictionLimit(contact.material, true);
-        const double depth = depthOnSlope(contact, limit.coefficient, way);
+        const double depth = depthOnSlope(pushing.all(), i, limit.coefficient, way);
         slide = std::min(slide, allowedSlide(limit, excess, depth, speed, timeLeft_));
     }
     return slide;
 }
 
-// Normal force on a contact divided by the stiffness.
-double Step::depthOn(const Contact& contact) noexcept {
-    double depth = 0;
-    for (const Contact& other : contacts())
-        depth += depthShare(other.lambda, other.normal, contact.normal);
-    return depth;
+bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcept {
+    bool held = false;
+    for (std::size_t i = 0; i < pushing.size(); ++i) {
+        const Contact& contact = contacts()[i];
+        if (contact.lambda <= 0) continue;
+        const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
+        held |= excess <= limit.coefficient * depthOnSlope(pushing.all(), i, limit.coefficient, way);
+    }
+    return held;
 }
 
-// The same where the felt normal leans.
-double Step::depthOnSlope(const Contact& contact, double coefficient, const Vec3& way) noexcept {
-    const double depth = depthOn(contact);
-    const FeltPlane* felt = feltAlone(contact);
-    if (!felt) return depth;
-    return depth * slopeFactor(felt->normal.dot(contact.normal), felt->normal.dot(way), coefficient);
+// All contacts, in their order.
+Step::Pushes Step::pushes() noexcept {
+    Pushes all;
+    for (const Contact& contact : contacts())
+        all.push({contact.normal, contact.lambda, feltAlone(contact)});
+    return all;
 }
 
-// The felt plane of a contact, if it has one alone.
-const FeltPlane* Step::feltAlone(const Contact& contact) noexcept {
-    const FeltPlane* found = nullptr;
+// The felt normal of a contact, if it has one alone.
+std::optional<Vec3> Step::feltAlone(const Contact& contact) noexcept {
+    std::optional<Vec3> found;
     for (int i = 0; i < state_.feltCount; ++i) {
         const FeltPlane& plane = state_.felt[std::size_t(i)];
         if (plane.body != contact.body || plane.triangle != contact.triangle) continue;
-        if (found) return nullptr;
-        found = &plane;
+        if (found) return std::nullopt;
+        found = plane.normal;
     }
     return found;
-}
-
-bool Step::isHeld(const Vec3& way, double excess) noexcept {
-    bool held = false;
-    for (Contact& contact : contacts()) {
-        const FrictionLimit limit = frictionLimit(contact.material, contact.slipping);
-        if (contact.lambda <= 0) continue;
-        held |= excess <= limit.coefficient * depthOnSlope(contact, limit.coefficient, way);
-    }
-    return held;
 }
 
 bool Step::isViscous() noexcept {

@@ -10,6 +10,16 @@ double slopeFactor(double lean, double up, double coefficient) noexcept {
            std::max(lean * (std::sqrt(std::max(0.0, 1 - up * up)) + coefficient * up), 1 / kMaxSlopeFactor);
 }
 
+double depthOnSlope(std::span<const Push> pushes, std::size_t on, double coefficient,
+                    const Vec3& way) noexcept {
+    const Push& plane = pushes[on];
+    double depth = 0;
+    for (const Push& push : pushes)
+        depth += depthShare(push.lambda, push.normal, plane.normal);
+    if (!plane.felt) return depth;
+    return depth * slopeFactor(plane.felt->dot(plane.normal), plane.felt->dot(way), coefficient);
+}
+
 double allowedSlide(const FrictionLimit& limit, double excess, double depth, double speed,
                     double dt) noexcept {
     const double most = excess - limit.coefficient * depth;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "core/base/vec.h"
 #include "core/surface/material.h"
@@ -42,6 +44,18 @@ inline double depthShare(double lambda, const Vec3& normal, const Vec3& on) noex
 /// real time.
 double slopeFactor(double lean, double up, double coefficient) noexcept;
 inline constexpr double kMaxSlopeFactor = 2.5;
+
+/// A plane that may push: its normal and multiplier (m), and the felt normal in its place, if that is one.
+struct Push {
+    Vec3 normal = Vec3::UnitZ();
+    double lambda = 0;
+    std::optional<Vec3> felt;
+};
+
+/// Normal force on pushes[on] divided by the stiffness, in m, and what its felt slope makes of that for a
+/// slide along the unit vector `way`: friction holds `coefficient` times this. Thread: real time.
+double depthOnSlope(std::span<const Push> pushes, std::size_t on, double coefficient,
+                    const Vec3& way) noexcept;
 
 /// How far the proxy slides in a time.
 /// `excess`: distance from the proxy to where it would go without friction, that is tangential force / k, at

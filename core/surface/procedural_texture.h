@@ -18,8 +18,8 @@ struct WaveShape {
 };
 
 /// `fill`: the raised part of the period. `softness`: width of an edge, part of a period; an edge is a raised
-/// cosine, which 16 harmonics render within 1 % from a softness of 0.1 on. Where the edges leave no room for
-/// a plain top or bottom the wave is stretched: its highest place is always 1 above its lowest.
+/// cosine, which 16 harmonics render within 1.5 % from a softness of 0.1 on. Where the edges leave no room
+/// for a plain top or bottom the wave is stretched: its highest place is always 1 above its lowest.
 WaveShape waveShape(double fill, double softness) noexcept;
 
 /// What of a wave of this length (m) is kept: nothing up to `smallestFeature`, a quarter of twice its length,

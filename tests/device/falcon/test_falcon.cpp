@@ -601,7 +601,7 @@ private slots:
         exchange(*falcon, 50, kPush);
         bench.device->setFaults({.frozenEncoders = true});
         QCOMPARE_GT(exchange(*falcon, 50, kPush).valid, 40);
-        bench.device->putGrip({0.01, 0, 0});
+        bench.device->putGrip({0.04, 0, 0}); // farther than a hand gets while a busy machine pauses
         exchange(*falcon, 20, kPush);
         bench.device->setFaults({});
         exchange(*falcon, 10, kPush);
