@@ -15,6 +15,7 @@ template <class T, std::size_t Room> class InplaceVector {
     static_assert(std::is_trivially_destructible_v<T>);
 
 public:
+    static constexpr std::size_t room() noexcept { return Room; }
     std::size_t size() const noexcept { return size_; }
     void clear() noexcept { size_ = 0; }
     void push(const T& value) noexcept {

@@ -6,9 +6,6 @@
 
 namespace tactum {
 
-/// At most so many bodies of a scene move by themselves: their poses lie in fixed arrays.
-inline constexpr int kMaxMovers = 64;
-
 struct BodyMotion {
     Pose before; ///< X_WB at the last step
     Pose now;    ///< X_WB at this step

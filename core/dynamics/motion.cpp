@@ -68,4 +68,16 @@ bool Motion::jumpsBetween(double before, double now) const noexcept {
     return jumpsAtEnd || within(from, duration) || within(-1, to);
 }
 
+std::vector<Vec3> controlPoints(const Track<Vec3>& track) {
+    if (track.times.empty()) return {Vec3::Zero()};
+    std::vector<Vec3> points = track.values;
+    if (track.interpolation != Interpolation::CubicSpline) return points;
+    for (std::size_t key = 0; key + 1 < track.times.size(); ++key) {
+        const double third = (track.times[key + 1] - track.times[key]) / 3;
+        points.push_back(track.values[key] + third * track.leaving[key]);
+        points.push_back(track.values[key + 1] - third * track.arriving[key + 1]);
+    }
+    return points;
+}
+
 } // namespace tactum

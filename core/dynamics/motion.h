@@ -48,4 +48,8 @@ private:
     double looped(double t) const noexcept;
 };
 
+/// Points in whose convex hull a track stays; the origin for one without keys. Of a cubic these are the
+/// control points of its Bezier curves. Thread: any but real time.
+std::vector<Vec3> controlPoints(const Track<Vec3>& track);
+
 } // namespace tactum

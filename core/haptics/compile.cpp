@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "core/base/realtime.h"
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/geometry/closed.h"
 #include "core/surface/smooth_normals.h"
 #include "core/surface/texture_stack.h"
@@ -147,12 +147,6 @@ void addMover(World& world, const SceneObject& object) {
     world.movers.push_back({std::uint32_t(world.bodies.size() - 1), object.pose, object.motion});
 }
 
-tl::unexpected<Error> tooManyMovers(std::size_t count) {
-    return inputError("the scene: " + std::to_string(count) +
-                      " visible objects move by themselves, but at most " + std::to_string(kMaxMovers) +
-                      " can; join those that move alike, or hide some");
-}
-
 /// Everything but its numbers.
 Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, const Progress& progress) {
     assertNotRealtime();
@@ -179,14 +173,13 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
         world->obstacles.push_back({.pose = object.pose});
         if (object.motion) addMover(*world, object);
     }
-    if (world->movers.size() > kMaxMovers) return tooManyMovers(world->movers.size());
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         world->obstacles[i].mesh = world->bodies[i].mesh.get();
         world->obstacles[i].materials = world->bodies[i].materials;
         world->obstacles[i].feels = world->bodies[i].feels;
         world->obstacles[i].sides = world->bodies[i].sides;
     }
-    world->near = NearBodies(world->obstacles);
+    world->near = NearBodies(world->obstacles, world->movers);
     return world;
 }
 

@@ -12,8 +12,8 @@ namespace tactum {
 /// Builds the World of a scene. Geometry whose soup `previous` already holds is shared, not rebuilt, so
 /// that a change of a material costs microseconds; so are normals and textures that are asked for as before.
 /// Invisible objects and surfaces are left out: what cannot be seen cannot be felt. Materials are clamped to
-/// their parameters' ranges, dynamic to static friction. Fails when cancelled, and when more than kMaxMovers
-/// visible objects move by themselves. Thread: any but real time.
+/// their parameters' ranges, dynamic to static friction. Fails when cancelled.
+/// Thread: any but real time.
 Result<std::shared_ptr<const World>> compile(const Scene& scene, const World* previous = nullptr,
                                              const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "core/haptics/haptic_step.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/proxy/place.h"
 
@@ -8,15 +9,14 @@ namespace tactum {
 
 namespace {
 
-Vec3 velocityOf(const World& world, const SimState& state, const Contact& contact, double dt) {
+Vec3 velocityOf(const World& world, const StepMotions& movers, const Contact& contact, double dt) {
     const int mover = world.obstacles[contact.body].mover;
-    if (mover < 0) return Vec3::Zero();
-    return state.movers[std::size_t(mover)].wayOf(contact.point) / dt;
+    return mover < 0 ? Vec3::Zero() : Vec3(movers.of(mover).wayOf(contact.point) / dt);
 }
 
 // Stiffness, damping and velocity of several contacts: the mean, weighted by how hard each pushes. Without a
 // push the last values stay, for a proxy that is still on its way.
-void mixMaterials(const World& world, SimState& state, double dt) {
+void mixMaterials(const World& world, const StepMotions& movers, SimState& state, double dt) {
     const ProxyState& proxy = state.proxy;
     double total = 0, stiffness = 0, damping = 0;
     Vec3 velocity = Vec3::Zero();
@@ -25,7 +25,7 @@ void mixMaterials(const World& world, SimState& state, double dt) {
         total += contact.lambda;
         stiffness += contact.lambda * contact.material.stiffness;
         damping += contact.lambda * contact.material.damping;
-        velocity += contact.lambda * velocityOf(world, state, contact, dt);
+        velocity += contact.lambda * velocityOf(world, movers, contact, dt);
     }
     if (!(total > 0)) return;
     state.model.stiffness = stiffness / total;
@@ -42,7 +42,7 @@ void addPlane(LocalContactModel& model, const Contact& contact, const Vec3& norm
 }
 
 // Of shaded and textured surfaces the servo gets the planes that are felt.
-void describeSurroundings(const World& world, SimState& state, double dt) {
+void describeSurroundings(const World& world, const StepMotions& movers, SimState& state, double dt) {
     LocalContactModel& model = state.model;
     const ProxyState& proxy = state.proxy;
     model.proxy = proxy.position;
@@ -50,7 +50,7 @@ void describeSurroundings(const World& world, SimState& state, double dt) {
     model.revision = world.revision;
     model.restarts = state.restarts;
     model.planes = 0;
-    mixMaterials(world, state, dt);
+    mixMaterials(world, movers, state, dt);
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[i];
         if (proxy.feltCount == 0 && contact.lambda > 0) addPlane(model, contact, contact.normal);
@@ -86,32 +86,18 @@ HapticOutput reportOf(const World& world, const SimState& state) {
 // of shape it stays where it is. Where there is something now, it goes to the nearest clear place; so it does
 // where it would be inside of what it was outside of, for no way of the finger leads there.
 void startAnew(const World& world, SimState& state, const HapticInput& input) {
-    for (std::size_t i = 0; i < world.movers.size(); ++i)
-        state.movers[i].now = world.movers[i].poseAt(state.time);
     const bool first = state.shapeRevision == kNoShape;
     const bool atFinger = first || input.restart || input.found;
     const Vec3 wanted = atFinger ? input.finger : state.proxy.position;
     FormerPlace former{state.shapeRevision};
     if (input.found && !first) former.at_W = state.proxy.position;
-    const Vec3 place = clearPlace(world.obstacles, {state.movers.data(), world.movers.size()},
-                                  world.proxyRadius, wanted, former)
-                           .value_or(wanted);
+    const StepMotions movers(world.movers, state.time, state.time);
+    const Vec3 place =
+        clearPlace(world.obstacles, movers, world.proxyRadius, wanted, former).value_or(wanted);
     restart(state.proxy, place);
     state.proxy.finger = input.finger;
     if (atFinger || place != wanted) ++state.restarts;
     state.shapeRevision = world.shapeRevision;
-}
-
-void moveBodies(const World& world, SimState& state, double dt) {
-    const double before = state.time;
-    state.time += dt;
-    for (std::size_t i = 0; i < world.movers.size(); ++i) {
-        const Mover& mover = world.movers[i];
-        BodyMotion& body = state.movers[i];
-        body.before = body.now;
-        body.now = mover.poseAt(state.time);
-        body.jumped = mover.motion->jumpsBetween(before, state.time);
-    }
 }
 
 int roundsAt(Fidelity fidelity) {
@@ -130,11 +116,12 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     }
     if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
         startAnew(world, state, input);
-    moveBodies(world, state, dt);
+    const double before = std::exchange(state.time, state.time + dt);
+    const StepMotions movers(world.movers, before, state.time);
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
-                      {state.movers.data(), world.movers.size()}, roundsAt(input.fidelity), &world.near);
-    describeSurroundings(world, state, dt);
+                      movers, roundsAt(input.fidelity), &world.near);
+    describeSurroundings(world, movers, state, dt);
     HapticOutput output = reportOf(world, state);
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);

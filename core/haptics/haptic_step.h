@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "core/base/vec.h"
-#include "core/dynamics/body_motion.h"
 #include "core/haptics/contact_model.h"
 #include "core/haptics/world.h"
 #include "core/proxy/proxy.h"
@@ -56,7 +55,6 @@ struct SimState {
     /// s since the motions began: the end of the last step. It goes on through every change of the World, so
     /// that an edit does not make bodies jump.
     double time = 0;
-    std::array<BodyMotion, kMaxMovers> movers{}; ///< in the order of World::movers
     std::uint32_t restarts = 0; ///< how often the proxy was put elsewhere instead of going there
 };
 

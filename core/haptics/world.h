@@ -27,15 +27,6 @@ struct WorldBody {
     std::vector<Sides> sides; ///< as many, or none when all surfaces are felt from both sides
 };
 
-/// A body that moves by itself: X_WB(t) = rest * motion->at(t).
-struct Mover {
-    std::uint32_t body = 0; ///< index into World::bodies
-    Pose rest;              ///< X_WB at the time 0
-    std::shared_ptr<const Motion> motion;
-
-    Pose poseAt(double t) const noexcept { return rest * motion->at(t); }
-};
-
 /// What a World owes to the ones before it instead of to its scene.
 struct WorldNumbers {
     std::uint64_t revision = 0, shapeRevision = 0;
@@ -47,7 +38,7 @@ struct World {
     std::vector<WorldBody> bodies;
     std::vector<Obstacle> obstacles;         ///< one for each body, in the same order
     std::vector<Obstacle> untextured, plain; ///< the same, with less to feel: see Fidelity
-    std::vector<Mover> movers;               ///< at most kMaxMovers; Obstacle::mover is an index into them
+    std::vector<Mover> movers;               ///< Obstacle::mover is an index into them
     NearBodies near;                         ///< of all three
     double proxyRadius = 0;                  ///< m
     std::shared_ptr<const Scene> scene;      ///< what it was made of

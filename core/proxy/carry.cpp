@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/proxy/carry_bounds.h"
@@ -32,8 +33,8 @@ struct Meeting {
 
 class Carry {
 public:
-    Carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-          double radius, const NearBodies* near)
+    Carry(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+          const NearBodies* near)
         : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius), near_(near) {}
 
     CarryReport run() noexcept {
@@ -57,22 +58,22 @@ private:
     std::span<PassedBody> passed() { return {state_.passed.data(), std::size_t(state_.passedCount)}; }
 
     bool moves(std::uint32_t body) const noexcept {
-        const int mover = obstacles_[body].mover;
-        return mover >= 0 && !jumps(body) &&
-               !(movers_[std::size_t(mover)].before == movers_[std::size_t(mover)].now);
+        if (obstacles_[body].mover < 0 || jumps(body)) return false;
+        const BodyMotion motion = movers_.of(obstacles_[body].mover);
+        return !(motion.before == motion.now);
     }
 
     // What jumps farther than the proxy is wide is put there; a lesser jump is swept like a motion.
     bool jumps(std::uint32_t body) const noexcept {
-        const int mover = obstacles_[body].mover;
-        if (mover < 0 || !movers_[std::size_t(mover)].jumped) return false;
-        return (movers_[std::size_t(mover)].carried(from_W_) - from_W_).norm() > 2 * radius_;
+        if (obstacles_[body].mover < 0) return false;
+        const BodyMotion motion = movers_.of(obstacles_[body].mover);
+        return motion.jumped && (motion.carried(from_W_) - from_W_).norm() > 2 * radius_;
     }
 
     Pose poseAt(std::uint32_t body, double part) const noexcept {
         const Obstacle& obstacle = obstacles_[body];
         if (obstacle.mover < 0) return obstacle.pose;
-        const BodyMotion& motion = movers_[std::size_t(obstacle.mover)];
+        const BodyMotion motion = movers_.of(obstacle.mover);
         return moves(body) ? motion.between(part) : motion.now;
     }
 
@@ -89,7 +90,7 @@ private:
     }
 
     // Of all contacts that push, the one that could bear most tangential force. On a body at rest: none.
-    const BodyMotion* strongestHold() noexcept {
+    std::optional<BodyMotion> strongestHold() noexcept {
         const Contact* best = nullptr;
         double most = 0;
         for (const Contact& contact : contacts()) {
@@ -98,30 +99,20 @@ private:
                 contact.lambda > 0 ? limit.coefficient * contact.lambda + limit.lag * kHandSpeed : 0;
             if (hold > most) most = hold, best = &contact;
         }
-        return best && moves(best->body) ? &movers_[std::size_t(obstacles_[best->body].mover)] : nullptr;
-    }
-
-    template <class Seen> void forEachMoving(Seen&& seen) noexcept {
-        if (near_) {
-            for (const std::uint32_t body : near_->moving())
-                if (moves(body)) seen(body);
-            return;
-        }
-        for (std::uint32_t body = 0; body < obstacles_.size(); ++body)
-            if (moves(body)) seen(body);
+        if (!best || !moves(best->body)) return std::nullopt;
+        return movers_.of(obstacles_[best->body].mover);
     }
 
     // Which bodies can reach the proxy, and into how many pieces that cuts the step.
     int look() noexcept {
         double pieces = 0;
-        forEachMoving([&](std::uint32_t body) {
-            const BodyMotion& motion = movers_[std::size_t(obstacles_[body].mover)];
+        const double reach = radius_ + (report_.start - state_.position).norm();
+        forEachNear(near_, obstacles_.size(), state_.position, reach, [&](std::uint32_t body) {
+            if (!moves(body) || !canReach(body)) return;
+            const BodyMotion motion = movers_.of(obstacles_[body].mover);
             const double turn = motion.before.rotation.angularDistance(motion.now.rotation);
             const double slide = (motion.now.translation - motion.before.translation).norm();
             const Vec3 at_B = motion.before.applyInverse(state_.position);
-            const double way = slide + turn * at_B.norm();
-            if (!ride_ && obstacles_[body].mesh->tree.isBeyond(at_B, radius_ + way)) return;
-            inReach_ |= std::uint64_t(1) << obstacles_[body].mover;
             // The second derivative of the relative path is at most this; a chord's sagitta is an eighth of
             // it.
             const double bend = turn * turn * at_B.norm() + 2 * turn * slide;
@@ -130,6 +121,16 @@ private:
                           std::sqrt(bend / (8 * kSagitta * radius_))});
         });
         return int(std::ceil(std::min(pieces, double(kMaxPieces))));
+    }
+
+    // Whether a moving body can come to the proxy in this step.
+    bool canReach(std::uint32_t body) const noexcept {
+        if (ride_) return true;
+        const BodyMotion motion = movers_.of(obstacles_[body].mover);
+        const double turn = motion.before.rotation.angularDistance(motion.now.rotation);
+        const double slide = (motion.now.translation - motion.before.translation).norm();
+        const Vec3 at_B = motion.before.applyInverse(from_W_);
+        return !obstacles_[body].mesh->tree.isBeyond(at_B, radius_ + slide + turn * at_B.norm());
     }
 
     void goTogether(double from, double to) noexcept {
@@ -199,7 +200,7 @@ private:
         const bool stays = start == place.at;
         const double reach = radius_ + (place.at - start).norm();
         forEachNear(near_, obstacles_.size(), start, reach, [&](std::uint32_t body) {
-            if (stays && !(moves(body) && inReach_ >> obstacles_[body].mover & 1)) return;
+            if (stays && !(moves(body) && canReach(body))) return;
             if (hasPassed(state_, body)) return;
             const Vec3 from_B = poseAt(body, from_).applyInverse(start);
             const Vec3 way_B = poseAt(body, to_).applyInverse(place.at) - from_B;
@@ -249,29 +250,28 @@ private:
         if (body == kNoBody || !moves(body)) return giveUpTheRide();
         report_.passed = true;
         forget([body](const Contact& contact) { return contact.body == body; });
-        if (state_.passedCount < kMaxMovers)
+        if (state_.passedCount < kMaxPassed)
             state_.passed[state_.passedCount++] = {body, poseAt(body, from_).applyInverse(state_.position)};
         return true;
     }
 
-    bool giveUpTheRide() noexcept { return std::exchange(ride_, nullptr) != nullptr; }
+    bool giveUpTheRide() noexcept { return std::exchange(ride_, std::nullopt).has_value(); }
 
     ProxyState& state_;
     std::span<const Obstacle> obstacles_;
-    std::span<const BodyMotion> movers_;
+    const StepMotions& movers_;
     double radius_;
     const NearBodies* near_;
     CarryReport report_;
-    Vec3 from_W_ = state_.position;    ///< where the proxy was
-    const BodyMotion* ride_ = nullptr; ///< of the body that holds the proxy by friction
-    std::uint64_t inReach_ = 0;        ///< one bit for each mover that can come to the proxy in this step
-    double from_ = 0, to_ = 1;         ///< the present piece of the step
+    Vec3 from_W_ = state_.position;  ///< where the proxy was
+    std::optional<BodyMotion> ride_; ///< of the body that holds the proxy by friction
+    double from_ = 0, to_ = 1;       ///< the present piece of the step
     CarryBounds bounds_;
 };
 
 } // namespace
 
-CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                   double radius, const NearBodies* near) noexcept {
     if (movers.empty()) return {.start = state.position};
     return Carry(state, obstacles, movers, radius, near).run();

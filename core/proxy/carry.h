@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {
@@ -36,7 +36,7 @@ struct CarryReport {
 ///
 /// Thread: real time; at most kMaxPieces x (kMaxCarryRounds + 1) sweeps of each body, and again for every
 /// body that passes over or lets the proxy go; one sweep of the bodies in reach is usual.
-CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+CarryReport carry(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                   double radius, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

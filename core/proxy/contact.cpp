@@ -27,10 +27,10 @@ Vec3 edgeAt(const Triangle& t, const ClosestPoint& closest) noexcept {
 
 } // namespace
 
-void locate(Contact& contact, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-            double radius, const Vec3& centre_W) noexcept {
+void locate(Contact& contact, std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+            const Vec3& centre_W) noexcept {
     const Obstacle& obstacle = obstacles[contact.body];
-    const Pose& pose = poseNow(obstacle, movers);
+    const Pose pose = poseNow(obstacle, movers);
     const Triangle triangle = obstacle.triangle(contact.triangle);
     const Vec3 centre = pose.applyInverse(centre_W);
     const ClosestPoint closest = closestPoint(triangle, centre);

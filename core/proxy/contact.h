@@ -6,7 +6,7 @@
 
 #include "core/base/vec.h"
 #include "core/collision/sweep_memory.h"
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/surface/material.h"
 #include "core/surface/smooth_normals.h"
 #include "core/surface/texture_stack.h"
@@ -48,14 +48,14 @@ struct Contact {
 };
 
 /// Where an obstacle is at this step. Thread: real time.
-inline const Pose& poseNow(const Obstacle& obstacle, std::span<const BodyMotion> movers) noexcept {
-    return obstacle.mover < 0 ? obstacle.pose : movers[std::size_t(obstacle.mover)].now;
+inline Pose poseNow(const Obstacle& obstacle, const StepMotions& movers) noexcept {
+    return obstacle.mover < 0 ? obstacle.pose : movers.of(obstacle.mover).now;
 }
 
 /// Finds the contact's constraint plane for a proxy of `radius` at `centre_W`, with how the C-obstacle bends
 /// there: around an edge it is a cylinder, around a vertex a sphere. The contact's body and triangle say of
 /// what. Thread: real time.
-void locate(Contact& contact, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-            double radius, const Vec3& centre_W) noexcept;
+void locate(Contact& contact, std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+            const Vec3& centre_W) noexcept;
 
 } // namespace tactum

@@ -92,7 +92,7 @@ private:
     double locate(std::size_t i) noexcept {
         const Contact& contact = on_.contacts[i];
         const Obstacle& obstacle = on_.obstacles[contact.body];
-        const Pose& pose = poseNow(obstacle, on_.movers);
+        const Pose pose = poseNow(obstacle, on_.movers);
         const Vec3 centre = pose.applyInverse(centre_);
         const Triangle triangle = obstacle.triangle(contact.triangle);
         closest_.push(closestPoint(triangle, centre));
@@ -111,7 +111,7 @@ private:
         const Obstacle& obstacle = on_.obstacles[contact.body];
         const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
         if (!feel) return add(i, true_[i].normal);
-        const Pose& pose = poseNow(obstacle, on_.movers);
+        const Pose pose = poseNow(obstacle, on_.movers);
         const Triangle triangle = obstacle.triangle(contact.triangle);
         const ClosestPoint& closest = closest_[i];
         const Vec3 away = pose.rotateInverse(true_[i].normal);

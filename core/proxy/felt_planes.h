@@ -17,7 +17,7 @@ inline constexpr double kFinestFeature = 0.05;
 /// What the update stage works on. World frame, SI.
 struct FeltContacts {
     std::span<const Obstacle> obstacles;
-    std::span<const BodyMotion> movers;
+    const StepMotions& movers;
     std::span<Contact> contacts;
     double radius = 0;
     Vec3 finger = Vec3::Zero();

@@ -19,37 +19,66 @@ struct NearBodies::Box {
     void add(const Box& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
     Vec3 middle() const { return 0.5 * (low + high); }
 
-    /// Around the spheres below the root of its mesh.
-    static Box around(const Obstacle& obstacle, std::uint32_t body) {
-        Box box;
-        box.body = body;
-        const SphereTree& tree = obstacle.mesh->tree;
-        if (tree.nodes().empty()) return box;
-        const SphereTree::Node& root = tree.nodes().front();
-        for (int i = 0; i < SphereTree::kWidth; ++i) {
-            if (!(root.radius[i] >= 0)) continue;
-            const Vec3 centre = obstacle.pose.apply(tree.origin() + Vec3(root.x[i], root.y[i], root.z[i]));
-            // Single precision was rounded outward; the pose is not.
-            const double radius = double(root.radius[i]) + 1e-12 * centre.norm();
-            box.low = box.low.cwiseMin(centre - Vec3::Constant(radius));
-            box.high = box.high.cwiseMax(centre + Vec3::Constant(radius));
-        }
-        return box;
+    void add(const Vec3& centre, double radius) {
+        low = low.cwiseMin(centre - Vec3::Constant(radius));
+        high = high.cwiseMax(centre + Vec3::Constant(radius));
     }
 };
 
-NearBodies::NearBodies(std::span<const Obstacle> obstacles) : oneSided_(anyOneSided(obstacles)) {
+namespace {
+
+/// Single precision was rounded outward; poses are not.
+constexpr double kPosesRound = 1e-12;
+
+/// Calls f(centre, radius) for the spheres below the root of a mesh, body frame.
+template <class F> void forEachSphere(const CollisionMesh& mesh, F&& f) {
+    if (mesh.tree.nodes().empty()) return;
+    const SphereTree::Node& root = mesh.tree.nodes().front();
+    for (int i = 0; i < SphereTree::kWidth; ++i)
+        if (root.radius[i] >= 0)
+            f(mesh.tree.origin() + Vec3(root.x[i], root.y[i], root.z[i]), double(root.radius[i]));
+}
+
+template <class Box> void addPlaces(Box& box, const CollisionMesh& mesh, const Pose& pose) {
+    forEachSphere(mesh, [&](const Vec3& centre_B, double radius) {
+        const Vec3 centre = pose.apply(centre_B);
+        box.add(centre, radius + kPosesRound * centre.norm());
+    });
+}
+
+// A body that turns stays in a ball about its origin; a translation stays within its control points.
+template <class Box> void addPlaces(Box& box, const CollisionMesh& mesh, const Mover& mover) {
+    const bool turns = !mover.motion->rotation.times.empty();
+    double reach = 0;
+    forEachSphere(
+        mesh, [&](const Vec3& centre, double radius) { reach = std::max(reach, centre.norm() + radius); });
+    for (const Vec3& way : controlPoints(mover.motion->translation)) {
+        const Pose pose = mover.rest * Pose{Quat::Identity(), way};
+        if (turns)
+            box.add(pose.translation, reach + kPosesRound * (reach + pose.translation.norm()));
+        else
+            addPlaces(box, mesh, pose);
+    }
+}
+
+} // namespace
+
+NearBodies::NearBodies(std::span<const Obstacle> obstacles, std::span<const Mover> movers)
+    : oneSided_(anyOneSided(obstacles)) {
     assertNotRealtime();
     std::vector<Box> boxes;
     for (std::uint32_t body = 0; body < obstacles.size(); ++body) {
-        if (obstacles[body].mover >= 0)
-            moving_.push_back(body);
+        const Obstacle& obstacle = obstacles[body];
+        Box& box = boxes.emplace_back();
+        box.body = body;
+        if (obstacle.mover >= 0)
+            addPlaces(box, *obstacle.mesh, movers[std::size_t(obstacle.mover)]);
         else
-            boxes.push_back(Box::around(obstacles[body], body));
+            addPlaces(box, *obstacle.mesh, obstacle.pose);
     }
     if (boxes.empty()) return;
     nodes_.reserve(2 * boxes.size());
-    still_.reserve(boxes.size());
+    bodies_.reserve(boxes.size());
     nodes_.emplace_back();
     split(0, boxes);
 }
@@ -64,11 +93,11 @@ void NearBodies::split(std::size_t node, std::span<Box> boxes) {
     }
     nodes_[node].low = all.low, nodes_[node].high = all.high;
     if (boxes.size() <= kLeaf) {
-        nodes_[node].first = std::int32_t(still_.size());
+        nodes_[node].first = std::int32_t(bodies_.size());
         nodes_[node].bodies = std::int32_t(boxes.size());
         std::ranges::sort(boxes, {}, &Box::body);
         for (const Box& box : boxes)
-            still_.push_back(box.body);
+            bodies_.push_back(box.body);
         return;
     }
     int axis = 0;

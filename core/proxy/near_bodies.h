@@ -11,24 +11,20 @@
 
 namespace tactum {
 
-/// A tree of boxes over the obstacles at rest, and a list of those that move, which are looked at each time.
-/// Built once for a World, then only read. World frame, metre.
+/// A tree of boxes over the obstacles, of those that move over all of their way. Built once for a World, then
+/// only read. World frame, metre.
 class NearBodies {
 public:
     NearBodies() = default;
-    /// O(n log n), by the spheres below each mesh's root. Thread: any but real time.
-    explicit NearBodies(std::span<const Obstacle> obstacles);
+    /// O(n log n), by the spheres below each mesh's root. `movers`: what the obstacles' `mover` names.
+    /// Thread: any but real time.
+    explicit NearBodies(std::span<const Obstacle> obstacles, std::span<const Mover> movers = {});
 
     /// Whether any obstacle has surfaces that are felt from one side alone.
     bool oneSided() const noexcept { return oneSided_; }
-    /// Those that move by themselves, ascending.
-    std::span<const std::uint32_t> moving() const noexcept { return moving_; }
-
-    /// Calls seen(index) once for each obstacle that may reach into the ball, and for each that moves; in the
-    /// same order each time. Thread: real time; logarithmic in the obstacles that are not near.
+    /// Calls seen(index) once for each obstacle that may reach into the ball, at some time if it moves; in
+    /// the same order each time. Thread: real time; logarithmic in the obstacles that are not near.
     template <class Seen> void forEach(const Vec3& centre, double reach, Seen&& seen) const noexcept {
-        for (const std::uint32_t body : moving_)
-            seen(body);
         std::array<std::int32_t, kDeepest> open;
         int count = 0;
         if (!nodes_.empty()) open[std::size_t(count++)] = 0;
@@ -41,7 +37,7 @@ public:
                 open[std::size_t(count++)] = node.first;
             }
             for (std::int32_t i = 0; i < node.bodies; ++i)
-                seen(still_[std::size_t(node.first + i)]);
+                seen(bodies_[std::size_t(node.first + i)]);
         }
     }
 
@@ -50,14 +46,14 @@ private:
 
     struct Node {
         Vec3 low, high;
-        std::int32_t first = 0;  ///< of its two children, or of its bodies in still_
+        std::int32_t first = 0;  ///< of its two children, or of its bodies in bodies_
         std::int32_t bodies = 0; ///< 0: an inner node
     };
     struct Box;
     void split(std::size_t node, std::span<Box> boxes);
 
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> still_, moving_;
+    std::vector<std::uint32_t> bodies_;
     bool oneSided_ = false;
 };
 

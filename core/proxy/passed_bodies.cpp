@@ -26,7 +26,7 @@ bool isBack(PassedBody& body, const Obstacle& obstacle, const Vec3& proxy_B, dou
 
 } // namespace
 
-void followPassed(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followPassed(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                   double radius) noexcept {
     int kept = 0;
     for (int i = 0; i < state.passedCount; ++i) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {
@@ -18,7 +18,7 @@ inline bool hasPassed(const ProxyState& state, std::uint32_t body) noexcept {
 /// What passed over the proxy is felt again as soon as a straight way for a sphere of `radius` leads from
 /// where the proxy was on it to where the proxy is. Until then that place slides along the body after the
 /// proxy. Thread: real time; two sweeps of each body that passed.
-void followPassed(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followPassed(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                   double radius) noexcept;
 
 } // namespace tactum

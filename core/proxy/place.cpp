@@ -19,7 +19,7 @@ constexpr double kOn = 1e-6;
 
 struct Placing {
     std::span<const Obstacle> obstacles;
-    std::span<const BodyMotion> movers;
+    const StepMotions& movers;
     double radius;
     FormerPlace former;
 
@@ -44,7 +44,7 @@ bool Placing::mayNotEnter(const Obstacle& obstacle) const noexcept {
 
 /// The way out of one obstacle; zero when it is not overlapped.
 Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept {
-    const Pose& pose = poseNow(obstacle, movers);
+    const Pose pose = poseNow(obstacle, movers);
     const Vec3 p_B = pose.applyInverse(p_W);
     const bool mayBeInside = isClosed(obstacle) && (obstacle.placedIn > former.since || former.at_W);
     const double reach = mayBeInside ? std::numeric_limits<double>::infinity() : radius;
@@ -76,7 +76,7 @@ Vec3 Placing::largestPush(const Vec3& p_W) const noexcept {
 Vec3 Placing::nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept {
     double t = 1;
     for (const Obstacle& obstacle : obstacles) {
-        const Pose& pose = poseNow(obstacle, movers);
+        const Pose pose = poseNow(obstacle, movers);
         const Vec3 from_B = pose.applyInverse(from_W);
         const SpherePath path{from_B, pose.applyInverse(to_W) - from_B, radius * (1 + kClear),
                               obstacle.sides};
@@ -87,8 +87,8 @@ Vec3 Placing::nearestOnWay(const Vec3& from_W, const Vec3& to_W) const noexcept 
 
 } // namespace
 
-std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                               double radius, const Vec3& wanted_W, const FormerPlace& former) noexcept {
+std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+                               const Vec3& wanted_W, const FormerPlace& former) noexcept {
     const Placing placing{obstacles, movers, radius, former};
     const Vec3 first = placing.largestPush(wanted_W);
     Vec3 place = wanted_W;

@@ -20,7 +20,7 @@ struct FormerPlace {
 /// narrow. A closed obstacle is left through its nearest surface when the proxy is found inside and was not
 /// there before: because the obstacle was not there, or because the proxy was outside. Else the inside is a
 /// place like others. World frame, metre. Thread: real time; some dozens of nearestOn().
-std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-                               double radius, const Vec3& wanted_W, const FormerPlace& former) noexcept;
+std::optional<Vec3> clearPlace(std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+                               const Vec3& wanted_W, const FormerPlace& former) noexcept;
 
 } // namespace tactum

@@ -15,7 +15,7 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept {
 }
 
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers, int mostRounds,
+                          const Vec3& finger_W, double dt, const StepMotions& movers, int mostRounds,
                           const NearBodies* near) noexcept {
     const CarryReport carried = carry(state, obstacles, movers, radius, near);
     ProxyReport report =

@@ -51,6 +51,9 @@ struct StraddledBody {
 
 inline constexpr std::uint32_t kNoBody = ~std::uint32_t(0);
 
+/// At most so many bodies pass over the proxy at once; one more stays in its way.
+inline constexpr int kMaxPassed = 64;
+
 struct ProxyState {
     Vec3 position = Vec3::Zero(); ///< world frame
     Vec3 finger = Vec3::Zero();   ///< of the last step, world frame
@@ -70,7 +73,7 @@ struct ProxyState {
     std::uint32_t slidingOn = kNoBody;
     /// Of the obstacles, each at its number modulo the size.
     std::array<SweepMemory, 4> memories{};
-    std::array<PassedBody, kMaxMovers> passed{};
+    std::array<PassedBody, kMaxPassed> passed{};
     int passedCount = 0;
     std::array<StraddledBody, kMaxStraddled> straddled{};
     int straddledCount = 0;
@@ -98,7 +101,7 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// each obstacle, and before them, where `movers` move, those of carry(). With every move one nearestOn() of
 /// each body in reach that is felt from one side alone.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
-                          const Vec3& finger_W, double dt, std::span<const BodyMotion> movers = {},
+                          const Vec3& finger_W, double dt, const StepMotions& movers = {},
                           int mostRounds = kMaxRounds, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

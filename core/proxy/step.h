@@ -32,9 +32,8 @@ inline constexpr double kBoldest = 256;
 /// One step: the state it works on and what stays the same during it. World frame, SI. Thread: real time.
 class Step {
 public:
-    Step(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-         double radius, const Vec3& finger, double dt, const Vec3& start, int mostRounds,
-         const NearBodies* near)
+    Step(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+         const Vec3& finger, double dt, const Vec3& start, int mostRounds, const NearBodies* near)
         : state_(state), obstacles_(obstacles), movers_(movers), radius_(radius),
           rest_(std::max(kRest * radius, kTold * start.norm())), finger_(finger), dt_(dt), timeLeft_(dt),
           fingerVelocity_((finger - state.finger) / dt), start_(start), mostRounds_(mostRounds), near_(near),
@@ -104,7 +103,7 @@ private:
 
     ProxyState& state_;
     std::span<const Obstacle> obstacles_;
-    std::span<const BodyMotion> movers_;
+    const StepMotions& movers_;
     double radius_;
     double rest_; ///< m
     Vec3 finger_;

@@ -25,9 +25,10 @@ void Step::sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::u
     std::size_t count = 0;
     for (const Contact& contact : contacts())
         if (contact.body == i) touched[count++] = contact.triangle;
-    const Vec3 from_B = poseNow(obstacle, movers_).applyInverse(state_.position);
-    const SpherePath path{from_B, poseNow(obstacle, movers_).rotateInverse(motion), radius_ * (1 - kSkin),
-                          obstacle.sides, cameFrom(state_, i, from_B)};
+    const Pose pose = poseNow(obstacle, movers_);
+    const Vec3 from_B = pose.applyInverse(state_.position);
+    const SpherePath path{from_B, pose.rotateInverse(motion), radius_ * (1 - kSkin), obstacle.sides,
+                          cameFrom(state_, i, from_B)};
     // Of many bodies most are far away, and memories are few.
     if (obstacles_.size() > state_.memories.size() &&
         obstacle.mesh->tree.isBeyond(path.from, path.radius + path.motion.norm()))
@@ -62,7 +63,7 @@ bool Step::isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept {
 // says.
 bool Step::isStillFelt(const Contact& contact) noexcept {
     if (obstacles_[contact.body].sides.empty()) return true;
-    const Pose& pose = poseNow(obstacles_[contact.body], movers_);
+    const Pose pose = poseNow(obstacles_[contact.body], movers_);
     const Vec3 from_B = cameFrom(state_, contact.body, pose.applyInverse(state_.position));
     const bool slides = rounds_ > 0 && contact.gap >= -kKeep * kSkin * radius_;
     return isFeltFrom(contact, pose.apply(from_B)) || (slides && isFeltFrom(contact, finger_));

@@ -15,21 +15,21 @@ bool overlaps(const Obstacle& obstacle, const Vec3& at_B, double radius) noexcep
 }
 
 // What jumps farther than the proxy is wide is put there; a lesser jump is swept like a motion.
-bool isPut(const Obstacle& obstacle, std::span<const BodyMotion> movers, double radius,
-           const Vec3& at_W) noexcept {
-    if (obstacle.mover < 0 || !movers[std::size_t(obstacle.mover)].jumped) return false;
-    return (movers[std::size_t(obstacle.mover)].carried(at_W) - at_W).norm() > 2 * radius;
+bool isPut(const Obstacle& obstacle, const StepMotions& movers, double radius, const Vec3& at_W) noexcept {
+    if (obstacle.mover < 0) return false;
+    const BodyMotion motion = movers.of(obstacle.mover);
+    return motion.jumped && (motion.carried(at_W) - at_W).norm() > 2 * radius;
 }
 
-Pose poseAt(const Obstacle& obstacle, std::span<const BodyMotion> movers, double part) noexcept {
+Pose poseAt(const Obstacle& obstacle, const StepMotions& movers, double part) noexcept {
     if (obstacle.mover < 0) return obstacle.pose;
-    const BodyMotion& motion = movers[std::size_t(obstacle.mover)];
+    const BodyMotion motion = movers.of(obstacle.mover);
     return part >= 1 || motion.before == motion.now ? motion.now : motion.between(part);
 }
 
 template <class Unwanted>
-void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
-            double radius, const Vec3& before_W, double from, double to, const NearBodies* near,
+void follow(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers, double radius,
+            const Vec3& before_W, double from, double to, const NearBodies* near,
             Unwanted&& unwanted) noexcept {
     int count = 0;
     std::array<StraddledBody, kMaxStraddled> now;
@@ -47,14 +47,14 @@ void follow(ProxyState& state, std::span<const Obstacle> obstacles, std::span<co
 
 } // namespace
 
-void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                    double radius, const Vec3& before_W, double from, double to,
                    const NearBodies* near) noexcept {
     follow(state, obstacles, movers, radius, before_W, from, to, near,
            [&](const Obstacle& obstacle) { return isPut(obstacle, movers, radius, before_W); });
 }
 
-void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                  double radius, const Vec3& before_W, const NearBodies* near) noexcept {
     follow(state, obstacles, movers, radius, before_W, 1, 1, near, [](const Obstacle&) { return false; });
 }

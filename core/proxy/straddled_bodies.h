@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {
@@ -29,13 +29,13 @@ inline bool anyOneSided(std::span<const Obstacle> obstacles) noexcept {
 /// and from where it came, is in the state. Forgotten is what it is clear of, and what was put into it from
 /// farther away than it is wide, which it did not come to. World frame, metre. Thread: real time; one
 /// nearestOn() of each such obstacle within the radius.
-void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followCarried(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                    double radius, const Vec3& before_W, double from, double to,
                    const NearBodies* near = nullptr) noexcept;
 
 /// The same after a move of the proxy alone: the side counts that it was on when the move began, or before it
 /// began to overlap.
-void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, std::span<const BodyMotion> movers,
+void followMoved(ProxyState& state, std::span<const Obstacle> obstacles, const StepMotions& movers,
                  double radius, const Vec3& before_W, const NearBodies* near = nullptr) noexcept;
 
 } // namespace tactum

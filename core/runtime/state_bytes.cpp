@@ -46,11 +46,8 @@ void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit.counted(proxy.passed, proxy.passedCount);
     visit.counted(proxy.straddled, proxy.straddledCount);
 }
-void fields(auto& visit, MaybeConst<BodyMotion> auto& body) {
-    visit(body.before, body.now, body.jumped);
-}
 void fields(auto& visit, MaybeConst<SimState> auto& state) {
-    visit(state.proxy, state.model, state.shapeRevision, state.time, state.movers, state.restarts);
+    visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts);
 }
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
@@ -86,9 +83,9 @@ namespace {
 static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
 static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
-static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152 && sizeof(BodyMotion) == 144);
+static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
-static_assert(sizeof(SimState) == 9536 + sizeof(ProxyState));
+static_assert(sizeof(SimState) == 320 + sizeof(ProxyState));
 #endif
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {

@@ -1,7 +1,7 @@
 // What `tactum check` says of a scene: values, sizes, meshes.
 #include <map>
 
-#include "core/dynamics/body_motion.h"
+#include "core/dynamics/movers.h"
 #include "core/geometry/mesh_health.h"
 #include "core/scene/describe.h"
 #include "core/scene/findings.h"
@@ -21,7 +21,6 @@ public:
         if (scene_.objects.empty()) say(Severity::Warning, "", "the scene is empty", "open a model");
         for (const SceneObject& object : scene_.objects)
             check(object);
-        checkMovers();
         checkSize();
         return std::move(findings_);
     }
@@ -74,16 +73,6 @@ private:
             say(Severity::Note, object.name, "jumps from one pose to another during its motion",
                 "what touches it there is let go; let the last pose be the first for a motion without an "
                 "end");
-    }
-
-    void checkMovers() {
-        const auto movers = std::ranges::count_if(
-            scene_.objects, [](const SceneObject& object) { return object.visible && object.motion; });
-        if (movers > kMaxMovers)
-            say(Severity::Error, "",
-                std::to_string(movers) + " objects move by themselves, but at most " +
-                    std::to_string(kMaxMovers) + " can",
-                "join those that move alike, or hide some");
     }
 
     void checkMaterial(const std::string& object, const Surface& surface) {

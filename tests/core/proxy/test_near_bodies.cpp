@@ -9,6 +9,7 @@
 #include "core/proxy/near_bodies.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/movers.h"
 #include "tests/support/test_program.h"
 
 namespace test_near_bodies {
@@ -52,7 +53,7 @@ private slots:
     void nothingThatIsNearIsLeftOut();
     void mostOfWhatIsFarIsLeftOut();
     void theStepIsTheSame();
-    void whatMovesIsAlwaysThere();
+    void whatMovesIsSeenOnAllOfItsWay();
 };
 
 void NearBodiesTest::nothingThatIsNearIsLeftOut() {
@@ -114,15 +115,34 @@ void NearBodiesTest::theStepIsTheSame() {
     QCOMPARE_GT(touched, 1000);
 }
 
-void NearBodiesTest::whatMovesIsAlwaysThere() {
-    Heap heap(100);
-    heap.obstacles[7].mover = 0;
-    heap.obstacles[90].mover = 1;
-    const NearBodies near(heap.obstacles);
-    std::vector<std::uint32_t> seen;
-    near.forEach({50, 0, 0}, 1e-3, [&](std::uint32_t body) { seen.push_back(body); });
-    QCOMPARE(seen, (std::vector<std::uint32_t>{7, 90}));
-    QCOMPARE(near.moving().size(), std::size_t(2));
+// Wherever it is at some time of its course; and where it never comes it is not looked at.
+void NearBodiesTest::whatMovesIsSeenOnAllOfItsWay() {
+    Rng rng(8);
+    const std::array motions{swinging({0.05, 0.02, 0}, 2), sliding({0, 0.01, 0}, 3), turning({1, 2, 0}, 4)};
+    Heap heap(60, 0.1);
+    std::vector<Mover> movers;
+    for (std::size_t body = 0; body < heap.obstacles.size(); body += 2) {
+        heap.obstacles[body].mover = int(movers.size());
+        movers.push_back(
+            {std::uint32_t(body), heap.obstacles[body].pose, motions[body / 2 % motions.size()]});
+    }
+    const NearBodies near(heap.obstacles, movers);
+    int reached = 0, looked = 0;
+    for (int trial = 0; trial < 10000; ++trial) {
+        const Vec3 at = inCube(rng, 0.12);
+        const double reach = 0.003, time = uniform(rng, 0, 5);
+        std::vector<int> seen(heap.obstacles.size());
+        near.forEach(at, reach, [&](std::uint32_t body) { ++seen[body], ++looked; });
+        for (const Mover& mover : movers) {
+            const Vec3 at_B = mover.poseAt(time).applyInverse(at);
+            if (nearestOn(*heap.obstacles[mover.body].mesh, at_B, reach).distance >= reach) continue;
+            QCOMPARE(seen[mover.body], 1);
+            ++reached;
+        }
+    }
+    QCOMPARE_GT(reached, 50);
+    QCOMPARE_LT(looked, 10000 * 30);
+    near.forEach({50, 0, 0}, 1e-3, [](std::uint32_t) { QFAIL("nothing is there"); });
 }
 
 TACTUM_TEST(NearBodiesTest)

@@ -218,33 +218,12 @@ private slots:
             "note|rock|jumps from one pose to another during its motion|what touches it there is let go; let "
             "the last "
             "pose be the first for a motion without an end");
-        row("as many as can move", after([](Scene& s) {
-                s.objects[0].motion = sliding(0.1, 2, true);
-                while (int(s.objects.size()) < kMaxMovers)
-                    s.add(SceneObject(s.objects[0]));
-            }),
-            "");
     }
 
     void objectsAndScene() {
         QFETCH(QStringList, lines);
         QFETCH(QString, expected);
         QCOMPARE(lines.join(u'\n'), expected);
-    }
-
-    void tooManyMove() {
-        Scene scene = soundScene();
-        scene.objects[0].motion = sliding(0.1, 2, true);
-        while (int(scene.objects.size()) <= kMaxMovers)
-            scene.add(SceneObject(scene.objects[0]));
-        QCOMPARE(
-            said(scene),
-            QStringList(QStringLiteral("error||%1 objects move by themselves, but at most %2 can|join those "
-                                       "that move alike, or hide some")
-                            .arg(kMaxMovers + 1)
-                            .arg(kMaxMovers)));
-        scene.objects[2].visible = false; // what is hidden does not count
-        QCOMPARE(said(scene), QStringList());
     }
 
     void layers_data() {
