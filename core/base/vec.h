@@ -22,6 +22,8 @@ struct Pose {
     Vec3 rotate(const Vec3& v) const { return rotation * v; }
     Vec3 rotateInverse(const Vec3& v) const { return rotation.conjugate() * v; }
 
+    /// X_BA.
+    Pose inverse() const { return {rotation.conjugate(), rotation.conjugate() * -translation}; }
     /// X_AC = X_AB * X_BC.
     Pose operator*(const Pose& other) const { return {rotation * other.rotation, apply(other.translation)}; }
 

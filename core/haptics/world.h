@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/collision/collision_mesh.h"
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/haptics/degradation.h"
 #include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"

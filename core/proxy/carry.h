@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/dynamics/movers.h"
+#include "core/motion/movers.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {

@@ -6,7 +6,7 @@
 
 #include "core/base/vec.h"
 #include "core/collision/sweep_memory.h"
-#include "core/dynamics/movers.h"
+#include "core/motion/movers.h"
 #include "core/surface/material.h"
 #include "core/surface/smooth_normals.h"
 #include "core/surface/texture_stack.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "core/dynamics/movers.h"
+#include "core/motion/movers.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {

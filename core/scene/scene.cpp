@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/scene/object_bounds.h"
 
 namespace tactum {

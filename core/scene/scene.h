@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/vec.h"
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/geometry/sides.h"
 #include "core/geometry/triangle_soup.h"
 #include "core/scene/finger_path.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/byte_stream.h"
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/geometry/triangle_soup.h"
 #include "core/surface/painted_values.h"
 #include "core/surface/texture_image.h"

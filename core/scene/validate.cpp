@@ -1,7 +1,7 @@
 // What `tactum check` says of a scene: values, sizes, meshes.
 #include <map>
 
-#include "core/dynamics/movers.h"
+#include "core/motion/movers.h"
 #include "core/geometry/mesh_health.h"
 #include "core/scene/describe.h"
 #include "core/scene/findings.h"

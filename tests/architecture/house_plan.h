@@ -20,11 +20,12 @@ inline const std::vector<Room> kRooms{
     {"core/collision", {"core/geometry"}},
     {"core/surface", {"core/geometry"}},
     {"core/paint", {"core/surface"}},
+    {"core/motion", {"core/base"}},
     {"core/dynamics", {"core/base"}},
-    {"core/proxy", {"core/collision", "core/surface", "core/dynamics"}},
+    {"core/proxy", {"core/collision", "core/surface", "core/motion"}},
     {"core/port", {"core/base"}},
     {"core/loop", {"core/port"}},
-    {"core/scene", {"core/geometry", "core/surface", "core/dynamics"}},
+    {"core/scene", {"core/geometry", "core/surface", "core/motion"}},
     {"core/health", {"core/scene", "core/collision"}},
     {"core/files", {"core/scene", "core/archive"}},
     {"core/presets", {"core/files"}},
@@ -54,6 +55,7 @@ inline const std::vector<Library> kLibraries{
     {"Eigen/", {"core/", "device/", "ui/", "app/"}},
     {"tl/expected.hpp", {"core/base/result.h"}},
     {"OpenMesh/", {"tests/core/geometry/"}}, // what is compared with
+    {"mujoco/", {"tests/core/dynamics/"}},   // likewise
     {"tiny_gltf.h", {"core/files/gltf/gltf_model.h"}},
     {"assimp/", {"core/files/read_assimp.cpp"}},
     {"pugixml.hpp", {"core/files/x3d/x3d_document.h", "core/presets/read_hatt.cpp"}},

@@ -117,7 +117,7 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/haptics/a.h", "\"core/port/haptic_device.h\"", false);
     add("core/haptics/a.h", "\"core/loop/metronome.h\"", false); // no thread, no clock
     add("core/safety/a.h", "\"core/loop/metronome.h\"", false);
-    add("core/runtime/a.cpp", "\"core/dynamics/body_motion.h\"", true);
+    add("core/runtime/a.cpp", "\"core/motion/body_motion.h\"", true);
     add("core/runtime/a.cpp", "\"device/simulated_hand.h\"", false);
     add("device/a.h", "\"core/port/haptic_device.h\"", true);
     add("device/a.h", "\"core/scene/scene.h\"", false);
@@ -155,7 +155,7 @@ void TestArchitecture::judgesAnInclude() {
 void TestArchitecture::judgesALink() {
     const auto faults = [](const char* path, const char* text) { return wrongLinks({path, text}).size(); };
     QCOMPARE(
-        faults("core/proxy/CMakeLists.txt", "tactum_room(proxy\n SOURCES a.cpp\n USES collision dynamics)"),
+        faults("core/proxy/CMakeLists.txt", "tactum_room(proxy\n SOURCES a.cpp\n USES collision motion)"),
         std::size_t(0));
     QCOMPARE(faults("core/proxy/CMakeLists.txt", "tactum_room(proxy USES collision\n scene)"),
              std::size_t(1));

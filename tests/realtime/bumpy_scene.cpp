@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 
 namespace tactum {
 namespace {

@@ -1,7 +1,7 @@
 // Bodies that move by themselves: motions from formulas, and scenes in which they go.
 #pragma once
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "tests/support/hand.h"
 
 namespace tactum::test {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/scene/scene.h"
 
 namespace tactum::test {

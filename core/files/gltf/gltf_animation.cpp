@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/geometry/soup_builder.h"
 

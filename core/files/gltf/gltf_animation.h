@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_data.h"
 
 namespace tactum {

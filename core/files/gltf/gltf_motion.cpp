@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/readers.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_model.h"
 #include "core/files/load_scene.h"
 

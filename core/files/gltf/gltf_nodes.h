@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_model.h"
 
 namespace tactum {

@@ -1,7 +1,7 @@
 // What another program adds to a file of ours stays, whatever its place; what cannot stay is said.
 #include <QTest>
 
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"

@@ -1,7 +1,7 @@
 // glTF animations as rigid motions: against the node transforms multiplied out, in every place of the tree.
 #include <QTest>
 
-#include "core/dynamics/body_motion.h"
+#include "core/motion/body_motion.h"
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"

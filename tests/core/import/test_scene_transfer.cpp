@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/base/text.h"
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 #include "core/import/scene_transfer.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"

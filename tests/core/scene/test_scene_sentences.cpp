@@ -4,8 +4,8 @@
 
 #include <QTest>
 
-#include "core/dynamics/body_motion.h"
-#include "core/dynamics/motion_build.h"
+#include "core/motion/body_motion.h"
+#include "core/motion/motion_build.h"
 #include "core/scene/findings.h"
 #include "core/scene/value_checks.h"
 #include "tests/support/compare.h"

@@ -8,8 +8,8 @@
 #include <span>
 
 #include "core/base/inplace_vector.h"
-#include "core/dynamics/body_motion.h"
-#include "core/dynamics/motion.h"
+#include "core/motion/body_motion.h"
+#include "core/motion/motion.h"
 
 namespace tactum {
 

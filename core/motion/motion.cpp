@@ -1,4 +1,4 @@
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/dynamics/motion_build.h"
+#include "core/motion/motion_build.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <QTest>
 
-#include "core/dynamics/body_motion.h"
-#include "core/dynamics/motion_build.h"
+#include "core/motion/body_motion.h"
+#include "core/motion/motion_build.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 

@@ -1,4 +1,4 @@
-#include "core/dynamics/movers.h"
+#include "core/motion/movers.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Making motions and saying what they amount to: for readers and validation.
 #pragma once
 
-#include "core/dynamics/motion.h"
+#include "core/motion/motion.h"
 
 namespace tactum {
 

@@ -1,0 +1,293 @@
+#include "core/dynamics/articulation.h"
+
+#include <algorithm>
+
+namespace tactum {
+
+namespace {
+
+Quat ballOf(const Coordinates& q, int first) noexcept {
+    return Quat(Eigen::Vector4d(q.segment<4>(first))).normalized();
+}
+
+/// The inverse for the axes that are not driven, and nothing for the others.
+Mat3 inverseBut(const Mat3& all, AxisSet driven) noexcept {
+    Mat3 kept = all;
+    for (int i = 0; i < 3; ++i)
+        if (driven >> i & 1) {
+            kept.row(i).setZero();
+            kept.col(i).setZero();
+            kept(i, i) = 1;
+        }
+    Mat3 inverse = kept.inverse();
+    if (!inverse.allFinite()) return Mat3::Zero(); // nothing there has any inertia
+    for (int i = 0; i < 3; ++i)
+        if (driven >> i & 1) inverse(i, i) = 0;
+    return inverse;
+}
+
+} // namespace
+
+Articulation::Articulation(const Mechanism& mechanism)
+    : mechanism_(mechanism), now_(mechanism.links.size()), origins_(mechanism.islands.size(), Vec3::Zero()),
+      impulses_(mechanism.links.size()), rests_(mechanism.links.size()) {
+    for (LinkNow& now : now_) {
+        now.way.setZero();
+        now.push.setZero();
+    }
+}
+
+void Articulation::placeLink(std::size_t i, const Coordinates& q) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    Pose moved;
+    if (link.kind == LinkKind::Slide)
+        moved.translation[link.axis] = q[link.q];
+    else if (link.kind == LinkKind::Turn)
+        moved.rotation = Quat(Eigen::AngleAxisd(q[link.q], Vec3::Unit(link.axis)));
+    else
+        moved.rotation = ballOf(q, link.q);
+    const Pose base = link.parent < 0 ? link.base : now_[std::size_t(link.parent)].pose * link.base;
+    now.pose = base * moved;
+}
+
+void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    const Vec3& origin = origins_[std::size_t(link.island)];
+    const Vec3 at = now.pose.translation - origin;
+    const Mat3 axes = now.pose.rotation.toRotationMatrix();
+    const Vec6 before = link.parent < 0 ? Vec6::Zero() : now_[std::size_t(link.parent)].velocity;
+    Vec6 own = Vec6::Zero();
+    if (link.kind == LinkKind::Ball) {
+        for (int k = 0; k < 3; ++k)
+            now.way.col(k) = turnAbout(axes.col(k), at);
+        own = now.way * v.segment<3>(link.v);
+    } else {
+        now.way.col(0) = link.kind == LinkKind::Slide ? spatial(Vec3::Zero(), axes.col(link.axis))
+                                                      : turnAbout(axes.col(link.axis), at);
+        own = now.way.col(0) * v[link.v];
+    }
+    now.velocity = before + own;
+    now.drift = crossMotion(before, own);
+    now.force.setZero();
+    if (link.mass > 0)
+        now.inertia = spatialInertia(link.mass, now.pose.apply(link.centre) - origin,
+                                     axes * link.moments * axes.transpose());
+    else
+        now.inertia.setZero();
+    now.bias = crossForce(now.velocity, Vec6(now.inertia * now.velocity));
+}
+
+void Articulation::place(const Coordinates& q, const Coordinates& v) noexcept {
+    for (std::size_t i = 0; i < now_.size(); ++i)
+        placeLink(i, q);
+    // The last link of a free body's four is at its centre; of others any of them will do.
+    for (std::size_t i = 0; i < origins_.size(); ++i) {
+        const Island& island = mechanism_.islands[i];
+        origins_[i] = now_[std::size_t(island.firstLink)].pose.translation;
+        for (int link = island.firstLink; link < island.endLink; ++link)
+            if (mechanism_.links[std::size_t(link)].mass > 0) {
+                origins_[i] = now_[std::size_t(link)].pose.translation;
+                break;
+            }
+    }
+    for (std::size_t i = 0; i < now_.size(); ++i)
+        moveLink(i, v);
+}
+
+void Articulation::addGravity(const Vec3& gravity) noexcept {
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+        const Link& link = mechanism_.links[i];
+        if (link.heavy != 0) addForce(int(i), link.heavy * gravity, now_[i].pose.apply(link.heavyCentre));
+    }
+}
+
+void Articulation::addForce(int link, const Vec3& force_W, const Vec3& point_W) noexcept {
+    if (link >= 0) now_[std::size_t(link)].force += forceAt(force_W, point_W - originOf(link));
+}
+
+Vec6 Articulation::atOrigin(int link, const Wrench& wrench) const noexcept {
+    Vec6 w = forceAt(wrench.force, wrench.point - originOf(link));
+    w.head<3>() += wrench.torque;
+    return w;
+}
+
+void Articulation::addForce(const Place& a, const Place& b, const Wrench& wrench, double size) noexcept {
+    if (b.link >= 0) now_[std::size_t(b.link)].force += size * atOrigin(b.link, wrench);
+    if (a.link >= 0) now_[std::size_t(a.link)].force -= size * atOrigin(a.link, wrench);
+}
+
+void Articulation::factor() noexcept {
+    for (std::size_t i = now_.size(); i-- > 0;) {
+        const Link& link = mechanism_.links[i];
+        LinkNow& now = now_[i];
+        LinkNow* parent = link.parent < 0 ? nullptr : &now_[std::size_t(link.parent)];
+        if (link.kind == LinkKind::Ball) {
+            now.push.noalias() = now.inertia * now.way;
+            now.yield = inverseBut(now.way.transpose() * now.push, link.driven);
+            if (parent) parent->inertia += now.inertia - now.push * now.yield * now.push.transpose();
+        } else {
+            now.push.col(0).noalias() = now.inertia * now.way.col(0);
+            const double inertia = now.way.col(0).dot(now.push.col(0));
+            now.yield(0, 0) = link.driven || !(inertia > 0) ? 0 : 1 / inertia;
+            if (parent)
+                parent->inertia +=
+                    now.inertia - (now.yield(0, 0) * now.push.col(0)) * now.push.col(0).transpose();
+        }
+    }
+}
+
+void Articulation::accelerate(const Coordinates& along, Coordinates& acceleration) noexcept {
+    for (LinkNow& now : now_)
+        now.acceleration = now.bias - now.force; // the force that holds it up, for now
+    for (std::size_t i = now_.size(); i-- > 0;) {
+        const Link& link = mechanism_.links[i];
+        LinkNow& now = now_[i];
+        const Vec6 held = now.acceleration;
+        // A^a c + p^a, with A^a = A - U D^-1 U^T.
+        Vec6 passed = held;
+        if (link.kind == LinkKind::Ball) {
+            now.rest = along.segment<3>(link.v) - now.way.transpose() * held;
+            const Vec3 taken = now.yield * (now.rest - now.push.transpose() * now.drift);
+            passed += now.inertia * now.drift + now.push * taken;
+        } else {
+            now.rest[0] = along[link.v] - now.way.col(0).dot(held);
+            const double taken = now.yield(0, 0) * (now.rest[0] - now.push.col(0).dot(now.drift));
+            passed += now.inertia * now.drift + now.push.col(0) * taken;
+        }
+        if (link.parent >= 0) now_[std::size_t(link.parent)].acceleration += passed;
+    }
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+        const Link& link = mechanism_.links[i];
+        LinkNow& now = now_[i];
+        now.acceleration = now.drift;
+        if (link.parent >= 0) now.acceleration += now_[std::size_t(link.parent)].acceleration;
+        if (link.kind == LinkKind::Ball) {
+            const Vec3 own = now.yield * (now.rest - now.push.transpose() * now.acceleration);
+            acceleration.segment<3>(link.v) = own;
+            now.acceleration += now.way * own;
+        } else {
+            const double own = now.yield(0, 0) * (now.rest[0] - now.push.col(0).dot(now.acceleration));
+            acceleration[link.v] = own;
+            now.acceleration += now.way.col(0) * own;
+        }
+    }
+}
+
+void Articulation::respond(const Island& island, const double* impulse, double* change) noexcept {
+    for (int i = island.firstLink; i < island.endLink; ++i)
+        impulses_[std::size_t(i)].setZero();
+    for (int i = island.endLink; i-- > island.firstLink;) {
+        const Link& link = mechanism_.links[std::size_t(i)];
+        const LinkNow& now = now_[std::size_t(i)];
+        const Vec6& held = impulses_[std::size_t(i)];
+        Vec3& rest = rests_[std::size_t(i)];
+        const double* own = impulse + (link.v - island.v);
+        Vec6 passed = held;
+        if (link.kind == LinkKind::Ball) {
+            rest = Vec3(own[0], own[1], own[2]) - now.way.transpose() * held;
+            passed += now.push * (now.yield * rest);
+        } else {
+            rest[0] = own[0] - now.way.col(0).dot(held);
+            passed += now.push.col(0) * (now.yield(0, 0) * rest[0]);
+        }
+        if (link.parent >= 0) impulses_[std::size_t(link.parent)] += passed;
+    }
+    for (int i = island.firstLink; i < island.endLink; ++i) {
+        const Link& link = mechanism_.links[std::size_t(i)];
+        const LinkNow& now = now_[std::size_t(i)];
+        Vec6& moved = impulses_[std::size_t(i)];
+        moved.setZero();
+        if (link.parent >= 0) moved = impulses_[std::size_t(link.parent)];
+        const Vec3& rest = rests_[std::size_t(i)];
+        double* own = change + (link.v - island.v);
+        if (link.kind == LinkKind::Ball) {
+            const Vec3 by = now.yield * (rest - now.push.transpose() * moved);
+            Eigen::Map<Vec3>{own} = by;
+            moved += now.way * by;
+        } else {
+            own[0] = now.yield(0, 0) * (rest[0] - now.push.col(0).dot(moved));
+            moved += now.way.col(0) * own[0];
+        }
+    }
+}
+
+void Articulation::addJacobian(int link, const Wrench& wrench, double size, double* along) const noexcept {
+    if (link < 0) return;
+    const Vec6 w = size * atOrigin(link, wrench);
+    const int first = mechanism_.islands[std::size_t(mechanism_.links[std::size_t(link)].island)].v;
+    for (int i = link; i >= 0; i = mechanism_.links[std::size_t(i)].parent) {
+        const Link& on = mechanism_.links[std::size_t(i)];
+        for (int k = 0; k < on.freedoms(); ++k)
+            along[on.v - first + k] += now_[std::size_t(i)].way.col(k).dot(w);
+    }
+}
+
+Pose Articulation::poseOf(const Place& frame) const noexcept {
+    return frame.link < 0 ? frame.pose : now_[std::size_t(frame.link)].pose * frame.pose;
+}
+
+FrameVelocity Articulation::velocityOf(const Place& frame) const noexcept {
+    if (frame.link < 0) return {};
+    const LinkNow& now = now_[std::size_t(frame.link)];
+    const Vec3 at = now.pose.apply(frame.pose.translation) - originOf(frame.link);
+    return {angular(now.velocity), velocityAt(now.velocity, at)};
+}
+
+double Articulation::powerOf(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
+    double power = 0;
+    if (b.link >= 0) power += atOrigin(b.link, wrench).dot(now_[std::size_t(b.link)].velocity);
+    if (a.link >= 0) power -= atOrigin(a.link, wrench).dot(now_[std::size_t(a.link)].velocity);
+    return power;
+}
+
+double Articulation::accelerationAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
+    double sum = 0;
+    if (b.link >= 0) sum += atOrigin(b.link, wrench).dot(now_[std::size_t(b.link)].acceleration);
+    if (a.link >= 0) sum -= atOrigin(a.link, wrench).dot(now_[std::size_t(a.link)].acceleration);
+    return sum;
+}
+
+void startVelocities(Mechanism& mechanism) {
+    Coordinates& v = mechanism.v0;
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+        // What nothing can move has the velocity that it is given.
+        const RigidBody& body = mechanism.bodies[i];
+        int link = mechanism.places[i].link;
+        if (link < 0 || !(mechanism.links[std::size_t(link)].driven)) continue;
+        const Link& ball = mechanism.links[std::size_t(link)];
+        if (ball.kind != LinkKind::Ball || ball.parent < 0) continue;
+        const Quat axes = body.pose.rotation * body.inertiaFrame;
+        for (int k = 0; k < 3; ++k)
+            if (ball.driven >> k & 1) v[ball.v + k] = (axes.conjugate() * body.angularVelocity)[k];
+        for (int up = ball.parent; up >= 0; up = mechanism.links[std::size_t(up)].parent) {
+            const Link& slide = mechanism.links[std::size_t(up)];
+            if (slide.kind == LinkKind::Slide && slide.driven) v[slide.v] = body.velocity[slide.axis];
+        }
+    }
+    Articulation articulation(mechanism);
+    articulation.place(mechanism.q0, v);
+    articulation.factor();
+    Coordinates momentum = Coordinates::Zero(mechanism.vs);
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+        const RigidBody& body = mechanism.bodies[i];
+        const Place& place = mechanism.places[i];
+        if (place.link < 0) continue;
+        const Vec3 centre = body.pose.apply(body.centre);
+        const Place at{place.link, {place.pose.rotation, place.pose.apply(body.centre)}};
+        const FrameVelocity has = articulation.velocityOf(at);
+        const Mat3 axes = (body.pose.rotation * body.inertiaFrame).toRotationMatrix();
+        const Vec3 turning =
+            axes * body.inertia.asDiagonal() * axes.transpose() * (body.angularVelocity - has.angular);
+        const Link& link = mechanism.links[std::size_t(place.link)];
+        articulation.addJacobian(place.link, {body.mass * (body.velocity - has.linear), centre, turning}, 1,
+                                 momentum.data() + mechanism.islands[std::size_t(link.island)].v);
+    }
+    Coordinates change = Coordinates::Zero(mechanism.vs);
+    for (const Island& island : mechanism.islands)
+        articulation.respond(island, momentum.data() + island.v, change.data() + island.v);
+    v += change;
+}
+
+} // namespace tactum

@@ -1,0 +1,208 @@
+#include "core/dynamics/dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactum {
+
+namespace {
+
+/// A limit that is met ends a part of the step; after so many the rest is one part.
+constexpr int kMostEvents = 4;
+
+} // namespace
+
+Dynamics::Dynamics(std::shared_ptr<const Mechanism> mechanism)
+    : mechanism_(std::move(mechanism)), articulation_(*mechanism_), loops_(*mechanism_), rows_(*mechanism_) {
+    const Mechanism& m = *mechanism_;
+    along_ = free_ = springs_ = Coordinates::Zero(m.vs);
+    q_ = Coordinates::Zero(m.qs);
+    for (std::size_t i = 0; i < 4; ++i) {
+        a_[i] = v_[i] = Coordinates::Zero(m.vs);
+        qRate_[i] = Coordinates::Zero(m.qs);
+    }
+    springInertia_.assign(m.springs.size(), 1);
+    weighs_ = std::ranges::any_of(m.springs, [](const Spring& spring) { return spring.drive.acceleration; });
+}
+
+DynamicState Dynamics::startState() const {
+    return {mechanism_->q0, mechanism_->v0, 0};
+}
+
+void Dynamics::addSprings(const Coordinates& q, double dt) noexcept {
+    springs_ = along_;
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+        const Spring& spring = mechanism_->springs[i];
+        if (rows_.springIsRow(i, dt)) continue;
+        const Coordinate& of = spring.of;
+        double value = 0, rate = 0;
+        Wrench along;
+        const Link* link = of.link < 0 ? nullptr : &mechanism_->links[std::size_t(of.link)];
+        if (link) {
+            value = of.sense * q[link->q];
+            rate = of.sense * velocity_[link->v];
+        } else {
+            const Measured now = measure(of, articulation_.poseOf(of.a), articulation_.poseOf(of.b));
+            value = now.value;
+            along = now.along;
+            rate = articulation_.powerOf(of.a, of.b, along);
+        }
+        double x0 = spring.drive.position;
+        if (spring.isLimit) {
+            if (value >= spring.min && value <= spring.max) continue;
+            x0 = value < spring.min ? spring.min : spring.max;
+        }
+        const double most = spring.drive.maxForce;
+        const double force =
+            springInertia_[i] * std::clamp(spring.drive.stiffness * (x0 - value) +
+                                               spring.drive.damping * (spring.drive.velocity - rate),
+                                           -most, most);
+        if (link)
+            springs_[link->v] += of.sense * force;
+        else
+            articulation_.addForce(of.a, of.b, along, force);
+    }
+}
+
+void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surroundings& around,
+                        Coordinates& acceleration) noexcept {
+    articulation_.place(q, v);
+    articulation_.addGravity(around.gravity);
+    for (const AppliedForce& force : around.forces)
+        articulation_.addForce(force.at.link, force.force_W, articulation_.poseOf(force.at).translation);
+    velocity_ = v;
+    addSprings(q, around.dt);
+    articulation_.factor();
+    articulation_.accelerate(springs_, acceleration);
+    if (loops_.empty()) return;
+    loops_.factor(articulation_);
+    loops_.correct(articulation_, acceleration);
+}
+
+void Dynamics::ratesOf(const Coordinates& q, const Coordinates& v, Coordinates& rate) const noexcept {
+    for (const Link& link : mechanism_->links) {
+        if (link.kind != LinkKind::Ball) {
+            rate[link.q] = v[link.v];
+            continue;
+        }
+        // q' = q w / 2, w in the frame of the link.
+        const Vec3 x = q.segment<3>(link.q), w = v.segment<3>(link.v);
+        rate.segment<3>(link.q) = 0.5 * (q[link.q + 3] * w + x.cross(w));
+        rate[link.q + 3] = -0.5 * x.dot(w);
+    }
+}
+
+void Dynamics::normalise(Coordinates& q) const noexcept {
+    for (const Link& link : mechanism_->links)
+        if (link.kind == LinkKind::Ball) q.segment<4>(link.q).normalize();
+}
+
+// The first of the four slopes of v is known: it was needed for what is not smooth.
+void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept {
+    constexpr std::array<double, 3> way{0.5, 0.5, 1};
+    v_[0] = state.v;
+    ratesOf(state.q, state.v, qRate_[0]);
+    for (std::size_t i = 1; i < 4; ++i) {
+        const double h = way[i - 1] * dt;
+        q_ = state.q + h * qRate_[i - 1];
+        v_[i] = state.v + h * a_[i - 1];
+        ratesOf(q_, v_[i], qRate_[i]);
+        evaluate(q_, v_[i], around, a_[i]);
+    }
+    state.q += dt / 6 * (qRate_[0] + 2 * qRate_[1] + 2 * qRate_[2] + qRate_[3]);
+    state.v += dt / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
+    normalise(state.q);
+}
+
+void Dynamics::weighSprings(const DynamicState& state) noexcept {
+    if (!weighs_) return;
+    articulation_.place(state.q, state.v);
+    articulation_.factor();
+    for (std::size_t i = 0; i < springInertia_.size(); ++i)
+        if (mechanism_->springs[i].drive.acceleration)
+            springInertia_[i] = rows_.inertiaOf(articulation_, mechanism_->springs[i].of);
+}
+
+void Dynamics::findHeldForces(DynamicState& state, const Surroundings& around) noexcept {
+    along_.setZero();
+    weighSprings(state);
+    evaluate(state.q, state.v, around, a_[0]);
+    rows_.gather(articulation_, loops_, state.q, around.dt);
+    if (rows_.empty()) return;
+    if (rows_.stopApproaches(state.v)) {
+        evaluate(state.q, state.v, around, a_[0]);
+        rows_.gather(articulation_, loops_, state.q, around.dt);
+    }
+    rows_.solve(state.v, around.dt, along_, a_[0]);
+}
+
+void Dynamics::takeBack(DynamicState& state, double dt) noexcept {
+    if (!rows_.correction(dt, free_)) return;
+    ratesOf(state.q, free_, qRate_[0]);
+    state.q += qRate_[0];
+    normalise(state.q);
+}
+
+void Dynamics::advance(DynamicState& state, Surroundings around) noexcept {
+    for (int event = 0; around.dt > 0; ++event) {
+        findHeldForces(state, around);
+        before_ = state;
+        rungeKutta(state, around, around.dt);
+        double part = 1;
+        if (!mechanism_->limits.empty() && event < kMostEvents) {
+            articulation_.place(state.q, state.v);
+            part = rows_.firstCrossing(articulation_, state.q, around.dt);
+        }
+        if (part < 1) {
+            state = before_;
+            rungeKutta(state, around, part * around.dt);
+        }
+        takeBack(state, part * around.dt);
+        if (part == 1) return;
+        around.dt *= 1 - part;
+    }
+}
+
+void Dynamics::step(DynamicState& state, const Vec3& gravity, std::span<const AppliedForce> forces,
+                    double dt) noexcept {
+    const int parts = std::max(1, int(std::ceil(dt / kLongestStep - 1e-9)));
+    for (int i = 0; i < parts; ++i)
+        advance(state, {gravity, forces, dt / parts});
+    state.time += dt;
+}
+
+void Dynamics::accelerations(const DynamicState& state, const Vec3& gravity,
+                             std::span<const AppliedForce> forces, Coordinates& acceleration) noexcept {
+    along_.setZero();
+    evaluate(state.q, state.v, {gravity, forces, 0}, acceleration);
+}
+
+void Dynamics::describe(const DynamicState& state, const Vec3& gravity,
+                        std::span<BodyState> bodies) noexcept {
+    articulation_.place(state.q, state.v);
+    for (std::size_t i = 0; i < mechanism_->bodies.size() && i < bodies.size(); ++i) {
+        const RigidBody& body = mechanism_->bodies[i];
+        const Place& place = mechanism_->places[i];
+        const Place centre{place.link, place.pose * Pose{body.inertiaFrame, body.centre}};
+        const Pose principal = articulation_.poseOf(centre);
+        const FrameVelocity velocity = articulation_.velocityOf(centre);
+        BodyState& now = bodies[i];
+        now.pose = articulation_.poseOf(place);
+        now.centre = principal.translation;
+        now.velocity = velocity.linear;
+        now.angularVelocity = velocity.angular;
+        const Vec3 turning = principal.rotation.conjugate() * velocity.angular;
+        now.kinetic = 0.5 * body.mass * velocity.linear.squaredNorm() +
+                      0.5 * turning.dot(body.inertia.cwiseProduct(turning));
+        now.potential = -body.mass * body.gravityFactor * gravity.dot(now.centre);
+    }
+}
+
+double Dynamics::loopGap(const DynamicState& state) noexcept {
+    articulation_.place(state.q, state.v);
+    articulation_.factor();
+    loops_.factor(articulation_);
+    return loops_.largestGap();
+}
+
+} // namespace tactum

@@ -1,0 +1,304 @@
+// Joints one by one: what each leaves free, limits, springs, motors, friction.
+//
+// What would show that a test here is wrong: each expected number is a closed form of the one freedom that is
+// left; a joint with another freedom, sign or axis gives another one (the axes are tried in turn, and both
+// orders of the two bodies).
+
+#include <cmath>
+#include <numbers>
+
+#include <QTest>
+
+#include "tests/core/dynamics/mechanisms.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_joints {
+
+using namespace tactum;
+using namespace tactum::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A disc on a hinge along z through its centre.
+struct Disc {
+    double moment = 0.02;
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero(), 1, Vec3::Constant(0.02))};
+    Joint hinge = hingeAt(bodies, kWorldBody, 1, Vec3::Zero());
+};
+
+double angleOf(Running& run) {
+    return run.state().q[0];
+}
+
+Joint turnedRound(const Joint& joint) {
+    Joint other = joint;
+    std::swap(other.a, other.b);
+    std::swap(other.frameA, other.frameB);
+    return other;
+}
+
+int freedomsOf(std::vector<JointLimit> limits) {
+    const std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero())};
+    const Joint joint = jointAt(bodies, kWorldBody, 1, Vec3::Zero(), Quat::Identity(), std::move(limits));
+    return compileMechanism(bodies, std::vector{joint})->vs;
+}
+
+} // namespace
+
+class JointsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachLeavesItsFreedoms();
+    void bothOrdersOfTheBodiesAreOne_data();
+    void bothOrdersOfTheBodiesAreOne();
+    void aBodyOnAFixedJointIsPartOfTheOther();
+    void aSpringSwingsByItsFrequency();
+    void aSpringOfAFreeJointIsTheSame();
+    void aStiffSpringSettles();
+    void aDriveInAccelerationsKnowsNoMass();
+    void aMotorHoldsItsSpeedUpToItsForce();
+    void dryFrictionHoldsAndSlows();
+    void aLimitStopsWhatComes();
+    void aRopeHolds();
+    void aSoftLimitGivesWay();
+    void turnsGoOnBeyondHalfATurn();
+    void somethingThatNothingMovesGoesOn();
+    void aBodyMayTurnAboutSomeAxesOnly();
+    void nonsenseIsRefused();
+};
+
+void JointsTest::eachLeavesItsFreedoms() {
+    const auto linear = [](AxisSet axes) { return lock(false, axes); };
+    const auto turning = [](AxisSet axes) { return lock(true, axes); };
+    QCOMPARE(freedomsOf({linear(7), turning(7)}), 0); // fixed
+    QCOMPARE(freedomsOf({linear(7), turning(6)}), 1); // hinge
+    QCOMPARE(freedomsOf({linear(6), turning(7)}), 1); // slider
+    QCOMPARE(freedomsOf({linear(6), turning(6)}), 2); // cylinder
+    QCOMPARE(freedomsOf({linear(4), turning(3)}), 3); // planar
+    QCOMPARE(freedomsOf({linear(7), turning(1)}), 2); // universal
+    QCOMPARE(freedomsOf({linear(7)}), 3);             // ball
+    QCOMPARE(freedomsOf({}), 6);                      // free
+    QCOMPARE(freedomsOf({linear(1), linear(2), linear(4), turning(2), turning(1)}), 1);
+}
+
+// Not of all: which of a universal joint's axes stands on which body is another joint.
+void JointsTest::bothOrdersOfTheBodiesAreOne_data() {
+    QTest::addColumn<int>("linear");
+    QTest::addColumn<int>("angular");
+    QTest::newRow("hinge") << 7 << 6;
+    QTest::newRow("slider") << 3 << 7;
+    QTest::newRow("cylinder") << 6 << 6;
+    QTest::newRow("planar") << 4 << 3;
+    QTest::newRow("ball") << 7 << 0;
+}
+
+void JointsTest::bothOrdersOfTheBodiesAreOne() {
+    QFETCH(int, linear);
+    QFETCH(int, angular);
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3(0.2, 0.1, 0), 0.5, Vec3(0.01, 0.02, 0.025)),
+                                  bodyAt(2, Vec3(0.4, -0.1, 0.1), 0.8, Vec3(0.02, 0.015, 0.03))};
+    const Quat axes = Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+    std::vector<JointLimit> limits{lock(false, AxisSet(linear))};
+    if (angular) limits.push_back(lock(true, AxisSet(angular)));
+    Joint joint = jointAt(bodies, 1, 2, Vec3(0.3, 0, 0.05), axes, limits);
+    joint.drives.push_back(
+        {.angular = angular != 7, .axis = 0, .stiffness = 3, .damping = 0.1, .position = 0.1});
+    const Joint root = hingeAt(bodies, kWorldBody, 1, Vec3::Zero());
+    Running one(bodies, {root, joint});
+    // Seen from the other body a coordinate has the other sign and, of a distance, the other body's axes.
+    Joint other = turnedRound(joint);
+    other.drives[0].position = -0.1;
+    Running two(bodies, {root, other});
+    one.run(0.5, 1e-3);
+    two.run(0.5, 1e-3);
+    for (std::size_t i = 0; i < 2; ++i) {
+        COMPARE_NEAR(one.bodies()[i].centre, two.bodies()[i].centre, 1e-7, "m");
+        COMPARE_NEAR(one.bodies()[i].pose.rotation.angularDistance(two.bodies()[i].pose.rotation), 0, 1e-6,
+                     "rad");
+    }
+}
+
+void JointsTest::aBodyOnAFixedJointIsPartOfTheOther() {
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3(0.3, 0, 0), 1, Vec3::Constant(0.01)),
+                                  bodyAt(2, Vec3(0.6, 0, 0), 2, Vec3::Constant(0.02))};
+    const Joint root = hingeAt(bodies, kWorldBody, 1, Vec3::Zero());
+    const Joint weld = jointAt(bodies, 1, 2, Vec3(0.5, 0, 0), Quat::Identity(),
+                               {lock(false, kAllAxes), lock(true, kAllAxes)});
+    Running run(bodies, {weld, root});
+    QCOMPARE(run.mechanism().vs, 1);
+    Coordinates acceleration = Coordinates::Zero(1);
+    run.dynamics().accelerations(run.state(), kDown, {}, acceleration);
+    const double moment = 0.01 + 0.02 + 1 * 0.09 + 2 * 0.36;
+    COMPARE_NEAR(acceleration[0], -9.81 * (0.3 + 1.2) / moment, 1e-10, "rad/s^2");
+}
+
+void JointsTest::aSpringSwingsByItsFrequency() {
+    Disc disc;
+    disc.hinge.drives.push_back({.angular = true, .axis = 0, .stiffness = 8, .position = 0.5});
+    Running run(disc.bodies, {disc.hinge});
+    run.run(0.73, 1e-3);
+    COMPARE_NEAR(angleOf(run), 0.5 - 0.5 * std::cos(std::sqrt(8 / disc.moment) * 0.73), 1e-8, "rad");
+}
+
+// Measured between frames, not by a link: three springs that draw a point to a place.
+void JointsTest::aSpringOfAFreeJointIsTheSame() {
+    const std::vector<RigidBody> bodies{bodyAt(1, Vec3(0.1, 0.2, -0.3), 0.4)};
+    Joint springs;
+    springs.b = 1;
+    for (int axis = 0; axis < 3; ++axis)
+        springs.drives.push_back({.axis = axis, .stiffness = 40, .position = 0.5});
+    Running run(bodies, {springs});
+    run.run(1, 1e-3, Vec3::Zero());
+    const Vec3 to = Vec3::Constant(0.5);
+    COMPARE_NEAR(run.bodies()[0].centre, (to + std::cos(10.) * (Vec3(0.1, 0.2, -0.3) - to)), 1e-8, "m");
+}
+
+void JointsTest::aStiffSpringSettles() {
+    Disc disc;
+    disc.hinge.drives.push_back(
+        {.angular = true, .axis = 0, .stiffness = 1e7, .damping = 1e3, .position = 0.5});
+    Running run(disc.bodies, {disc.hinge});
+    run.run(0.2, 1e-3);
+    COMPARE_NEAR(angleOf(run), 0.5, 1e-6, "rad");
+}
+
+void JointsTest::aDriveInAccelerationsKnowsNoMass() {
+    for (const double scale : {1e-4, 1., 1e4}) {
+        Disc disc;
+        disc.bodies[0].inertia *= scale;
+        disc.hinge.drives.push_back(
+            {.angular = true, .axis = 0, .stiffness = 100, .position = 1, .acceleration = true});
+        Running run(disc.bodies, {disc.hinge});
+        run.run(0.4, 1e-3);
+        COMPARE_NEAR(angleOf(run), 1 - std::cos(10 * 0.4), 1e-7, "rad");
+    }
+}
+
+void JointsTest::aMotorHoldsItsSpeedUpToItsForce() {
+    Disc disc;
+    disc.hinge.drives.push_back({.angular = true, .axis = 0, .damping = 1e6, .velocity = 4, .maxForce = 0.1});
+    Running run(disc.bodies, {disc.hinge});
+    run.run(0.3, 1e-3);
+    COMPARE_NEAR(run.state().v[0], 0.1 / disc.moment * 0.3, 1e-9, "rad/s"); // all that it can
+    run.run(0.7, 1e-3);
+    COMPARE_NEAR(run.state().v[0], 4, 1e-5, "rad/s");
+}
+
+void JointsTest::dryFrictionHoldsAndSlows() {
+    Disc disc;
+    disc.hinge.frictions.push_back({true, 0, 0.05});
+    disc.bodies[0].angularVelocity = Vec3(0, 0, 3);
+    Running run(disc.bodies, {disc.hinge});
+    run.run(0.5, 1e-3);
+    COMPARE_NEAR(run.state().v[0], 3 - 2.5 * 0.5, 1e-10, "rad/s");
+    run.run(2, 1e-3);
+    COMPARE_NEAR(angleOf(run), 3 * 3 / (2 * 2.5), 1e-5, "rad"); // to within a part of one step
+    const double stopped = angleOf(run);
+    // A torque below it moves nothing.
+    const AppliedForce push{{0, {Quat::Identity(), Vec3(0.1, 0, 0)}}, Vec3(0, 0.3, 0)};
+    run.run(5, 1e-3, kDown, {&push, 1});
+    COMPARE_NEAR(angleOf(run), stopped, 1e-12, "rad");
+}
+
+void JointsTest::aLimitStopsWhatComes() {
+    Disc disc;
+    disc.bodies[0].pose.translation = Vec3(0.2, 0, 0);
+    disc.hinge = hingeAt(disc.bodies, kWorldBody, 1, Vec3::Zero());
+    disc.hinge.limits.push_back({true, 1, -0.5, 0.2});
+    Running run(disc.bodies, {disc.hinge});
+    double lowest = 0;
+    for (int i = 0; i < 1000; ++i) {
+        run.run(1e-3, 1e-3);
+        lowest = std::min(lowest, angleOf(run));
+    }
+    COMPARE_NEAR(lowest, -0.5, 1e-6, "rad");
+    COMPARE_NEAR(angleOf(run), -0.5, 1e-6, "rad");
+    COMPARE_NEAR(run.state().v[0], 0, 1e-9, "rad/s");
+}
+
+void JointsTest::aRopeHolds() {
+    const std::vector<RigidBody> bodies{bodyAt(1, Vec3(0.1, 0, 0), 0.4)};
+    Joint rope;
+    rope.b = 1;
+    rope.limits.push_back({false, kAllAxes, 0, 0.5});
+    Running run(bodies, {rope});
+    double longest = 0;
+    for (int i = 0; i < 5000; ++i) {
+        run.run(1e-3, 1e-3);
+        longest = std::max(longest, run.bodies()[0].pose.translation.norm());
+    }
+    QVERIFY(longest > 0.49);
+    // It swings through with v^2 = 2 g r: the way bends by v^2 dt^2 / 2 r in a step.
+    COMPARE_NEAR(longest, 0.5, 9.81 * 1e-6, "m");
+}
+
+void JointsTest::aSoftLimitGivesWay() {
+    Disc disc;
+    JointLimit soft{true, 1, -kUnbounded, 0.1};
+    soft.stiffness = 8;
+    disc.hinge.limits.push_back(soft);
+    disc.bodies[0].angularVelocity = Vec3(0, 0, 2);
+    Running run(disc.bodies, {disc.hinge});
+    const double beyond = 0.03; // s after it is reached
+    run.run(0.05 + beyond, 1e-4);
+    const double w = std::sqrt(8 / disc.moment);
+    COMPARE_NEAR(angleOf(run), 0.1 + 2 / w * std::sin(w * beyond), 1e-6, "rad");
+}
+
+void JointsTest::turnsGoOnBeyondHalfATurn() {
+    Disc disc;
+    disc.bodies[0].angularVelocity = Vec3(0, 0, 10);
+    disc.hinge.limits.push_back({true, 1, -1, 3 * pi});
+    Running run(disc.bodies, {disc.hinge});
+    run.run(2, 1e-3);
+    COMPARE_NEAR(angleOf(run), 3 * pi, 1e-6, "rad");
+}
+
+void JointsTest::somethingThatNothingMovesGoesOn() {
+    RigidBody belt = bodyAt(1, Vec3::Zero());
+    belt.kinematic = true;
+    belt.velocity = Vec3(1, 0, 0);
+    belt.angularVelocity = Vec3(0, 2, 0);
+    std::vector<RigidBody> bodies{belt, bodyAt(2, Vec3(0, -0.5, 0), 3)};
+    Running run(bodies, {ballAt(bodies, 1, 2, Vec3::Zero())});
+    run.run(1, 1e-3);
+    COMPARE_NEAR(run.bodies()[0].centre, Vec3(1, 0, 0), 1e-12, "m");
+    COMPARE_NEAR(run.bodies()[0].angularVelocity, Vec3(0, 2, 0), 1e-12, "rad/s");
+    // What hangs on it has not stayed behind.
+    COMPARE_NEAR((run.bodies()[1].centre - run.bodies()[0].centre).norm(), 0.5, 1e-9, "m");
+}
+
+void JointsTest::aBodyMayTurnAboutSomeAxesOnly() {
+    RigidBody body = bodyAt(1, Vec3::Zero(), 1, Vec3(0.1, 0, 0.1));
+    body.angularVelocity = Vec3::Zero();
+    Running run({body}, {});
+    const AppliedForce push{{run.mechanism().places[0].link, {Quat::Identity(), Vec3(0.1, 0, 0)}},
+                            Vec3(0, 0, 1)}; // a torque about -y, which is infinite
+    run.run(0.5, 1e-3, Vec3::Zero(), {&push, 1});
+    COMPARE_NEAR(run.bodies()[0].angularVelocity, Vec3::Zero(), 1e-12, "rad/s");
+    COMPARE_NEAR(run.bodies()[0].velocity, Vec3(0, 0, 0.5), 1e-12, "m/s");
+}
+
+void JointsTest::nonsenseIsRefused() {
+    RigidBody light = bodyAt(1, Vec3::Zero(), -1);
+    QCOMPARE(refusal(compileMechanism(std::vector{light}, {})),
+             std::string("body \"body 1\": has a negative mass or inertia; give positive ones, or 0 for what "
+                         "nothing moves"));
+    const std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero())};
+    Joint joint = ballAt(bodies, kWorldBody, 1, Vec3::Zero());
+    joint.b = 7;
+    COMPARE_CONTAINS(refusal(compileMechanism(bodies, std::vector{joint})), "names a body that is not there");
+    joint = ballAt(bodies, kWorldBody, 1, Vec3::Zero());
+    joint.limits.push_back({true, 1, 2, 1});
+    COMPARE_CONTAINS(refusal(compileMechanism(bodies, std::vector{joint})), "minimum is above its maximum");
+}
+
+TACTUM_TEST(JointsTest)
+
+} // namespace test_joints
+
+#include "test_joints.moc"
