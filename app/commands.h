@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/vec.h"
 #include "core/geometry/sides.h"
 #include "core/surface/material.h"
 
@@ -37,6 +38,24 @@ struct PlayOptions {
     std::optional<std::filesystem::path> summary; ///< JSON
 };
 
+/// A force on the body that is at a point of the world when it begins.
+struct PushOption {
+    double from = 0, to = 0;   ///< s
+    Vec3 point = Vec3::Zero(); ///< m, world frame
+    Vec3 force = Vec3::Zero(); ///< N, world frame
+};
+
+struct SimulateOptions {
+    std::filesystem::path scene;
+    double seconds = 0;
+    double rate = 2000;  ///< steps a second, at least
+    double every = 0.01; ///< s between rows
+    std::vector<PushOption> pushes;
+    std::optional<Vec3> gravity;              ///< m/s^2; else the scene's
+    std::optional<std::filesystem::path> out; ///< the states, CSV
+    std::optional<std::filesystem::path> summary;
+};
+
 struct ConvertOptions {
     std::filesystem::path in, out;
     std::optional<std::filesystem::path> report; ///< what was kept, degraded and lost, as JSON
@@ -46,6 +65,8 @@ struct ConvertOptions {
 
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.
 Result<int> runTouch(const TouchOptions& options);
+/// Lets the bodies of a scene move by forces and writes where they were.
+Result<int> runSimulate(const SimulateOptions& options);
 /// Steps through a recording again; 1 when anything differs.
 Result<int> runPlay(const PlayOptions& options);
 /// Objects, surfaces, triangles, mesh health and every parameter with its unit.

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <span>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
@@ -153,6 +154,75 @@ void addTouch(CLI::App& program, TouchOptions& options) {
     });
 }
 
+inline constexpr Parameter kSeconds{"seconds", "Seconds", "s", 0, 1e5, 1, 1, 3, "How long to go on."};
+inline constexpr Parameter kRate{"rate", "Rate", "Hz", 1, 1e6, 100, 2000, 0, "Steps a second, at least."};
+inline constexpr Parameter kEvery{"every", "Every", "s", 1e-6, 1e5, 0.01, 0.01, 3, "Time between two rows."};
+
+/// As many numbers as there are, with commas between them.
+void readNumbers(const char* name, std::string_view text, std::span<double> numbers) {
+    std::size_t count = 0;
+    for (std::string_view rest = text; !rest.empty() || count == 0; ++count) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        const auto number = parseNumber(rest.substr(0, comma));
+        if (!number || count == numbers.size())
+            throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
+                                                 std::to_string(numbers.size()) +
+                                                 " numbers with commas between them");
+        numbers[count] = *number;
+        if (comma == rest.size()) {
+            ++count;
+            break;
+        }
+        rest.remove_prefix(comma + 1);
+    }
+    if (count != numbers.size())
+        throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
+                                             std::to_string(numbers.size()) +
+                                             " numbers with commas between them");
+}
+
+void addSimulate(CLI::App& program, SimulateOptions& options) {
+    CLI::App* simulate =
+        program.add_subcommand("simulate", "Let the bodies of a scene move by forces and joints");
+    addFile(*simulate, "SCENE", options.scene, "Any file with KHR_physics_rigid_bodies")->required();
+    addNumber(*simulate, kSeconds, [&](double value) { options.seconds = value; });
+    simulate->get_option("--seconds")->required();
+    addNumber(*simulate, kRate, [&](double value) { options.rate = value; });
+    addNumber(*simulate, kEvery, [&](double value) { options.every = value; });
+    simulate
+        ->add_option_function<std::vector<std::string>>(
+            "--push",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    std::array<double, 8> n{};
+                    readNumbers("--push", text, n);
+                    options.pushes.push_back({n[0], n[1], Vec3(n[2], n[3], n[4]), Vec3(n[5], n[6], n[7])});
+                }
+            },
+            "A force from t0 to t1 on the body that is at a point at t0, constant in the world; as often as "
+            "wanted")
+        ->type_name("T0,T1,X,Y,Z,FX,FY,FZ")
+        ->expected(1)
+        ->take_all();
+    simulate
+        ->add_option_function<std::string>(
+            "--gravity",
+            [&](const std::string& text) {
+                Vec3 gravity;
+                readNumbers("--gravity", text, {gravity.data(), 3});
+                options.gravity = gravity;
+            },
+            "Instead of the scene's, m/s^2")
+        ->type_name("X,Y,Z");
+    addFile(*simulate, "--out", options.out,
+            "Write the states as CSV, one row for each body and time; - is standard output");
+    addFile(*simulate, "--summary", options.summary, "Write the summary as JSON");
+    simulate->footer(
+        "Columns: t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,kinetic,potential; SI, world frame, at the\n"
+        "centre of mass. Gravity is 9.81 m/s^2 along -y where the scene does not say.");
+    simulate->final_callback([&] { checkOutputs({options.scene}, {options.out, options.summary}); });
+}
+
 void addPlay(CLI::App& program, PlayOptions& options) {
     CLI::App* play =
         program.add_subcommand("play", "Step through a recording again and compare every bit; exit 1 when "
@@ -189,6 +259,7 @@ struct Request {
     TouchOptions touch;
     ConvertOptions convert;
     PlayOptions play;
+    SimulateOptions simulate;
     std::filesystem::path scene;
     std::string device;
     bool json = false;
@@ -213,6 +284,7 @@ void addDevices(CLI::App& program, Request& request) {
 Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("touch")) return runTouch(request.touch);
     if (program.got_subcommand("convert")) return runConvert(request.convert);
+    if (program.got_subcommand("simulate")) return runSimulate(request.simulate);
     if (program.got_subcommand("play")) return runPlay(request.play);
     if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
     if (program.got_subcommand("check")) return runCheck(request.scene);
@@ -221,8 +293,8 @@ Result<int> run(const CLI::App& program, const Request& request) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 7> verbs{"touch", "convert", "play",         "info",
-                                                    "check", "devices", "device-server"};
+    constexpr std::array<std::string_view, 8> verbs{"touch", "simulate", "convert", "play",
+                                                    "info",  "check",    "devices", "device-server"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -231,6 +303,7 @@ int runVerb(int argc, char** argv) {
     Request request;
     addTouch(program, request.touch);
     addConvert(program, request.convert);
+    addSimulate(program, request.simulate);
     addPlay(program, request.play);
     addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
     program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");

@@ -29,38 +29,43 @@ DynamicState Dynamics::startState() const {
     return {mechanism_->q0, mechanism_->v0, 0};
 }
 
-void Dynamics::addSprings(const Coordinates& q, double dt) noexcept {
+Dynamics::Stretch Dynamics::stretchOf(const Spring& spring, const Coordinates& q,
+                                      const Coordinates& v) const noexcept {
+    const Coordinate& of = spring.of;
+    Stretch now;
+    if (of.link >= 0) {
+        const Link& link = mechanism_->links[std::size_t(of.link)];
+        now.value = of.sense * q[link.q];
+        now.rate = of.sense * v[link.v];
+    } else {
+        const Measured measured = measure(of, articulation_.poseOf(of.a), articulation_.poseOf(of.b));
+        now.value = measured.value;
+        now.along = measured.along;
+        now.rate = articulation_.powerOf(of.a, of.b, now.along);
+    }
+    now.rest = spring.drive.position;
+    if (spring.isLimit) {
+        now.acts = now.value < spring.min || now.value > spring.max;
+        now.rest = now.value < spring.min ? spring.min : spring.max;
+    }
+    return now;
+}
+
+void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept {
     springs_ = along_;
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
         const Spring& spring = mechanism_->springs[i];
         if (rows_.springIsRow(i, dt)) continue;
-        const Coordinate& of = spring.of;
-        double value = 0, rate = 0;
-        Wrench along;
-        const Link* link = of.link < 0 ? nullptr : &mechanism_->links[std::size_t(of.link)];
-        if (link) {
-            value = of.sense * q[link->q];
-            rate = of.sense * velocity_[link->v];
-        } else {
-            const Measured now = measure(of, articulation_.poseOf(of.a), articulation_.poseOf(of.b));
-            value = now.value;
-            along = now.along;
-            rate = articulation_.powerOf(of.a, of.b, along);
-        }
-        double x0 = spring.drive.position;
-        if (spring.isLimit) {
-            if (value >= spring.min && value <= spring.max) continue;
-            x0 = value < spring.min ? spring.min : spring.max;
-        }
-        const double most = spring.drive.maxForce;
-        const double force =
-            springInertia_[i] * std::clamp(spring.drive.stiffness * (x0 - value) +
-                                               spring.drive.damping * (spring.drive.velocity - rate),
-                                           -most, most);
-        if (link)
-            springs_[link->v] += of.sense * force;
+        const Stretch now = stretchOf(spring, q, v);
+        if (!now.acts) continue;
+        const JointDrive& drive = spring.drive;
+        const double force = springInertia_[i] * std::clamp(drive.stiffness * (now.rest - now.value) +
+                                                                drive.damping * (drive.velocity - now.rate),
+                                                            -drive.maxForce, drive.maxForce);
+        if (spring.of.link >= 0)
+            springs_[mechanism_->links[std::size_t(spring.of.link)].v] += spring.of.sense * force;
         else
-            articulation_.addForce(of.a, of.b, along, force);
+            articulation_.addForce(spring.of.a, spring.of.b, now.along, force);
     }
 }
 
@@ -70,8 +75,7 @@ void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surrou
     articulation_.addGravity(around.gravity);
     for (const AppliedForce& force : around.forces)
         articulation_.addForce(force.at.link, force.force_W, articulation_.poseOf(force.at).translation);
-    velocity_ = v;
-    addSprings(q, around.dt);
+    addSprings(q, v, around.dt);
     articulation_.factor();
     articulation_.accelerate(springs_, acceleration);
     if (loops_.empty()) return;
@@ -196,6 +200,17 @@ void Dynamics::describe(const DynamicState& state, const Vec3& gravity,
                       0.5 * turning.dot(body.inertia.cwiseProduct(turning));
         now.potential = -body.mass * body.gravityFactor * gravity.dot(now.centre);
     }
+}
+
+double Dynamics::springEnergy(const DynamicState& state) noexcept {
+    articulation_.place(state.q, state.v);
+    double sum = 0;
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+        const Stretch now = stretchOf(mechanism_->springs[i], state.q, state.v);
+        const double off = now.value - now.rest;
+        if (now.acts) sum += 0.5 * springInertia_[i] * mechanism_->springs[i].drive.stiffness * off * off;
+    }
+    return sum;
 }
 
 double Dynamics::loopGap(const DynamicState& state) noexcept {

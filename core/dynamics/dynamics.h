@@ -51,6 +51,8 @@ public:
 
     /// Of each body of the mechanism, in its order.
     void describe(const DynamicState& state, const Vec3& gravity, std::span<BodyState> bodies) noexcept;
+    /// What the springs hold: J. Of dampers and motors nothing.
+    double springEnergy(const DynamicState& state) noexcept;
     /// The largest gap of a loop in a state, m or rad.
     double loopGap(const DynamicState& state) noexcept;
     /// Joint accelerations in a state: M^-1 (Gamma - b - g) of (22), with the loops closed.
@@ -66,7 +68,14 @@ private:
 
     void evaluate(const Coordinates& q, const Coordinates& v, const Surroundings& around,
                   Coordinates& acceleration) noexcept;
-    void addSprings(const Coordinates& q, double dt) noexcept;
+    struct Stretch {
+        double value = 0, rate = 0, rest = 0; ///< of its coordinate, and where it would rest
+        Wrench along;
+        bool acts = true;
+    };
+
+    Stretch stretchOf(const Spring& spring, const Coordinates& q, const Coordinates& v) const noexcept;
+    void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around) noexcept;
     void advance(DynamicState& state, Surroundings around) noexcept;
@@ -80,7 +89,7 @@ private:
     Loops loops_;
     Rows rows_;
     Coordinates along_; ///< forces along the coordinates that are held during a step
-    Coordinates springs_, velocity_;
+    Coordinates springs_;
     std::array<Coordinates, 4> a_, qRate_, v_;
     Coordinates q_, free_;
     DynamicState before_;

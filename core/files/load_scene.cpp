@@ -68,7 +68,7 @@ LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
     refuseDisguises(source, format->read == readBundle);
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
-    if (loaded.scene.objects.empty())
+    if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");
     if (progress.report) progress.report(1.0);
     return loaded;

@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/scene/layer_bytes.h"
+#include "core/scene/mechanics_bytes.h"
 #include "core/scene/shape_bytes.h"
 
 namespace tactum {
@@ -33,6 +34,13 @@ void keptBytes(Io& io, std::shared_ptr<const T>& kept, Inside inside) {
     T value = kept ? *kept : T{};
     inside(value);
     if constexpr (Io::kReads) kept = std::make_shared<const T>(std::move(value));
+}
+
+void makeShown(Mechanics& mechanics) {
+    for (RigidBody& body : mechanics.bodies)
+        body.name = printable(body.name, kLongestName);
+    for (Joint& joint : mechanics.joints)
+        joint.name = printable(joint.name, kLongestName);
 }
 
 // Each function names all members of its struct: one more there does not compile here until it has its line.
@@ -89,8 +97,8 @@ template <class Io> void transfer(Io& io, Surface& surface, Tables& tables) {
 }
 
 template <class Io> void transfer(Io& io, SceneObject& object, Tables& tables) {
-    auto& [id, name, pose, motion, geometry, surfaces, visible, kept, keptMesh] = object;
-    io(id), io(pose), io(visible);
+    auto& [id, name, pose, motion, geometry, surfaces, body, visible, kept, keptMesh] = object;
+    io(id), io(pose), io(body), io(visible);
     transfer(io, kept), transfer(io, keptMesh);
     shownText(io, name, kLongestName);
     link(io, motion, tables.motions), link(io, geometry, tables.soups);
@@ -103,8 +111,10 @@ template <class Io> void transfer(Io& io, SceneObject& object, Tables& tables) {
 }
 
 template <class Io> void transfer(Io& io, Scene& scene, Tables& tables) {
-    auto& [objects, proxyRadius, finger, kept] = scene;
+    auto& [objects, mechanics, proxyRadius, finger, kept] = scene;
     io(proxyRadius);
+    mechanicsBytes(io, mechanics);
+    if constexpr (Io::kReads) makeShown(mechanics);
     keptBytes(io, finger, [&](std::vector<FingerPoint>& points) {
         io.count(points, 32);
         for (auto& [t, position] : points)
@@ -118,6 +128,11 @@ template <class Io> void transfer(Io& io, Scene& scene, Tables& tables) {
     for (const SceneObject& object : objects)
         io.demand(object.id != 0 && object.id < kMaxObjects && seen.insert(object.id).second,
                   "the numbers of the objects are not those of one scene");
+    const auto& bodies = mechanics.bodies;
+    for (const SceneObject& object : objects)
+        io.demand(object.body == kWorldBody ||
+                      std::ranges::find(bodies, object.body, &RigidBody::id) != bodies.end(),
+                  "an object is of a body that there is not");
 }
 
 template <class Io> void transfer(Io& io, LoadedScene& loaded, Tables& tables) {

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "core/base/vec.h"
-#include "core/motion/motion.h"
+#include "core/dynamics/mechanics.h"
 #include "core/geometry/sides.h"
 #include "core/geometry/triangle_soup.h"
+#include "core/motion/motion.h"
 #include "core/scene/finger_path.h"
 #include "core/scene/kept.h"
 #include "core/surface/material.h"
@@ -54,6 +55,7 @@ struct SceneObject {
     std::shared_ptr<const Motion> motion;         ///< relative to `pose`, immutable; null: at rest
     std::shared_ptr<const TriangleSoup> geometry; ///< body frame, shared and immutable
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
+    BodyId body = kWorldBody;                     ///< that it moves with; its pose is then that at the time 0
     bool visible = true;
     Kept kept;     ///< of its glTF node
     Kept keptMesh; ///< of its glTF mesh
@@ -63,6 +65,7 @@ struct SceneObject {
 
 struct Scene {
     std::vector<SceneObject> objects;
+    Mechanics mechanics;                       ///< what moves by forces
     double proxyRadius = kProxyRadius.initial; ///< m
     /// A stroke that shows what there is to feel; null: none was given. Shared and immutable.
     std::shared_ptr<const std::vector<FingerPoint>> finger;

@@ -25,7 +25,7 @@ inline const std::vector<Room> kRooms{
     {"core/proxy", {"core/collision", "core/surface", "core/motion"}},
     {"core/port", {"core/base"}},
     {"core/loop", {"core/port"}},
-    {"core/scene", {"core/geometry", "core/surface", "core/motion"}},
+    {"core/scene", {"core/geometry", "core/surface", "core/motion", "core/dynamics"}},
     {"core/health", {"core/scene", "core/collision"}},
     {"core/files", {"core/scene", "core/archive"}},
     {"core/presets", {"core/files"}},

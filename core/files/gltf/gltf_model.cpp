@@ -1,5 +1,7 @@
 #include "core/files/gltf/gltf_model.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "core/base/text.h"
@@ -45,10 +47,17 @@ bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, co
     return true;
 }
 
+/// What a file may need that is read, or that only the eye misses.
+bool isReadable(std::string_view extension) {
+    constexpr std::array<std::string_view, 6> known{"KHR_mesh_quantization", "KHR_texture_transform",
+                                                    "KHR_texture_basisu",    "KHR_physics_rigid_bodies",
+                                                    "KHR_implicit_shapes",   "KHR_collision_shapes"};
+    return std::ranges::find(known, extension) != known.end() || extension.starts_with("KHR_materials_");
+}
+
 void demandReadable(const Source& source, const tinygltf::Model& model) {
     for (const std::string& extension : model.extensionsRequired)
-        if (extension != "KHR_mesh_quantization" && !extension.starts_with("KHR_materials_") &&
-            extension != "KHR_texture_transform" && extension != "KHR_texture_basisu")
+        if (!isReadable(extension))
             source.fail("needs the extension " + inQuotes(extension) +
                         ", which is not read; export it without");
     for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {

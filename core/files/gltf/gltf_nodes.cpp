@@ -24,27 +24,12 @@ public:
         : source_(source), model_(model), motions_(motions), visited_(model.nodes.size(), 0) {}
 
     std::vector<PlacedMesh> run() {
-        for (int root : roots())
+        for (int root : sceneRoots(model_))
             visit(root, Affine::Identity(), 1);
         return std::move(placed_);
     }
 
 private:
-    std::vector<int> roots() const {
-        if (!model_.scenes.empty()) {
-            const bool named =
-                model_.defaultScene >= 0 && std::size_t(model_.defaultScene) < model_.scenes.size();
-            return model_.scenes[named ? std::size_t(model_.defaultScene) : 0].nodes;
-        }
-        std::set<int> children;
-        for (const tinygltf::Node& node : model_.nodes)
-            children.insert(node.children.begin(), node.children.end());
-        std::vector<int> found;
-        for (int i = 0; i < int(model_.nodes.size()); ++i)
-            if (!children.contains(i)) found.push_back(i);
-        return found;
-    }
-
     void visit(int index, const Affine& parent, int depth) {
         constexpr int kDeepest = 64;
         const std::string where = whereIsNode(index);
@@ -132,6 +117,20 @@ RigidAndStretch polarDecomposition(const Mat3& a) {
     const Mat3 rotation = u * svd.matrixV().transpose();
     const Mat3 stretch = rotation.transpose() * a;
     return {rotation, stretch.isIdentity(1e-12) ? Mat3::Identity().eval() : stretch};
+}
+
+std::vector<int> sceneRoots(const tinygltf::Model& model) {
+    if (!model.scenes.empty()) {
+        const bool named = model.defaultScene >= 0 && std::size_t(model.defaultScene) < model.scenes.size();
+        return model.scenes[named ? std::size_t(model.defaultScene) : 0].nodes;
+    }
+    std::set<int> children;
+    for (const tinygltf::Node& node : model.nodes)
+        children.insert(node.children.begin(), node.children.end());
+    std::vector<int> found;
+    for (int i = 0; i < int(model.nodes.size()); ++i)
+        if (!children.contains(i)) found.push_back(i);
+    return found;
 }
 
 std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,

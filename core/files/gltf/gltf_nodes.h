@@ -31,6 +31,9 @@ struct PlacedMesh {
 std::vector<PlacedMesh> placedMeshes(const Source& source, const tinygltf::Model& model,
                                      const GltfMotions& motions);
 
+/// The root nodes of the scene that is shown.
+std::vector<int> sceneRoots(const tinygltf::Model& model);
+
 /// The transform of one node to its parent, as it stands in the file. Throws ReadFault.
 Eigen::Affine3d transformOf(const Source& source, const tinygltf::Model& model, int node);
 /// Whether a rotation cannot be taken as it is: its length is further from 1 than rounding the components to

@@ -13,6 +13,7 @@
 #include "core/files/gltf/gltf_mesh.h"
 #include "core/files/gltf/gltf_motion.h"
 #include "core/files/gltf/gltf_nodes.h"
+#include "core/files/gltf/gltf_physics.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
@@ -36,6 +37,7 @@ private:
     void demandOurVersion() const;
     void readRoot();
     void readFinger(int view);
+    void readMechanics(const GltfMotions& motions);
     void place(const PlacedMesh& placed, const RawMesh& raw);
     void keep(SceneObject& object, const PlacedMesh& placed, const RawMesh& raw);
     void readNode(SceneObject& object, const PlacedMesh& placed, const Json& ours);
@@ -65,6 +67,7 @@ private:
     std::map<int, std::shared_ptr<const TextureImage>> images_;  ///< by texture
     std::map<int, std::shared_ptr<const PaintedValues>> paints_; ///< by buffer view
     std::size_t painted_ = 0;                                    ///< values of these
+    std::map<int, BodyId> bodyOfNode_;
 };
 
 /// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
@@ -109,6 +112,7 @@ LoadedScene GltfReader::read() {
     loaded_.findings.insert(loaded_.findings.end(), motions.findings().begin(), motions.findings().end());
     noteStretchedRotations(model_, loaded_.findings);
     const std::vector<PlacedMesh> all = placedMeshes(source_, model_, motions);
+    readMechanics(motions);
     for (const PlacedMesh& placed : all)
         objectNodes_.push_back(placed.node);
     std::ranges::sort(objectNodes_);
@@ -154,6 +158,18 @@ void GltfReader::readRoot() {
     if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
 }
 
+void GltfReader::readMechanics(const GltfMotions& motions) {
+    const auto meshAt = [&](int mesh) {
+        const RawMesh raw = meshes_.read(mesh);
+        meshes_.countTriangles(raw.soup.triangles.size());
+        return ShapeMesh{raw.soup.positions, raw.soup.triangles};
+    };
+    GltfPhysics physics = readPhysics(source_, model_, file_.json, motions, meshAt);
+    loaded_.scene.mechanics = std::move(physics.mechanics);
+    bodyOfNode_ = std::move(physics.bodyOfNode);
+    loaded_.findings.insert(loaded_.findings.end(), physics.findings.begin(), physics.findings.end());
+}
+
 void GltfReader::readFinger(int view) {
     std::vector<FingerPoint> finger;
     if (view >= 0) {
@@ -189,6 +205,8 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
     object.geometry = shelf_.shared(object.geometry);
     object.pose = placed.pose;
     object.motion = placed.motion;
+    if (const auto body = bodyOfNode_.find(placed.node); body != bodyOfNode_.end())
+        object.body = body->second;
     keep(object, placed, raw);
     const auto warn = [&](bool applies, const char* sentence, const char* remedy) {
         if (applies) say(Severity::Warning, object.name, sentence, remedy);

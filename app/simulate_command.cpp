@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/results.h"
+#include "core/base/numbers.h"
+#include "core/dynamics/dynamics.h"
+#include "core/import/import_scene.h"
+
+namespace tactum {
+
+namespace {
+
+/// A push of the command line, at a material point that is known once its time has come.
+class Pushes {
+public:
+    Pushes(const std::vector<PushOption>& given, const Mechanism& mechanism, const Mechanics& mechanics)
+        : given_(given), mechanism_(mechanism), mechanics_(mechanics), places_(given.size()) {}
+
+    /// Those that act in a step from `time` on.
+    const std::vector<AppliedForce>& at(double time, double dt, Dynamics& dynamics,
+                                        const DynamicState& state) {
+        acting_.clear();
+        for (std::size_t i = 0; i < given_.size(); ++i) {
+            // A step belongs to the push that holds its middle.
+            const double middle = time + 0.5 * dt;
+            if (middle < given_[i].from || middle >= given_[i].to) continue;
+            if (!places_[i].found) places_[i] = find(given_[i], dynamics, state);
+            if (places_[i].found) acting_.push_back({places_[i].place, given_[i].force});
+        }
+        return acting_;
+    }
+    /// Those that met no body.
+    std::size_t missed() const {
+        return std::size_t(
+            std::ranges::count_if(places_, [](const Found& one) { return one.looked && !one.found; }));
+    }
+
+private:
+    struct Found {
+        bool looked = false, found = false;
+        Place place;
+    };
+
+    /// The body whose collider, or else whose centre, is nearest to the point.
+    Found find(const PushOption& push, Dynamics& dynamics, const DynamicState& state) {
+        std::vector<BodyState> bodies(mechanism_.bodies.size());
+        dynamics.describe(state, Vec3::Zero(), bodies);
+        Found found{true, false, {}};
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Place& place = mechanism_.places[i];
+            if (place.link < 0) continue;
+            double distance = (bodies[i].centre - push.point).norm() + kBesideColliders;
+            for (const Collider& collider : mechanics_.colliders)
+                if (collider.body == mechanism_.bodies[i].id)
+                    distance = std::min(
+                        distance, distanceTo(collider.shape,
+                                             (bodies[i].pose * collider.pose).applyInverse(push.point)));
+            if (distance >= nearest) continue;
+            nearest = distance;
+            found.found = true;
+            found.place = {place.link,
+                           place.pose * Pose{Quat::Identity(), bodies[i].pose.applyInverse(push.point)}};
+        }
+        return found;
+    }
+
+    static constexpr double kBesideColliders = 1e3; ///< m: a body without colliders comes after all others
+
+    const std::vector<PushOption>& given_;
+    const Mechanism& mechanism_;
+    const Mechanics& mechanics_;
+    std::vector<Found> places_;
+    std::vector<AppliedForce> acting_;
+};
+
+/// In quotes where a comma or a quote is in it.
+std::string csvField(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+void appendRow(std::string& csv, double t, const std::string& name, const BodyState& body) {
+    const auto number = [&](double value) {
+        csv += ',';
+        appendNumber(csv, value == 0 ? 0.0 : value); // no minus zero
+    };
+    appendNumber(csv, t);
+    csv += ',';
+    csv += csvField(name);
+    for (const double c : body.centre)
+        number(c);
+    const Quat& q = body.pose.rotation;
+    for (const double c : {q.w(), q.x(), q.y(), q.z()})
+        number(c);
+    for (const Vec3& v : {body.velocity, body.angularVelocity})
+        for (const double c : v)
+            number(c);
+    number(body.kinetic);
+    number(body.potential);
+    csv += '\n';
+}
+
+nlohmann::ordered_json timesOf(std::vector<std::int64_t> ns) {
+    nlohmann::ordered_json json;
+    if (ns.empty()) ns.push_back(0);
+    std::ranges::sort(ns);
+    const auto quantile = [&](double q) {
+        return ns[std::min(ns.size() - 1, std::size_t(q * double(ns.size())))];
+    };
+    json["mean"] = double(std::accumulate(ns.begin(), ns.end(), std::int64_t(0))) / double(ns.size());
+    json["median"] = quantile(0.5);
+    json["p99"] = quantile(0.99);
+    json["p999"] = quantile(0.999);
+    json["max"] = ns.back();
+    return json;
+}
+
+std::int64_t nanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+} // namespace
+
+Result<int> runSimulate(const SimulateOptions& options) {
+    auto loaded = importScene(options.scene);
+    if (!loaded) return tl::unexpected(loaded.error());
+    for (const Finding& finding : loaded->findings)
+        if (finding.severity != Finding::Severity::Note) std::cerr << lineOf(finding) << '\n';
+    const Mechanics& mechanics = loaded->scene.mechanics;
+    const Vec3 gravity = options.gravity.value_or(mechanics.gravity);
+    if (mechanics.bodies.empty())
+        return inputError(options.scene.string() + ": has no body that moves by forces; give a node a motion "
+                                                   "(KHR_physics_rigid_bodies)");
+    auto compiled = compileMechanism(mechanics.bodies, mechanics.joints);
+    if (!compiled) return tl::unexpected(compiled.error());
+    const auto mechanism = std::make_shared<const Mechanism>(std::move(*compiled));
+    Dynamics dynamics(mechanism);
+    DynamicState state = dynamics.startState();
+    std::vector<BodyState> bodies(mechanism->bodies.size());
+    std::string csv = "t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,kinetic,potential\n";
+    double first = 0, most = 0, liveliest = 0, gap = 0;
+    const auto writeRows = [&](double t) {
+        dynamics.describe(state, gravity, bodies);
+        double energy = dynamics.springEnergy(state), kinetic = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            appendRow(csv, t, mechanism->bodies[i].name, bodies[i]);
+            kinetic += bodies[i].kinetic;
+            energy += bodies[i].kinetic + bodies[i].potential;
+        }
+        if (t == 0) first = energy;
+        most = std::max(most, std::abs(energy - first));
+        liveliest = std::max(liveliest, kinetic);
+        if (!mechanism->loops.empty()) gap = std::max(gap, dynamics.loopGap(state));
+    };
+    // Output steps of whole steps: a step is never longer than asked for.
+    const auto perOutput =
+        std::max<long long>(1, std::llround(std::ceil(options.every * options.rate - 1e-9)));
+    const auto outputs = std::llround(options.seconds / options.every);
+    const double dt = options.every / double(perOutput);
+    Pushes pushes(options.pushes, *mechanism, mechanics);
+    std::vector<std::int64_t> times;
+    times.reserve(std::size_t(outputs * perOutput));
+    writeRows(0);
+    for (long long output = 1; output <= outputs; ++output) {
+        for (long long i = 0; i < perOutput; ++i) {
+            const double time = (double(output - 1) + double(i) / double(perOutput)) * options.every;
+            const auto& forces = pushes.at(time, dt, dynamics, state);
+            const std::int64_t begin = nanoseconds();
+            dynamics.step(state, gravity, forces, dt);
+            times.push_back(nanoseconds() - begin);
+        }
+        writeRows(double(output) * options.every);
+    }
+    if (pushes.missed() > 0)
+        return inputError("--push: there is no body that could be pushed; give one a mass");
+    if (options.out)
+        if (const auto written = writeFile(*options.out, csv); !written)
+            return tl::unexpected(written.error());
+    nlohmann::ordered_json summary;
+    summary["bodies"] = mechanism->bodies.size();
+    summary["joints"] = mechanics.joints.size();
+    summary["loops"] = mechanism->loopJoints;
+    summary["steps"] = times.size();
+    summary["step_s"] = dt;
+    summary["step_ns"] = timesOf(times);
+    summary["energy_drift"] = liveliest > 0 ? most / liveliest : 0.0; // of the most that was in motion
+    summary["energy_drift_j"] = most;
+    summary["largest_loop_gap"] = gap;
+    const std::string text = summary.dump() + '\n';
+    if (options.summary)
+        if (const auto written = writeFile(*options.summary, text); !written)
+            return tl::unexpected(written.error());
+    if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
+        if (const auto written = writeFile("-", text); !written) return tl::unexpected(written.error());
+    return 0;
+}
+
+} // namespace tactum

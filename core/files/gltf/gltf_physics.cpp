@@ -1,0 +1,444 @@
+#include "core/files/gltf/gltf_physics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/base/text.h"
+#include "core/files/gltf/gltf_nodes.h"
+#include "core/files/gltf/gltf_standards.h"
+#include "core/files/gltf/gltf_surface.h"
+
+namespace tactum {
+
+namespace {
+
+using Severity = Finding::Severity;
+using Affine = Eigen::Affine3d;
+
+constexpr const char* kShapesExtension = "KHR_implicit_shapes";
+constexpr const char* kOlderShapes = "KHR_collision_shapes";
+constexpr std::size_t kMostLooks = std::size_t(1) << 20;
+constexpr double kDensity = 1000; ///< kg/m^3, of a body whose mass the file leaves to us: water
+
+std::optional<double> numberIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    if (!found || !found->is_number()) return std::nullopt;
+    const double value = found->get<double>();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+bool flagIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found && found->is_boolean() && found->get<bool>();
+}
+
+template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    if (!found || !found->is_array() || found->size() != N) return std::nullopt;
+    Eigen::Matrix<double, N, 1> v;
+    for (int i = 0; i < N; ++i) {
+        const Json& entry = (*found)[std::size_t(i)];
+        if (!entry.is_number() || !std::isfinite(entry.get<double>())) return std::nullopt;
+        v[i] = entry.get<double>();
+    }
+    return v;
+}
+
+std::string textIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Combine combineIn(const Json& holder, const char* key) {
+    const std::string mode = textIn(holder, key);
+    if (mode == "minimum") return Combine::Minimum;
+    if (mode == "maximum") return Combine::Maximum;
+    if (mode == "multiply") return Combine::Multiply;
+    return Combine::Average;
+}
+
+/// A place of the node tree: p_W = pose.apply(stretch * p).
+struct Spot {
+    Affine world = Affine::Identity();
+    Pose pose;
+    Mat3 stretch = Mat3::Identity();
+};
+
+Spot spotOf(const Affine& world) {
+    const RigidAndStretch parts = polarDecomposition(world.linear());
+    return {world, {unitLength(Quat(parts.rotation)), world.translation()}, parts.stretch};
+}
+
+class PhysicsReader {
+public:
+    PhysicsReader(const Source& source, const tinygltf::Model& model, const Json& root,
+                  const GltfMotions& motions, const ReadShapeMesh& meshAt)
+        : source_(source), model_(model), root_(root), motions_(motions), meshAt_(meshAt),
+          physics_(extension(root, kPhysicsExtension)) {
+        shapes_ = extension(root, kShapesExtension);
+        if (!shapes_) shapes_ = extension(root, kOlderShapes);
+    }
+
+    GltfPhysics run();
+
+private:
+    static const Json* extension(const Json& holder, const char* name) {
+        const Json* all = member(holder, "extensions");
+        return all ? member(*all, name) : nullptr;
+    }
+    const Json* ofNode(int node) const {
+        const Json& json = root_["nodes"][std::size_t(node)];
+        return extension(json, kPhysicsExtension);
+    }
+    const Json* element(const Json* holder, const char* array, int index) const {
+        const Json* all = holder ? member(*holder, array) : nullptr;
+        if (!all || !all->is_array() || index < 0 || std::size_t(index) >= all->size()) return nullptr;
+        return &(*all)[std::size_t(index)];
+    }
+    int indexOf(const Json& holder, const char* key) const {
+        return indexIn(holder, key, std::size_t(1) << 30);
+    }
+    std::string nameOf(int node) const {
+        const std::string& name = model_.nodes[std::size_t(node)].name;
+        return name.empty() ? "node" + std::to_string(node) : name;
+    }
+    void warn(const std::string& object, const std::string& sentence, const std::string& remedy) {
+        made_.findings.push_back({Severity::Warning, object, sentence, remedy});
+    }
+    RigidBody* bodyOf(BodyId id) {
+        const auto found = std::ranges::find(made_.mechanics.bodies, id, &RigidBody::id);
+        return found == made_.mechanics.bodies.end() ? nullptr : &*found;
+    }
+    Pose frameOf(BodyId id) {
+        const RigidBody* body = bodyOf(id);
+        return body ? body->pose : Pose{};
+    }
+
+    void visit(int node, const Affine& parent, BodyId body);
+    void addBody(int node, const Json& motion);
+    void addCollider(int node, const Json& collider, BodyId body);
+    std::optional<ColliderShape> shapeOf(int node, const Json& geometry);
+    std::optional<ColliderShape> implicitShape(const Json& json, const Mat3& stretch) const;
+    void addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to);
+    void addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, int depth);
+    TouchMaterial materialOf(const Json& collider) const;
+    CollisionFilter filterOf(const Json& collider) const;
+    void fillMasses();
+    void addJoint(int node, const Json& json);
+    void addLimits(const Json& description, Joint& joint);
+    void addDrives(const Json& description, Joint& joint);
+
+    const Source& source_;
+    const tinygltf::Model& model_;
+    const Json& root_;
+    const GltfMotions& motions_;
+    const ReadShapeMesh& meshAt_;
+    const Json* physics_;
+    const Json* shapes_ = nullptr;
+    std::map<int, Spot> spots_; ///< of every node of the scene
+    std::map<int, BodyId> owners_;
+    std::map<BodyId, const Json*> motionsOf_;
+    std::map<BodyId, int> nodeOf_;
+    std::size_t looked_ = 0; ///< nodes of meshes, which need not be a tree
+    GltfPhysics made_;
+};
+
+void PhysicsReader::visit(int node, const Affine& parent, BodyId body) {
+    const Affine world = parent * motions_.localAt(node, 0);
+    spots_[node] = spotOf(world);
+    const Json* ours = ofNode(node);
+    if (const Json* motion = ours ? member(*ours, "motion") : nullptr; motion && motion->is_object()) {
+        addBody(node, *motion);
+        body = made_.mechanics.bodies.back().id;
+    }
+    owners_[node] = body;
+    if (body != kWorldBody) made_.bodyOfNode[node] = body;
+    for (const int child : model_.nodes[std::size_t(node)].children)
+        visit(child, world, body);
+}
+
+void PhysicsReader::addBody(int node, const Json& motion) {
+    const Spot& spot = spots_[node];
+    RigidBody body;
+    body.id = BodyId(made_.mechanics.bodies.size() + 1);
+    body.name = printable(nameOf(node), kLongestName);
+    body.pose = spot.pose;
+    body.kinematic = flagIn(motion, "isKinematic") || motions_.moves(node);
+    body.gravityFactor = numberIn(motion, "gravityFactor").value_or(1);
+    const auto along = [&](const char* key) {
+        return Vec3(spot.pose.rotation * vectorIn<3>(motion, key).value_or(Vec3::Zero()));
+    };
+    body.velocity = along("linearVelocity"); // of the node's frame; m/s, whatever its scale
+    body.angularVelocity = along("angularVelocity");
+    motionsOf_[body.id] = &motion;
+    nodeOf_[body.id] = node;
+    made_.mechanics.bodies.push_back(body);
+}
+
+std::optional<ColliderShape> PhysicsReader::implicitShape(const Json& json, const Mat3& stretch) const {
+    const Vec3 scale = stretch.diagonal().cwiseAbs();
+    if (scale.isZero(0)) return std::nullopt; // disabled
+    const std::string type = textIn(json, "type");
+    static const Json kNothing = Json::object();
+    const Json* given = type.empty() ? nullptr : member(json, type.c_str());
+    const Json& of = given ? *given : kNothing;
+    const double across = 0.5 * (scale.x() + scale.z());
+    ColliderShape shape;
+    if (type == "box") {
+        shape.kind = ShapeKind::Box;
+        shape.size = vectorIn<3>(of, "size").value_or(Vec3::Ones()).cwiseProduct(scale);
+    } else if (type == "sphere") {
+        shape.kind = ShapeKind::Sphere;
+        shape.radius = shape.radiusBottom = numberIn(of, "radius").value_or(0.5) * scale.mean();
+    } else if (type == "capsule" || type == "cylinder") {
+        shape.kind = type == "capsule" ? ShapeKind::Capsule : ShapeKind::Cylinder;
+        const double radius = numberIn(of, "radius").value_or(0.25); // of an older draft
+        shape.radius = numberIn(of, "radiusTop").value_or(radius) * across;
+        shape.radiusBottom = numberIn(of, "radiusBottom").value_or(radius) * across;
+        shape.height = numberIn(of, "height").value_or(0.5) * scale.y();
+    } else if (type == "plane") {
+        shape.kind = ShapeKind::Plane;
+        const auto extent = [&](const char* key, double by) {
+            const auto size = numberIn(of, key);
+            return size ? *size * by : kUnbounded;
+        };
+        shape.size = {extent("sizeX", scale.x()), 0, extent("sizeZ", scale.z())};
+    } else {
+        return std::nullopt;
+    }
+    const bool round = shape.kind != ShapeKind::Box && shape.kind != ShapeKind::Plane;
+    const bool usable = round ? shape.radius >= 0 && shape.radiusBottom >= 0 &&
+                                    shape.radius + shape.radiusBottom > 0 && shape.height > 0
+                              : shape.kind == ShapeKind::Plane || shape.size.minCoeff() > 0;
+    return usable ? std::optional(shape) : std::nullopt;
+}
+
+void PhysicsReader::addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to) {
+    const ShapeMesh part = meshAt_(mesh);
+    const std::uint32_t first = std::uint32_t(to.points.size());
+    for (const Vec3& point : part.points)
+        to.points.push_back(linear * point + offset);
+    const bool mirrored = linear.determinant() < 0;
+    for (auto face : part.faces) {
+        if (mirrored) std::swap(face[1], face[2]);
+        to.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+    }
+}
+
+/// The meshes of a node and of what is below it, which need not be in the scene.
+void PhysicsReader::addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, int depth) {
+    if (node < 0 || std::size_t(node) >= model_.nodes.size() || depth > 64) return;
+    if (++looked_ > kMostLooks) source_.fail("has colliders that name too many nodes; simplify them");
+    const tinygltf::Node& of = model_.nodes[std::size_t(node)];
+    if (of.mesh >= 0 && std::size_t(of.mesh) < model_.meshes.size())
+        addMesh(of.mesh, to.linear(), to.translation(), mesh);
+    for (const int child : of.children)
+        if (std::size_t(child) < model_.nodes.size())
+            addNodeMeshes(child, to * transformOf(source_, model_, child), mesh, depth + 1);
+}
+
+std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geometry) {
+    const Mat3& stretch = spots_[node].stretch;
+    if (const Json* shape = element(shapes_, "shapes", indexOf(geometry, "shape")))
+        return implicitShape(*shape, stretch);
+    auto mesh = std::make_shared<ShapeMesh>();
+    const int named = indexOf(geometry, "mesh");
+    if (named >= 0 && std::size_t(named) < model_.meshes.size())
+        addMesh(named, stretch, Vec3::Zero(), *mesh);
+    else
+        addNodeMeshes(indexOf(geometry, "node"), Affine(stretch), *mesh, 0);
+    if (mesh->points.empty()) return std::nullopt;
+    ColliderShape shape;
+    shape.kind = flagIn(geometry, "convexHull") ? ShapeKind::Hull : ShapeKind::Mesh;
+    shape.mesh = std::move(mesh);
+    return shape;
+}
+
+TouchMaterial PhysicsReader::materialOf(const Json& collider) const {
+    TouchMaterial material;
+    const Json* given = element(physics_, "physicsMaterials", indexOf(collider, "physicsMaterial"));
+    if (!given) return material;
+    const auto positive = [&](const char* key, double otherwise) {
+        return std::max(0.0, numberIn(*given, key).value_or(otherwise));
+    };
+    material.staticFriction = positive("staticFriction", material.staticFriction);
+    material.dynamicFriction = positive("dynamicFriction", material.dynamicFriction);
+    material.restitution = std::min(1.0, positive("restitution", 0));
+    material.frictionCombine = combineIn(*given, "frictionCombine");
+    material.restitutionCombine = combineIn(*given, "restitutionCombine");
+    return material;
+}
+
+CollisionFilter PhysicsReader::filterOf(const Json& collider) const {
+    CollisionFilter filter;
+    const Json* given = element(physics_, "collisionFilters", indexOf(collider, "collisionFilter"));
+    if (!given) return filter;
+    const auto names = [&](const char* key) {
+        std::vector<std::string> all;
+        if (const Json* list = member(*given, key); list && list->is_array())
+            for (const Json& name : *list)
+                if (name.is_string()) all.push_back(name.get<std::string>());
+        return all;
+    };
+    filter.systems = names("collisionSystems");
+    filter.notWith = names("notCollideWithSystems");
+    filter.with = names("collideWithSystems");
+    return filter;
+}
+
+void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
+    const Json* geometry = member(json, "geometry");
+    const auto shape = shapeOf(node, geometry && geometry->is_object() ? *geometry : json);
+    if (!shape)
+        return warn(nameOf(node), "has a collider without a usable shape",
+                    "it touches no other body; give it one");
+    Collider collider;
+    collider.body = body;
+    collider.pose = frameOf(body).inverse() * spots_[node].pose;
+    collider.shape = *shape;
+    collider.material = materialOf(json);
+    collider.filter = filterOf(json);
+    made_.mechanics.colliders.push_back(std::move(collider));
+}
+
+/// What the file says of a body's mass, and what its colliders say where the file says nothing.
+void PhysicsReader::fillMasses() {
+    for (RigidBody& body : made_.mechanics.bodies) {
+        const Json& motion = *motionsOf_[body.id];
+        ShapeMass shapes;
+        for (const Collider& collider : made_.mechanics.colliders)
+            if (collider.body == body.id)
+                shapes = together(shapes, placed(massOf(collider.shape), collider.pose));
+        const auto mass = numberIn(motion, "mass");
+        body.mass = std::max(0.0, mass.value_or(shapes.volume > 0 ? kDensity * shapes.volume : 1));
+        body.centre = shapes.centre;
+        if (const auto centre = vectorIn<3>(motion, "centerOfMass"))
+            body.centre = spots_[nodeOf_[body.id]].stretch * *centre;
+        if (const auto inertia = vectorIn<3>(motion, "inertiaDiagonal")) {
+            body.inertia = inertia->cwiseMax(0);
+            const auto turn = vectorIn<4>(motion, "inertiaOrientation");
+            if (turn && turn->norm() > 1e-6) body.inertiaFrame = unitLength(Quat(*turn));
+            continue;
+        }
+        const double counts = body.mass > 0 ? body.mass : 1;
+        if (!(shapes.volume > 0)) { // as a ball of water
+            const double r = std::cbrt(3 * counts / (4 * 3.14159265358979323846 * kDensity));
+            body.inertia = Vec3::Constant(0.4 * counts * r * r);
+            continue;
+        }
+        const Mat3 moments = shapes.moments * (counts / shapes.volume);
+        const Mat3 off = moments - Mat3(moments.diagonal().asDiagonal());
+        if (off.norm() <= 1e-12 * moments.norm()) {
+            body.inertia = moments.diagonal();
+            continue;
+        }
+        const Eigen::SelfAdjointEigenSolver<Mat3> axes(moments);
+        Mat3 turn = axes.eigenvectors();
+        if (turn.determinant() < 0) turn.col(0) = -turn.col(0);
+        body.inertia = axes.eigenvalues();
+        body.inertiaFrame = Quat(turn).normalized();
+    }
+}
+
+AxisSet axesIn(const Json& limit, const char* key) {
+    AxisSet axes = 0;
+    const Json* list = member(limit, key);
+    if (!list || !list->is_array()) return 0;
+    for (const Json& axis : *list)
+        if (axis.is_number_integer() && axis.get<int>() >= 0 && axis.get<int>() < 3)
+            axes = AxisSet(axes | 1 << axis.get<int>());
+    return axes;
+}
+
+void PhysicsReader::addLimits(const Json& description, Joint& joint) {
+    const Json* all = member(description, "limits");
+    if (!all || !all->is_array()) return;
+    for (const Json& json : *all) {
+        JointLimit limit;
+        limit.axes = axesIn(json, "linearAxes");
+        limit.angular = limit.axes == 0;
+        if (limit.angular) limit.axes = axesIn(json, "angularAxes");
+        limit.min = numberIn(json, "min").value_or(-kUnbounded);
+        limit.max = numberIn(json, "max").value_or(kUnbounded);
+        limit.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(kUnbounded));
+        limit.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
+        if (limit.axes == 0 || limit.min > limit.max)
+            warn(joint.name, "has a limit without axes, or whose minimum is above its maximum",
+                 "left out; correct it");
+        else
+            joint.limits.push_back(limit);
+    }
+}
+
+void PhysicsReader::addDrives(const Json& description, Joint& joint) {
+    const Json* all = member(description, "drives");
+    if (!all || !all->is_array()) return;
+    for (const Json& json : *all) {
+        JointDrive drive;
+        drive.angular = textIn(json, "type") == "angular";
+        drive.axis = indexIn(json, "axis", 3);
+        drive.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(0));
+        drive.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
+        drive.position = numberIn(json, "positionTarget").value_or(0);
+        drive.velocity = numberIn(json, "velocityTarget").value_or(0);
+        drive.maxForce = std::max(0.0, numberIn(json, "maxForce").value_or(kUnbounded));
+        drive.acceleration = textIn(json, "mode") == "acceleration";
+        if (drive.axis < 0)
+            warn(joint.name, "has a drive without an axis from 0 to 2", "left out; correct it");
+        else
+            joint.drives.push_back(drive);
+    }
+}
+
+void PhysicsReader::addJoint(int node, const Json& json) {
+    const int other = indexOf(json, "connectedNode");
+    const Json* description = element(physics_, "physicsJoints", indexOf(json, "joint"));
+    if (!description || !spots_.contains(other))
+        return warn(nameOf(node), "has a joint that names no other node or no description",
+                    "left out; give it both");
+    Joint joint;
+    joint.name = printable(nameOf(node), kLongestName);
+    joint.a = owners_[node];
+    joint.b = owners_[other];
+    joint.frameA = frameOf(joint.a).inverse() * spots_[node].pose;
+    joint.frameB = frameOf(joint.b).inverse() * spots_[other].pose;
+    joint.collide = flagIn(json, "enableCollision");
+    addLimits(*description, joint);
+    addDrives(*description, joint);
+    if (joint.a == joint.b)
+        return warn(joint.name, "joins two nodes that move as one",
+                    "left out; one of them needs a motion of its own");
+    made_.mechanics.joints.push_back(std::move(joint));
+}
+
+GltfPhysics PhysicsReader::run() {
+    const Json* nodes = member(root_, "nodes");
+    if (!nodes || !nodes->is_array() || nodes->size() != model_.nodes.size()) return {};
+    if (std::ranges::none_of(*nodes, [](const Json& node) { return extension(node, kPhysicsExtension); }))
+        return {};
+    for (const int node : sceneRoots(model_))
+        visit(node, Affine::Identity(), kWorldBody);
+    for (const auto& [node, body] : owners_)
+        if (const Json* ours = ofNode(node))
+            if (const Json* collider = member(*ours, "collider"); collider && collider->is_object())
+                addCollider(node, *collider, body);
+    fillMasses();
+    for (const auto& [node, body] : owners_)
+        if (const Json* ours = ofNode(node))
+            if (const Json* joint = member(*ours, "joint"); joint && joint->is_object())
+                addJoint(node, *joint);
+    if (made_.mechanics.bodies.empty()) return {}; // colliders alone: copies of our own, or of no use here
+    return std::move(made_);
+}
+
+} // namespace
+
+GltfPhysics readPhysics(const Source& source, const tinygltf::Model& model, const Json& root,
+                        const GltfMotions& motions, const ReadShapeMesh& meshAt) {
+    return PhysicsReader(source, model, root, motions, meshAt).run();
+}
+
+} // namespace tactum
