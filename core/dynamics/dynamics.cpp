@@ -127,15 +127,15 @@ void Dynamics::weighSprings(const DynamicState& state) noexcept {
             springInertia_[i] = rows_.inertiaOf(articulation_, mechanism_->springs[i].of);
 }
 
-void Dynamics::findHeldForces(DynamicState& state, const Surroundings& around) noexcept {
+void Dynamics::findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept {
     along_.setZero();
     weighSprings(state);
     evaluate(state.q, state.v, around, a_[0]);
-    rows_.gather(articulation_, loops_, state.q, around.dt);
+    rows_.gather(articulation_, loops_, state.q, around.dt, early);
     if (rows_.empty()) return;
     if (rows_.stopApproaches(state.v)) {
         evaluate(state.q, state.v, around, a_[0]);
-        rows_.gather(articulation_, loops_, state.q, around.dt);
+        rows_.gather(articulation_, loops_, state.q, around.dt, early);
     }
     rows_.solve(state.v, around.dt, along_, a_[0]);
 }
@@ -147,19 +147,23 @@ void Dynamics::takeBack(DynamicState& state, double dt) noexcept {
     normalise(state.q);
 }
 
+// Up to where bodies meet or a limit is reached; the blow is the next part's. After so many of them what is
+// met in the rest counts as met before.
 void Dynamics::advance(DynamicState& state, Surroundings around) noexcept {
     for (int event = 0; around.dt > 0; ++event) {
-        findHeldForces(state, around);
+        const bool last = event == kMostEvents;
+        findHeldForces(state, around, last);
         before_ = state;
-        rungeKutta(state, around, around.dt);
-        double part = 1;
-        if (!mechanism_->limits.empty() && event < kMostEvents) {
+        double part = last ? 1 : rows_.firstTouch(around.dt);
+        rungeKutta(state, around, part * around.dt);
+        if (!mechanism_->limits.empty() && !last) {
             articulation_.place(state.q, state.v);
-            part = rows_.firstCrossing(articulation_, state.q, around.dt);
-        }
-        if (part < 1) {
-            state = before_;
-            rungeKutta(state, around, part * around.dt);
+            const double crossing = rows_.firstCrossing(articulation_, state.q, part * around.dt);
+            if (crossing < 1) {
+                part *= crossing;
+                state = before_;
+                rungeKutta(state, around, part * around.dt);
+            }
         }
         takeBack(state, part * around.dt);
         if (part == 1) return;

@@ -77,7 +77,7 @@ private:
     Stretch stretchOf(const Spring& spring, const Coordinates& q, const Coordinates& v) const noexcept;
     void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
-    void findHeldForces(DynamicState& state, const Surroundings& around) noexcept;
+    void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;
     void advance(DynamicState& state, Surroundings around) noexcept;
     void rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept;
     void takeBack(DynamicState& state, double dt) noexcept;

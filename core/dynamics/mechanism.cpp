@@ -387,6 +387,53 @@ Result<Mechanism> Builder::run() {
     return std::move(made_);
 }
 
+bool hasAny(const std::vector<std::string>& names, const std::vector<std::string>& among) {
+    return std::ranges::any_of(
+        names, [&](const std::string& name) { return std::ranges::find(among, name) != among.end(); });
+}
+
+/// Whether one filter lets the other's systems come (KHR_physics_rigid_bodies, Collision Filtering).
+bool lets(const CollisionFilter& own, const CollisionFilter& other) {
+    if (!own.with.empty() && !hasAny(other.systems, own.with)) return false;
+    return !hasAny(other.systems, own.notWith);
+}
+
+bool areJoined(std::span<const Joint> joints, BodyId a, BodyId b) {
+    return std::ranges::any_of(joints, [&](const Joint& joint) {
+        return !joint.collide && ((joint.a == a && joint.b == b) || (joint.a == b && joint.b == a));
+    });
+}
+
+void addTouchables(Mechanism& made, std::span<const Joint> joints, std::span<const Collider> colliders) {
+    std::vector<const Collider*> from;
+    for (const Collider& collider : colliders) {
+        const Place* body = made.placeOf(collider.body);
+        Touchable touchable;
+        touchable.place = body ? Place{body->link, body->pose * collider.pose} : Place{-1, collider.pose};
+        touchable.convex = convexOf(collider.shape);
+        touchable.material = collider.material;
+        from.push_back(&collider);
+        made.touchables.push_back(std::move(touchable));
+    }
+    const auto isFixedIn = [&](const Touchable& one) {
+        if (one.place.link < 0) return true;
+        const Link& link = made.links[std::size_t(one.place.link)];
+        return link.driven == kAllAxes && link.kind == LinkKind::Ball && link.parent >= 0 &&
+               made.links[std::size_t(link.parent)].driven != 0;
+    };
+    const std::size_t count = from.size();
+    made.meets.assign(count * count, false);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const Touchable &a = made.touchables[i], &b = made.touchables[j];
+            const bool apart = from[i]->body != from[j]->body && a.place.link != b.place.link &&
+                               !(isFixedIn(a) && isFixedIn(b));
+            made.meets[i * count + j] = apart && !areJoined(joints, from[i]->body, from[j]->body) &&
+                                        lets(from[i]->filter, from[j]->filter) &&
+                                        lets(from[j]->filter, from[i]->filter);
+        }
+}
+
 } // namespace
 
 const Place* Mechanism::placeOf(BodyId body) const {
@@ -394,9 +441,12 @@ const Place* Mechanism::placeOf(BodyId body) const {
     return found == bodies.end() ? nullptr : &places[std::size_t(found - bodies.begin())];
 }
 
-Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints) {
+Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints,
+                                   std::span<const Collider> colliders) {
     auto made = Builder(bodies, joints).run();
-    if (made) startVelocities(*made);
+    if (!made) return made;
+    addTouchables(*made, joints, colliders);
+    startVelocities(*made);
     return made;
 }
 

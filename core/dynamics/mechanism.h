@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/dynamics/convex.h"
 #include "core/dynamics/joint.h"
 #include "core/dynamics/rigid_body.h"
 
@@ -85,6 +86,13 @@ struct Lock {
     double at = 0;
 };
 
+/// What of a body touches others.
+struct Touchable {
+    Place place;
+    Convex convex;
+    TouchMaterial material;
+};
+
 /// Bodies that joints connect without the help of the world: what one does matters to the others at once.
 struct Island {
     int firstLink = 0, endLink = 0;
@@ -101,17 +109,24 @@ struct Mechanism {
     std::vector<Limit> limits;     ///< hard ones
     std::vector<Spring> springs;   ///< drives and soft limits
     std::vector<DryFriction> frictions;
+    std::vector<Touchable> touchables;
+    std::vector<bool> meets; ///< of each two touchables, whether they may touch
     std::size_t loopJoints = 0;
     int qs = 0, vs = 0;     ///< numbers of coordinates and of velocities
     Eigen::VectorXd q0, v0; ///< at the time 0
 
     const Place* placeOf(BodyId body) const;
+    /// Whether two touchables are ever compared. Thread: real time.
+    bool mayTouch(int a, int b) const noexcept {
+        return meets[std::size_t(a) * touchables.size() + std::size_t(b)];
+    }
 };
 
 /// Makes links of bodies and joints. A joint whose locked axes do not start within 1 mm or 1 mrad of where
 /// they are locked, and one that closes a loop, is held by forces instead; one that joins a body to itself or
 /// two that stand still does nothing. Errors: a value that is not finite or not positive where it must be, a
 /// joint that names no body. Thread: any but real time.
-Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints);
+Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints,
+                                   std::span<const Collider> colliders = {});
 
 } // namespace tactum

@@ -9,26 +9,51 @@ namespace {
 
 /// A limit is reached within this, m or rad: what rounding and events leave.
 constexpr double kReached = 1e-7;
+/// Bodies touch within this, m.
+constexpr double kTouching = 1e-5;
+/// What slides slower than this, m/s, sticks.
+constexpr double kStill = 1e-3;
 /// At most so many rounds, and none more when no impulse changes by this part of the largest any more.
 constexpr int kRounds = 60;
 constexpr double kSettled = 1e-12;
+/// Bounces one after the other in one moment; what still approaches then is stopped all at once.
+constexpr int kBounces = 64;
 /// A spring whose k h^2 + d h exceeds this part of the inertia that it moves is not smooth in a step h. Runge
 /// and Kutta's method is stable up to 7.8 for springs and 2.8 for dampers.
 constexpr double kStiff = 0.5;
 /// What lies beyond a limit comes back no faster, m/s or rad/s.
 constexpr double kFastestReturn = 0.05;
+/// Numbers of rows that there is room for.
+constexpr std::size_t kMostNumbers = std::size_t(1) << 22;
+
+double combined(double a, double b, Combine modeA, Combine modeB) noexcept {
+    switch (std::min(modeA, modeB)) {
+    case Combine::Average:
+        return 0.5 * (a + b);
+    case Combine::Minimum:
+        return std::min(a, b);
+    case Combine::Maximum:
+        return std::max(a, b);
+    case Combine::Multiply:
+        return a * b;
+    }
+    return 0;
+}
 
 } // namespace
 
 Rows::Rows(const Mechanism& mechanism)
-    : mechanism_(mechanism), gaps_(2 * mechanism.limits.size()), end_(Coordinates::Zero(mechanism.vs)) {
-    const std::size_t most =
-        2 * mechanism.limits.size() + mechanism.frictions.size() + mechanism.springs.size();
+    : mechanism_(mechanism), contacts_(mechanism), gaps_(2 * mechanism.limits.size()),
+      end_(Coordinates::Zero(mechanism.vs)) {
+    const std::size_t places = contacts_.all().capacity();
+    const std::size_t most = 2 * mechanism.limits.size() + mechanism.frictions.size() +
+                             mechanism.springs.size() + (contacts_.empty() ? 0 : 3 * places);
     rows_.resize(most);
+    ways_.resize(most);
     int widest = 0;
     for (const Island& island : mechanism.islands)
         widest = std::max(widest, island.velocities);
-    jacobian_.resize((most + 1) * std::size_t(widest)); // one more to try
+    jacobian_.resize(std::min(kMostNumbers, (2 * most + 1) * std::size_t(widest))); // one more to try
     change_.resize(jacobian_.size());
     Articulation articulation(mechanism);
     articulation.place(mechanism.q0, mechanism.v0);
@@ -39,10 +64,6 @@ Rows::Rows(const Mechanism& mechanism)
     }
 }
 
-int Rows::islandOf(const Coordinate& of) const noexcept {
-    return mechanism_.links[std::size_t(of.b.link >= 0 ? of.b.link : of.a.link)].island;
-}
-
 Rows::Reading Rows::read(const Articulation& articulation, const Coordinate& of,
                          const Coordinates& q) const noexcept {
     const Measured now = measure(of, articulation.poseOf(of.a), articulation.poseOf(of.b));
@@ -51,28 +72,127 @@ Rows::Reading Rows::read(const Articulation& articulation, const Coordinate& of,
     return reading;
 }
 
-Rows::Row* Rows::addRow(Articulation& articulation, const Loops& loops, const Coordinate& of,
-                        const Wrench& along, double sense) noexcept {
-    Row& row = rows_[count_];
-    row = {};
-    row.first = numbers_;
-    row.island = islandOf(of);
-    const Island& island = mechanism_.islands[std::size_t(row.island)];
-    double* jacobian = jacobian_.data() + row.first;
-    double* change = change_.data() + row.first;
+/// J and M^-1 J^T of the links of one island; gives J M^-1 J^T.
+double Rows::addSide(Side& side, int linkA, int linkB, Articulation& articulation, const Loops& loops,
+                     const Wrench& along, double sense) noexcept {
+    side.island = mechanism_.links[std::size_t(std::max(linkA, linkB))].island;
+    side.first = numbers_;
+    const Island& island = mechanism_.islands[std::size_t(side.island)];
+    double* jacobian = jacobian_.data() + side.first;
+    double* change = change_.data() + side.first;
     std::fill_n(jacobian, island.velocities, 0.0);
-    articulation.addJacobian(of.b.link, along, sense, jacobian);
-    articulation.addJacobian(of.a.link, along, -sense, jacobian);
+    articulation.addJacobian(linkB, along, sense, jacobian);
+    articulation.addJacobian(linkA, along, -sense, jacobian);
     articulation.respond(island, jacobian, change);
     loops.project(island, change);
+    numbers_ += std::size_t(island.velocities);
     double softness = 0;
     for (int i = 0; i < island.velocities; ++i)
         softness += jacobian[i] * change[i];
-    if (!(softness > 1e-30)) return nullptr; // nothing there can move
-    row.yield = 1 / softness;
+    return softness;
+}
+
+Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loops, const Place& a,
+                        const Place& b, const Wrench& along, double sense) noexcept {
+    const auto islandOf = [&](int link) {
+        return link < 0 ? -1 : mechanism_.links[std::size_t(link)].island;
+    };
+    std::size_t needs = 0;
+    for (const int link : {a.link, b.link})
+        if (link >= 0) needs += std::size_t(mechanism_.islands[std::size_t(islandOf(link))].velocities);
+    if (count_ == rows_.size() || numbers_ + needs > jacobian_.size()) return nullptr;
+    Row& row = rows_[count_];
+    row = {};
+    row.kind = kind;
+    const std::size_t before = numbers_;
+    double softness = 0;
+    if (islandOf(a.link) == islandOf(b.link)) {
+        softness = addSide(row.sides[0], a.link, b.link, articulation, loops, along, sense);
+    } else {
+        if (a.link >= 0) softness += addSide(row.sides[0], a.link, -1, articulation, loops, along, sense);
+        if (b.link >= 0) softness += addSide(row.sides[1], -1, b.link, articulation, loops, along, sense);
+    }
+    const bool moves = softness > 1e-30;
+    if (!moves && kind != Kind::Rub) { // of a contact's friction one direction may be held by a joint
+        numbers_ = before;
+        return nullptr;
+    }
+    row.yield = moves ? 1 / softness : 0;
     ++count_;
-    numbers_ += std::size_t(island.velocities);
     return &row;
+}
+
+void Rows::gatherContact(int index, Articulation& articulation, const Loops& loops, double dt) noexcept {
+    const Touching& touching = contacts_.all()[std::size_t(index)];
+    const Touchable &a = mechanism_.touchables[std::size_t(touching.a)],
+                    &b = mechanism_.touchables[std::size_t(touching.b)];
+    const Vec3& normal = touching.at.normal;
+    const std::size_t first = count_;
+    Row* row = addRow(Kind::Contact, articulation, loops, a.place, b.place,
+                      {normal, touching.at.point, Vec3::Zero()}, 1);
+    if (!row) return;
+    row->high = kUnbounded;
+    row->depth = std::max(0.0, -touching.at.gap);
+    row->contact = index;
+    row->impulse = dt * std::max(0.0, touching.force.dot(normal));
+    row->bounce = combined(a.material.restitution, b.material.restitution, a.material.restitutionCombine,
+                           b.material.restitutionCombine);
+    row->falls = 2 * std::max(0.0, -touching.bend) * dt;
+    const auto velocityAt = [&](const Place& place) {
+        return articulation.velocityOf(
+            {place.link,
+             {Quat::Identity(), place.link < 0
+                                    ? touching.at.point
+                                    : articulation.link(place.link).pose.applyInverse(touching.at.point)}});
+    };
+    const Vec3 slide = velocityAt(b.place).linear - velocityAt(a.place).linear;
+    const Vec3 across = slide - normal.dot(slide) * normal;
+    const bool still = across.norm() < kStill;
+    row->friction = still ? combined(a.material.staticFriction, b.material.staticFriction,
+                                     a.material.frictionCombine, b.material.frictionCombine)
+                          : combined(a.material.dynamicFriction, b.material.dynamicFriction,
+                                     a.material.frictionCombine, b.material.frictionCombine);
+    const Vec3 way = still ? normal.unitOrthogonal() : Vec3(across.normalized());
+    const std::array<Vec3, 2> ways{way, normal.cross(way)};
+    for (const Vec3& rub : ways) {
+        Row* sideways = addRow(Kind::Rub, articulation, loops, a.place, b.place,
+                               {rub, touching.at.point, Vec3::Zero()}, 1);
+        if (!sideways) { // never a contact with a part of its friction
+            count_ = first;
+            return;
+        }
+        sideways->impulse = dt * touching.force.dot(rub);
+        ways_[count_ - 1] = rub;
+        sideways->contact = index;
+    }
+}
+
+void Rows::gatherContacts(Articulation& articulation, const Loops& loops, double dt, bool early) noexcept {
+    if (contacts_.empty()) return;
+    contacts_.find(articulation, dt);
+    for (std::size_t i = 0; i < contacts_.all().size(); ++i) {
+        Touching& touching = contacts_.all()[i];
+        const bool soon = touching.at.gap + touching.rate * dt < kTouching;
+        if (touching.at.gap <= kTouching || (early && soon)) {
+            gatherContact(int(i), articulation, loops, dt);
+            touching.rate = kUnbounded; // it is no event any more
+        }
+    }
+}
+
+double Rows::firstTouch(double dt) const noexcept {
+    double first = dt;
+    for (const Touching& touching : contacts_.all()) {
+        if (touching.rate == kUnbounded) continue;
+        // g + v t + a t^2 / 2 = 0, the earlier root ahead.
+        const double g = touching.at.gap, v = touching.rate, a = touching.bend;
+        const double under = v * v - 2 * a * g;
+        if (under < 0) continue;
+        const double root = std::sqrt(under);
+        const double t = v < 0 ? 2 * g / (-v + root) : a < 0 ? (-v - root) / a : kUnbounded;
+        if (t > 0) first = std::min(first, t);
+    }
+    return first / dt;
 }
 
 void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q) noexcept {
@@ -87,12 +207,12 @@ void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Co
             if (!both && gap.gap > kReached) continue;
             gap.reached = true;
             if (both && side != 2 * i) continue;
-            Row* row = addRow(articulation, loops, limit.of, now.along, side == 2 * i ? 1 : -1);
+            Row* row = addRow(Kind::Limit, articulation, loops, limit.of.a, limit.of.b, now.along,
+                              side == 2 * i ? 1 : -1);
             if (!row) continue;
             row->low = both ? -kUnbounded : 0;
             row->high = kUnbounded;
             row->depth = both ? -gap.gap : std::max(0.0, -gap.gap);
-            row->isLimit = true;
         }
     }
 }
@@ -105,7 +225,7 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
         const Reading now = read(articulation, spring.of, q);
         const bool below = spring.isLimit && now.value < spring.min;
         if (spring.isLimit && !below && !(now.value > spring.max)) continue;
-        Row* row = addRow(articulation, loops, spring.of, now.along, 1);
+        Row* row = addRow(Kind::Spring, articulation, loops, spring.of.a, spring.of.b, now.along, 1);
         if (!row) continue;
         // F = k (x0 - x) + d (v0 - v) at the end of the step.
         const double scale = spring.drive.acceleration ? row->yield : 1;
@@ -118,13 +238,15 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
     }
 }
 
-void Rows::gather(Articulation& articulation, const Loops& loops, const Coordinates& q, double dt) noexcept {
+void Rows::gather(Articulation& articulation, const Loops& loops, const Coordinates& q, double dt,
+                  bool early) noexcept {
     count_ = numbers_ = 0;
+    gatherContacts(articulation, loops, dt, early);
     gatherLimits(articulation, loops, q);
     gatherSprings(articulation, loops, q, dt);
     for (const DryFriction& friction : mechanism_.frictions) {
         const Reading now = read(articulation, friction.of, q);
-        Row* row = addRow(articulation, loops, friction.of, now.along, 1);
+        Row* row = addRow(Kind::DryFriction, articulation, loops, friction.of.a, friction.of.b, now.along, 1);
         if (!row) continue;
         row->high = friction.force * dt;
         row->low = -row->high;
@@ -132,63 +254,141 @@ void Rows::gather(Articulation& articulation, const Loops& loops, const Coordina
 }
 
 double Rows::velocityOf(const Row& row, const Coordinates& v) const noexcept {
-    const Island& island = mechanism_.islands[std::size_t(row.island)];
     double sum = 0;
-    for (int i = 0; i < island.velocities; ++i)
-        sum += jacobian_[row.first + std::size_t(i)] * v[island.v + i];
+    for (const Side& side : row.sides) {
+        if (side.island < 0) continue;
+        const Island& island = mechanism_.islands[std::size_t(side.island)];
+        for (int i = 0; i < island.velocities; ++i)
+            sum += jacobian_[side.first + std::size_t(i)] * v[island.v + i];
+    }
     return sum;
 }
 
 void Rows::push(const Row& row, double impulse, Coordinates& v) const noexcept {
-    const Island& island = mechanism_.islands[std::size_t(row.island)];
-    for (int i = 0; i < island.velocities; ++i)
-        v[island.v + i] += impulse * change_[row.first + std::size_t(i)];
+    for (const Side& side : row.sides) {
+        if (side.island < 0) continue;
+        const Island& island = mechanism_.islands[std::size_t(side.island)];
+        for (int i = 0; i < island.velocities; ++i)
+            v[island.v + i] += impulse * change_[side.first + std::size_t(i)];
+    }
 }
 
-template <class Which> void Rows::relax(Coordinates& v, Which&& which) noexcept {
+/// Gives how much the impulse of a row changed.
+double Rows::relaxRow(std::size_t i, Coordinates& v) noexcept {
+    Row& row = rows_[i];
+    const double wanted = row.impulse + (row.target - velocityOf(row, v) - row.compliance * row.impulse) /
+                                            (1 / row.yield + row.compliance);
+    const double impulse = std::clamp(wanted, row.low, row.high);
+    const double more = impulse - row.impulse;
+    if (more != 0) push(row, more, v);
+    row.impulse = impulse;
+    return std::abs(more);
+}
+
+/// Both directions of a contact's friction at once: their impulse stays within the cone's circle.
+double Rows::relaxRubs(std::size_t contact, Coordinates& v) noexcept {
+    const double most = rows_[contact].friction * rows_[contact].impulse;
+    std::array<double, 2> wanted{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Row& rub = rows_[contact + 1 + k];
+        wanted[k] = rub.impulse - velocityOf(rub, v) * rub.yield;
+    }
+    const double length = std::hypot(wanted[0], wanted[1]);
+    const double share = length > most ? most / length : 1;
+    double changed = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        Row& rub = rows_[contact + 1 + k];
+        const double more = share * wanted[k] - rub.impulse;
+        if (more != 0) push(rub, more, v);
+        rub.impulse += more;
+        changed = std::max(changed, std::abs(more));
+    }
+    return changed;
+}
+
+void Rows::relax(Coordinates& v, bool placesOnly) noexcept {
     for (int round = 0; round < kRounds; ++round) {
         double largest = 0, changed = 0;
         for (std::size_t i = 0; i < count_; ++i) {
-            Row& row = rows_[i];
-            if (!which(row)) continue;
-            const double wanted =
-                row.impulse + (row.target - velocityOf(row, v) - row.compliance * row.impulse) /
-                                  (1 / row.yield + row.compliance);
-            const double impulse = std::clamp(wanted, row.low, row.high);
-            const double more = impulse - row.impulse;
-            if (more != 0) push(row, more, v);
-            row.impulse = impulse;
-            largest = std::max(largest, std::abs(impulse));
-            changed = std::max(changed, std::abs(more));
+            const Row& row = rows_[i];
+            if (row.kind == Kind::Rub || (placesOnly && !row.isPlace())) continue;
+            changed = std::max(changed, relaxRow(i, v));
+            largest = std::max(largest, std::abs(row.impulse));
+            if (row.kind == Kind::Contact) changed = std::max(changed, relaxRubs(i, v));
         }
         if (changed <= kSettled * largest) return;
     }
 }
 
+/// One blow: the approach of a row is turned round, with as much friction as the blow bears.
+void Rows::bounceOne(std::size_t i, Coordinates& v) noexcept {
+    Row& row = rows_[i];
+    const double before = velocityOf(row, v);
+    // What a resting body gains in a step is no bounce.
+    const double blow = -(1 + (-before > row.falls ? row.bounce : 0)) * before * row.yield;
+    push(row, blow, v);
+    if (row.kind != Kind::Contact) return;
+    row.impulse = blow;
+    rows_[i + 1].impulse = rows_[i + 2].impulse = 0;
+    relaxRubs(i, v);
+}
+
+// The hardest blow first: so a row of balls that touch hands it on, as Newton's cradle does.
 bool Rows::stopApproaches(Coordinates& v) noexcept {
     bool any = false;
-    for (std::size_t i = 0; i < count_; ++i)
-        if (rows_[i].isLimit) {
-            const double rate = velocityOf(rows_[i], v);
-            any = any || (rows_[i].low < 0 ? std::abs(rate) > 1e-12 : rate < -1e-12);
+    for (int blow = 0; blow < kBounces; ++blow) {
+        std::size_t hardest = count_;
+        double fastest = -1e-12;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (!rows_[i].isPlace()) continue;
+            double rate = velocityOf(rows_[i], v);
+            if (rows_[i].low < 0) rate = -std::abs(rate);
+            if (rate < fastest) {
+                fastest = rate;
+                hardest = i;
+            }
         }
-    if (!any) return false;
-    relax(v, [](const Row& row) { return row.isLimit; });
-    for (std::size_t i = 0; i < count_; ++i)
-        rows_[i].impulse = 0;
-    return true;
+        if (hardest == count_) break;
+        any = true;
+        if (blow + 1 < kBounces) {
+            bounceOne(hardest, v);
+        } else {
+            for (std::size_t i = 0; i < count_; ++i)
+                rows_[i].impulse = 0;
+            relax(v, true);
+        }
+    }
+    return any;
+}
+
+/// For the next step to begin with.
+void Rows::keepForces(double dt) noexcept {
+    for (Touching& touching : contacts_.all())
+        touching.force.setZero();
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (rows_[i].kind != Kind::Contact) continue;
+        Touching& touching = contacts_.all()[std::size_t(rows_[i].contact)];
+        const Vec3& normal = touching.at.normal;
+        touching.force = (rows_[i].impulse * normal + rows_[i + 1].impulse * ways_[i + 1] +
+                          rows_[i + 2].impulse * ways_[i + 2]) /
+                         dt;
+    }
 }
 
 void Rows::solve(const Coordinates& v, double dt, Coordinates& along, Coordinates& acceleration) noexcept {
     end_ = v + dt * acceleration;
-    relax(end_, [](const Row&) { return true; });
+    for (std::size_t i = 0; i < count_; ++i) // what contacts did in the last step is a good guess
+        if (rows_[i].impulse != 0) push(rows_[i], rows_[i].impulse, end_);
+    relax(end_, false);
     acceleration = (end_ - v) / dt;
-    for (std::size_t i = 0; i < count_; ++i) {
-        const Row& row = rows_[i];
-        const Island& island = mechanism_.islands[std::size_t(row.island)];
-        for (int k = 0; k < island.velocities; ++k)
-            along[island.v + k] += row.impulse / dt * jacobian_[row.first + std::size_t(k)];
-    }
+    for (std::size_t i = 0; i < count_; ++i)
+        for (const Side& side : rows_[i].sides) {
+            if (side.island < 0) continue;
+            const Island& island = mechanism_.islands[std::size_t(side.island)];
+            for (int k = 0; k < island.velocities; ++k)
+                along[island.v + k] += rows_[i].impulse / dt * jacobian_[side.first + std::size_t(k)];
+        }
+    keepForces(dt);
 }
 
 double Rows::firstCrossing(const Articulation& end, const Coordinates& q, double dt) const noexcept {
@@ -220,7 +420,7 @@ bool Rows::correction(double dt, Coordinates& shift) noexcept {
     bool any = false;
     for (std::size_t i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
-        if (!row.isLimit || std::abs(row.depth) < 1e-12) continue;
+        if (!row.isPlace() || std::abs(row.depth) < 1e-12) continue;
         if (!any) shift.setZero();
         any = true;
         const double back =
@@ -237,7 +437,8 @@ bool Rows::springIsRow(std::size_t spring, double dt) const noexcept {
 }
 
 double Rows::inertiaOf(Articulation& articulation, const Coordinate& of) noexcept {
-    const Island& island = mechanism_.islands[std::size_t(islandOf(of))];
+    const int link = std::max(of.a.link, of.b.link);
+    const Island& island = mechanism_.islands[std::size_t(mechanism_.links[std::size_t(link)].island)];
     const Wrench along = measure(of, articulation.poseOf(of.a), articulation.poseOf(of.b)).along;
     const std::size_t last = jacobian_.size() - std::size_t(island.velocities);
     double* jacobian = jacobian_.data() + last;

@@ -1,10 +1,12 @@
-// What is not smooth: hard limits, dry friction, and springs too stiff for the step. Each is a row of one
-// constraint with bounds on its impulse, solved together by projected Gauss-Seidel. For this folder.
+// What is not smooth: contacts with friction and bounces, hard limits, dry friction, and springs too stiff
+// for the step. Each is a row of one constraint with bounds on its impulse, solved together by projected
+// Gauss-Seidel (D. Stewart, Rigid-Body Dynamics with Friction and Impact, SIAM Review 2000). For this folder.
 #pragma once
 
 #include <vector>
 
 #include "core/dynamics/articulation.h"
+#include "core/dynamics/contacts.h"
 #include "core/dynamics/loops.h"
 
 namespace tactum {
@@ -15,20 +17,24 @@ public:
     explicit Rows(const Mechanism& mechanism);
 
     /// Finds what may act in a step of `dt` from a place that articulation and loops know. Springs that the
-    /// smooth part leaves to the rows are those of springIsRow().
-    void gather(Articulation& articulation, const Loops& loops, const Coordinates& q, double dt) noexcept;
+    /// smooth part leaves to the rows are those of springIsRow(). `early`: what will be met within the step
+    /// counts as met.
+    void gather(Articulation& articulation, const Loops& loops, const Coordinates& q, double dt,
+                bool early) noexcept;
     bool empty() const noexcept { return count_ == 0; }
-    /// Ends every approach to a limit that is reached. Whether there was one.
+    /// Ends every approach to what is reached, bounces included. Whether there was one.
     bool stopApproaches(Coordinates& v) noexcept;
     /// The forces along the coordinates that, held for the step, keep all bounds at its end; adds what they
     /// do to the acceleration.
     void solve(const Coordinates& v, double dt, Coordinates& along, Coordinates& acceleration) noexcept;
 
+    /// At what part of a step bodies meet that do not touch yet, 1 for none.
+    double firstTouch(double dt) const noexcept;
     /// At what part of the step a limit that was not reached is passed, 1 for none. The articulation knows
     /// the places at the end.
     double firstCrossing(const Articulation& end, const Coordinates& q, double dt) const noexcept;
-    /// How the velocities would have to be for a second to take back what went beyond its limit. Whether
-    /// anything did.
+    /// How the velocities would have to be for a second to take back what went beyond its limit, or into
+    /// another body. Whether anything did.
     bool correction(double dt, Coordinates& shift) noexcept;
 
     /// Springs that are too stiff for a step of dt to be smooth; `inertia` says how much each moves.
@@ -36,13 +42,26 @@ public:
     /// Of a spring in accelerations: kg or kg m^2.
     double inertiaOf(Articulation& articulation, const Coordinate& of) noexcept;
 
+    const std::vector<Touching>& contacts() const noexcept { return contacts_.all(); }
+
 private:
-    struct Row {
+    enum class Kind : std::uint8_t { Spring, DryFriction, Limit, Contact, Rub };
+
+    /// What a row moves of one island.
+    struct Side {
+        int island = -1;       ///< -1: nothing
         std::size_t first = 0; ///< of its numbers in jacobian_ and change_
-        int island = 0;
+    };
+    struct Row {
+        Kind kind = Kind::Spring;
+        std::array<Side, 2> sides;
         double target = 0, low = 0, high = 0, compliance = 0, yield = 0, impulse = 0;
-        double depth = 0;     ///< beyond a limit, m or rad
-        bool isLimit = false; ///< of place: it ends approaches
+        double depth = 0;    ///< beyond a limit or inside of a body, m or rad
+        int contact = -1;    ///< of contacts_, of a Contact; the two Rubs come after it
+        double friction = 0; ///< of a Contact
+        double bounce = 0;   ///< of a Contact, for what approaches faster than
+        double falls = 0;    ///< m/s
+        bool isPlace() const { return kind == Kind::Limit || kind == Kind::Contact; }
     };
     struct Reading {
         double value = 0;
@@ -55,22 +74,31 @@ private:
     };
 
     Reading read(const Articulation& articulation, const Coordinate& of, const Coordinates& q) const noexcept;
-    int islandOf(const Coordinate& of) const noexcept;
-    Row* addRow(Articulation& articulation, const Loops& loops, const Coordinate& of, const Wrench& along,
-                double sense) noexcept;
+    Row* addRow(Kind kind, Articulation& articulation, const Loops& loops, const Place& a, const Place& b,
+                const Wrench& along, double sense) noexcept;
+    double addSide(Side& side, int linkA, int linkB, Articulation& articulation, const Loops& loops,
+                   const Wrench& along, double sense) noexcept;
+    void gatherContacts(Articulation& articulation, const Loops& loops, double dt, bool early) noexcept;
+    void gatherContact(int index, Articulation& articulation, const Loops& loops, double dt) noexcept;
     void gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q) noexcept;
     void gatherSprings(Articulation& articulation, const Loops& loops, const Coordinates& q,
                        double dt) noexcept;
     double velocityOf(const Row& row, const Coordinates& v) const noexcept;
     void push(const Row& row, double impulse, Coordinates& v) const noexcept;
-    template <class Which> void relax(Coordinates& v, Which&& which) noexcept;
+    double relaxRow(std::size_t i, Coordinates& v) noexcept;
+    double relaxRubs(std::size_t contact, Coordinates& v) noexcept;
+    void relax(Coordinates& v, bool placesOnly) noexcept;
+    void bounceOne(std::size_t i, Coordinates& v) noexcept;
+    void keepForces(double dt) noexcept;
 
     const Mechanism& mechanism_;
+    Contacts contacts_;
     std::vector<Row> rows_;
     std::size_t count_ = 0, numbers_ = 0;
     std::vector<double> jacobian_, change_;
     std::vector<Gap> gaps_;        ///< two for each limit: of its minimum and of its maximum
     std::vector<double> softness_; ///< of each spring at the start: 1 / inertia
+    std::vector<Vec3> ways_;       ///< the directions of Rubs, by row
     Coordinates end_;
 };
 

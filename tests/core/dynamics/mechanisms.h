@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/dynamics/dynamics.h"
+#include "core/dynamics/mechanics.h"
 
 namespace tactum::test {
 
@@ -64,6 +65,11 @@ public:
     Running(const std::vector<RigidBody>& bodies, const std::vector<Joint>& joints)
         : dynamics_(std::make_shared<const Mechanism>(compileMechanism(bodies, joints).value())),
           state_(dynamics_.startState()), now_(bodies.size()) {}
+
+    explicit Running(const Mechanics& scene)
+        : dynamics_(std::make_shared<const Mechanism>(
+              compileMechanism(scene.bodies, scene.joints, scene.colliders).value())),
+          state_(dynamics_.startState()), now_(scene.bodies.size()) {}
 
     void run(double seconds, double dt, const Vec3& gravity = kDown,
              std::span<const AppliedForce> forces = {}) {

@@ -1,0 +1,52 @@
+// Which bodies are near each other and where they touch. For this folder.
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/articulation.h"
+#include "core/dynamics/touch.h"
+
+namespace tactum {
+
+struct Touching {
+    int a = 0, b = 0; ///< of Mechanism::touchables
+    TouchPoint at;
+    Vec3 onA = Vec3::Zero();   ///< the same point in the frame of a, by which it is known again
+    double rate = 0;           ///< m/s at which the gap grows
+    double bend = 0;           ///< m/s^2
+    Vec3 force = Vec3::Zero(); ///< on b, N, world frame: of the last step, to begin with
+};
+
+/// Thread: one at a time; all but the constructor real time.
+class Contacts {
+public:
+    explicit Contacts(const Mechanism& mechanism);
+
+    /// All places that are no more than a step apart. The articulation knows velocities and accelerations.
+    void find(const Articulation& articulation, double dt) noexcept;
+    std::vector<Touching>& all() noexcept { return now_; }
+    const std::vector<Touching>& all() const noexcept { return now_; }
+    bool empty() const noexcept { return mechanism_.touchables.empty(); }
+    /// More places touched than there is room for: some were left out.
+    bool overflowed() const noexcept { return overflowed_; }
+
+private:
+    struct Box {
+        Vec3 low, high;
+        int touchable = 0;
+    };
+
+    void box(const Articulation& articulation, double dt, Box& box) const noexcept;
+    void touch(const Articulation& articulation, int a, int b, double dt) noexcept;
+    Vec3 accelerationAt(const Articulation& articulation, int link, const Vec3& point) const noexcept;
+    void remember() noexcept;
+
+    const Mechanism& mechanism_;
+    std::vector<Box> boxes_; ///< by their lowest x: nearly sorted from step to step
+    std::vector<Pose> poses_;
+    std::vector<Touching> now_, before_;
+    TouchScratch scratch_;
+    bool overflowed_ = false;
+};
+
+} // namespace tactum

@@ -1,0 +1,370 @@
+#include "core/dynamics/touch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace tactum {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Two edges have to be this much nearer than two faces to count: parallel ones are a matter of rounding.
+constexpr double kEdgeGain = 1e-6;
+
+/// A polytope where it is.
+struct Placed {
+    const Polytope& body;
+    const Mat3 turn;
+    const Pose& pose;
+    std::span<const Vec3> points; ///< world frame
+
+    Placed(const Polytope& polytope, const Pose& at, std::vector<Vec3>& room) noexcept
+        : body(polytope), turn(at.rotation.toRotationMatrix()), pose(at),
+          points(room.data(), polytope.points.size()) {
+        for (std::size_t i = 0; i < polytope.points.size(); ++i)
+            room[i] = turn * polytope.points[i] + at.translation;
+    }
+    Vec3 normal(std::size_t face) const noexcept { return turn * body.faces[face].normal; }
+    double offset(std::size_t face) const noexcept {
+        return body.faces[face].offset + normal(face).dot(pose.translation);
+    }
+    Vec3 centre() const noexcept { return pose.apply(body.centre); }
+    double most(const Vec3& way) const noexcept {
+        double best = -kInfinity;
+        for (const Vec3& p : points)
+            best = std::max(best, way.dot(p));
+        return best;
+    }
+};
+
+void keep(TouchPoints& points, const Vec3& onA, const Vec3& normal, double gap, double margin) noexcept {
+    if (gap <= margin && points.size() < kMaxTouchPoints)
+        points.push({onA + 0.5 * gap * normal, normal, gap});
+}
+
+/// The face of b that lies farthest from all of a.
+struct FaceGap {
+    std::size_t face = 0;
+    double gap = -kInfinity;
+};
+FaceGap widestFace(const Placed& faces, const Placed& other) noexcept {
+    FaceGap best;
+    for (std::size_t i = 0; i < faces.body.faces.size(); ++i) {
+        const Vec3 n = faces.normal(i);
+        const double gap = -other.most(-n) - faces.offset(i);
+        if (gap > best.gap) best = {i, gap};
+    }
+    return best;
+}
+
+struct EdgeGap {
+    Vec3 normal = Vec3::Zero(); ///< from a to b
+    int a = 0, b = 0;           ///< directions
+    double gap = -kInfinity;
+};
+EdgeGap widestEdges(const Placed& a, const Placed& b, double enough) noexcept {
+    EdgeGap best;
+    const Vec3 between = b.centre() - a.centre();
+    for (std::size_t i = 0; i < a.body.directions.size(); ++i) {
+        const Vec3 u = a.turn * a.body.directions[i];
+        for (std::size_t j = 0; j < b.body.directions.size(); ++j) {
+            Vec3 n = u.cross(b.turn * b.body.directions[j]);
+            const double length = n.norm();
+            if (length < 1e-4) continue; // parallel: the faces see that
+            n /= n.dot(between) < 0 ? -length : length;
+            const double gap = -b.most(-n) - a.most(n);
+            if (gap > best.gap) best = {n, int(i), int(j), gap};
+            if (best.gap > enough) return best;
+        }
+    }
+    return best;
+}
+
+/// Of the edges of one direction that which lies farthest along a way.
+std::array<Vec3, 2> outerEdge(const Placed& of, int direction, const Vec3& way) noexcept {
+    std::array<Vec3, 2> best{};
+    double most = -kInfinity;
+    for (const Polytope::Edge& edge : of.body.edges) {
+        if (edge.direction != direction) continue;
+        const Vec3 &p = of.points[std::size_t(edge.a)], &q = of.points[std::size_t(edge.b)];
+        if (const double along = way.dot(p + q); along > most) {
+            most = along;
+            best = {p, q};
+        }
+    }
+    return best;
+}
+
+struct Pair {
+    Vec3 a, b;
+};
+/// The nearest points of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
+Pair nearest(const Vec3& p1, const Vec3& q1, const Vec3& p2, const Vec3& q2) noexcept {
+    const Vec3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
+    const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
+    double s = 0, t = 0;
+    if (a <= 1e-30) {
+        t = e > 1e-30 ? std::clamp(f / e, 0.0, 1.0) : 0;
+    } else {
+        const double c = d1.dot(r);
+        if (e <= 1e-30) {
+            s = std::clamp(-c / a, 0.0, 1.0);
+        } else {
+            const double b = d1.dot(d2), under = a * e - b * b;
+            if (under > 1e-14 * a * e) s = std::clamp((b * f - c * e) / under, 0.0, 1.0);
+            t = (b * s + f) / e;
+            if (t < 0) {
+                t = 0;
+                s = std::clamp(-c / a, 0.0, 1.0);
+            } else if (t > 1) {
+                t = 1;
+                s = std::clamp((b - c) / a, 0.0, 1.0);
+            }
+        }
+    }
+    return {p1 + s * d1, p2 + t * d2};
+}
+
+/// Of many places those four that span the most: the lowest, and what is farthest from those chosen.
+void keepSpanning(std::span<const TouchPoint> all, TouchPoints& points) noexcept {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].gap < all[first].gap) first = i;
+    points.push(all[first]);
+    while (points.size() < std::min(kMaxTouchPoints, all.size())) {
+        std::size_t best = 0;
+        double most = -1;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            double least = kInfinity;
+            for (const TouchPoint& chosen : points.all())
+                least = std::min(least, (all[i].point - chosen.point).squaredNorm());
+            if (least > most) {
+                most = least;
+                best = i;
+            }
+        }
+        if (!(most > 0)) return;
+        points.push(all[best]);
+    }
+}
+
+/// The part of the facing face of `other` that lies over a face; `flip`: the face belongs to b.
+void clipFaces(const Placed& faces, std::size_t face, const Placed& other, bool flip, double margin,
+               TouchScratch& scratch, TouchPoints& points) noexcept {
+    const Vec3 n = faces.normal(face);
+    std::size_t facing = 0;
+    double least = kInfinity;
+    for (std::size_t i = 0; i < other.body.faces.size(); ++i)
+        if (const double along = n.dot(other.normal(i)); along < least) {
+            least = along;
+            facing = i;
+        }
+    auto &polygon = scratch.polygon, &next = scratch.other;
+    polygon.clear();
+    for (const int corner : other.body.faces[facing].corners)
+        polygon.push_back(other.points[std::size_t(corner)]);
+    const std::vector<int>& rim = faces.body.faces[face].corners;
+    for (std::size_t i = 0; i < rim.size() && !polygon.empty(); ++i) {
+        const Vec3 &p = faces.points[std::size_t(rim[i])],
+                   &q = faces.points[std::size_t(rim[(i + 1) % rim.size()])];
+        const Vec3 out = (q - p).cross(n);
+        next.clear();
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Vec3 &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+            const double before = out.dot(from - p), after = out.dot(to - p);
+            if (before <= 0) next.push_back(from);
+            if ((before < 0 && after > 0) || (before > 0 && after < 0))
+                next.push_back(from + before / (before - after) * (to - from));
+        }
+        std::swap(polygon, next);
+    }
+    const double offset = faces.offset(face);
+    InplaceVector<TouchPoint, 128> found;
+    for (const Vec3& p : polygon) {
+        const double gap = n.dot(p) - offset;
+        if (gap <= margin && found.size() < found.room())
+            found.push({p - 0.5 * gap * n, flip ? Vec3(-n) : n, gap});
+    }
+    if (found.size() > 0) keepSpanning(found.all(), points);
+}
+
+TouchPoints polytopes(const Polytope& first, const Pose& a_W, const Polytope& second, const Pose& b_W,
+                      double margin, TouchScratch& scratch) noexcept {
+    TouchPoints points;
+    const Placed a(first, a_W, scratch.a), b(second, b_W, scratch.b);
+    const FaceGap ofA = widestFace(a, b);
+    if (ofA.gap > margin) return points;
+    const FaceGap ofB = widestFace(b, a);
+    if (ofB.gap > margin) return points;
+    const EdgeGap edges = widestEdges(a, b, margin);
+    if (edges.gap > margin) return points;
+    const double faces = std::max(ofA.gap, ofB.gap);
+    if (edges.gap > faces + kEdgeGain) {
+        const auto [p, q] = outerEdge(a, edges.a, edges.normal);
+        const auto [r, s] = outerEdge(b, edges.b, -edges.normal);
+        keep(points, nearest(p, q, r, s).a, edges.normal, edges.gap, margin);
+    } else if (ofA.gap >= ofB.gap - kEdgeGain) { // the same one of two equal ones
+        clipFaces(a, ofA.face, b, false, margin, scratch, points);
+    } else {
+        clipFaces(b, ofB.face, a, true, margin, scratch, points);
+    }
+    return points;
+}
+
+/// The nearest point of a polytope's surface to a point, and the way out there.
+struct Surface {
+    Vec3 point, normal;
+    double gap = 0; ///< below 0 inside
+};
+Surface nearestOn(const Placed& body, const Vec3& p) noexcept {
+    std::size_t widest = 0;
+    double most = -kInfinity;
+    for (std::size_t i = 0; i < body.body.faces.size(); ++i)
+        if (const double gap = body.normal(i).dot(p) - body.offset(i); gap > most) {
+            most = gap;
+            widest = i;
+        }
+    Surface best{p - most * body.normal(widest), body.normal(widest), most};
+    if (most <= 0) return best;
+    double least = kInfinity;
+    for (std::size_t i = 0; i < body.body.faces.size(); ++i) {
+        const Vec3 n = body.normal(i);
+        const double gap = n.dot(p) - body.offset(i);
+        if (gap <= 0) continue;
+        // Over the face its plane is nearest, else its rim.
+        const std::vector<int>& rim = body.body.faces[i].corners;
+        bool over = true;
+        Vec3 place = p - gap * n;
+        double distance = kInfinity;
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+            const Vec3 &u = body.points[std::size_t(rim[k])],
+                       &v = body.points[std::size_t(rim[(k + 1) % rim.size()])];
+            if ((v - u).cross(n).dot(p - u) <= 0) continue;
+            over = false;
+            const Vec3 on = u + std::clamp((p - u).dot(v - u) / (v - u).squaredNorm(), 0.0, 1.0) * (v - u);
+            if ((p - on).norm() < distance) {
+                distance = (p - on).norm();
+                place = on;
+            }
+        }
+        if (over) distance = gap;
+        if (distance < least) {
+            least = distance;
+            best = {place, distance > 1e-12 ? Vec3((p - place) / distance) : n, distance};
+        }
+    }
+    return best;
+}
+
+struct Segment {
+    Vec3 p, q;
+};
+Segment segmentOf(const Convex& body, const Pose& pose) noexcept {
+    const Vec3 up = pose.rotation * Vec3(0, body.half, 0);
+    return {pose.translation - up, pose.translation + up};
+}
+
+/// A round body a and a flat one b; the normal from a to b.
+TouchPoints roundAndFlat(const Convex& a, const Pose& a_W, const Polytope& body, const Pose& b_W,
+                         double margin, TouchScratch& scratch) noexcept {
+    TouchPoints points;
+    const Placed b(body, b_W, scratch.b);
+    const Segment segment = segmentOf(a, a_W);
+    const auto touch = [&](const Vec3& p) {
+        const Surface at = nearestOn(b, p);
+        keep(points, p - a.radius * at.normal, -at.normal, at.gap - a.radius, margin);
+    };
+    touch(segment.p);
+    if (a.half == 0) return points;
+    touch(segment.q);
+    // Between its ends it may lie over an edge, nearer than both ends do.
+    double least = kInfinity;
+    Vec3 place = segment.p;
+    for (const Polytope::Edge& edge : body.edges) {
+        const Pair pair =
+            nearest(segment.p, segment.q, b.points[std::size_t(edge.a)], b.points[std::size_t(edge.b)]);
+        if (const double distance = (pair.a - pair.b).squaredNorm(); distance < least) {
+            least = distance;
+            place = pair.a;
+        }
+    }
+    if ((place - segment.p).norm() > 0.01 * a.half && (place - segment.q).norm() > 0.01 * a.half)
+        touch(place);
+    return points;
+}
+
+TouchPoints roundOnes(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W,
+                      double margin) noexcept {
+    TouchPoints points;
+    const Segment u = segmentOf(a, a_W), v = segmentOf(b, b_W);
+    const auto touch = [&](const Pair& pair) {
+        const Vec3 between = pair.b - pair.a;
+        const double distance = between.norm();
+        const Vec3 normal = distance > 1e-12 ? Vec3(between / distance) : Vec3::UnitY();
+        keep(points, pair.a + a.radius * normal, normal, distance - a.radius - b.radius, margin);
+    };
+    const Vec3 way = (u.q - u.p).cross(v.q - v.p);
+    const bool parallel = a.half > 0 && b.half > 0 && way.norm() < 1e-3 * a.half * b.half * 4;
+    if (!parallel) {
+        touch(nearest(u.p, u.q, v.p, v.q));
+        return points;
+    }
+    touch(nearest(u.p, u.p, v.p, v.q)); // side by side: at both ends
+    touch(nearest(u.q, u.q, v.p, v.q));
+    return points;
+}
+
+/// All below y = 0 of frame a.
+TouchPoints onHalfSpace(const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
+                        TouchScratch& scratch) noexcept {
+    TouchPoints points;
+    const Vec3 n = a_W.rotation * Vec3::UnitY();
+    const double offset = n.dot(a_W.translation);
+    const auto place = [&](const Vec3& p) {
+        const double gap = n.dot(p) - b.radius - offset;
+        return TouchPoint{p - (b.radius + 0.5 * gap) * n, n, gap};
+    };
+    if (b.core == Convex::Core::Polytope) {
+        const Placed body(b.polytope, b_W, scratch.b);
+        InplaceVector<TouchPoint, 128> found;
+        for (const Vec3& p : body.points)
+            if (const TouchPoint at = place(p); at.gap <= margin && found.size() < found.room())
+                found.push(at);
+        if (found.size() > 0) keepSpanning(found.all(), points);
+        return points;
+    }
+    const Segment segment = segmentOf(b, b_W);
+    for (const Vec3& p : {segment.p, segment.q}) {
+        const TouchPoint at = place(p);
+        if (at.gap <= margin) points.push(at);
+        if (b.half == 0) break;
+    }
+    return points;
+}
+
+TouchPoints reversed(TouchPoints points) noexcept {
+    for (TouchPoint& point : points.all())
+        point.normal = -point.normal;
+    return points;
+}
+
+} // namespace
+
+TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
+                        TouchScratch& scratch) noexcept {
+    using Core = Convex::Core;
+    if (a.core == Core::HalfSpace && b.core == Core::HalfSpace) return {};
+    if (a.core == Core::HalfSpace) return onHalfSpace(a_W, b, b_W, margin, scratch);
+    if (b.core == Core::HalfSpace) return reversed(onHalfSpace(b_W, a, a_W, margin, scratch));
+    const bool flatA = a.core == Core::Polytope, flatB = b.core == Core::Polytope;
+    if ((flatA && a.polytope.faces.empty()) || (flatB && b.polytope.faces.empty())) return {};
+    if (flatA && flatB) return polytopes(a.polytope, a_W, b.polytope, b_W, margin, scratch);
+    if (flatB) return roundAndFlat(a, a_W, b.polytope, b_W, margin, scratch);
+    if (flatA) return reversed(roundAndFlat(b, b_W, a.polytope, a_W, margin, scratch));
+    return roundOnes(a, a_W, b, b_W, margin);
+}
+
+} // namespace tactum

@@ -1,0 +1,37 @@
+// Where two convex bodies touch, or nearly so: at most four places with a common normal. For this folder.
+#pragma once
+
+#include <array>
+
+#include "core/base/inplace_vector.h"
+#include "core/dynamics/convex.h"
+
+namespace tactum {
+
+struct TouchPoint {
+    Vec3 point = Vec3::Zero();   ///< halfway between the two surfaces, m, world frame
+    Vec3 normal = Vec3::UnitY(); ///< from a to b
+    double gap = 0;              ///< m; below 0 they overlap
+};
+
+inline constexpr std::size_t kMaxTouchPoints = 4;
+using TouchPoints = InplaceVector<TouchPoint, kMaxTouchPoints>;
+
+/// Room for the corners of the two bodies that are compared. Thread: one at a time.
+struct TouchScratch {
+    std::vector<Vec3> a, b;           ///< corners, world frame; as long as the largest body has corners
+    std::vector<Vec3> polygon, other; ///< with room for two faces
+    /// For all pairs among these bodies.
+    void reserve(std::size_t corners) {
+        a.resize(corners), b.resize(corners);
+        polygon.reserve(2 * corners + 8), other.reserve(2 * corners + 8);
+    }
+};
+
+/// The places that are no more than `margin` apart. Faces are found by separating axes, exactly; of two that
+/// overlap the least way out counts. Source: S. Gottschalk and others, OBBTree, SIGGRAPH 1996 (the axes of
+/// boxes); I. Sutherland and G. Hodgman, Reentrant polygon clipping, 1974. Thread: real time.
+TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
+                        TouchScratch& scratch) noexcept;
+
+} // namespace tactum
