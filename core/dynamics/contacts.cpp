@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace tactum {
 
@@ -63,12 +64,13 @@ void Contacts::touch(const Articulation& articulation, int a, int b, double dt) 
     const double margin = kNear + ((va.linear - vb.linear).norm() + turning) * dt;
     const TouchPoints points = touchPoints(first.convex, poses_[std::size_t(a)], second.convex,
                                            poses_[std::size_t(b)], margin, scratch_);
+    int number = 0;
     for (const TouchPoint& at : points.all()) {
         if (now_.size() == now_.capacity()) {
             overflowed_ = true;
             return;
         }
-        Touching place{a, b, at, poses_[std::size_t(a)].applyInverse(at.point), 0, 0, Vec3::Zero()};
+        Touching place{a, b, number++, at, poses_[std::size_t(a)].applyInverse(at.point), 0, 0, Vec3::Zero()};
         const Wrench normal{at.normal, at.point, Vec3::Zero()};
         place.rate = articulation.powerOf(first.place, second.place, normal);
         place.bend = at.normal.dot(accelerationAt(articulation, second.place.link, at.point) -
@@ -113,7 +115,7 @@ void Contacts::find(const Articulation& articulation, double dt) noexcept {
             if (mechanism_.mayTouch(a, b)) touch(articulation, a, b, dt);
         }
     // The order of the boxes is that of the past: that of the bodies is always the same.
-    std::ranges::stable_sort(now_, {}, [](const Touching& one) { return std::pair{one.a, one.b}; });
+    std::ranges::sort(now_, {}, [](const Touching& one) { return std::tuple{one.a, one.b, one.place}; });
     remember();
 }
 

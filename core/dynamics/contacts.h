@@ -10,6 +10,7 @@ namespace tactum {
 
 struct Touching {
     int a = 0, b = 0; ///< of Mechanism::touchables
+    int place = 0;    ///< which of the two bodies' places
     TouchPoint at;
     Vec3 onA = Vec3::Zero();   ///< the same point in the frame of a, by which it is known again
     double rate = 0;           ///< m/s at which the gap grows

@@ -115,7 +115,9 @@ void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
     }
     state.q += dt / 6 * (qRate_[0] + 2 * qRate_[1] + 2 * qRate_[2] + qRate_[3]);
     state.v += dt / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
-    normalise(state.q);
+    if (state.q.allFinite() && state.v.allFinite()) return normalise(state.q);
+    state = before_; // beyond what numbers hold: it stands still, and goes on from there
+    state.v.setZero();
 }
 
 void Dynamics::weighSprings(const DynamicState& state) noexcept {

@@ -8,19 +8,20 @@ namespace tactum {
 namespace {
 
 /// A row whose own part is smaller than this share of what it is for free bodies says nothing new: of a loop
-/// in a plane three of the five rows of a hinge.
-constexpr double kNew = 1e-9;
+/// in a plane three of the five rows of a hinge. The same of one that hardly moves at first order, as where a
+/// loop is stretched out: its force would have no bound.
+constexpr double kNew = 1e-6;
 
 using Numbers = Eigen::Map<const Eigen::VectorXd>;
 
 double softnessOf(const Mechanism& mechanism, const Lock& lock) {
-    double sum = 0;
+    double least = kUnbounded; // the heavier of the two: the other may weigh next to nothing
     for (const int i : {lock.of.a.link, lock.of.b.link}) {
         if (i < 0) continue;
         const Link& link = mechanism.links[std::size_t(i)];
-        sum += lock.of.measure == Measure::Along ? 1 / link.mass : 3 / link.moments.trace();
+        least = std::min(least, lock.of.measure == Measure::Along ? 1 / link.mass : 3 / link.moments.trace());
     }
-    return sum;
+    return least;
 }
 
 } // namespace

@@ -83,7 +83,8 @@ private:
         if (bytes.empty()) return stopped("gave no scene");
         try {
             LoadedScene loaded = readTransfer(bytes);
-            if (loaded.scene.objects.empty()) return stopped("gave an empty scene");
+            if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
+                return stopped("gave an empty scene");
             if (!lacks_.empty()) loaded.findings.push_back(lackOf(lacks_));
             report(1);
             return loaded;

@@ -1,0 +1,146 @@
+// tactum simulate, driven from outside: its columns, options and numbers.
+//
+// What would show that a test here is wrong: the falls, spins and swings that are expected are those of a
+// formula, in a file that says nothing about this program.
+
+#include <cmath>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "tests/app/program.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_simulate {
+
+using namespace test_program;
+
+namespace {
+
+constexpr const char* kHeader = "t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,kinetic,potential";
+
+struct StateRow {
+    double t = 0;
+    QString body;
+    QList<double> numbers; ///< from x on
+    double operator[](int column) const { return numbers.value(column); }
+};
+enum { X, Y, Z, Qw, Qx, Qy, Qz, Vx, Vy, Vz, Wx, Wy, Wz, Kinetic, Potential };
+
+QList<StateRow> rowsOf(const QByteArray& csv) {
+    QList<StateRow> rows;
+    for (const QByteArray& line : csv.split('\n').mid(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        if (cells.size() != 17) continue;
+        StateRow row{cells[0].toDouble(), cells[1], {}};
+        for (const QByteArray& cell : cells.mid(2))
+            row.numbers.append(cell.toDouble());
+        rows.append(row);
+    }
+    return rows;
+}
+
+QByteArray gltf(const QByteArray& nodes, const QByteArray& extensions = "{}") {
+    return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_physics_rigid_bodies","KHR_implicit_shapes"],)"
+           R"("scenes":[{"nodes":[0,1]}],"extensions":)" +
+           extensions + R"(,"nodes":)" + nodes + "}";
+}
+
+constexpr const char* kBall =
+    R"([{"name":"ball","translation":[1,2,3],"extensions":{"KHR_physics_rigid_bodies":{"motion":)"
+    R"({"mass":0.5,"inertiaDiagonal":[1,1,1],"linearVelocity":[0.5,0,0]}}}},{"name":"nothing"}])";
+
+} // namespace
+
+class TestSimulate : public QObject, WorkFolder {
+    Q_OBJECT
+
+private slots:
+    void aBodyFalls() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended run =
+            runTactum({"simulate", scene, "--seconds", "0.5", "--out", "-", "--summary", file("s.json")});
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.startsWith(QByteArray(kHeader) + '\n'));
+        const QList<StateRow> rows = rowsOf(run.out);
+        QCOMPARE(rows.size(), 51); // every 10 ms, the start too
+        QCOMPARE(rows[0].body, QString("ball"));
+        QCOMPARE(rows[0][Y], 2.0);
+        for (const StateRow& row : rows) {
+            COMPARE_NEAR(row[X], 1 + 0.5 * row.t, 1e-12, "m");
+            COMPARE_NEAR(row[Y], 2 - 0.5 * 9.81 * row.t * row.t, 1e-11, "m");
+            COMPARE_NEAR(row[Vy], -9.81 * row.t, 1e-11, "m/s");
+            COMPARE_NEAR(row[Potential], 0.5 * 9.81 * row[Y], 1e-9, "J");
+            COMPARE_NEAR(row[Kinetic], 0.25 * (0.25 + row[Vy] * row[Vy]), 1e-9, "J");
+        }
+        QFile in(file("s.json"));
+        QVERIFY(in.open(QIODevice::ReadOnly));
+        const QJsonObject summary = QJsonDocument::fromJson(in.readAll()).object();
+        QCOMPARE(summary["bodies"].toInt(), 1);
+        for (const char* key : {"mean", "median", "p99", "p999", "max"})
+            QVERIFY2(summary["step_ns"].toObject()[key].toDouble() > 0, key);
+        QVERIFY(summary["energy_drift"].toDouble() < 1e-9);
+    }
+
+    void gravityAndRateAreTheirs() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended run = runTactum({"simulate", scene, "--seconds", "1", "--rate", "100", "--every", "0.5",
+                                     "--gravity", "0,0,-2", "--out", "-"});
+        const QList<StateRow> rows = rowsOf(run.out);
+        QCOMPARE(rows.size(), 3);
+        COMPARE_NEAR(rows[2][Z], 3 - 1.0, 1e-11, "m");
+        COMPARE_NEAR(rows[2][Y], 2, 1e-12, "m");
+    }
+
+    // Off its centre: it turns, and the force goes with the point.
+    void aPushActsWhereItIs() {
+        const QString scene = write("push.gltf", gltf(kBall));
+        const Ended run = runTactum({"simulate", scene, "--seconds", "0.2", "--gravity", "0,0,0", "--push",
+                                     "0,0.1,1,2.1,3,0,0,3", "--every", "0.1", "--out", "-"});
+        const QList<StateRow> rows = rowsOf(run.out);
+        COMPARE_NEAR(rows[1][Vz], 3 * 0.1 / 0.5, 1e-9, "m/s");
+        COMPARE_NEAR(rows[2][Vz], 3 * 0.1 / 0.5, 1e-9, "m/s"); // it has ended
+        COMPARE_NEAR(rows[1][Wx], 0.1 * 3 * 0.1 / 1, 2e-5, "rad/s");
+    }
+
+    void theSameBits() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const QStringList arguments{"simulate",        scene,   "--seconds", "0.3", "--push",
+                                    "0,1,1,2,3,1,2,3", "--out", "-"};
+        QCOMPARE(runTactum(arguments).out, runTactum(arguments).out);
+    }
+
+    void wrongUsageIsSaid_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("says");
+        QTest::newRow("no time") << QStringList{} << QByteArray("--seconds");
+        QTest::newRow("a push of seven")
+            << QStringList{"--seconds", "1", "--push", "0,1,2,3,4,5,6"} << QByteArray("is not 8 numbers");
+        QTest::newRow("gravity") << QStringList{"--seconds", "1", "--gravity", "0,x,1"}
+                                 << QByteArray("is not 3 numbers");
+        QTest::newRow("rate") << QStringList{"--seconds", "1", "--rate", "0"}
+                              << QByteArray("is not a number from 1");
+    }
+    void wrongUsageIsSaid() {
+        QFETCH(QStringList, options);
+        QFETCH(QByteArray, says);
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended run = runTactum(QStringList{"simulate", scene} + options);
+        QCOMPARE(run.code, 2);
+        COMPARE_CONTAINS(oneLine(run.error), says);
+    }
+
+    void aSceneWithoutBodiesIsRefused() {
+        const Ended run = runTactum({"simulate", plate(), "--seconds", "1"});
+        QCOMPARE(run.code, 1);
+        COMPARE_CONTAINS(oneLine(run.error), QByteArray("has no body that moves by forces"));
+    }
+};
+
+TACTUM_TEST(TestSimulate)
+
+} // namespace test_simulate
+
+#include "test_simulate.moc"

@@ -1,0 +1,203 @@
+// KHR_physics_rigid_bodies and KHR_implicit_shapes as they are read. The texts are written after the draft of
+// October 2025, not after the reader; what would show that a test here is wrong: the draft's own sentence,
+// which is quoted where a number hangs on it.
+#include <QTest>
+
+#include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_gltf_physics {
+
+using namespace tactum;
+
+namespace {
+
+std::string gltf(const std::string& nodes, const std::string& physics = "", const std::string& shapes = "") {
+    return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_physics_rigid_bodies","KHR_implicit_shapes"],)"
+           R"("extensionsRequired":["KHR_physics_rigid_bodies","KHR_implicit_shapes"],)"
+           R"("extensions":{"KHR_physics_rigid_bodies":{)" +
+           physics + R"(},"KHR_implicit_shapes":{"shapes":[)" + shapes + R"(]}},"nodes":)" + nodes + "}";
+}
+
+/// A node with an extension object of its own.
+std::string node(const std::string& plain, const std::string& physics) {
+    return "{" + plain + (plain.empty() ? "" : ",") + R"("extensions":{"KHR_physics_rigid_bodies":{)" +
+           physics + "}}}";
+}
+
+constexpr const char* kHinge =
+    R"("physicsJoints":[{"limits":[{"linearAxes":[0,1,2],"min":0,"max":0},)"
+    R"({"angularAxes":[1,2],"min":0,"max":0},{"angularAxes":[0],"min":-0.5,"max":1,"stiffness":3,"damping":0.2}],)"
+    R"("drives":[{"type":"angular","mode":"acceleration","axis":0,"positionTarget":0.25,"velocityTarget":-1,)"
+    R"("stiffness":7,"damping":2,"maxForce":5}]}])";
+
+} // namespace
+
+class TestGltfPhysics : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aMotionSaysEverything() {
+        const Mechanics read = mechanicsOf(gltf(
+            "[" +
+            node(
+                R"("name":"top","translation":[1,2,3],"rotation":[0,0,0.7071067811865476,0.7071067811865476])",
+                R"("motion":{"mass":2,"centerOfMass":[0.1,0,0],"inertiaDiagonal":[1,2,3],)"
+                R"("inertiaOrientation":[0,0.7071067811865476,0,0.7071067811865476],)"
+                R"("linearVelocity":[1,0,0],"angularVelocity":[0,4,0],"gravityFactor":0.5})") +
+            "]"));
+        QCOMPARE(read.bodies.size(), std::size_t(1));
+        const RigidBody& body = read.bodies[0];
+        QCOMPARE(body.name, std::string("top"));
+        COMPARE_NEAR(body.mass, 2, 1e-15, "kg");
+        COMPARE_NEAR(body.centre, Vec3(0.1, 0, 0), 1e-15, "m");
+        COMPARE_NEAR(body.inertia, Vec3(1, 2, 3), 1e-15, "kg m^2");
+        COMPARE_NEAR(body.inertiaFrame * Vec3::UnitZ(), Vec3(1, 0, 0), 1e-12, "");
+        COMPARE_NEAR(body.gravityFactor, 0.5, 1e-15, "");
+        // "Initial linear velocity of the rigid body in node space."
+        COMPARE_NEAR(body.velocity, Vec3(0, 1, 0), 1e-12, "m/s");
+        COMPARE_NEAR(body.angularVelocity, Vec3(-4, 0, 0), 1e-12, "rad/s");
+    }
+
+    // "If not provided, the mass and inertia properties should be calculated by the simulation engine. These
+    // values are typically derived from the volume of the collision geometry."
+    void massComesOfTheShapes() {
+        const std::string shape = R"({"type":"box","box":{"size":[0.1,0.2,0.3]}})";
+        const Mechanics read = mechanicsOf(gltf("[" + node(R"("children":[1])", R"("motion":{})") + "," +
+                                                    node(R"("translation":[0,0.5,0],"scale":[1,-2,1])",
+                                                         R"("collider":{"geometry":{"shape":0}})") +
+                                                    "]",
+                                                "", shape));
+        const RigidBody& body = read.bodies[0];
+        COMPARE_NEAR(body.mass, 1000 * 0.1 * 0.4 * 0.3, 1e-9, "kg"); // the scale's absolute value
+        COMPARE_NEAR(body.centre, Vec3(0, 0.5, 0), 1e-12, "m");
+        COMPARE_NEAR(body.inertia, Vec3(body.mass / 12 * Vec3(0.25, 0.1, 0.17)), 1e-9, "kg m^2");
+        COMPARE_NEAR(read.colliders[0].pose.translation, Vec3(0, 0.5, 0), 1e-12, "m");
+    }
+
+    void zeroIsEndless() {
+        const Mechanics read =
+            mechanicsOf(gltf("[" + node("", R"("motion":{"mass":0,"inertiaDiagonal":[0,1,0]})") + "," +
+                             node("", R"("motion":{"isKinematic":true})") + "]"));
+        COMPARE_NEAR(read.bodies[0].mass, 0, 1e-300, "kg");
+        QVERIFY(read.bodies[1].kinematic);
+        COMPARE_NEAR(read.bodies[0].inertia, Vec3(0, 1, 0), 1e-300, "kg m^2");
+    }
+
+    void everyShape() {
+        const std::string shapes =
+            R"({"type":"sphere","sphere":{"radius":2}},{"type":"box","box":{}},)"
+            R"({"type":"capsule","capsule":{"height":3,"radiusTop":1,"radiusBottom":2}},)"
+            R"({"type":"cylinder","cylinder":{}},{"type":"plane","plane":{"sizeX":4}})";
+        std::string nodes = "[" + node("", R"("motion":{})");
+        for (int i = 0; i < 5; ++i)
+            nodes += "," + node("", R"("collider":{"geometry":{"shape":)" + std::to_string(i) + "}}");
+        const auto colliders = mechanicsOf(gltf(nodes + "]", "", shapes)).colliders;
+        QCOMPARE(colliders.size(), std::size_t(5));
+        QCOMPARE(colliders[0].shape.radius, 2.0);
+        QCOMPARE(colliders[1].shape.size, Vec3(1, 1, 1));
+        QCOMPARE(colliders[2].shape.radiusBottom, 2.0);
+        QCOMPARE(colliders[2].shape.height, 3.0);
+        QCOMPARE(colliders[3].shape.radius, 0.25);
+        QCOMPARE(colliders[3].shape.height, 0.5);
+        QCOMPARE(colliders[4].shape.size.x(), 4.0);
+        QVERIFY(std::isinf(colliders[4].shape.size.z()));
+        QCOMPARE(colliders[4].body, kWorldBody);
+    }
+
+    void materialsAndFilters() {
+        const std::string physics =
+            R"("physicsMaterials":[{"staticFriction":0.5,"dynamicFriction":0.4,"restitution":0.3,)"
+            R"("frictionCombine":"maximum"},{}],"collisionFilters":[{"collisionSystems":["a"],)"
+            R"("notCollideWithSystems":["b","c"]}])";
+        const auto read = mechanicsOf(gltf(
+            "[" + node("", R"("motion":{})") + "," +
+                node("", R"("collider":{"geometry":{"shape":0},"physicsMaterial":0,"collisionFilter":0})") +
+                "," + node("", R"("collider":{"geometry":{"shape":0},"physicsMaterial":1})") + "]",
+            physics, R"({"type":"sphere"})"));
+        const TouchMaterial& material = read.colliders[0].material;
+        QCOMPARE(material.staticFriction, 0.5);
+        QCOMPARE(material.dynamicFriction, 0.4);
+        QCOMPARE(material.restitution, 0.3);
+        QCOMPARE(material.frictionCombine, Combine::Maximum);
+        QCOMPARE(material.restitutionCombine, Combine::Average);
+        QCOMPARE(read.colliders[1].material.staticFriction, 0.6); // the schema's
+        QCOMPARE(read.colliders[0].filter.systems, std::vector<std::string>{"a"});
+        QCOMPARE(read.colliders[0].filter.notWith.size(), std::size_t(2));
+    }
+
+    // The node of the joint is one frame, the connected node the other, each in its nearest motion.
+    void aJointJoinsTwoFrames() {
+        const auto read = mechanicsOf(gltf(
+            "[" +
+                node(R"("name":"frame")", R"("joint":{"connectedNode":2,"joint":0,"enableCollision":true})") +
+                "," + node(R"("translation":[1,0,0],"children":[2])", R"("motion":{"mass":1})") +
+                R"(,{"translation":[-1,0,0]}])",
+            kHinge));
+        QCOMPARE(read.joints.size(), std::size_t(1));
+        const Joint& joint = read.joints[0];
+        QCOMPARE(joint.a, kWorldBody);
+        QCOMPARE(joint.b, read.bodies[0].id);
+        QVERIFY(joint.collide);
+        COMPARE_NEAR(joint.frameB.translation, Vec3(-1, 0, 0), 1e-12, "m");
+        QCOMPARE(joint.limits.size(), std::size_t(3));
+        QVERIFY(joint.limits[0].isLock() && !joint.limits[0].angular);
+        QCOMPARE(int(joint.limits[1].axes), 6);
+        QCOMPARE(joint.limits[2].stiffness, 3.0);
+        QVERIFY(joint.limits[0].isHard() && !joint.limits[2].isHard());
+        const JointDrive& drive = joint.drives[0];
+        QVERIFY(drive.angular && drive.acceleration);
+        QCOMPARE(drive.position, 0.25);
+        QCOMPARE(drive.velocity, -1.0);
+        QCOMPARE(drive.maxForce, 5.0);
+    }
+
+    // Both names of the geometry's mesh: that of the draft of 2025, a node, and the later one.
+    void aMeshIsAShape() {
+        TriangleSoup soup;
+        soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+        for (const char* named : {R"("mesh":0)", R"("node":1)"}) {
+            const std::string nodes =
+                "[" +
+                node(R"("scale":[2,2,2])", R"("motion":{},"collider":{"geometry":{)" + std::string(named) +
+                                               R"(,"convexHull":true}})") +
+                R"(,{"mesh":0}])";
+            const auto loaded =
+                folder_.load("a.gltf", asGltf(soup, R"("scenes":[{"nodes":[0]}],"nodes":)" + nodes));
+            QVERIFY(loaded.has_value());
+            const Mechanics& read = loaded->scene.mechanics;
+            QCOMPARE(read.colliders[0].shape.kind, ShapeKind::Hull);
+            QCOMPARE(read.colliders[0].shape.mesh->points.size(), std::size_t(4));
+            COMPARE_NEAR(read.bodies[0].mass, 1000 * 8.0 / 6, 1e-6, "kg");
+        }
+    }
+
+    void whatIsWrongIsSaid() {
+        const auto loaded = folder_.load(
+            "a.gltf", gltf("[" + node("", R"("motion":{},"joint":{"connectedNode":9,"joint":0})") + "," +
+                               node("", R"("collider":{"geometry":{"shape":0}})") + "]",
+                           kHinge, R"({"type":"sphere","sphere":{"radius":-1}})"));
+        QVERIFY(loaded.has_value());
+        std::string all;
+        for (const Finding& finding : loaded->findings)
+            all += finding.sentence + "\n";
+        COMPARE_CONTAINS(all, "names no other node");
+        COMPARE_CONTAINS(all, "without a usable shape");
+    }
+
+private:
+    Mechanics mechanicsOf(const std::string& text) {
+        const auto loaded = folder_.load("a.gltf", text);
+        return loaded ? loaded->scene.mechanics : Mechanics{};
+    }
+
+    FileFolder folder_;
+};
+
+TACTUM_TEST(TestGltfPhysics)
+
+} // namespace test_gltf_physics
+
+#include "test_gltf_physics.moc"

@@ -1,0 +1,59 @@
+// The proof that a step of bodies and joints neither allocates nor locks: no hit of the interposer.
+#include <QTest>
+
+#include "core/base/realtime.h"
+#include "tests/core/dynamics/mechanisms.h"
+#include "tests/realtime/interposer.h"
+#include "tests/support/test_program.h"
+
+namespace test_dynamics_realtime {
+
+using namespace tactum;
+using namespace tactum::test;
+
+class TestDynamicsRealtime : public QObject {
+    Q_OBJECT
+
+private slots:
+    // A chain with limits, friction and motors, a loop, and boxes and balls that fall on the floor.
+    void tenThousandSteps() {
+        Chain chain = chainOf(6);
+        Mechanics scene{chain.bodies, chain.joints, {}, kDown};
+        scene.joints[1].limits.push_back({true, 1, -0.3, 0.4});
+        scene.joints[2].frictions.push_back({true, 0, 0.001});
+        scene.joints[3].drives.push_back({.angular = true, .axis = 0, .stiffness = 1e6, .damping = 10});
+        scene.joints.push_back(ballAt(scene.bodies, kWorldBody, 6, Vec3(0.6, 0, 0)));
+        ColliderShape floor;
+        floor.kind = ShapeKind::Plane;
+        floor.size = {kUnbounded, 0, kUnbounded};
+        scene.colliders.push_back({kWorldBody, {Quat::Identity(), Vec3(0, -0.5, 0)}, floor, {}, {}});
+        for (int i = 0; i < 8; ++i) {
+            const BodyId id = BodyId(100 + i);
+            scene.bodies.push_back(bodyAt(id, Vec3(0.02 * i, -0.3 + 0.12 * i, 2), 0.2, Vec3::Constant(1e-4)));
+            ColliderShape shape;
+            shape.kind = i % 2 ? ShapeKind::Sphere : ShapeKind::Box;
+            shape.radius = 0.04;
+            shape.size = Vec3::Constant(0.08);
+            scene.colliders.push_back(
+                {id, Pose{}, shape, {0.5, 0.4, 0.3, Combine::Average, Combine::Average}, {}});
+        }
+        Running run(scene);
+        run.run(0.01, 1e-3);
+        int allocated = 0;
+        interposer::reset();
+        for (int i = 0; i < 10'000; ++i) {
+            const RealtimeScope scope;
+            run.dynamics().step(run.state(), kDown, {}, 1e-3);
+            allocated += interposer::hits() > 0;
+        }
+        QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
+        QCOMPARE(allocated, 0);
+        QVERIFY(run.state().q.allFinite());
+    }
+};
+
+TACTUM_TEST(TestDynamicsRealtime)
+
+} // namespace test_dynamics_realtime
+
+#include "test_dynamics_realtime.moc"
