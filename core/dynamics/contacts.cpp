@@ -17,14 +17,15 @@ constexpr double kSame = 2e-3;
 } // namespace
 
 Contacts::Contacts(const Mechanism& mechanism) : mechanism_(mechanism), poses_(mechanism.touchables.size()) {
-    std::size_t corners = 0;
+    std::size_t corners = 0, faces = 0;
     for (std::size_t i = 0; i < mechanism.touchables.size(); ++i) {
         boxes_.push_back({Vec3::Zero(), Vec3::Zero(), int(i)});
         corners = std::max(corners, mechanism.touchables[i].convex.polytope.points.size());
+        faces = std::max(faces, mechanism.touchables[i].convex.polytope.faces.size());
     }
     const std::size_t room = std::min(kMostPlaces, 64 + 16 * mechanism.touchables.size());
     now_.reserve(room), before_.reserve(room);
-    scratch_.reserve(corners);
+    scratch_.reserve(corners, faces);
 }
 
 void Contacts::box(const Articulation& articulation, double dt, Box& box) const noexcept {

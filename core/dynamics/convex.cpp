@@ -10,20 +10,19 @@ namespace tactum {
 
 namespace {
 
-/// Edges from the corners of faces; each once, parallel ones with one direction.
+/// Edges from the corners of faces, each once.
 void addEdges(Polytope& body) {
-    std::map<std::pair<int, int>, bool> seen;
-    for (const Polytope::Face& face : body.faces)
-        for (std::size_t i = 0; i < face.corners.size(); ++i) {
-            const int a = face.corners[i], b = face.corners[(i + 1) % face.corners.size()];
-            if (!seen.emplace(std::minmax(a, b), true).second) continue;
-            const Vec3 way = (body.points[std::size_t(b)] - body.points[std::size_t(a)]).normalized();
-            int direction = 0;
-            for (; direction < int(body.directions.size()); ++direction)
-                if (body.directions[std::size_t(direction)].cross(way).squaredNorm() < 1e-18) break;
-            if (direction == int(body.directions.size())) body.directions.push_back(way);
-            body.edges.push_back({a, b, direction});
-        }
+    std::map<std::pair<int, int>, int> faceOf; // of an edge in its sense
+    for (std::size_t i = 0; i < body.faces.size(); ++i) {
+        const std::vector<int>& rim = body.faces[i].corners;
+        for (std::size_t k = 0; k < rim.size(); ++k)
+            faceOf[{rim[k], rim[(k + 1) % rim.size()]}] = int(i);
+    }
+    for (const auto& [edge, face] : faceOf) {
+        const auto other = faceOf.find({edge.second, edge.first});
+        if (other != faceOf.end() && edge.first < edge.second)
+            body.edges.push_back({edge.first, edge.second, face, other->second});
+    }
 }
 
 void finish(Polytope& body) {
@@ -67,15 +66,18 @@ Polytope prismOf(double bottom, double top, double height) {
     return body;
 }
 
-/// The hull of points in space by adding one after the other: triangles that see the new one give way.
+/// The hull of points in space by adding the farthest one again and again: triangles that see it give way.
 class HullBuilder {
 public:
     explicit HullBuilder(const std::vector<Vec3>& points) : points_(points) {}
 
     std::vector<std::array<int, 3>> run() {
         if (!begin()) return {};
-        for (int i = 0; i < int(points_.size()); ++i)
-            add(i);
+        for (int count = 4; count < kMostCorners; ++count) {
+            const int next = farthestOutside();
+            if (next < 0) break;
+            add(next);
+        }
         std::vector<std::array<int, 3>> faces;
         for (const Face& face : faces_)
             faces.push_back(face.corners);
@@ -93,6 +95,19 @@ private:
     void addFace(int a, int b, int c) {
         const Vec3 normal = (at(b) - at(a)).cross(at(c) - at(a)).normalized();
         faces_.push_back({{a, b, c}, normal, normal.dot(at(a))});
+    }
+
+    /// The point that lies farthest beyond any face; -1 when none does.
+    int farthestOutside() const {
+        int farthest = -1;
+        double most = near_;
+        for (int i = 0; i < int(points_.size()); ++i)
+            for (const Face& face : faces_)
+                if (const double beyond = face.normal.dot(at(i)) - face.offset; beyond > most) {
+                    most = beyond;
+                    farthest = i;
+                }
+        return farthest;
     }
 
     /// A tetrahedron of points far from each other.

@@ -17,14 +17,13 @@ struct Polytope {
         std::vector<int> corners;    ///< counter-clockwise from outside
     };
     struct Edge {
-        int a = 0, b = 0;
-        int direction = 0; ///< index into directions
+        int a = 0, b = 0;        ///< corners
+        int left = 0, right = 0; ///< faces: that which has it from a to b, and the other
     };
     std::vector<Vec3> points;
     std::vector<Face> faces;
     std::vector<Edge> edges;
-    std::vector<Vec3> directions; ///< of unit length; parallel edges share one
-    Vec3 centre = Vec3::Zero();   ///< somewhere inside
+    Vec3 centre = Vec3::Zero(); ///< somewhere inside
 };
 
 /// What a collider is to others.
@@ -43,6 +42,8 @@ inline constexpr int kCylinderSides = 48;
 
 /// A triangle mesh counts as the hull of its corners.
 Convex convexOf(const ColliderShape& shape);
+/// Corners of a hull; of more the farthest ones stay, so that the rest lies hardly outside.
+inline constexpr int kMostCorners = 32;
 /// The hull of points; less than a tetrahedron gives no faces.
 Polytope hullOf(const std::vector<Vec3>& points);
 Polytope boxOf(const Vec3& size);

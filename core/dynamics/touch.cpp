@@ -17,19 +17,22 @@ constexpr double kEdgeGain = 1e-6;
 /// A polytope where it is.
 struct Placed {
     const Polytope& body;
-    const Mat3 turn;
     const Pose& pose;
-    std::span<const Vec3> points; ///< world frame
+    std::span<const Vec3> points, normals; ///< world frame
 
-    Placed(const Polytope& polytope, const Pose& at, std::vector<Vec3>& room) noexcept
-        : body(polytope), turn(at.rotation.toRotationMatrix()), pose(at),
-          points(room.data(), polytope.points.size()) {
+    Placed(const Polytope& polytope, const Pose& at, std::vector<Vec3>& room,
+           std::vector<Vec3>& normalRoom) noexcept
+        : body(polytope), pose(at), points(room.data(), polytope.points.size()),
+          normals(normalRoom.data(), polytope.faces.size()) {
+        const Mat3 turn = at.rotation.toRotationMatrix();
         for (std::size_t i = 0; i < polytope.points.size(); ++i)
             room[i] = turn * polytope.points[i] + at.translation;
+        for (std::size_t i = 0; i < polytope.faces.size(); ++i)
+            normalRoom[i] = turn * polytope.faces[i].normal;
     }
-    Vec3 normal(std::size_t face) const noexcept { return turn * body.faces[face].normal; }
+    const Vec3& normal(std::size_t face) const noexcept { return normals[face]; }
     double offset(std::size_t face) const noexcept {
-        return body.faces[face].offset + normal(face).dot(pose.translation);
+        return body.faces[face].offset + normals[face].dot(pose.translation);
     }
     Vec3 centre() const noexcept { return pose.apply(body.centre); }
     double most(const Vec3& way) const noexcept {
@@ -38,6 +41,8 @@ struct Placed {
             best = std::max(best, way.dot(p));
         return best;
     }
+    const Vec3& from(const Polytope::Edge& edge) const noexcept { return points[std::size_t(edge.a)]; }
+    const Vec3& to(const Polytope::Edge& edge) const noexcept { return points[std::size_t(edge.b)]; }
 };
 
 void keep(TouchPoints& points, const Vec3& onA, const Vec3& normal, double gap, double margin) noexcept {
@@ -62,37 +67,34 @@ FaceGap widestFace(const Placed& faces, const Placed& other) noexcept {
 
 struct EdgeGap {
     Vec3 normal = Vec3::Zero(); ///< from a to b
-    int a = 0, b = 0;           ///< directions
+    std::size_t a = 0, b = 0;   ///< edges
     double gap = -kInfinity;
 };
+/// Of the edges that make a face of the Minkowski difference: whose arcs on the sphere of normals cross.
+/// Source: D. Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
 EdgeGap widestEdges(const Placed& a, const Placed& b, double enough) noexcept {
     EdgeGap best;
-    const Vec3 between = b.centre() - a.centre();
-    for (std::size_t i = 0; i < a.body.directions.size(); ++i) {
-        const Vec3 u = a.turn * a.body.directions[i];
-        for (std::size_t j = 0; j < b.body.directions.size(); ++j) {
-            Vec3 n = u.cross(b.turn * b.body.directions[j]);
+    const Vec3 centre = a.centre();
+    for (std::size_t i = 0; i < a.body.edges.size(); ++i) {
+        const Polytope::Edge& ofA = a.body.edges[i];
+        const Vec3 &p = a.from(ofA), u = a.to(ofA) - p;
+        const Vec3 &n1 = a.normal(std::size_t(ofA.left)), &n2 = a.normal(std::size_t(ofA.right));
+        for (std::size_t j = 0; j < b.body.edges.size(); ++j) {
+            const Polytope::Edge& ofB = b.body.edges[j];
+            // The arc of b from the other side.
+            const double c = -u.dot(b.normal(std::size_t(ofB.left))),
+                         d = -u.dot(b.normal(std::size_t(ofB.right)));
+            if (c * d >= 0) continue;
+            const Vec3 &q = b.from(ofB), v = b.to(ofB) - q;
+            const double e = v.dot(n1), f = v.dot(n2);
+            if (e * f >= 0 || c * f <= 0) continue;
+            Vec3 n = u.cross(v);
             const double length = n.norm();
-            if (length < 1e-4) continue; // parallel: the faces see that
-            n /= n.dot(between) < 0 ? -length : length;
-            const double gap = -b.most(-n) - a.most(n);
-            if (gap > best.gap) best = {n, int(i), int(j), gap};
+            if (length < 1e-4 * std::sqrt(u.squaredNorm() * v.squaredNorm())) continue; // parallel
+            n /= n.dot(p - centre) < 0 ? -length : length;
+            const double gap = n.dot(q - p);
+            if (gap > best.gap) best = {n, i, j, gap};
             if (best.gap > enough) return best;
-        }
-    }
-    return best;
-}
-
-/// Of the edges of one direction that which lies farthest along a way.
-std::array<Vec3, 2> outerEdge(const Placed& of, int direction, const Vec3& way) noexcept {
-    std::array<Vec3, 2> best{};
-    double most = -kInfinity;
-    for (const Polytope::Edge& edge : of.body.edges) {
-        if (edge.direction != direction) continue;
-        const Vec3 &p = of.points[std::size_t(edge.a)], &q = of.points[std::size_t(edge.b)];
-        if (const double along = way.dot(p + q); along > most) {
-            most = along;
-            best = {p, q};
         }
     }
     return best;
@@ -194,7 +196,7 @@ void clipFaces(const Placed& faces, std::size_t face, const Placed& other, bool 
 TouchPoints polytopes(const Polytope& first, const Pose& a_W, const Polytope& second, const Pose& b_W,
                       double margin, TouchScratch& scratch) noexcept {
     TouchPoints points;
-    const Placed a(first, a_W, scratch.a), b(second, b_W, scratch.b);
+    const Placed a(first, a_W, scratch.a, scratch.normalsA), b(second, b_W, scratch.b, scratch.normalsB);
     const FaceGap ofA = widestFace(a, b);
     if (ofA.gap > margin) return points;
     const FaceGap ofB = widestFace(b, a);
@@ -203,9 +205,9 @@ TouchPoints polytopes(const Polytope& first, const Pose& a_W, const Polytope& se
     if (edges.gap > margin) return points;
     const double faces = std::max(ofA.gap, ofB.gap);
     if (edges.gap > faces + kEdgeGain) {
-        const auto [p, q] = outerEdge(a, edges.a, edges.normal);
-        const auto [r, s] = outerEdge(b, edges.b, -edges.normal);
-        keep(points, nearest(p, q, r, s).a, edges.normal, edges.gap, margin);
+        const Polytope::Edge &edgeA = first.edges[edges.a], &edgeB = second.edges[edges.b];
+        const Vec3 on = nearest(a.from(edgeA), a.to(edgeA), b.from(edgeB), b.to(edgeB)).a;
+        keep(points, on, edges.normal, edges.gap, margin);
     } else if (ofA.gap >= ofB.gap - kEdgeGain) { // the same one of two equal ones
         clipFaces(a, ofA.face, b, false, margin, scratch, points);
     } else {
@@ -271,7 +273,7 @@ Segment segmentOf(const Convex& body, const Pose& pose) noexcept {
 TouchPoints roundAndFlat(const Convex& a, const Pose& a_W, const Polytope& body, const Pose& b_W,
                          double margin, TouchScratch& scratch) noexcept {
     TouchPoints points;
-    const Placed b(body, b_W, scratch.b);
+    const Placed b(body, b_W, scratch.b, scratch.normalsB);
     const Segment segment = segmentOf(a, a_W);
     const auto touch = [&](const Vec3& p) {
         const Surface at = nearestOn(b, p);
@@ -328,7 +330,7 @@ TouchPoints onHalfSpace(const Pose& a_W, const Convex& b, const Pose& b_W, doubl
         return TouchPoint{p - (b.radius + 0.5 * gap) * n, n, gap};
     };
     if (b.core == Convex::Core::Polytope) {
-        const Placed body(b.polytope, b_W, scratch.b);
+        const Placed body(b.polytope, b_W, scratch.b, scratch.normalsB);
         InplaceVector<TouchPoint, 128> found;
         for (const Vec3& p : body.points)
             if (const TouchPoint at = place(p); at.gap <= margin && found.size() < found.room())

@@ -19,11 +19,13 @@ using TouchPoints = InplaceVector<TouchPoint, kMaxTouchPoints>;
 
 /// Room for the corners of the two bodies that are compared. Thread: one at a time.
 struct TouchScratch {
-    std::vector<Vec3> a, b;           ///< corners, world frame; as long as the largest body has corners
+    std::vector<Vec3> a, b; ///< corners, world frame; as long as the largest body has corners
+    std::vector<Vec3> normalsA, normalsB;
     std::vector<Vec3> polygon, other; ///< with room for two faces
     /// For all pairs among these bodies.
-    void reserve(std::size_t corners) {
+    void reserve(std::size_t corners, std::size_t faces) {
         a.resize(corners), b.resize(corners);
+        normalsA.resize(faces), normalsB.resize(faces);
         polygon.reserve(2 * corners + 8), other.reserve(2 * corners + 8);
     }
 };

@@ -49,9 +49,9 @@ bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 
 /// What a file may need that is read, or that only the eye misses.
 bool isReadable(std::string_view extension) {
-    constexpr std::array<std::string_view, 6> known{"KHR_mesh_quantization", "KHR_texture_transform",
-                                                    "KHR_texture_basisu",    "KHR_physics_rigid_bodies",
-                                                    "KHR_implicit_shapes",   "KHR_collision_shapes"};
+    constexpr std::array<std::string_view, 7> known{
+        "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu", "KHR_physics_rigid_bodies",
+        "KHR_implicit_shapes",   "KHR_collision_shapes",  "KHR_lights_punctual"};
     return std::ranges::find(known, extension) != known.end() || extension.starts_with("KHR_materials_");
 }
 

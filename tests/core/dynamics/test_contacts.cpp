@@ -342,7 +342,7 @@ void ContactsTest::hullsAreTheSmallest() {
     points.emplace_back(0, 0.05, 0);
     const Polytope hull = hullOf(points);
     QCOMPARE(hull.faces.size(), std::size_t(6));
-    QCOMPARE(hull.directions.size(), std::size_t(3));
+    QCOMPARE(hull.edges.size(), std::size_t(12));
     for (const Polytope::Face& face : hull.faces)
         for (const Vec3& p : points)
             QVERIFY(face.normal.dot(p) <= face.offset + 1e-12);
