@@ -79,6 +79,7 @@ private:
     double settled() const noexcept;
     Vec3 seat() noexcept;
     bool isSeated() noexcept;
+    bool hovers() noexcept;
     double settlingStride() const noexcept;
 
     // step_curved.cpp

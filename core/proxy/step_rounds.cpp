@@ -133,10 +133,14 @@ bool Step::round() noexcept {
     const Vec3 wish = unconstrainedByFriction();
     if (wish.norm() <= rest_) return false;
     // Friction holds the slide back, never the way down onto what is pressed.
-    const Vec3 drop = felt_ || rubs() ? seat() : Vec3::Zero();
+    const bool rubbing = rubs();
+    const Vec3 drop = felt_ || rubbing ? seat() : Vec3::Zero();
     const Vec3 along = wish - drop;
     const double excess = along.norm();
-    const double slide = excess > rest_ ? frictionAllows(along / excess, excess) : 0;
+    // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
+    // down.
+    const bool cutShort = rubbing && excess > rest_ && rounds_ == mostRounds_;
+    const double slide = excess > rest_ && !cutShort ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
     const bool bold = rounds_ < mostRounds_ - 2;
     const bool free = slide == excess && bold;
@@ -144,7 +148,7 @@ bool Step::round() noexcept {
     const Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
                         : free ? alongCurvature(wish, wish.norm())
                                : Vec3(drop + allowed);
-    if (motion.norm() <= rest_) return false;
+    if (motion.norm() <= rest_) return cutShort;
     const bool takesTime = slide < excess && isViscous();
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.
@@ -170,7 +174,7 @@ bool Step::round() noexcept {
     // Whatever is met from here on in this step has no time left to be slid on against viscosity.
     if (takesTime) timeLeft_ = 0;
     if (felt_) return guessed_ || state_.contactCount == 0;
-    return planesTurned || guessed_;
+    return planesTurned || guessed_ || cutShort || (rubbing && hovers());
 }
 
 // A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction
