@@ -11,9 +11,10 @@
 
 namespace tactum {
 
-/// Rounds of move and update in one step. A corner needs one for each of its planes and one to settle; falls of
-/// centimetres over scanned meshes need the most, a few for each facet on the way: of six million steps over the
-/// meshes of docs/physics/friction.md twelve needed more than 48, two more than 64, and those ended within 4 um.
+/// Rounds of move and update in one step. A corner needs one for each of its planes and one to settle; falls
+/// of centimetres over scanned meshes need the most, a few for each facet on the way: of six million steps
+/// over the meshes of docs/physics/friction.md twelve needed more than 48, two more than 64, and those ended
+/// within 4 um.
 inline constexpr int kMaxRounds = 64;
 /// Where there is no time for all: enough for a corner, and the proxy comes after in the next steps.
 inline constexpr int kFewRounds = 6;
