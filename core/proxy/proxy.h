@@ -11,10 +11,11 @@
 
 namespace tactum {
 
-/// Rounds of move and update in one step. A corner needs one for each of its planes and one to settle; long
-/// falls over rough ground need the most: with 24 some steps ended more than a millimetre from their minimum,
-/// with 48 none did on the meshes of docs/performance.md.
-inline constexpr int kMaxRounds = 48;
+/// Rounds of move and update in one step. A corner needs one for each of its planes and one to settle; falls
+/// of centimetres over scanned meshes need the most, a few for each facet on the way: of six million steps
+/// over the meshes of docs/physics/friction.md twelve needed more than 48, two more than 64, and those ended
+/// within 4 um.
+inline constexpr int kMaxRounds = 64;
 /// Where there is no time for all: enough for a corner, and the proxy comes after in the next steps.
 inline constexpr int kFewRounds = 6;
 /// The sweep's sphere is smaller than the proxy by this part of the radius, while constraint planes hold the

@@ -24,11 +24,6 @@ inline constexpr double kKeep = 2;
 inline constexpr double kRest = 1e-9;
 inline constexpr double kTold = 4 * std::numeric_limits<double>::epsilon();
 
-// A proxy that is about to roll off is led to roll so many times faster at first, twice as fast after each
-// guess that brought it nearer, and so many times at most.
-inline constexpr double kRollFaster = 2;
-inline constexpr double kBoldest = 256;
-
 /// One step: the state it works on and what stays the same during it. World frame, SI. Thread: real time.
 class Step {
 public:
@@ -56,6 +51,9 @@ private:
     void returnToNearest() noexcept;
     void keepAsNearest(double distance) noexcept;
     void goBackToNearest() noexcept;
+    bool isFarther(double distance) const noexcept;
+    void shortenGuesses() noexcept;
+    void takeBackGuess() noexcept;
     Planes planes() noexcept;
     bool round() noexcept;
     bool comesOut() noexcept;
@@ -81,6 +79,7 @@ private:
     double settled() const noexcept;
     Vec3 seat() noexcept;
     bool isSeated() noexcept;
+    bool hovers() noexcept;
     double settlingStride() const noexcept;
 
     // step_curved.cpp
@@ -90,6 +89,8 @@ private:
     Vec3 aroundAlone(const Contact& contact, const Vec3& flat) noexcept;
     Vec3 alongBoth(const Contact& a, const Contact& b, const Vec3& flat) noexcept;
     Vec3 farther(const Vec3& flat, const Vec3& way, double bend) noexcept;
+    Vec3 withinReach(const Vec3& flat, const Vec3& curved) const noexcept;
+    Vec3 guessed(const Vec3& flat, const Vec3& bent, std::span<const Contact* const> held) noexcept;
 
     // step_sweep.cpp
     SweepHit sweep(const Vec3& motion, std::uint32_t& body) noexcept;
@@ -120,13 +121,14 @@ private:
     Vec3 nearest_; ///< the nearest place of this step that it was at
     InplaceVector<StraddledBody, kMaxStraddled> nearestStraddled_; ///< what the proxy was half through there
     double nearestDistance_ = std::numeric_limits<double>::infinity();
-    double boldness_ = kRollFaster; ///< how many times faster
-    bool wasBold_ = false;          ///< in the last round that rolled
-    int vainGuesses_ = 0;           ///< curved steps since the nearest place
-    bool guessed_ = false;          ///< this round went along a curve
-    bool felt_ = false;             ///< some contact of this round is shaded or textured
-    int pushing_ = 0;               ///< how many planes hold the proxy in this round
-    std::uint32_t soonBody_ = 0;    ///< of the triangle that the last sweep ended near
+    double reach_ = std::numeric_limits<double>::infinity(); ///< how far a curved step may go, m
+    double guess_ = 0;                      ///< how far the last one went beyond the plain step, m
+    InplaceVector<Contact, 2> guessedFrom_; ///< what held the proxy where it began
+    int vainRounds_ = 0;                    ///< since it began, none of them nearer
+    bool guessed_ = false;                  ///< this round went along a curve
+    bool felt_ = false;                     ///< some contact of this round is shaded or textured
+    int pushing_ = 0;                       ///< how many planes hold the proxy in this round
+    std::uint32_t soonBody_ = 0;            ///< of the triangle that the last sweep ended near
 };
 
 } // namespace tactum

@@ -70,6 +70,13 @@ bool Step::isSeated() noexcept {
     });
 }
 
+// Other planes, which the slide left behind, may have held it above what it is pressed against.
+bool Step::hovers() noexcept {
+    return std::ranges::any_of(contacts(), [this](const Contact& contact) {
+        return contact.lambda > 0 && contact.gap > kKeep * kSkin * radius_;
+    });
+}
+
 // Normals can be such that a felt surface nowhere holds the finger: it shall not move under a hand that
 // does not.
 double Step::settlingStride() const noexcept {

@@ -12,8 +12,11 @@ namespace {
 // a moment, which shall not let finer ones through.
 constexpr double kSpeedDecay = 0.9;
 constexpr double kSamePlane = 1e-12;
-// So many curved steps may lead nowhere.
-constexpr int kMaxVain = 2;
+// So many rounds may pass until one is nearer than where a curved step began: its own, and those that come
+// down from there.
+constexpr int kMaxVain = 3;
+// After one that did not lead nearer the next goes by this part of its length.
+constexpr double kShorter = 0.25;
 
 } // namespace
 
@@ -38,29 +41,57 @@ ProxyReport Step::run() noexcept {
     return report;
 }
 
-// Whether the round led nearer to the finger than any before. Curved steps are guesses: as long as they do
-// they may be bolder; when they do not the proxy goes on from the nearest place without them, for rounds that
-// go to and fro until they are used up would leave it where it was, in each step anew.
+// Whether the round led nearer to the finger than any before. A curved step is a guess, judged together with
+// the rounds that come down from where it led. While guesses lead nearer they may go farther; after one that
+// did not the next goes less far, until it is the plain step, which always leads nearer. One that is too far
+// would lead to the same place again until no round is left, and in each step anew.
 void Step::judge() noexcept {
     const double distance = (finger_ - state_.position).norm();
+    const bool isGuess = !felt_ && (guessed_ || vainRounds_ > 0);
     if (distance < nearestDistance_) {
         keepAsNearest(distance);
-        if (guessed_) boldness_ = std::min(2 * boldness_, kBoldest);
-        vainGuesses_ = 0;
+        if (isGuess) reach_ *= 2;
+        vainRounds_ = 0;
         return;
     }
-    if (!guessed_ || felt_ || ++vainGuesses_ != kMaxVain) return;
-    boldness_ = kRollFaster;
-    goBackToNearest();
+    if (!isGuess) return;
+    ++vainRounds_;
+    if (vainRounds_ > 1 && !isFarther(distance))
+        shortenGuesses();
+    else if (vainRounds_ == kMaxVain)
+        takeBackGuess();
+}
+
+// By more than the skin, within which a place is as good as another.
+bool Step::isFarther(double distance) const noexcept {
+    return distance > nearestDistance_ + kKeep * kSkin * radius_;
 }
 
 // Whether the step came to rest where a guess had led it, farther away than it was: then it goes on from the
-// nearest place without any. On surfaces that are felt from one side alone a guess may end on the other.
+// nearest place. On surfaces that are felt from one side alone a guess may end on the other.
 bool Step::isAstray() noexcept {
-    const bool farther = (finger_ - state_.position).norm() > nearestDistance_ + kKeep * kSkin * radius_;
-    if (felt_ || !farther || vainGuesses_ == 0) return false;
+    if (felt_ || vainRounds_ == 0 || !isFarther((finger_ - state_.position).norm())) return false;
+    takeBackGuess();
+    return true;
+}
+
+void Step::shortenGuesses() noexcept {
+    reach_ = kShorter * guess_;
+    vainRounds_ = 0;
+}
+
+// What held the proxy where the guess began holds it there again, beside what it has met since: none has to
+// be found anew.
+void Step::takeBackGuess() noexcept {
+    shortenGuesses();
+    for (const Contact& before : guessedFrom_.all()) {
+        const auto isSame = [&](const Contact& c) {
+            return c.body == before.body && c.triangle == before.triangle;
+        };
+        if (state_.contactCount < kMaxPlanes && std::ranges::none_of(contacts(), isSame))
+            state_.contacts[std::size_t(state_.contactCount++)] = before;
+    }
     goBackToNearest();
-    return std::exchange(vainGuesses_, kMaxVain) < kMaxVain;
 }
 
 void Step::returnToNearest() noexcept {
@@ -102,18 +133,22 @@ bool Step::round() noexcept {
     const Vec3 wish = unconstrainedByFriction();
     if (wish.norm() <= rest_) return false;
     // Friction holds the slide back, never the way down onto what is pressed.
-    const Vec3 drop = felt_ || rubs() ? seat() : Vec3::Zero();
+    const bool rubbing = rubs();
+    const Vec3 drop = felt_ || rubbing ? seat() : Vec3::Zero();
     const Vec3 along = wish - drop;
     const double excess = along.norm();
-    const double slide = excess > rest_ ? frictionAllows(along / excess, excess) : 0;
+    // Nor does a step end beside what is pressed, in the middle of a long slide: its last round only goes
+    // down.
+    const bool cutShort = rubbing && excess > rest_ && rounds_ == mostRounds_;
+    const double slide = excess > rest_ && !cutShort ? frictionAllows(along / excess, excess) : 0;
     // Friction that lets go entirely is none; the last rounds take no risks.
-    const bool bold = rounds_ < mostRounds_ - 2 && vainGuesses_ < kMaxVain;
+    const bool bold = rounds_ < mostRounds_ - 2;
     const bool free = slide == excess && bold;
     const Vec3 allowed = excess > 0 ? Vec3(along * (slide / excess)) : Vec3::Zero();
     const Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
                         : free ? alongCurvature(wish, wish.norm())
                                : Vec3(drop + allowed);
-    if (motion.norm() <= rest_) return false;
+    if (motion.norm() <= rest_) return cutShort;
     const bool takesTime = slide < excess && isViscous();
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.
@@ -139,7 +174,7 @@ bool Step::round() noexcept {
     // Whatever is met from here on in this step has no time left to be slid on against viscosity.
     if (takesTime) timeLeft_ = 0;
     if (felt_) return guessed_ || state_.contactCount == 0;
-    return planesTurned || guessed_;
+    return planesTurned || guessed_ || cutShort || (rubbing && hovers());
 }
 
 // A proxy that was squeezed leaves the surfaces as soon as there is room, by the shortest way: friction
