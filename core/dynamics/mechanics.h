@@ -21,4 +21,8 @@ struct Mechanics {
     bool operator==(const Mechanics&) const = default;
 };
 
+/// The same with `about` moved to the origin and then every length multiplied; masses, forces and stiffnesses
+/// stay. Thread: any but real time.
+Mechanics scaled(Mechanics mechanics, double factor, const Vec3& about);
+
 } // namespace tactum

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/text.h"
@@ -14,6 +18,8 @@ namespace {
 
 /// A joint that starts within this of where it is locked is taken as it stands. m and rad.
 constexpr double kAligned = 1e-3;
+/// Each two of them have a bit.
+constexpr std::size_t kMostTouchables = 8192;
 
 bool isFixed(const RigidBody& body) {
     return body.kinematic || body.mass == 0;
@@ -65,19 +71,39 @@ class Builder {
 public:
     Builder(std::span<const RigidBody> bodies, std::span<const Joint> joints)
         : bodies_(bodies), joints_(joints), children_(bodies.size() + 1), reached_(bodies.size(), false),
-          used_(joints.size(), false) {
+          used_(joints.size(), false), stages_(joints.size()), jointsOf_(bodies.size() + 1) {
         made_.bodies.assign(bodies.begin(), bodies.end());
         made_.places.resize(bodies.size());
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            numbers_.emplace(bodies[i].id, int(i));
     }
 
     Result<Mechanism> run();
 
 private:
+    struct Branch {
+        std::size_t joint;
+        int child;
+    };
+    struct IslandParts {
+        std::vector<Branch> branches; ///< on the world
+        std::vector<int> roots;
+        std::vector<std::size_t> loops; ///< joints
+    };
+    struct Stage {
+        bool angular;
+        int axis, link;
+        double sense;
+    };
+    struct Ends {
+        int a, b;
+    };
+
     /// -1 for the world.
     int indexOf(BodyId id) const {
         if (id == kWorldBody) return -1;
-        const auto found = std::ranges::find(bodies_, id, &RigidBody::id);
-        return found == bodies_.end() ? -2 : int(found - bodies_.begin());
+        const auto found = numbers_.find(id);
+        return found == numbers_.end() ? -2 : found->second;
     }
     Pose poseOf(int body) const { return body < 0 ? Pose{} : bodies_[std::size_t(body)].pose; }
     Place placeOf(int body) const { return body < 0 ? Place{} : made_.places[std::size_t(body)]; }
@@ -87,44 +113,45 @@ private:
     }
     bool isReached(int body) const { return body < 0 || reached_[std::size_t(body)]; }
     /// X_ab at the time 0.
-    Pose startOf(const Joint& joint) const {
-        return (poseOf(indexOf(joint.a)) * joint.frameA).inverse() * poseOf(indexOf(joint.b)) * joint.frameB;
+    Pose startOf(std::size_t joint) const {
+        const Joint& of = joints_[joint];
+        return (poseOf(ends_[joint].a) * of.frameA).inverse() * poseOf(ends_[joint].b) * of.frameB;
     }
+    /// The body at the other end of a joint, if the joint ends at this one.
+    std::optional<int> beyond(std::size_t joint, int body) const {
+        if (ends_[joint].a == body) return ends_[joint].b;
+        if (ends_[joint].b == body) return ends_[joint].a;
+        return std::nullopt;
+    }
+    const std::vector<std::size_t>& jointsOf(int body) const { return jointsOf_[std::size_t(body + 1)]; }
 
     void findTrees();
     void reachFrom(int body);
     void plant(int body);
     void grow(int body);
-    std::vector<int> findIslands();
-    void growIsland(int number, const std::vector<int>& islandOf);
+    std::vector<int> findIslands() const;
+    void growIsland(const IslandParts& of);
+    std::vector<IslandParts> partsOfIslands() const;
     void plantFree(int body);
     int addLink(const LinkStage& stage, int parent, const Pose& base, AxisSet driven);
     int addStages(const JointFreedom& freedom, Place from, AxisSet driven);
     void carry(int body, const Place& place);
     void attach(std::size_t joint, int parent, int child);
     void closeLoop(std::size_t joint);
-    void addActions(const Joint& joint);
-    Coordinate coordinateOf(const Joint& joint, bool angular, AxisSet axes) const;
+    void addActions(std::size_t joint);
+    Coordinate coordinateOf(std::size_t joint, bool angular, AxisSet axes) const;
 
     std::span<const RigidBody> bodies_;
     std::span<const Joint> joints_;
     Mechanism made_;
-    struct Branch {
-        std::size_t joint;
-        int child;
-    };
+    std::map<BodyId, int> numbers_;
     std::vector<std::vector<Branch>> children_; ///< of the world, and of each body
     std::vector<int> roots_;                    ///< bodies that no joint holds
     std::vector<bool> reached_, used_;          ///< bodies; joints that are links
-    int islands_ = 0;
-    struct Stage {
-        const Joint* joint;
-        bool angular;
-        int axis, link;
-        double sense;
-    };
-    std::vector<Stage> stages_; ///< which link is which coordinate of a joint
-    std::vector<double> start_; ///< q
+    std::vector<std::vector<Stage>> stages_;    ///< of each joint, which link is which of its coordinates
+    std::vector<Ends> ends_;                    ///< bodies of each joint
+    std::vector<std::vector<std::size_t>> jointsOf_; ///< of the world, and of each body
+    std::vector<double> start_;                      ///< q
 };
 
 int Builder::addLink(const LinkStage& stage, int parent, const Pose& base, AxisSet driven) {
@@ -206,8 +233,8 @@ void Builder::plantFree(int index) {
 
 void Builder::attach(std::size_t number, int parent, int child) {
     const Joint& joint = joints_[number];
-    const bool forward = indexOf(joint.a) == parent && indexOf(joint.b) == child;
-    JointFreedom freedom = freedomOf(joint, startOf(joint));
+    const bool forward = ends_[number].a == parent && ends_[number].b == child;
+    JointFreedom freedom = freedomOf(joint, startOf(number));
     if (!forward) freedom = reversed(freedom);
     const Place from = frameOn(parent, forward ? joint.frameA : joint.frameB);
     const RigidBody& body = bodies_[std::size_t(child)];
@@ -215,8 +242,8 @@ void Builder::attach(std::size_t number, int parent, int child) {
     const std::size_t first = made_.links.size();
     const int last = addStages(freedom, from, driven);
     for (std::size_t i = 0; i < freedom.stages.size(); ++i)
-        stages_.push_back({&joint, freedom.stages[i].kind != LinkKind::Slide, freedom.stages[i].axis,
-                           int(first + i), freedom.stages[i].sense});
+        stages_[number].push_back({freedom.stages[i].kind != LinkKind::Slide, freedom.stages[i].axis,
+                                   int(first + i), freedom.stages[i].sense});
     const Pose& frame = forward ? joint.frameB : joint.frameA;
     const Pose below = freedom.after * frame.inverse();
     const bool welded = freedom.stages.empty();
@@ -227,11 +254,9 @@ void Builder::attach(std::size_t number, int parent, int child) {
 void Builder::reachFrom(int body) {
     std::vector<int> reached{body};
     for (std::size_t next = 0; next < reached.size(); ++next)
-        for (std::size_t i = 0; i < joints_.size(); ++i) {
-            const int a = indexOf(joints_[i].a), b = indexOf(joints_[i].b);
-            if (used_[i] || (a != reached[next] && b != reached[next])) continue;
-            const int other = a == reached[next] ? b : a;
-            if (isReached(other) || !isTreeJoint(joints_[i], startOf(joints_[i]), kAligned)) continue;
+        for (const std::size_t i : jointsOf(reached[next])) {
+            const int other = *beyond(i, reached[next]);
+            if (used_[i] || isReached(other) || !isTreeJoint(joints_[i], startOf(i), kAligned)) continue;
             used_[i] = reached_[std::size_t(other)] = true;
             children_[std::size_t(reached[next] + 1)].push_back({i, other});
             reached.push_back(other);
@@ -249,55 +274,67 @@ void Builder::findTrees() {
     reachFrom(-1);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (isFixed(bodies_[i]) && !reached_[i]) plant(int(i));
-    while (true) {
-        int heaviest = -1;
-        for (std::size_t i = 0; i < bodies_.size(); ++i)
-            if (!reached_[i] && (heaviest < 0 || bodies_[i].mass > bodies_[std::size_t(heaviest)].mass))
-                heaviest = int(i);
-        if (heaviest < 0) return;
-        plant(heaviest);
-    }
+    std::vector<std::size_t> byMass(bodies_.size());
+    std::iota(byMass.begin(), byMass.end(), std::size_t(0));
+    std::ranges::stable_sort(byMass,
+                             [&](std::size_t x, std::size_t y) { return bodies_[x].mass > bodies_[y].mass; });
+    for (const std::size_t i : byMass)
+        if (!reached_[i]) plant(int(i));
 }
 
 /// Which bodies joints connect without the world; bodies that nothing holds are alone.
-std::vector<int> Builder::findIslands() {
+std::vector<int> Builder::findIslands() const {
+    int islands = 0;
     std::vector<int> of(bodies_.size(), -1);
     for (std::size_t first = 0; first < bodies_.size(); ++first) {
         if (of[first] >= 0) continue;
         std::vector<int> reached{int(first)};
-        of[first] = islands_;
+        of[first] = islands;
         for (std::size_t next = 0; next < reached.size(); ++next)
-            for (const Joint& joint : joints_) {
-                const int a = indexOf(joint.a), b = indexOf(joint.b);
-                if (a < 0 || b < 0 || (a != reached[next] && b != reached[next])) continue;
-                const int other = a == reached[next] ? b : a;
-                if (std::exchange(of[std::size_t(other)], islands_) < 0) reached.push_back(other);
+            for (const std::size_t i : jointsOf(reached[next])) {
+                const int other = *beyond(i, reached[next]);
+                if (other >= 0 && std::exchange(of[std::size_t(other)], islands) < 0)
+                    reached.push_back(other);
             }
-        ++islands_;
+        ++islands;
     }
     return of;
 }
 
-void Builder::growIsland(int number, const std::vector<int>& islandOf) {
+std::vector<Builder::IslandParts> Builder::partsOfIslands() const {
+    const std::vector<int> islandOf = findIslands();
+    std::vector<IslandParts> parts;
+    const auto at = [&](int body) -> IslandParts& {
+        const std::size_t island = std::size_t(islandOf[std::size_t(body)]);
+        if (parts.size() <= island) parts.resize(island + 1);
+        return parts[island];
+    };
+    for (const Branch& branch : children_[0])
+        at(branch.child).branches.push_back(branch);
+    for (const int root : roots_)
+        at(root).roots.push_back(root);
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (const int body = std::max(ends_[i].a, ends_[i].b); !used_[i] && body >= 0)
+            at(body).loops.push_back(i);
+    return parts;
+}
+
+void Builder::growIsland(const IslandParts& of) {
     Island island;
     island.firstLink = int(made_.links.size());
     island.v = made_.vs;
     island.firstLoop = int(made_.loops.size());
     made_.islands.emplace_back();
-    for (const Branch& branch : children_[0])
-        if (islandOf[std::size_t(branch.child)] == number) {
-            attach(branch.joint, -1, branch.child);
-            grow(branch.child);
-        }
-    for (const int root : roots_)
-        if (islandOf[std::size_t(root)] == number) {
-            plantFree(root);
-            grow(root);
-        }
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const int body = std::max(indexOf(joints_[i].a), indexOf(joints_[i].b));
-        if (!used_[i] && body >= 0 && islandOf[std::size_t(body)] == number) closeLoop(i);
+    for (const Branch& branch : of.branches) {
+        attach(branch.joint, -1, branch.child);
+        grow(branch.child);
     }
+    for (const int root : of.roots) {
+        plantFree(root);
+        grow(root);
+    }
+    for (const std::size_t joint : of.loops)
+        closeLoop(joint);
     island.endLink = int(made_.links.size());
     island.velocities = made_.vs - island.v;
     island.endLoop = int(made_.loops.size());
@@ -314,22 +351,23 @@ void Builder::grow(int body) {
 
 void Builder::closeLoop(std::size_t number) {
     const Joint& joint = joints_[number];
-    const int a = indexOf(joint.a), b = indexOf(joint.b);
+    const auto [a, b] = ends_[number];
     if (placeOf(a).link < 0 && placeOf(b).link < 0) return;
     const std::vector<Lock> locks = locksOf(joint, frameOn(a, joint.frameA), frameOn(b, joint.frameB));
     if (!locks.empty()) ++made_.loopJoints;
     made_.loops.insert(made_.loops.end(), locks.begin(), locks.end());
 }
 
-Coordinate Builder::coordinateOf(const Joint& joint, bool angular, AxisSet axes) const {
+Coordinate Builder::coordinateOf(std::size_t number, bool angular, AxisSet axes) const {
+    const Joint& joint = joints_[number];
+    const std::vector<Stage>& stages = stages_[number];
     Coordinate of = coordinate(angular, axes);
-    of.a = frameOn(indexOf(joint.a), joint.frameA);
-    of.b = frameOn(indexOf(joint.b), joint.frameB);
+    of.a = frameOn(ends_[number].a, joint.frameA);
+    of.b = frameOn(ends_[number].b, joint.frameB);
     if (of.measure != Measure::Along && of.measure != Measure::Twist) return of;
-    const auto turns = std::ranges::count_if(
-        stages_, [&](const Stage& stage) { return stage.joint == &joint && stage.angular; });
-    for (const Stage& stage : stages_)
-        if (stage.joint == &joint && stage.angular == angular && stage.axis == of.axis &&
+    const auto turns = std::ranges::count_if(stages, &Stage::angular);
+    for (const Stage& stage : stages)
+        if (stage.angular == angular && stage.axis == of.axis &&
             made_.links[std::size_t(stage.link)].kind != LinkKind::Ball && (!angular || turns == 1)) {
             of.link = stage.link;
             of.sense = stage.sense;
@@ -337,12 +375,13 @@ Coordinate Builder::coordinateOf(const Joint& joint, bool angular, AxisSet axes)
     return of;
 }
 
-void Builder::addActions(const Joint& joint) {
-    const int a = indexOf(joint.a), b = indexOf(joint.b);
+void Builder::addActions(std::size_t number) {
+    const Joint& joint = joints_[number];
+    const auto [a, b] = ends_[number];
     if (placeOf(a).link < 0 && placeOf(b).link < 0) return;
     for (const JointLimit& limit : joint.limits) {
         if (takesAxes(limit)) continue; // its axes are gone, or locked
-        const Coordinate of = coordinateOf(joint, limit.angular, limit.axes);
+        const Coordinate of = coordinateOf(number, limit.angular, limit.axes);
         if (limit.isHard()) {
             made_.limits.push_back({of, limit.min, limit.max});
             continue;
@@ -354,11 +393,11 @@ void Builder::addActions(const Joint& joint) {
     }
     for (const JointDrive& drive : joint.drives)
         if (drive.stiffness > 0 || drive.damping > 0)
-            made_.springs.push_back({coordinateOf(joint, drive.angular, AxisSet(1 << drive.axis)), drive});
+            made_.springs.push_back({coordinateOf(number, drive.angular, AxisSet(1 << drive.axis)), drive});
     for (const JointFriction& friction : joint.frictions)
         if (friction.force > 0)
             made_.frictions.push_back(
-                {coordinateOf(joint, friction.angular, AxisSet(1 << friction.axis)), friction.force});
+                {coordinateOf(number, friction.angular, AxisSet(1 << friction.axis)), friction.force});
 }
 
 Result<Mechanism> Builder::run() {
@@ -366,22 +405,26 @@ Result<Mechanism> Builder::run() {
         if (auto fine = check(body); !fine) return tl::unexpected(fine.error());
     for (const Joint& joint : joints_) {
         if (auto fine = check(joint); !fine) return tl::unexpected(fine.error());
-        if (indexOf(joint.a) == -2 || indexOf(joint.b) == -2)
+        ends_.push_back({indexOf(joint.a), indexOf(joint.b)});
+        if (ends_.back().a == -2 || ends_.back().b == -2)
             return inputError("joint " + inQuotes(joint.name) +
                               ": names a body that is not there; choose one");
+        const std::size_t number = ends_.size() - 1;
+        if (joint.a == joint.b) continue;
+        for (const int body : {ends_.back().a, ends_.back().b})
+            jointsOf_[std::size_t(body + 1)].push_back(number);
     }
     for (std::size_t i = 0; i < joints_.size(); ++i)
         used_[i] = joints_[i].a == joints_[i].b;
     findTrees();
-    const std::vector<int> islandOf = findIslands();
-    for (int island = 0; island < islands_; ++island)
-        growIsland(island, islandOf);
+    for (const IslandParts& parts : partsOfIslands())
+        growIsland(parts);
     std::erase_if(made_.islands, [](const Island& one) { return one.velocities == 0; }); // all of it stands
     for (std::size_t i = 0; i < made_.islands.size(); ++i)
         for (int link = made_.islands[i].firstLink; link < made_.islands[i].endLink; ++link)
             made_.links[std::size_t(link)].island = int(i);
-    for (const Joint& joint : joints_)
-        if (joint.a != joint.b) addActions(joint);
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (joints_[i].a != joints_[i].b) addActions(i);
     made_.q0 = Eigen::Map<const Eigen::VectorXd>(start_.data(), Eigen::Index(start_.size()));
     made_.v0 = Eigen::VectorXd::Zero(made_.vs);
     return std::move(made_);
@@ -398,16 +441,21 @@ bool lets(const CollisionFilter& own, const CollisionFilter& other) {
     return !hasAny(other.systems, own.notWith);
 }
 
-bool areJoined(std::span<const Joint> joints, BodyId a, BodyId b) {
-    return std::ranges::any_of(joints, [&](const Joint& joint) {
-        return !joint.collide && ((joint.a == a && joint.b == b) || (joint.a == b && joint.b == a));
-    });
-}
-
-void addTouchables(Mechanism& made, std::span<const Joint> joints, std::span<const Collider> colliders) {
+Result<void> addTouchables(Mechanism& made, std::span<const Joint> joints,
+                           std::span<const Collider> colliders) {
+    if (colliders.size() > kMostTouchables)
+        return inputError("the scene has " + std::to_string(colliders.size()) + " colliders, and at most " +
+                          std::to_string(kMostTouchables) + " can touch each other; join some of them");
+    std::set<std::pair<BodyId, BodyId>> joined;
+    for (const Joint& joint : joints)
+        if (!joint.collide) joined.insert(std::minmax(joint.a, joint.b));
+    std::map<BodyId, const Place*> placeOf;
+    for (std::size_t i = 0; i < made.bodies.size(); ++i)
+        placeOf[made.bodies[i].id] = &made.places[i];
     std::vector<const Collider*> from;
     for (const Collider& collider : colliders) {
-        const Place* body = made.placeOf(collider.body);
+        const auto found = placeOf.find(collider.body);
+        const Place* body = found == placeOf.end() ? nullptr : found->second;
         Touchable touchable;
         touchable.place = body ? Place{body->link, body->pose * collider.pose} : Place{-1, collider.pose};
         touchable.convex = convexOf(collider.shape);
@@ -428,10 +476,11 @@ void addTouchables(Mechanism& made, std::span<const Joint> joints, std::span<con
             const Touchable &a = made.touchables[i], &b = made.touchables[j];
             const bool apart = from[i]->body != from[j]->body && a.place.link != b.place.link &&
                                !(isFixedIn(a) && isFixedIn(b));
-            made.meets[i * count + j] = apart && !areJoined(joints, from[i]->body, from[j]->body) &&
-                                        lets(from[i]->filter, from[j]->filter) &&
-                                        lets(from[j]->filter, from[i]->filter);
+            made.meets[i * count + j] =
+                apart && !joined.contains(std::minmax(from[i]->body, from[j]->body)) &&
+                lets(from[i]->filter, from[j]->filter) && lets(from[j]->filter, from[i]->filter);
         }
+    return {};
 }
 
 } // namespace
@@ -445,7 +494,8 @@ Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<
                                    std::span<const Collider> colliders) {
     auto made = Builder(bodies, joints).run();
     if (!made) return made;
-    addTouchables(*made, joints, colliders);
+    if (const auto added = addTouchables(*made, joints, colliders); !added)
+        return tl::unexpected(added.error());
     startVelocities(*made);
     return made;
 }

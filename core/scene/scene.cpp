@@ -55,6 +55,7 @@ void fitDiagonal(Scene& scene, double diagonal) {
     const Bounds box = boundsOf(scene);
     if (!(box.diagonal() > 0)) return;
     const double scale = diagonal / box.diagonal();
+    scene.mechanics = tactum::scaled(std::move(scene.mechanics), scale, box.centre());
     for (auto& object : scene.objects) {
         auto scaled = std::make_shared<TriangleSoup>(*object.geometry);
         for (Vec3& p : scaled->positions)
