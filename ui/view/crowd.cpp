@@ -21,8 +21,8 @@ constexpr std::array<CellList, 3> kLists{&DisplaySurface::triangles, &DisplaySur
                                          &DisplaySurface::points};
 
 void setSize(vtkFloatArray& array, int vertices) {
-    array.SetNumberOfComponents(3);
     array.SetNumberOfTuples(vertices);
+    array.Modified();
 }
 
 void fill(vtkFloatArray& array, const CrowdPart& part, const Eigen::Vector3f& value) {
@@ -54,6 +54,8 @@ CrowdPart crowdPartOf(const DisplayMesh& mesh, const DisplaySurface& surface) {
 Crowd::Crowd(vtkRenderer& renderer) {
     colours_->SetName("bodyColour");
     glows_->SetName("bodyGlow");
+    for (vtkFloatArray* array : {positions_.Get(), normals_.Get(), colours_.Get(), glows_.Get()})
+        array->SetNumberOfComponents(3);
     points_->SetData(positions_);
     for (const char* name : {"bodyColour", "bodyGlow"})
         mapper_->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS);

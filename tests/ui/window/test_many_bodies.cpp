@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QImage>
 #include <QTest>
 #include <QTreeWidget>
 #include <QUndoStack>
@@ -92,7 +93,13 @@ void TestManyBodies::theBodyUnderThePointerIsPicked() {
     program.window->view().showStandardView(StandardView::Front);
     program.command("select").trigger();
     program.frames(5);
+    const QImage picture = program.window->view().grabPicture();
+    const double ratio = double(picture.width()) / program.window->view().width();
     for (const int body : {0, 31, 333, 517, 990, 999}) {
+        // Each in its own colour.
+        const QColor seen = picture.pixelColor((QPointF(placeOf(program, body)) * ratio).toPoint());
+        const auto& colour = program.document.scene().objects[std::size_t(body)].surfaces[0].colour;
+        QVERIFY2((seen.red() > seen.green()) == (colour.x() > colour.y()), qPrintable(seen.name()));
         QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, placeOf(program, body));
         QCOMPARE(program.document.selection(), (SurfaceRef{ObjectId(body + 1), 0}));
     }
