@@ -177,10 +177,7 @@ void TestManyBodies::figures() {
             action(i);
         say(what, times);
     };
-    const auto picture = [&] {
-        view.repaint();
-        view.grabPicture();
-    };
+    const auto picture = [&] { view.grabPicture(); };
     const auto world = [&] {
         const bool felt = waitFor([&] { return program.caughtUp(); });
         if (!felt) qFatal("the World does not come");
@@ -198,14 +195,14 @@ void TestManyBodies::figures() {
     program.frames(20);
     take("a picture while orbiting", 10, [&](int) {
         view.moveCamera(0.02, 0, 1);
-        view.repaint();
+        view.grabPicture();
     });
     view.showStandardView(StandardView::Front);
     ProxyTelemetry proxy = program.engine.proxy();
     take("a picture while bodies move", 10, [&](int i) {
         proxy.time += 0.016 * (i + 1);
         view.setHaptics(proxy, program.engine.servo(), 8, true);
-        view.repaint();
+        view.grabPicture();
     });
     program.command("select").trigger();
     take("pick (click)", 6,
@@ -230,7 +227,7 @@ void TestManyBodies::figures() {
     take("select all", 1, [&](int) { program.command("select-all").trigger(); });
     take("a picture with all selected", 5, [&](int) {
         view.moveCamera(0.02, 0, 1);
-        view.repaint();
+        view.grabPicture();
     });
     take("edit of all", 1,
          [&](int) { document.setMaterialValue(document.selected(), kMaterialFields[0], 321); });
