@@ -199,10 +199,10 @@ void Document::setLocked(const SurfaceRefs& refs, bool locked) {
 
 void Document::isolate(const SurfaceRefs& refs) {
     editObjects(tr("Show %1 alone").arg(namesOf(refs)), {SceneChange::What::Objects},
-                [&](SceneObject& object) {
+                [alone = SurfaceSet(refs)](SceneObject& object) {
                     object.visible = false;
                     for (Index i = 0; i < object.surfaces.size(); ++i) {
-                        const bool shown = std::ranges::find(refs, SurfaceRef{object.id, i}) != refs.end();
+                        const bool shown = alone.has({object.id, i});
                         object.surfaces[i].visible = shown;
                         object.visible = object.visible || shown;
                     }

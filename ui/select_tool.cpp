@@ -173,11 +173,10 @@ void SelectTool::invert() {
         return document_.selectFaces({faces.object, inverted(soup, faces.faces)});
     }
     SurfaceRefs others;
+    const SurfaceSet selected(document_.selected());
     for (const SceneObject& object : document_.scene().objects)
         for (Index i = 0; i < object.surfaces.size(); ++i)
-            if (std::ranges::find(document_.selected(), SurfaceRef{object.id, i}) ==
-                document_.selected().end())
-                others.push_back({object.id, i});
+            if (!selected.has({object.id, i})) others.push_back({object.id, i});
     document_.select(others);
 }
 

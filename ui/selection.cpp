@@ -20,7 +20,7 @@ FaceSelection joined(const FaceSelection& now, const FaceSelection& chosen, Sele
 SurfaceRefs joined(const SurfaceRefs& now, const SurfaceRefs& chosen, SelectMode mode) {
     if (mode == SelectMode::Replace) return chosen;
     SurfaceRefs result = now;
-    std::erase_if(result, [&](SurfaceRef ref) { return std::ranges::find(chosen, ref) != chosen.end(); });
+    std::erase_if(result, [taken = SurfaceSet(chosen)](SurfaceRef ref) { return taken.has(ref); });
     if (mode == SelectMode::Add) result.insert(result.end(), chosen.begin(), chosen.end());
     return result;
 }

@@ -1,7 +1,9 @@
 // What a person has selected: surfaces, and triangles of one object.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "core/scene/surface_ref.h"
@@ -18,6 +20,23 @@ struct SurfaceRefs : std::vector<SurfaceRef> {
     SurfaceRefs(std::initializer_list<SurfaceRef> several) : std::vector<SurfaceRef>(several) {}
     SurfaceRefs(SurfaceRef one) : std::vector<SurfaceRef>{one} {}
     SurfaceRefs(std::vector<SurfaceRef> several) : std::vector<SurfaceRef>(std::move(several)) {}
+};
+
+/// Surfaces to be asked for one by one: a selection may hold thousands.
+class SurfaceSet {
+public:
+    explicit SurfaceSet(const std::vector<SurfaceRef>& refs = {}) {
+        for (const SurfaceRef ref : refs)
+            add(ref);
+    }
+    bool has(SurfaceRef ref) const { return keys_.contains(keyOf(ref)); }
+    /// False where it was in it already.
+    bool add(SurfaceRef ref) { return keys_.insert(keyOf(ref)).second; }
+
+private:
+    static std::uint64_t keyOf(SurfaceRef ref) { return std::uint64_t(ref.object) << 32 | ref.surface; }
+
+    std::unordered_set<std::uint64_t> keys_;
 };
 
 /// Triangles of one object, in rising order.

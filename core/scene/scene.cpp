@@ -7,7 +7,10 @@
 
 namespace tactum {
 
+// Ids are given in rising order, so that an object is at its number or, where others are gone, before it.
 SceneObject* Scene::find(ObjectId id) {
+    for (std::size_t i = std::min<std::size_t>(id, objects.size()); i > 0 && objects[i - 1].id >= id; --i)
+        if (objects[i - 1].id == id) return &objects[i - 1];
     auto it =
         std::find_if(objects.begin(), objects.end(), [&](const auto& object) { return object.id == id; });
     return it == objects.end() ? nullptr : &*it;

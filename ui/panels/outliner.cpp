@@ -24,8 +24,8 @@ bool isObject(const QTreeWidgetItem* item) {
     return !item->parent();
 }
 
-QTreeWidgetItem* makeItem(const std::string& name, SurfaceRef ref) {
-    auto* item = new QTreeWidgetItem({QString::fromStdString(name), QString()});
+QTreeWidgetItem* makeItem(SurfaceRef ref) {
+    auto* item = new QTreeWidgetItem;
     item->setData(kName, kObjectRole, ref.object);
     item->setData(kName, kSurfaceRole, ref.surface);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -63,7 +63,7 @@ void Outliner::follow(const SceneChange& change) {
         showSelection();
     else if (change.what == What::Everything || change.what == What::Objects ||
              change.what == What::Surfaces || change.what == What::Names)
-        rebuild();
+        refresh();
 }
 
 void Outliner::changeEvent(QEvent* event) {
@@ -73,50 +73,103 @@ void Outliner::changeEvent(QEvent* event) {
 
 void Outliner::rebuild() {
     const QScopedValueRollback quiet(filling_, true);
+    icons_ = {icon(QStringLiteral("object"), theme().textDimmed), icon(QStringLiteral("eye"), theme().text),
+              icon(QStringLiteral("eye-off"), theme().textDimmed), icon(QStringLiteral("lock"), theme().text),
+              icon(QStringLiteral("lock-open"), theme().border)};
     clear();
-    for (const SceneObject& object : document_.scene().objects)
-        addTopLevelItem(addObject(object));
+    listed_.clear();
+    QList<QTreeWidgetItem*> items;
+    for (const SceneObject& object : document_.scene().objects) {
+        items << addObject(object);
+        listed_.push_back({object.id, rowsOf(object)});
+    }
+    addTopLevelItems(items);
     expandAll();
     showSelection();
 }
 
+bool Outliner::hasSameRows(const Scene& scene) const {
+    return std::ranges::equal(scene.objects, listed_, [](const SceneObject& object, const Listed& listed) {
+        return object.id == listed.id && object.surfaces.size() + 1 == listed.rows.size();
+    });
+}
+
+void Outliner::refresh() {
+    const auto& objects = document_.scene().objects;
+    if (!hasSameRows(document_.scene())) return rebuild();
+    const QScopedValueRollback quiet(filling_, true);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        std::vector<Row> rows = rowsOf(objects[i]);
+        QTreeWidgetItem* object = topLevelItem(int(i));
+        for (std::size_t row = 0; row < rows.size(); ++row)
+            if (rows[row] != listed_[i].rows[row])
+                fill(row == 0 ? *object : *object->child(int(row) - 1), rows[row]);
+        listed_[i].rows = std::move(rows);
+    }
+    showSelection();
+}
+
+std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) {
+    std::vector<Row> rows{{object.name, object.visible, object.visible}};
+    for (const Surface& each : object.surfaces)
+        rows.push_back({each.name, each.visible, object.visible && each.visible, each.locked, each.colour});
+    return rows;
+}
+
+void Outliner::fill(QTreeWidgetItem& item, const Row& row) {
+    item.setText(kName, QString::fromStdString(row.name));
+    item.setIcon(kName, isObject(&item) ? icons_.object : QIcon(swatch(row.colour)));
+    showEye(item, row.visible, row.shown);
+    if (!isObject(&item)) showLock(item, row.locked);
+}
+
 QTreeWidgetItem* Outliner::addObject(const SceneObject& object) {
-    auto* item = makeItem(object.name, {object.id, 0});
-    item->setIcon(kName, icon(QStringLiteral("object"), theme().textDimmed));
-    showEye(*item, object.visible, object.visible);
+    const std::vector<Row> rows = rowsOf(object);
+    auto* item = makeItem({object.id, 0});
+    fill(*item, rows.front());
     for (Index i = 0; i < object.surfaces.size(); ++i) {
-        const Surface& surface = object.surfaces[i];
-        auto* child = makeItem(surface.name, {object.id, i});
-        child->setIcon(kName, swatch(surface.colour));
-        showEye(*child, surface.visible, object.visible && surface.visible);
-        showLock(*child, surface.locked);
+        auto* child = makeItem({object.id, i});
         item->addChild(child);
+        fill(*child, rows[i + 1]);
     }
     return item;
 }
 
-// An object is shown as selected when all its surfaces are.
+/// Null when it is not listed. Where objects stand is asked of the list, not of their numbers.
+QTreeWidgetItem* Outliner::itemOf(SurfaceRef ref) const {
+    const auto at = std::ranges::find(listed_, ref.object, &Listed::id);
+    if (at == listed_.end()) return nullptr;
+    return topLevelItem(int(at - listed_.begin()))->child(int(ref.surface));
+}
+
+// In one step, for each is told to all who listen. An object is shown as selected when all its surfaces are.
 void Outliner::showSelection() {
     if (choosing_) return;
     const QScopedValueRollback quiet(filling_, true);
-    const SurfaceRefs& selected = document_.selected();
+    const SurfaceSet selected(document_.selected());
     const auto active = document_.selection();
-    clearSelection();
-    for (QTreeWidgetItemIterator it(this); *it; ++it) {
-        if (isObject(*it)) continue;
-        const SurfaceRef ref = refOf(*it);
-        if (active == ref) setCurrentItem(*it, kName, QItemSelectionModel::Current);
-        if (std::ranges::find(selected, ref) != selected.end()) (*it)->setSelected(true);
+    QItemSelection rows;
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem* object = topLevelItem(i);
+        for (int child = 0; child < object->childCount(); ++child) {
+            QTreeWidgetItem* item = object->child(child);
+            if (!selected.has(refOf(item))) continue;
+            const QModelIndex from = indexFromItem(item, kName);
+            rows.append(QItemSelectionRange(from, from.siblingAtColumn(kLock)));
+        }
     }
-    if (!active) setCurrentItem(nullptr);
+    QTreeWidgetItem* current = active ? itemOf(*active) : nullptr;
+    setCurrentItem(current, kName, QItemSelectionModel::NoUpdate);
+    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
 }
 
 /// The surface of the current row is the active one; an object stands for all of its surfaces.
 void Outliner::selectChosen() {
     if (filling_) return;
     SurfaceRefs chosen;
+    SurfaceSet seen;
     const auto add = [&](const QTreeWidgetItem* item) {
-        if (std::ranges::find(chosen, refOf(item)) == chosen.end()) chosen.push_back(refOf(item));
+        if (seen.add(refOf(item))) chosen.push_back(refOf(item));
     };
     const auto addRow = [&](const QTreeWidgetItem* item) {
         if (!isObject(item)) return add(item);
@@ -128,6 +181,7 @@ void Outliner::selectChosen() {
     if (currentItem() && currentItem()->isSelected()) {
         const QTreeWidgetItem* current = currentItem();
         std::erase_if(chosen, [&](SurfaceRef ref) { return !isObject(current) && ref == refOf(current); });
+        seen = SurfaceSet(chosen);
         addRow(current);
     }
     const QScopedValueRollback quiet(choosing_, true);
@@ -135,17 +189,15 @@ void Outliner::selectChosen() {
 }
 
 void Outliner::showEye(QTreeWidgetItem& item, bool visible, bool shown) {
-    item.setIcon(kEye, visible ? icon(QStringLiteral("eye"), theme().text)
-                               : icon(QStringLiteral("eye-off"), theme().textDimmed));
+    item.setIcon(kEye, visible ? icons_.eye : icons_.eyeOff);
     item.setToolTip(kEye,
                     visible ? tr("Hide: it is neither seen nor felt (H)") : tr("Show (Alt+H shows all)"));
     item.setData(kEye, Qt::AccessibleTextRole, visible ? tr("visible") : tr("hidden"));
-    if (!shown) item.setForeground(kName, theme().textDimmed);
+    item.setData(kName, Qt::ForegroundRole, shown ? QVariant() : QVariant(QBrush(theme().textDimmed)));
 }
 
 void Outliner::showLock(QTreeWidgetItem& item, bool locked) {
-    item.setIcon(kLock, locked ? icon(QStringLiteral("lock"), theme().text)
-                               : icon(QStringLiteral("lock-open"), theme().border));
+    item.setIcon(kLock, locked ? icons_.lock : icons_.lockOpen);
     item.setToolTip(kLock, locked ? tr("Unlock: let it be edited again (L)")
                                   : tr("Lock: no edit changes how it feels or which triangles it has (L)"));
     item.setData(kLock, Qt::AccessibleTextRole, locked ? tr("locked") : tr("not locked"));
@@ -159,7 +211,7 @@ void Outliner::rename(QTreeWidgetItem* item) {
     // Later: the edit rebuilds the tree, and with it the item that is speaking now.
     auto apply = [this, ref, name, object] {
         if (name.isEmpty())
-            rebuild();
+            rebuild(); // takes the typed text back
         else if (object)
             document_.renameObject(ref.object, name);
         else

@@ -1,6 +1,11 @@
 // The tree of objects and their surfaces.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include <QIcon>
+
 #include "ui/document.h"
 #include "ui/panels/hinted_tree.h"
 
@@ -19,17 +24,41 @@ protected:
 private:
     void follow(const SceneChange& change);
     void rebuild();
+    /// Brings the rows to what the document says: only those that show something else now are changed.
+    void refresh();
     QTreeWidgetItem* addObject(const SceneObject& object);
+    /// What a row shows.
+    struct Row {
+        std::string name;
+        bool visible = true, shown = true, locked = false;
+        Eigen::Vector3f colour = Eigen::Vector3f::Zero(); ///< of a surface
+
+        bool operator==(const Row&) const = default;
+    };
+    static std::vector<Row> rowsOf(const SceneObject& object);
+    void fill(QTreeWidgetItem& item, const Row& row);
+    QTreeWidgetItem* itemOf(SurfaceRef ref) const;
+    bool hasSameRows(const Scene& scene) const;
     void showSelection();
     void selectChosen();
-    static void showEye(QTreeWidgetItem& item, bool visible, bool shown);
-    static void showLock(QTreeWidgetItem& item, bool locked);
+    void showEye(QTreeWidgetItem& item, bool visible, bool shown);
+    void showLock(QTreeWidgetItem& item, bool locked);
     void rename(QTreeWidgetItem* item);
     void toggle(QTreeWidgetItem* item, int column);
 
+    struct Icons {
+        QIcon object, eye, eyeOff, lock, lockOpen;
+    };
+
     Document& document_;
-    bool filling_ = false;  ///< our own changes of the tree are no edits
-    bool choosing_ = false; ///< the rows show already what is being selected
+    Icons icons_; ///< in the colours of the theme
+    struct Listed {
+        ObjectId id = 0;
+        std::vector<Row> rows; ///< of the object, then of its surfaces
+    };
+    std::vector<Listed> listed_; ///< what the tree shows, in its order
+    bool filling_ = false;       ///< our own changes of the tree are no edits
+    bool choosing_ = false;      ///< the rows show already what is being selected
 };
 
 } // namespace tactum

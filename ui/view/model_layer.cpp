@@ -1,8 +1,8 @@
 #include "ui/view/model_layer.h"
 
 #include <chrono>
+#include <cmath>
 
-#include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -17,6 +17,9 @@ namespace {
 
 /// Up to here normals are made at once: less than a tenth of a second.
 constexpr std::size_t kQuickTriangles = 40000;
+/// Up to here a body is one of the crowd: the processor moves its vertices, and drawing it by itself would
+/// cost more than its triangles.
+constexpr std::size_t kSmallBody = 2000;
 /// Of the colours of a map: what they shine by themselves, and what of the light they take.
 constexpr double kMapGlow = 0.4, kMapLight = 0.62;
 
@@ -31,15 +34,26 @@ vtkSmartPointer<vtkPolyData> polyData(vtkPoints* points, vtkDataArray* normals,
     return data;
 }
 
-vtkSmartPointer<vtkMatrix4x4> matrixFrom(const Pose& pose) {
-    auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+void setMatrix(vtkMatrix4x4& matrix, const Pose& pose) {
     const Mat3 rotation = pose.rotation.toRotationMatrix();
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
-            matrix->SetElement(row, column, rotation(row, column));
-        matrix->SetElement(row, 3, pose.translation[row]);
+            matrix.SetElement(row, column, rotation(row, column));
+        matrix.SetElement(row, 3, pose.translation[row]);
     }
-    return matrix;
+}
+
+Bounds boxOf(const TriangleSoup& soup) {
+    Bounds box;
+    for (const auto& triangle : soup.triangles)
+        for (const Index corner : triangle)
+            box.add(soup.positions[corner]);
+    return box;
+}
+
+/// A colour as it is on the screen as linear light.
+Eigen::Vector3f linearColour(const QColor& colour) {
+    return {std::pow(colour.redF(), 2.2f), std::pow(colour.greenF(), 2.2f), std::pow(colour.blueF(), 2.2f)};
 }
 
 } // namespace
@@ -54,16 +68,44 @@ void ModelLayer::setScene(const Scene& scene) {
         models_.erase(object.id);
         if (model->soup != object.geometry || model->parts.size() != object.surfaces.size())
             regroup(*model, object);
-        update(*model, object);
+        model->visible = object.visible;
+        model->rest = object.pose;
+        model->motion = object.motion;
     }
     for (auto& [id, model] : models_)
         drop(*model);
     models_ = std::move(models);
+    gather();
+    for (const SceneObject& object : scene.objects)
+        update(*models_[object.id], object);
+    showCrowd();
+}
+
+/// The crowd anew, where other parts are in it than before.
+void ModelLayer::gather() {
+    if (!std::exchange(crowdStale_, false)) return;
+    std::vector<CrowdPart*> parts;
+    for (auto& [id, model] : models_)
+        for (auto& part : model->parts)
+            if (model->small) parts.push_back(&part->crowd);
+    crowd_.setParts(std::move(parts));
+    for (auto& [id, model] : models_) {
+        place(*model);
+        for (auto& part : model->parts)
+            if (model->small) crowd_.paint(part->crowd);
+    }
+    hidingStale_ = true;
+}
+
+void ModelLayer::showCrowd() {
+    if (std::exchange(hidingStale_, false)) crowd_.showVisible();
 }
 
 std::unique_ptr<ModelLayer::Model> ModelLayer::build(const SceneObject& object) {
     auto model = std::make_unique<Model>();
     model->soup = object.geometry;
+    model->small = object.geometry->triangles.size() <= kSmallBody;
+    model->box = boxOf(*object.geometry);
     resize(*model, object.surfaces.size());
     if (object.geometry->triangles.size() <= kQuickTriangles) {
         show(*model, smoothMesh(*object.geometry));
@@ -82,26 +124,44 @@ void ModelLayer::resize(Model& model, std::size_t surfaces) {
         model.parts.pop_back();
     }
     while (model.parts.size() < surfaces) {
-        auto& part = *model.parts.emplace_back(std::make_unique<Part>());
-        part.actor->SetMapper(part.mapper);
-        part.actor->GetProperty()->SetPointSize(3);
-        useStudioLight(*part.actor);
-        renderer_.AddActor(part.actor);
+        Part& part = *model.parts.emplace_back(std::make_unique<Part>());
+        if (!model.small) giveActor(model, part);
     }
+}
+
+void ModelLayer::giveActor(const Model& model, Part& part) {
+    part.mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    part.actor = vtkSmartPointer<vtkActor>::New();
+    part.actor->SetMapper(part.mapper);
+    part.actor->SetUserMatrix(model.matrix);
+    part.actor->GetProperty()->SetPointSize(3);
+    useStudioLight(*part.actor);
+    renderer_.AddActor(part.actor);
 }
 
 /// Triangles are of other surfaces now: the vertices stay.
 void ModelLayer::regroup(Model& model, const SceneObject& object) {
+    dresses_.erase(object.id); // they are of its surfaces
+    model.soup = object.geometry;
+    if (model.small) {
+        resize(model, object.surfaces.size());
+        return show(model, smoothMesh(*object.geometry));
+    }
     vtkPolyData& shown = *model.parts.front()->own;
     const vtkSmartPointer<vtkPoints> points = shown.GetPoints();
     const vtkSmartPointer<vtkDataArray> normals = shown.GetPointData()->GetNormals();
-    dresses_.erase(object.id); // they are of its surfaces
-    model.soup = object.geometry;
     resize(model, object.surfaces.size());
     show(model, points, normals);
 }
 
 void ModelLayer::show(Model& model, DisplayMesh mesh) {
+    if (model.small) {
+        const auto surfaces = bySurface(mesh.corners, model.soup->surfaceOf, model.parts.size());
+        for (std::size_t i = 0; i < model.parts.size(); ++i)
+            model.parts[i]->crowd = crowdPartOf(mesh, surfaces[i]);
+        crowdStale_ = true;
+        return;
+    }
     vtkNew<vtkPoints> points;
     points->SetData(vectorArray(mesh.positions));
     model.corners = std::move(mesh.corners);
@@ -120,22 +180,20 @@ void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
 }
 
 void ModelLayer::update(Model& model, const SceneObject& object) {
-    model.visible = object.visible;
-    model.rest = object.pose;
-    model.motion = object.motion;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
-        vtkActor& actor = *model.parts[i]->actor;
         model.parts[i]->colour = object.surfaces[i].colour;
-        actor.SetVisibility(object.visible && object.surfaces[i].visible);
+        model.parts[i]->visible = object.visible && object.surfaces[i].visible;
     }
     dress(object.id, model);
     place(model);
 }
 
 void ModelLayer::place(Model& model) {
-    const auto matrix = matrixFrom(model.motion ? model.rest * model.motion->at(time_) : model.rest);
+    const Pose now = model.motion ? model.rest * model.motion->at(time_) : model.rest;
+    setMatrix(*model.matrix, now);
+    if (!model.small) return;
     for (auto& part : model.parts)
-        part->actor->SetUserMatrix(matrix);
+        crowd_.place(part->crowd, now);
 }
 
 bool ModelLayer::moveTo(double time) {
@@ -153,13 +211,12 @@ bool ModelLayer::moveTo(double time) {
 Bounds ModelLayer::movingBounds() const {
     Bounds box;
     for (const auto& [id, model] : models_) {
-        if (!model->motion || !model->visible) continue;
-        for (const auto& part : model->parts) {
-            const double* b = part->actor->GetBounds();
-            if (!b) continue; // nothing is in it
-            box.add({b[0], b[2], b[4]});
-            box.add({b[1], b[3], b[5]});
-        }
+        if (!model->motion || !model->visible || model->box.empty()) continue;
+        const Pose now = model->rest * model->motion->at(time_);
+        for (int corner = 0; corner < 8; ++corner)
+            box.add(now.apply({(corner & 1 ? model->box.high : model->box.low).x(),
+                               (corner & 2 ? model->box.high : model->box.low).y(),
+                               (corner & 4 ? model->box.high : model->box.low).z()}));
     }
     return box;
 }
@@ -167,45 +224,72 @@ Bounds ModelLayer::movingBounds() const {
 void ModelLayer::drop(Model& model) {
     for (auto& part : model.parts)
         drop(*part);
+    crowdStale_ = crowdStale_ || model.small;
 }
 
 void ModelLayer::drop(Part& part) {
-    renderer_.RemoveActor(part.actor);
+    if (part.actor) renderer_.RemoveActor(part.actor);
+    part.actor = nullptr;
 }
 
 void ModelLayer::setDresses(std::map<ObjectId, std::vector<SurfaceDress>> dresses) {
     dresses_ = std::move(dresses);
     for (auto& [id, model] : models_)
         dress(id, *model);
+    showCrowd();
+}
+
+void ModelLayer::dress(ObjectId id, Model& model) {
+    const auto found = dresses_.find(id);
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+        dress(model, *model.parts[i],
+              found != dresses_.end() && i < found->second.size() ? found->second[i] : SurfaceDress{});
+    if (highlight_ && highlight_->object == id) glow(true);
+}
+
+void ModelLayer::dress(const Model& model, Part& part, const SurfaceDress& dress) {
+    const bool alone = !model.small || dress.mesh;
+    if (alone && !part.actor) giveActor(model, part);
+    if (!alone && part.actor) drop(part);
+    if (alone) dressAlone(part, dress, part.visible);
+    if (model.small) dressInCrowd(part, dress, part.visible && !alone);
 }
 
 // A colour that stands for a number has to be the scale's: a part of its light comes from itself, so that the
 // shadows are flat.
-void ModelLayer::dress(ObjectId id, Model& model) {
-    const auto found = dresses_.find(id);
-    for (std::size_t i = 0; i < model.parts.size(); ++i) {
-        Part& part = *model.parts[i];
-        const SurfaceDress dress =
-            found != dresses_.end() && i < found->second.size() ? found->second[i] : SurfaceDress{};
-        const bool byVertex = dress.mesh && dress.mesh->GetPointData()->GetScalars();
-        const bool smooth = dress.mesh || part.smooth;
-        part.mapper->SetInputData(dress.mesh ? dress.mesh : part.own);
-        part.mapper->SetScalarVisibility(byVertex);
-        vtkProperty& look = *part.actor->GetProperty();
-        look.SetInterpolation(smooth ? VTK_GOURAUD : VTK_FLAT);
-        look.SetAmbient(byVertex ? kMapGlow : 1); // with scalars VTK takes their colour for the ambient, too
-        part.glow = {};
-        if (dress.colour) {
-            setScreenColour(*part.actor, *dress.colour);
-            const double* c = look.GetDiffuseColor();
-            part.glow = {kMapGlow * c[0], kMapGlow * c[1], kMapGlow * c[2]};
-        } else {
-            look.SetDiffuseColor(part.colour.x(), part.colour.y(), part.colour.z());
-        }
-        look.SetAmbientColor(part.glow.data());
-        look.SetDiffuse(byVertex || dress.colour ? kMapLight : 1);
+void ModelLayer::dressInCrowd(Part& part, const SurfaceDress& dress, bool visible) {
+    hidingStale_ = hidingStale_ || part.crowd.visible != visible;
+    part.crowd.visible = visible;
+    if (dress.mesh) return;
+    const Eigen::Vector3f colour = dress.colour ? linearColour(*dress.colour) : part.colour;
+    const Eigen::Vector3f shine = (dress.colour ? float(kMapGlow) : 0) * colour;
+    const Eigen::Vector3f lit = (dress.colour ? float(kMapLight) : 1) * colour;
+    part.glow = {shine.x(), shine.y(), shine.z()};
+    if (part.crowd.colour == lit && part.crowd.glow == shine) return;
+    part.crowd.colour = lit;
+    part.crowd.glow = shine;
+    crowd_.paint(part.crowd);
+}
+
+void ModelLayer::dressAlone(Part& part, const SurfaceDress& dress, bool visible) {
+    const bool byVertex = dress.mesh && dress.mesh->GetPointData()->GetScalars();
+    const bool smooth = dress.mesh || part.smooth;
+    part.actor->SetVisibility(visible);
+    part.mapper->SetInputData(dress.mesh ? dress.mesh : part.own);
+    part.mapper->SetScalarVisibility(byVertex);
+    vtkProperty& look = *part.actor->GetProperty();
+    look.SetInterpolation(smooth ? VTK_GOURAUD : VTK_FLAT);
+    look.SetAmbient(byVertex ? kMapGlow : 1); // with scalars VTK takes their colour for the ambient, too
+    part.glow = {};
+    if (dress.colour) {
+        setScreenColour(*part.actor, *dress.colour);
+        const double* c = look.GetDiffuseColor();
+        part.glow = {kMapGlow * c[0], kMapGlow * c[1], kMapGlow * c[2]};
+    } else {
+        look.SetDiffuseColor(part.colour.x(), part.colour.y(), part.colour.z());
     }
-    if (highlight_ && highlight_->object == id) glow(true);
+    look.SetAmbientColor(part.glow.data());
+    look.SetDiffuse(byVertex || dress.colour ? kMapLight : 1);
 }
 
 void ModelLayer::setHighlight(std::optional<SurfaceRef> surface, const QColor& colour) {
@@ -222,13 +306,15 @@ void ModelLayer::glow(bool on) {
     Part& part = *model->second->parts[highlight_->surface];
     std::array<double, 3> c = part.glow;
     if (on) c = {c[0] + glow_.redF(), c[1] + glow_.greenF(), c[2] + glow_.blueF()};
-    part.actor->GetProperty()->SetAmbientColor(c.data());
+    if (part.actor) return part.actor->GetProperty()->SetAmbientColor(c.data());
+    part.crowd.glow = {float(c[0]), float(c[1]), float(c[2])};
+    crowd_.paint(part.crowd);
 }
 
 vtkMatrix4x4* ModelLayer::matrixOf(ObjectId object) const {
     const auto model = models_.find(object);
     if (model == models_.end() || !model->second->visible || model->second->parts.empty()) return nullptr;
-    return model->second->parts.front()->actor->GetUserMatrix();
+    return model->second->matrix;
 }
 
 bool ModelLayer::takeFinished() {
@@ -258,13 +344,27 @@ void ModelLayer::finish() {
         }
 }
 
-vtkActor* ModelLayer::actorOf(const SurfaceRef& surface) const {
+const ModelLayer::Part* ModelLayer::visiblePart(const SurfaceRef& surface) const {
     const auto model = models_.find(surface.object);
-    if (model == models_.end() || !model->second->visible) return nullptr;
-    const auto& parts = model->second->parts;
-    if (surface.surface >= parts.size()) return nullptr;
-    vtkActor* actor = parts[surface.surface]->actor;
-    return actor->GetVisibility() ? actor : nullptr;
+    if (model == models_.end() || surface.surface >= model->second->parts.size()) return nullptr;
+    const Part& part = *model->second->parts[surface.surface];
+    return part.visible ? &part : nullptr;
+}
+
+bool ModelLayer::shows(const SurfaceRef& surface) const {
+    return visiblePart(surface) != nullptr;
+}
+
+std::vector<vtkSmartPointer<vtkActor>> ModelLayer::actorsOf(const std::vector<SurfaceRef>& surfaces) const {
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+    std::vector<const CrowdPart*> small;
+    for (const SurfaceRef& surface : surfaces) {
+        const Part* part = visiblePart(surface);
+        if (part && part->actor) actors.push_back(part->actor);
+        if (part && !part->actor) small.push_back(&part->crowd);
+    }
+    if (!small.empty()) actors.push_back(crowd_.outlineOf(small));
+    return actors;
 }
 
 } // namespace tactum

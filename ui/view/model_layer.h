@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <vtkActor.h>
-#include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -20,9 +20,9 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/theme.h"
+#include "ui/view/crowd.h"
 #include "ui/view/display_mesh.h"
 
-class vtkMatrix4x4;
 class vtkRenderer;
 
 namespace tactum {
@@ -33,10 +33,11 @@ struct SurfaceDress {
     std::optional<QColor> colour;      ///< as on the screen; empty: its own
 };
 
-/// One actor for each surface; those of an object share their vertices. Thread: ui.
+/// One actor for each surface of a large body, whose surfaces share their vertices; one for all small bodies
+/// together, but for surfaces that are dressed in a mesh. Thread: ui.
 class ModelLayer {
 public:
-    explicit ModelLayer(vtkRenderer& renderer) : renderer_(renderer) {}
+    explicit ModelLayer(vtkRenderer& renderer) : renderer_(renderer), crowd_(renderer) {}
 
     /// Keeps what was made of geometry that is still there, and drops the rest.
     void setScene(const Scene& scene);
@@ -55,17 +56,21 @@ public:
     /// of an object does.
     void setDresses(std::map<ObjectId, std::vector<SurfaceDress>> dresses);
 
-    /// The actor of a surface, if it exists and is visible.
-    vtkActor* actorOf(const SurfaceRef& surface) const;
+    /// Whether a surface exists and is visible.
+    bool shows(const SurfaceRef& surface) const;
+    /// Actors that cover those of the surfaces that are visible. Until the next scene.
+    std::vector<vtkSmartPointer<vtkActor>> actorsOf(const std::vector<SurfaceRef>& surfaces) const;
     /// X_WB of an object where it is now; null when it is hidden or unknown.
     vtkMatrix4x4* matrixOf(ObjectId object) const;
 
 private:
     struct Part {
-        vtkNew<vtkPolyDataMapper> mapper;
-        vtkNew<vtkActor> actor;
-        vtkSmartPointer<vtkPolyData> own; ///< what it looks like undressed
-        bool smooth = false;              ///< own has normals
+        CrowdPart crowd;                           ///< of a small body
+        vtkSmartPointer<vtkActor> actor;           ///< null as long as the crowd shows it
+        vtkSmartPointer<vtkPolyDataMapper> mapper; ///< of the actor
+        vtkSmartPointer<vtkPolyData> own;          ///< what it looks like undressed; null in a small body
+        bool smooth = false;                       ///< own has normals
+        bool visible = true;
         Eigen::Vector3f colour = Eigen::Vector3f::Ones();
         std::array<double, 3> glow{}; ///< of its dress: what it shines by itself
     };
@@ -78,7 +83,10 @@ private:
         std::future<DisplayMesh> smooth;         ///< valid while it is being made
         std::vector<std::array<int, 3>> corners; ///< of what is shown
         bool visible = true;
-        Pose rest; ///< X_WB at the time 0
+        bool small = false;          ///< in the crowd
+        Bounds box;                  ///< body frame
+        Pose rest;                   ///< X_WB at the time 0
+        vtkNew<vtkMatrix4x4> matrix; ///< X_WB now
         std::shared_ptr<const Motion> motion;
     };
 
@@ -91,10 +99,20 @@ private:
     void place(Model& model);
     void drop(Model& model);
     void drop(Part& part);
+    void giveActor(const Model& model, Part& part);
+    void gather();
+    void showCrowd();
     void dress(ObjectId id, Model& model);
+    void dress(const Model& model, Part& part, const SurfaceDress& dress);
+    void dressInCrowd(Part& part, const SurfaceDress& dress, bool visible);
+    void dressAlone(Part& part, const SurfaceDress& dress, bool visible);
+    const Part* visiblePart(const SurfaceRef& surface) const;
     void glow(bool on);
 
     vtkRenderer& renderer_;
+    Crowd crowd_;
+    bool crowdStale_ = false;  ///< other parts are in it
+    bool hidingStale_ = false; ///< some of them appeared or disappeared
     std::map<ObjectId, std::unique_ptr<Model>> models_;
     std::map<ObjectId, std::vector<SurfaceDress>> dresses_;
     std::optional<SurfaceRef> highlight_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/scene/object_bounds.h"
@@ -15,10 +16,12 @@ namespace {
 constexpr double kRayThickness = 1e-6;
 
 constexpr int kPieces = 96;
+/// Of the scene's size: the ray is not cut finer for a body that is smaller.
+constexpr double kSmallestBox = 1e-3;
 
 /// Where a ray enters and leaves a slightly larger box; an empty span if it misses it.
 std::pair<double, double> spanIn(const Bounds& box, const Ray& ray) {
-    const Vec3 margin = Vec3::Constant(1e-3 * box.diagonal());
+    const Vec3 margin = Vec3::Constant(1e-3 * box.diagonal() + 1e-9);
     double enter = 0, leave = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
         const double a = (box.low[i] - margin[i] - ray.origin[i]) / ray.direction[i];
@@ -31,11 +34,14 @@ std::pair<double, double> spanIn(const Bounds& box, const Ray& ray) {
 
 using Tree = std::shared_future<std::shared_ptr<const SphereTree>>;
 
-Tree buildTree(const std::shared_ptr<const TriangleSoup>& soup) {
-    return std::async(
-               std::launch::async,
-               [soup] { return std::shared_ptr<const SphereTree>(std::make_shared<SphereTree>(*soup)); })
-        .share();
+/// Equal for soups of one shape.
+std::size_t keyOf(const TriangleSoup& soup) {
+    const std::hash<double> hash;
+    std::size_t key = soup.triangles.size() * 31 + soup.positions.size();
+    if (!soup.positions.empty())
+        for (const Vec3& p : {soup.positions.front(), soup.positions.back()})
+            key = key * 31 + hash(p.x()) + 7 * hash(p.y()) + 17 * hash(p.z());
+    return key;
 }
 
 bool isReady(const auto& future) {
@@ -66,50 +72,81 @@ std::vector<Vec3> spanningPoints(const Scene& scene) {
 }
 
 void ScenePicker::setScene(const Scene& scene) {
+    Known known;
+    for (const Target& target : targets_)
+        known.emplace(keyOf(*target.soup), &target);
     std::vector<Target> targets;
     bounds_ = Bounds();
     for (const SceneObject& object : scene.objects) {
-        const Target& target = targets.emplace_back(targetOf(object));
+        const Target& target = targets.emplace_back(targetOf(object, known));
         if (target.box.empty()) continue;
         bounds_.add(target.box.low);
         bounds_.add(target.box.high);
     }
+    buildTrees(targets);
     targets_ = std::move(targets);
 }
 
 /// What is known of the same geometry, as far as it still holds.
-ScenePicker::Target ScenePicker::targetOf(const SceneObject& object) const {
-    const auto known = std::find_if(targets_.begin(), targets_.end(),
-                                    [&](const auto& t) { return haveSameShape(*t.soup, *object.geometry); });
-    const bool same = known != targets_.end();
+ScenePicker::Target ScenePicker::targetOf(const SceneObject& object, const Known& known) const {
+    const auto [first, last] = known.equal_range(keyOf(*object.geometry));
+    const Target* same = nullptr;
+    for (auto at = first; at != last && !same; ++at)
+        if (haveSameShape(*at->second->soup, *object.geometry)) same = at->second;
     Target target{object.id,
                   object.pose,
                   object.geometry,
-                  same ? known->tree : buildTree(object.geometry),
+                  same ? same->tree : Tree(),
                   object.visible,
                   {},
-                  same && known->pose == object.pose ? known->box : boundsOf(object)};
+                  same && same->pose == object.pose ? same->box : boundsOf(object)};
     for (const Surface& surface : object.surfaces)
         target.sides.push_back(surface.visible ? Sides::Both : Sides::None);
     return target;
 }
 
+// One thread for all of them: a scene may have thousands.
+void ScenePicker::buildTrees(std::vector<Target>& targets) {
+    std::erase_if(builders_, [](const auto& builder) { return isReady(builder); });
+    using Built = std::shared_ptr<const SphereTree>;
+    std::vector<std::pair<std::shared_ptr<const TriangleSoup>, std::promise<Built>>> work;
+    for (Target& target : targets) {
+        if (target.tree.valid()) continue;
+        target.tree = work.emplace_back(target.soup, std::promise<Built>()).second.get_future().share();
+    }
+    if (work.empty()) return;
+    builders_.push_back(std::async(std::launch::async, [work = std::move(work)]() mutable {
+        for (auto& [soup, promise] : work)
+            promise.set_value(std::make_shared<const SphereTree>(*soup));
+    }));
+}
+
+// Nearest boxes first, so that those behind what is hit are not asked.
 std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) const {
-    std::optional<PickHit> nearest;
+    std::vector<std::pair<double, const Target*>> met;
     for (const Target& target : targets_) {
-        if (!target.visible || (patience == Patience::Now && !isReady(target.tree))) continue;
+        if (!target.visible || target.box.empty()) continue;
+        if (const auto [enter, leave] = spanIn(target.box, ray); enter <= leave)
+            met.emplace_back(enter, &target);
+    }
+    std::ranges::stable_sort(met, {}, &std::pair<double, const Target*>::first);
+    std::optional<PickHit> nearest;
+    for (const auto& [enter, target] : met) {
         const double reach = nearest ? nearest->distance : std::numeric_limits<double>::infinity();
-        if (auto hit = castAt(target, ray, reach)) nearest = hit;
+        if (enter > reach) break;
+        if (patience == Patience::Now && !isReady(target->tree)) continue;
+        if (auto hit = castAt(*target, ray, reach)) nearest = hit;
     }
     return nearest;
 }
 
 // The hierarchy is made for the short moves of a proxy: it looks at everything within a move's length. So the
-// ray goes through the scene's box in short pieces.
+// ray goes through the body's box in short pieces.
 std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray, double reach) const {
     if (!(bounds_.diagonal() > 0)) return std::nullopt;
-    const auto [enter, leave] = spanIn(bounds_, ray);
-    const double piece = bounds_.diagonal() / kPieces, last = std::min(leave, reach);
+    const auto [enter, leave] = spanIn(target.box, ray);
+    const double piece = std::max(target.box.diagonal(), kSmallestBox * bounds_.diagonal()) / kPieces,
+                 last = std::min(leave, reach);
     const Vec3 motion = piece * target.pose.rotateInverse(ray.direction);
     for (double d = enter; d < last; d += piece) {
         const SpherePath path{target.pose.applyInverse(ray.at(d)), motion, kRayThickness * bounds_.diagonal(),

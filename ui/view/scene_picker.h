@@ -4,6 +4,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/collision/sphere_tree.h"
@@ -53,10 +54,14 @@ private:
         Bounds box;               ///< world frame
     };
 
-    Target targetOf(const SceneObject& object) const;
+    using Known = std::unordered_multimap<std::size_t, const Target*>;
+    Target targetOf(const SceneObject& object, const Known& known) const;
+    /// Trees for targets that have none, on another thread.
+    void buildTrees(std::vector<Target>& targets);
     std::optional<PickHit> castAt(const Target& target, const Ray& ray, double reach) const;
 
     std::vector<Target> targets_;
+    std::vector<std::future<void>> builders_;
     Bounds bounds_;
 };
 

@@ -39,10 +39,7 @@ void SceneView::Impl::applyTheme() {
 }
 
 void SceneView::Impl::refreshSelection() {
-    std::vector<vtkActor*> outlined;
-    for (const SurfaceRef surface : selection)
-        if (vtkActor* actor = model.actorOf(surface)) outlined.push_back(actor);
-    stage.setOutlined(outlined);
+    stage.setOutlined(model.actorsOf(selection));
 }
 
 Bounds SceneView::Impl::shown() const {

@@ -158,7 +158,7 @@ bool SceneView::Impl::dragOver(QDropEvent& event) {
 /// After the scene has changed: its actors may be new ones.
 void SceneView::Impl::refreshHover() {
     if (!hovered) return;
-    if (!model.actorOf(*hovered)) return setHovered(std::nullopt);
+    if (!model.shows(*hovered)) return setHovered(std::nullopt);
     model.setHighlight(hovered, kHoverGlow);
 }
 

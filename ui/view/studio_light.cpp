@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <vtkActor.h>
 #include <vtkProperty.h>
@@ -52,6 +53,21 @@ void useStudioLight(vtkActor& actor) {
     actor.GetProperty()->SetAmbientColor(0, 0, 0);
     actor.GetProperty()->SetDiffuse(1);
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kLight, false);
+}
+
+void useVertexColours(vtkActor& actor) {
+    vtkShaderProperty& shaders = *actor.GetShaderProperty();
+    const auto inVertex = [&](const char* where, const char* what) {
+        shaders.AddVertexShaderReplacement(where, true, std::string(where) + "\n" + what, false);
+    };
+    const auto inFragment = [&](const char* where, const char* what) {
+        shaders.AddFragmentShaderReplacement(where, true, std::string(where) + "\n" + what, false);
+    };
+    inVertex("//VTK::PositionVC::Dec",
+             "in vec3 bodyColour; in vec3 bodyGlow; out vec3 colourOfBody; out vec3 glowOfBody;\n");
+    inVertex("//VTK::PositionVC::Impl", "colourOfBody = bodyColour; glowOfBody = bodyGlow;\n");
+    inFragment("//VTK::PositionVC::Dec", "in vec3 colourOfBody; in vec3 glowOfBody;\n");
+    inFragment("//VTK::Color::Impl", "diffuseColor = colourOfBody; ambientColor = glowOfBody;\n");
 }
 
 void useNoLight(vtkActor& actor) {

@@ -12,6 +12,10 @@ namespace tactum {
 /// diffuse colour is linear RGB; its ambient colour is added as a glow.
 void useStudioLight(vtkActor& actor);
 
+/// Gives an actor under the studio light the linear colours "bodyColour" and "bodyGlow" of its vertices,
+/// which its mapper hands on under these names, in the place of its own.
+void useVertexColours(vtkActor& actor);
+
 /// A bubble: clear where one looks through it, seen at its rim. Nothing behind it is hidden, and of bubbles
 /// of one colour it does not matter which is drawn first.
 void useBubbleLight(vtkActor& actor);

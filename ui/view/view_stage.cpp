@@ -55,9 +55,9 @@ void ViewStage::setBackground(const Theme& theme) {
     outlinePass_->setColour(theme.accent);
 }
 
-void ViewStage::setOutlined(const std::vector<vtkActor*>& actors) {
+void ViewStage::setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors) {
     outline_->RemoveAllViewProps();
-    for (vtkActor* actor : actors) {
+    for (const vtkSmartPointer<vtkActor>& actor : actors) {
         vtkNew<vtkActor> copy;
         copy->SetMapper(actor->GetMapper());
         copy->SetUserMatrix(actor->GetUserMatrix());

@@ -3,15 +3,16 @@
 
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include "core/geometry/triangle_soup.h"
 #include "ui/theme.h"
 #include "ui/view/outline_pass.h"
 #include "ui/view/view_camera.h"
 
-class vtkActor;
 class vtkRenderWindow;
 
 namespace tactum {
@@ -32,7 +33,7 @@ public:
     void setBackground(const Theme& theme);
     void setOutlineWidth(double devicePixels) { outlinePass_->setWidth(float(devicePixels)); }
     /// Draws one outline around these actors.
-    void setOutlined(const std::vector<vtkActor*>& actors);
+    void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
     /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
     void look(const ViewCamera& camera, const Bounds& shown);
 
