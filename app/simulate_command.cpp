@@ -11,6 +11,7 @@
 #include "app/results.h"
 #include "core/base/numbers.h"
 #include "core/dynamics/dynamics.h"
+#include "core/dynamics/mechanism_build.h"
 #include "core/import/import_scene.h"
 
 namespace tactum {

@@ -4,10 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "core/base/result.h"
 #include "core/dynamics/convex.h"
 #include "core/dynamics/joint.h"
 #include "core/dynamics/rigid_body.h"
@@ -115,18 +113,10 @@ struct Mechanism {
     int qs = 0, vs = 0;     ///< numbers of coordinates and of velocities
     Eigen::VectorXd q0, v0; ///< at the time 0
 
-    const Place* placeOf(BodyId body) const;
     /// Whether two touchables are ever compared. Thread: real time.
     bool mayTouch(int a, int b) const noexcept {
         return meets[std::size_t(a) * touchables.size() + std::size_t(b)];
     }
 };
-
-/// Makes links of bodies and joints. A joint whose locked axes do not start within 1 mm or 1 mrad of where
-/// they are locked, and one that closes a loop, is held by forces instead; one that joins a body to itself or
-/// two that stand still does nothing. Errors: a value that is not finite or not positive where it must be, a
-/// joint that names no body. Thread: any but real time.
-Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints,
-                                   std::span<const Collider> colliders = {});
 
 } // namespace tactum

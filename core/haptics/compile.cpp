@@ -7,8 +7,8 @@
 #include <unordered_set>
 
 #include "core/base/realtime.h"
-#include "core/motion/movers.h"
 #include "core/geometry/closed.h"
+#include "core/motion/movers.h"
 #include "core/surface/smooth_normals.h"
 #include "core/surface/texture_stack.h"
 

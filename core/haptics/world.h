@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/collision/collision_mesh.h"
-#include "core/motion/motion.h"
 #include "core/haptics/degradation.h"
+#include "core/motion/motion.h"
 #include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
 #include "core/scene/scene.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/byte_stream.h"
-#include "core/motion/motion.h"
 #include "core/geometry/triangle_soup.h"
+#include "core/motion/motion.h"
 #include "core/surface/painted_values.h"
 #include "core/surface/texture_image.h"
 

@@ -1,8 +1,8 @@
 // What `tactum check` says of a scene: values, sizes, meshes.
 #include <map>
 
-#include "core/motion/movers.h"
 #include "core/geometry/mesh_health.h"
+#include "core/motion/movers.h"
 #include "core/scene/describe.h"
 #include "core/scene/findings.h"
 #include "core/scene/value_checks.h"

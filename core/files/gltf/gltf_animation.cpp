@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/geometry/soup_builder.h"
+#include "core/motion/motion_build.h"
 
 namespace tactum {
 namespace {

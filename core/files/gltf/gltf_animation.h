@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_data.h"
+#include "core/motion/motion.h"
 
 namespace tactum {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/readers.h"
+#include "core/motion/motion_build.h"
 
 namespace tactum {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_model.h"
 #include "core/files/load_scene.h"
+#include "core/motion/motion.h"
 
 namespace tactum {
 

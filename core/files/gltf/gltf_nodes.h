@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/motion/motion.h"
 #include "core/files/gltf/gltf_model.h"
+#include "core/motion/motion.h"
 
 namespace tactum {
 

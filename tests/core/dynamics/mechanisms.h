@@ -5,6 +5,7 @@
 
 #include "core/dynamics/dynamics.h"
 #include "core/dynamics/mechanics.h"
+#include "core/dynamics/mechanism_build.h"
 
 namespace tactum::test {
 

@@ -1,10 +1,10 @@
 // What another program adds to a file of ours stays, whatever its place; what cannot stay is said.
 #include <QTest>
 
-#include "core/motion/motion_build.h"
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/readers.h"
+#include "core/motion/motion_build.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"

@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "core/base/text.h"
-#include "core/motion/motion_build.h"
 #include "core/import/scene_transfer.h"
+#include "core/motion/motion_build.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"

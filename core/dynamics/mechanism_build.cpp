@@ -1,4 +1,4 @@
-#include "core/dynamics/mechanism.h"
+#include "core/dynamics/mechanism_build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -484,11 +484,6 @@ Result<void> addTouchables(Mechanism& made, std::span<const Joint> joints,
 }
 
 } // namespace
-
-const Place* Mechanism::placeOf(BodyId body) const {
-    const auto found = std::ranges::find(bodies, body, &RigidBody::id);
-    return found == bodies.end() ? nullptr : &places[std::size_t(found - bodies.begin())];
-}
 
 Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints,
                                    std::span<const Collider> colliders) {
