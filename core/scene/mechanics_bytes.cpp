@@ -110,8 +110,8 @@ template <class Io> void mechanicsBytes(Io& io, Mechanics& mechanics) {
     list(io, bodies, 100, [&](RigidBody& one) { body(io, one); });
     list(io, joints, 100, [&](Joint& one) { joint(io, one); });
     list(io, colliders, 100, [&](Collider& one) { collider(io, one); });
-    const auto known = [&](BodyId id) {
-        return id == kWorldBody || std::ranges::find(bodies, id, &RigidBody::id) != bodies.end();
+    const auto known = [&all = mechanics.bodies](BodyId id) {
+        return id == kWorldBody || std::ranges::find(all, id, &RigidBody::id) != all.end();
     };
     if constexpr (Io::kReads) {
         for (const Joint& one : joints)
