@@ -46,10 +46,10 @@ public:
         sides_[surface] = Sides::Both;
     }
 
+    // A body that forces have moved is taken where it began: the stroke does not know where it was.
     Vec3 inBody(const StrokePoint& point) const {
-        const Pose pose = obstacle_.mover < 0
-                              ? obstacle_.pose
-                              : world_.movers[std::size_t(obstacle_.mover)].poseAt(point.time);
+        const Mover* mover = obstacle_.mover < 0 ? nullptr : &world_.movers[std::size_t(obstacle_.mover)];
+        const Pose pose = mover && mover->motion ? mover->poseAt(point.time) : obstacle_.pose;
         return pose.applyInverse(point.proxy_W);
     }
 

@@ -87,6 +87,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectLayers();
     connectFelt();
     connectDevice();
+    connectMotion();
     connectHealth();
     connectDocument();
     connectProblems();

@@ -95,6 +95,7 @@ private:
     void connectEdit();
     void connectView();
     void connectDevice();
+    void connectMotion();
     void connectDocument();
     void connectProblems();
     void showPlace(ObjectId id, const Problem& problem);

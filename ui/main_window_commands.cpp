@@ -214,6 +214,22 @@ void MainWindow::connectDevice() {
     showArmed(engine_.armed());
 }
 
+void MainWindow::connectMotion() {
+    QAction &run = actions_["motion-run"], &slow = actions_["motion-slow"];
+    const auto setPace = [this, &run, &slow] {
+        constexpr double kSlow = 0.1;
+        engine_.setPace(!run.isChecked() ? 0 : slow.isChecked() ? kSlow : 1);
+    };
+    run.setChecked(true);
+    connect(&run, &QAction::toggled, this, setPace);
+    connect(&slow, &QAction::toggled, this, setPace);
+    connect(&actions_["motion-step"], &QAction::triggered, this, [this, &run] {
+        run.setChecked(false);
+        engine_.stepBodies();
+    });
+    connect(&actions_["motion-reset"], &QAction::triggered, this, [this] { engine_.beginBodies(); });
+}
+
 void MainWindow::connectDocument() {
     connect(&document_, &Document::changed, this, &MainWindow::follow);
     connect(&document_, &Document::opened, this, &MainWindow::showOpened);

@@ -91,6 +91,13 @@ void Contacts::remember() noexcept {
             }
 }
 
+// The order of the boxes is forgotten too: of two with the same x it would decide.
+void Contacts::forget() noexcept {
+    now_.clear(), before_.clear();
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+        boxes_[i].touchable = int(i);
+}
+
 void Contacts::find(const Articulation& articulation, double dt) noexcept {
     std::swap(now_, before_);
     now_.clear();

@@ -27,6 +27,8 @@ public:
     void find(const Articulation& articulation, double dt) noexcept;
     std::vector<Touching>& all() noexcept { return now_; }
     const std::vector<Touching>& all() const noexcept { return now_; }
+    /// What the places of the last step pushed is not known any more.
+    void forget() noexcept;
     bool empty() const noexcept { return mechanism_.touchables.empty(); }
     /// More places touched than there is room for: some were left out.
     bool overflowed() const noexcept { return overflowed_; }

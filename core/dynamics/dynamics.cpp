@@ -12,6 +12,15 @@ constexpr int kMostEvents = 4;
 
 } // namespace
 
+Vec3 AppliedForce::forceAt(const Vec3& now_W) const noexcept {
+    if (!(stiffness > 0)) return force_W;
+    const Vec3 way = now_W - start_W;
+    const double before = force_W.dot(into_W), press = before - stiffness * into_W.dot(way);
+    if (!(press > 0 && before > 0)) return Vec3::Zero();
+    if (sticks) return force_W - stiffness * way;
+    return press / before * force_W;
+}
+
 Dynamics::Dynamics(std::shared_ptr<const Mechanism> mechanism)
     : mechanism_(std::move(mechanism)), articulation_(*mechanism_), loops_(*mechanism_), rows_(*mechanism_) {
     const Mechanism& m = *mechanism_;
@@ -69,12 +78,17 @@ void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt)
     }
 }
 
+void Dynamics::addForce(const AppliedForce& force) noexcept {
+    const Vec3 point = articulation_.poseOf(force.at).translation;
+    articulation_.addForce(force.at.link, force.forceAt(point), point);
+}
+
 void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surroundings& around,
                         Coordinates& acceleration) noexcept {
     articulation_.place(q, v);
     articulation_.addGravity(around.gravity);
     for (const AppliedForce& force : around.forces)
-        articulation_.addForce(force.at.link, force.force_W, articulation_.poseOf(force.at).translation);
+        addForce(force);
     addSprings(q, v, around.dt);
     articulation_.factor();
     articulation_.accelerate(springs_, acceleration);
@@ -175,7 +189,7 @@ void Dynamics::advance(DynamicState& state, Surroundings around) noexcept {
 
 void Dynamics::step(DynamicState& state, const Vec3& gravity, std::span<const AppliedForce> forces,
                     double dt) noexcept {
-    const int parts = std::max(1, int(std::ceil(dt / kLongestStep - 1e-9)));
+    const int parts = std::max(1, int(std::ceil(dt / kLongestPart - 1e-9)));
     for (int i = 0; i < parts; ++i)
         advance(state, {gravity, forces, dt / parts});
     state.time += dt;
@@ -185,6 +199,28 @@ void Dynamics::accelerations(const DynamicState& state, const Vec3& gravity,
                              std::span<const AppliedForce> forces, Coordinates& acceleration) noexcept {
     along_.setZero();
     evaluate(state.q, state.v, {gravity, forces, 0}, acceleration);
+}
+
+double Dynamics::effectiveMass(const DynamicState& state, const Place& at, const Vec3& along_W) noexcept {
+    if (at.link < 0) return kUnbounded;
+    articulation_.place(state.q, state.v);
+    articulation_.factor();
+    if (!loops_.empty()) loops_.factor(articulation_);
+    const Island& island = mechanism_->islands[std::size_t(mechanism_->links[std::size_t(at.link)].island)];
+    const Wrench push{along_W, articulation_.poseOf(at).translation, Vec3::Zero()};
+    along_.setZero();
+    articulation_.addJacobian(at.link, push, 1, along_.data() + island.v);
+    articulation_.respond(island, along_.data() + island.v, free_.data() + island.v);
+    if (!loops_.empty()) loops_.project(island, free_.data() + island.v);
+    const double yield =
+        along_.segment(island.v, island.velocities).dot(free_.segment(island.v, island.velocities));
+    return yield > 0 ? 1 / yield : kUnbounded;
+}
+
+void Dynamics::posesOf(const DynamicState& state, std::span<Pose> bodies) noexcept {
+    articulation_.place(state.q, state.v);
+    for (std::size_t i = 0; i < mechanism_->places.size() && i < bodies.size(); ++i)
+        bodies[i] = articulation_.poseOf(mechanism_->places[i]);
 }
 
 void Dynamics::describe(const DynamicState& state, const Vec3& gravity,

@@ -19,10 +19,19 @@ struct DynamicState {
     double time = 0; ///< s
 };
 
-/// A force on the material point that is now at `at`, constant in the world.
+/// A force on a material point. World frame.
 struct AppliedForce {
     Place at;
     Vec3 force_W = Vec3::Zero(); ///< N
+    /// Of a force that an elastic finger presses with: so much less for each metre that the point gives way
+    /// from where it was, N/m; 0: it is constant. It never becomes a pull.
+    double stiffness = 0;
+    Vec3 start_W = Vec3::Zero(); ///< where the point is when the force is `force_W`, m
+    Vec3 into_W = Vec3::UnitZ(); ///< of unit length: the way that it presses
+    bool sticks = false;         ///< it gives way in every direction, and not along `into_W` alone
+
+    /// N, while the point is at `now_W`. Thread: real time.
+    Vec3 forceAt(const Vec3& now_W) const noexcept;
 };
 
 struct BodyState {
@@ -35,7 +44,7 @@ struct BodyState {
 };
 
 /// The largest step that is taken at once; longer ones are cut, s.
-inline constexpr double kLongestStep = 5e-3;
+inline constexpr double kLongestPart = 5e-3;
 
 /// Thread: one at a time; step() real time, without allocation.
 class Dynamics {
@@ -49,6 +58,14 @@ public:
     void step(DynamicState& state, const Vec3& gravity, std::span<const AppliedForce> forces,
               double dt) noexcept;
 
+    /// What touches begins anew: the next step does not know what the last one found. Steps from a state are
+    /// the same bits whatever was stepped before. Thread: real time.
+    void forget() noexcept { rows_.forget(); }
+    /// How hard a material point is to move along a unit vector, 1 / (J M^-1 J^T) of section 6: kg; endless
+    /// where nothing gives way. Thread: real time.
+    double effectiveMass(const DynamicState& state, const Place& at, const Vec3& along_W) noexcept;
+    /// Where each body's frame is. Thread: real time.
+    void posesOf(const DynamicState& state, std::span<Pose> bodies) noexcept;
     /// Of each body of the mechanism, in its order.
     void describe(const DynamicState& state, const Vec3& gravity, std::span<BodyState> bodies) noexcept;
     /// What the springs hold: J. Of dampers and motors nothing.
@@ -75,6 +92,7 @@ private:
     };
 
     Stretch stretchOf(const Spring& spring, const Coordinates& q, const Coordinates& v) const noexcept;
+    void addForce(const AppliedForce& force) noexcept;
     void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;

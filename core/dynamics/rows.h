@@ -42,6 +42,9 @@ public:
     /// Of a spring in accelerations: kg or kg m^2.
     double inertiaOf(Articulation& articulation, const Coordinate& of) noexcept;
 
+    /// The next gather() starts from nothing.
+    void forget() noexcept { contacts_.forget(); }
+
     const std::vector<Touching>& contacts() const noexcept { return contacts_.all(); }
 
 private:

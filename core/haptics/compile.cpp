@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/base/realtime.h"
+#include "core/dynamics/mechanism_build.h"
 #include "core/geometry/closed.h"
 #include "core/motion/movers.h"
 #include "core/surface/smooth_normals.h"
@@ -104,7 +105,8 @@ void addSides(WorldBody& body, const SceneObject& object) {
 
 bool sameMotions(const World& a, const World& b) {
     return std::ranges::equal(a.movers, b.movers, [](const Mover& x, const Mover& y) {
-        return x.body == y.body && x.rest == y.rest && (x.motion == y.motion || *x.motion == *y.motion);
+        const bool alike = x.motion == y.motion || (x.motion && y.motion && *x.motion == *y.motion);
+        return x.body == y.body && x.rest == y.rest && x.driven == y.driven && alike;
     });
 }
 
@@ -147,6 +149,40 @@ void addMover(World& world, const SceneObject& object) {
     world.movers.push_back({std::uint32_t(world.bodies.size() - 1), object.pose, object.motion});
 }
 
+// What is edited in the hand is mostly something else: then the mechanism is the same one.
+Result<void> addMechanics(World& world, const World* previous) {
+    const Mechanics& mechanics = world.scene->mechanics;
+    if (mechanics.bodies.empty()) return {};
+    std::shared_ptr<const Mechanism> mechanism;
+    if (previous && previous->moving && previous->scene->mechanics == mechanics)
+        mechanism = previous->moving->mechanism();
+    if (!mechanism) {
+        auto made = compileMechanism(mechanics.bodies, mechanics.joints, mechanics.colliders);
+        if (!made) return tl::unexpected(made.error());
+        mechanism = std::make_shared<const Mechanism>(std::move(*made));
+    }
+    if (mechanism->vs == 0) return {};
+    if (mechanism->qs > kMaxCoordinates)
+        return inputError("the bodies that forces move: joints and loose bodies have " +
+                          std::to_string(mechanism->qs) + " coordinates together, and " +
+                          std::to_string(kMaxCoordinates) +
+                          " are the most; make some of them still, a loose body has seven");
+    world.moving = std::make_unique<MovingBodies>(std::move(mechanism), mechanics.gravity);
+    return {};
+}
+
+// An object of a body that forces move keeps its place on it.
+void addDriven(World& world, const SceneObject& object) {
+    const Mechanism& mechanism = *world.moving->mechanism();
+    const auto body = std::ranges::find(mechanism.bodies, object.body, &RigidBody::id);
+    if (body == mechanism.bodies.end()) return;
+    const std::size_t index = std::size_t(body - mechanism.bodies.begin());
+    if (mechanism.places[index].link < 0) return; // nothing moves it
+    const int driven = world.moving->add({index, body->pose.inverse() * object.pose});
+    world.obstacles.back().mover = int(world.movers.size());
+    world.movers.push_back({std::uint32_t(world.bodies.size() - 1), object.pose, nullptr, driven});
+}
+
 /// Everything but its numbers.
 Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, const Progress& progress) {
     assertNotRealtime();
@@ -154,6 +190,7 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
     world->scene = std::make_shared<const Scene>(scene);
     world->proxyRadius = kProxyRadius.clamped(scene.proxyRadius);
     world->bodies.reserve(scene.objects.size());
+    if (const auto added = addMechanics(*world, previous); !added) return tl::unexpected(added.error());
     Known known(previous);
     for (const SceneObject& object : scene.objects) {
         if (progress.isCancelled())
@@ -171,7 +208,10 @@ Result<std::shared_ptr<World>> build(const Scene& scene, const World* previous, 
         known.remember(body);
         world->bodies.push_back(std::move(body));
         world->obstacles.push_back({.pose = object.pose});
-        if (object.motion) addMover(*world, object);
+        if (object.motion)
+            addMover(*world, object);
+        else if (world->moving)
+            addDriven(*world, object);
     }
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         world->obstacles[i].mesh = world->bodies[i].mesh.get();

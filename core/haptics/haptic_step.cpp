@@ -9,6 +9,9 @@ namespace tactum {
 
 namespace {
 
+/// The shapeRevision of bodies that were put back: all contacts are void, the proxy stays where it can.
+constexpr std::uint64_t kBeginAnew = kNoShape - 1;
+
 Vec3 velocityOf(const World& world, const StepMotions& movers, const Contact& contact, double dt) {
     const int mover = world.obstacles[contact.body].mover;
     return mover < 0 ? Vec3::Zero() : Vec3(movers.of(mover).wayOf(contact.point) / dt);
@@ -91,13 +94,22 @@ void startAnew(const World& world, SimState& state, const HapticInput& input) {
     const Vec3 wanted = atFinger ? input.finger : state.proxy.position;
     FormerPlace former{state.shapeRevision};
     if (input.found && !first) former.at_W = state.proxy.position;
-    const StepMotions movers(world.movers, state.time, state.time);
+    const StepMotions movers(world.movers, state.time, state.time, world.drivenMotions());
     const Vec3 place =
         clearPlace(world.obstacles, movers, world.proxyRadius, wanted, former).value_or(wanted);
     restart(state.proxy, place);
     state.proxy.finger = input.finger;
     if (atFinger || place != wanted) ++state.restarts;
     state.shapeRevision = world.shapeRevision;
+}
+
+// What the finger did in the last step acts on the bodies until this one.
+void moveBodies(const World& world, SimState& state, double dt) noexcept {
+    const FingerPushes pushes = pushesOf(state.proxy, state.bodies.force, state.model.stiffness);
+    world.moving->step(state.bodies, pushes, dt, [&](std::uint32_t obstacle) {
+        const int mover = world.obstacles[obstacle].mover;
+        return mover < 0 ? -1 : world.movers[std::size_t(mover)].driven;
+    });
 }
 
 int roundsAt(Fidelity fidelity) {
@@ -114,10 +126,18 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
         output.proxy = state.proxy.position;
         return output;
     }
+    if (input.begin) state.time = 0, state.bodies.of = 0, state.shapeRevision = kBeginAnew;
+    if (world.moving) {
+        // A replay that begins here knows the state alone.
+        if (state.model.revision != world.revision) world.moving->forget();
+        world.moving->begin(state.bodies);
+    }
     if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
         startAnew(world, state, input);
-    const double before = std::exchange(state.time, state.time + dt);
-    const StepMotions movers(world.movers, before, state.time);
+    const double way = input.pace * dt;
+    const double before = std::exchange(state.time, state.time + way);
+    if (world.moving) moveBodies(world, state, way);
+    const StepMotions movers(world.movers, before, state.time, world.drivenMotions());
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
                       movers, roundsAt(input.fidelity), &world.near);
@@ -125,6 +145,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     HapticOutput output = reportOf(world, state);
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
+    state.bodies.force = output.force;
     return output;
 }
 

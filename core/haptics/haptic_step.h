@@ -21,6 +21,8 @@ struct HapticInput {
     /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
     /// it stays outside of.
     bool found = false;
+    double pace = 1;    ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
+    bool begin = false; ///< first put all bodies to where they are at the time 0
 };
 
 /// One touched place, for the display.
@@ -56,14 +58,16 @@ struct SimState {
     /// that an edit does not make bodies jump.
     double time = 0;
     std::uint32_t restarts = 0; ///< how often the proxy was put elsewhere instead of going there
+    BodiesState bodies;         ///< that forces move
 };
 
 /// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
-/// Bodies that move by themselves go on by dt. Deterministic: the same world, state, input and dt give the
-/// same bits. dt in s, > 0. At first the proxy starts on the finger; after
-/// a change of shape it stays. Both only where there is room: else it starts beside what is there. Input that
-/// is not finite changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of
-/// each body, and where bodies move by themselves those of carry() before them.
+/// Bodies that move by themselves go on by dt, those that forces move under the opposite of the last force on
+/// the finger (23); the finger then meets them where they are. Deterministic: the same world, state, input
+/// and dt give the same bits. dt in s, > 0. At first the proxy starts on the finger; after a change of shape
+/// it stays. Both only where there is room: else it starts beside what is there. Input that is not finite
+/// changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of each body,
+/// and where bodies move by themselves those of carry() before them.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
 
 } // namespace tactum

@@ -7,6 +7,7 @@
 
 #include "core/collision/collision_mesh.h"
 #include "core/haptics/degradation.h"
+#include "core/haptics/moving_bodies.h"
 #include "core/motion/motion.h"
 #include "core/proxy/near_bodies.h"
 #include "core/proxy/proxy.h"
@@ -40,12 +41,17 @@ struct World {
     std::vector<Obstacle> untextured, plain; ///< the same, with less to feel: see Fidelity
     std::vector<Mover> movers;               ///< Obstacle::mover is an index into them
     NearBodies near;                         ///< of all three
-    double proxyRadius = 0;                  ///< m
-    std::shared_ptr<const Scene> scene;      ///< what it was made of
-    std::uint64_t revision = 0;              ///< rises with every compile
+    /// What forces move; null: nothing. Its memory is written by each step: only one thread steps a World.
+    std::unique_ptr<MovingBodies> moving;
+    double proxyRadius = 0;             ///< m
+    std::shared_ptr<const Scene> scene; ///< what it was made of
+    std::uint64_t revision = 0;         ///< rises with every compile
     /// Another number when a mesh, a pose, a motion or the proxy radius changed: contacts are void.
     std::uint64_t shapeRevision = 0;
 
+    std::span<const BodyMotion> drivenMotions() const noexcept {
+        return moving ? moving->motions() : std::span<const BodyMotion>{};
+    }
     const std::vector<Obstacle>& obstaclesAt(Fidelity fidelity) const noexcept {
         if (fidelity == Fidelity::Full) return obstacles;
         return fidelity == Fidelity::NoTexture ? untextured : plain;

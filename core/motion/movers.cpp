@@ -6,6 +6,8 @@ namespace tactum {
 
 BodyMotion StepMotions::of(int mover) const noexcept {
     if (movers_.empty()) return given_[std::size_t(mover)];
+    if (const int driven = movers_[std::size_t(mover)].driven; driven >= 0)
+        return given_[std::size_t(driven)];
     for (const Found& found : found_.all())
         if (found.mover == mover) return found.motion;
     const Mover& body = movers_[std::size_t(mover)];

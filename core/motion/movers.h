@@ -13,11 +13,12 @@
 
 namespace tactum {
 
-/// A body that moves by itself: X_WB(t) = rest * motion->at(t).
+/// A body that moves: along keys, X_WB(t) = rest * motion->at(t), or by forces.
 struct Mover {
-    std::uint32_t body = 0; ///< index into World::bodies
-    Pose rest;              ///< X_WB at the time 0
-    std::shared_ptr<const Motion> motion;
+    std::uint32_t body = 0;               ///< index into World::bodies
+    Pose rest;                            ///< X_WB at the time 0
+    std::shared_ptr<const Motion> motion; ///< null: forces move it
+    int driven = -1;                      ///< which of those that forces move
 
     Pose poseAt(double t) const noexcept { return rest * motion->at(t); }
 };
@@ -31,9 +32,11 @@ public:
     template <class Given>
     requires std::convertible_to<const Given&, std::span<const BodyMotion>> StepMotions(const Given& given)
         : given_(given) {}
-    /// Along their motions from the time `before` to `now`, s. Refers to them.
-    StepMotions(std::span<const Mover> movers, double before, double now)
-        : movers_(movers), before_(before), now_(now) {}
+    /// Along their motions from the time `before` to `now`, s; of those that forces move as `driven` has
+    /// them. Refers to both.
+    StepMotions(std::span<const Mover> movers, double before, double now,
+                std::span<const BodyMotion> driven = {})
+        : given_(driven), movers_(movers), before_(before), now_(now) {}
 
     bool empty() const noexcept { return given_.empty() && movers_.empty(); }
     BodyMotion of(int mover) const noexcept;

@@ -69,6 +69,10 @@ NearBodies::NearBodies(std::span<const Obstacle> obstacles, std::span<const Move
     std::vector<Box> boxes;
     for (std::uint32_t body = 0; body < obstacles.size(); ++body) {
         const Obstacle& obstacle = obstacles[body];
+        if (obstacle.mover >= 0 && movers[std::size_t(obstacle.mover)].driven >= 0) {
+            driven_.push_back(body);
+            continue;
+        }
         Box& box = boxes.emplace_back();
         box.body = body;
         if (obstacle.mover >= 0)

@@ -11,8 +11,9 @@
 
 namespace tactum {
 
-/// A tree of boxes over the obstacles, of those that move over all of their way. Built once for a World, then
-/// only read. World frame, metre.
+/// A tree of boxes over the obstacles, of those that move along keys over all of their way. Those that forces
+/// move may be anywhere: they are asked for each time. Built once for a World, then only read. World frame,
+/// metre.
 class NearBodies {
 public:
     NearBodies() = default;
@@ -39,6 +40,8 @@ public:
             for (std::int32_t i = 0; i < node.bodies; ++i)
                 seen(bodies_[std::size_t(node.first + i)]);
         }
+        for (const std::uint32_t body : driven_)
+            seen(body);
     }
 
 private:
@@ -54,6 +57,7 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> bodies_;
+    std::vector<std::uint32_t> driven_; ///< by forces
     bool oneSided_ = false;
 };
 

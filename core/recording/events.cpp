@@ -47,6 +47,7 @@ void addDevice(Events& events, const ServoRow& before, const ServoRow& now) {
 void addProxy(Events& events, const ProxyRow& before, const ProxyRow& now) {
     if (now.world != before.world) events.push_back({now.time, false, "the scene was edited"});
     if (now.flags & ProxyRow::Found) events.push_back({now.time, false, "the finger was found anew"});
+    if (now.flags & ProxyRow::Begin) events.push_back({now.time, false, "the bodies began anew"});
     if (now.flags & ProxyRow::Restart) events.push_back({now.time, false, "the proxy was put on the finger"});
     if (now.fidelity() != before.fidelity()) events.push_back({now.time, false, wordsFor(now.fidelity())});
 }

@@ -237,6 +237,7 @@ void Player::stepProxy() {
     proxy_.updates = modelSteps_;
     proxy_.worldRevision = row.world;
     proxy_.time = sim_.time;
+    proxy_.bodies = sim_.bodies;
     proxy_.boundHits += output.report.boundHit;
     proxy_.squeezed += output.report.squeezed;
     proxy_.passed += output.report.passed;

@@ -1,10 +1,12 @@
 #include "core/recording/scene_bytes.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "core/recording/fingerprint.h"
 #include "core/scene/layer_bytes.h"
+#include "core/scene/mechanics_bytes.h"
 #include "core/scene/shape_bytes.h"
 
 namespace tactum {
@@ -35,7 +37,7 @@ template <class Io> void surface(Io& io, Surface& s, Tables& tables) {
 }
 
 template <class Io> void object(Io& io, SceneObject& o, Tables& tables) {
-    io(o.id), io(o.name), io(o.pose), io(o.visible);
+    io(o.id), io(o.name), io(o.pose), io(o.visible), io(o.body);
     link(io, o.motion, tables.motions);
     link(io, o.geometry, tables.soups);
     io.count(o.surfaces, 64);
@@ -90,11 +92,20 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known) {
 template <class Io> void scenes(Io& io, std::vector<RecordedScene>& list, Tables& tables) {
     io.count(list, 32);
     std::vector<std::uint32_t> before;
+    std::optional<Mechanics> mechanics; ///< of the scene before
     std::size_t surfaces = 0;
     for (RecordedScene& each : list) {
         io(each.numbers.revision), io(each.numbers.shapeRevision), io.bulk(each.numbers.placedIn);
         Scene scene = each.scene ? *each.scene : Scene{};
         io(scene.proxyRadius);
+        bool still = mechanics && *mechanics == scene.mechanics;
+        io(still);
+        io.demand(!still || mechanics, "the first scene has the bodies of the one before it");
+        if (!still)
+            mechanicsBytes(io, scene.mechanics);
+        else if constexpr (Io::kReads)
+            scene.mechanics = *mechanics;
+        mechanics = scene.mechanics;
         std::vector<std::uint32_t> numbers(scene.objects.size());
         if constexpr (!Io::kReads)
             for (std::size_t i = 0; i < scene.objects.size(); ++i) {

@@ -39,6 +39,7 @@ struct ProxyTelemetry {
     std::uint64_t squeezed = 0;      ///< steps in which surfaces left the proxy less room than it needs
     std::uint64_t passed = 0;        ///< steps in which a moving body had to pass over the proxy
     double time = 0;                 ///< s, of the bodies that move by themselves
+    BodiesState bodies;              ///< of those that forces move
     Fidelity fidelity = Fidelity::Full;
     std::uint64_t stepsDown = 0; ///< how often the fidelity was lowered
 };
@@ -51,7 +52,11 @@ struct NumberedModel {
 
 /// Small orders to the proxy loop.
 struct EngineCommand {
-    enum class Kind : std::uint8_t { RestartProxy };
+    enum class Kind : std::uint8_t {
+        RestartProxy,
+        BeginBodies, ///< they go back to the time 0
+        StepBodies   ///< they go on for one step, whatever their pace
+    };
     Kind kind = Kind::RestartProxy;
 };
 
@@ -72,6 +77,7 @@ struct Channels {
     std::atomic<bool> armed{false};           ///< false: the servo commands zero force
     std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
+    std::atomic<double> pace{1};              ///< HapticInput::pace
     std::atomic<bool> stop{false};
 };
 

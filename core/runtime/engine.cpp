@@ -90,6 +90,7 @@ struct Engine::Impl {
     LeftHeat motors; ///< of the device; the servo's while it runs
     Workspace workspace;
     bool deadMan = false;
+    double pace = 1;
     bool running = false;
     bool realtime = false;
     std::string priorityNote = "The loops have not been started.";
@@ -114,6 +115,7 @@ void Engine::Impl::freshChannels() {
     channels->workspace.write(workspace);
     motors = heat[info.name];
     askForButton();
+    channels->pace.store(pace, std::memory_order_relaxed);
     proxyBeats = servoBeats = {};
     felt.clear();
     if (!kept.empty()) remember(*kept.back());
@@ -242,6 +244,7 @@ void Engine::abandon() {
     fresh->heat = impl_->heat;
     fresh->workspace = impl_->workspace;
     fresh->deadMan = impl_->deadMan;
+    fresh->pace = impl_->pace;
     fresh->channels = impl_->channels; // with the last minute
     fresh->felt = impl_->felt;
     static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
@@ -314,6 +317,23 @@ bool Engine::overridesCeiling() const {
 /// A full queue holds the same order already.
 void Engine::restartProxy() {
     impl_->channels->commands.push({EngineCommand::Kind::RestartProxy});
+}
+
+void Engine::setPace(double pace) {
+    impl_->pace = std::clamp(pace, 0.0, 1.0);
+    impl_->channels->pace.store(impl_->pace, std::memory_order_relaxed);
+}
+
+double Engine::pace() const {
+    return impl_->pace;
+}
+
+void Engine::beginBodies() {
+    impl_->channels->commands.push({EngineCommand::Kind::BeginBodies});
+}
+
+void Engine::stepBodies() {
+    impl_->channels->commands.push({EngineCommand::Kind::StepBodies});
 }
 
 void Engine::poll() {

@@ -65,6 +65,13 @@ public:
     bool overridesCeiling() const;
     /// Puts the proxy onto the finger: a new model, a jump of the hand.
     void restartProxy();
+    /// How fast the bodies' time goes, from 0 (they stand still) to 1. Stays so through stop() and start().
+    void setPace(double pace);
+    double pace() const;
+    /// Puts all bodies that move to where they began.
+    void beginBodies();
+    /// Lets them go on for one step of the proxy loop: while they stand still.
+    void stepBodies();
 
     /// Collects the newest telemetry and drops retired Worlds. Call it once a frame.
     void poll();

@@ -1,6 +1,7 @@
 #include "core/runtime/proxy_loop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/realtime.h"
 #include "core/loop/metronome.h"
@@ -13,6 +14,8 @@ struct Proxy {
     Channels& channels;
     const World* world = nullptr;
     bool restartDue = false;     ///< the next step begins at the finger
+    bool beginDue = false;       ///< the next step begins with the bodies where they began
+    bool stepDue = false;        ///< the bodies go on in the next step
     std::uint32_t anchoring = 0; ///< of the last finger
     DegradationController ladder;
     SimState state{};
@@ -38,6 +41,13 @@ void obeyCommands(Proxy& proxy) noexcept {
         switch (command.kind) {
         case EngineCommand::Kind::RestartProxy:
             proxy.restartDue = true;
+            break;
+        case EngineCommand::Kind::BeginBodies:
+            proxy.beginDue = true;
+            break;
+        case EngineCommand::Kind::StepBodies:
+            proxy.stepDue = true;
+            break;
         }
     }
 }
@@ -49,15 +59,19 @@ std::uint32_t flagsOf(bool restart, bool found, Fidelity fidelity) noexcept {
 
 HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
     const bool restart = proxy.restartDue, found = !restart && finger.anchoring != proxy.anchoring;
+    const bool begin = std::exchange(proxy.beginDue, false);
+    const bool goesOn = std::exchange(proxy.stepDue, false);
     proxy.restartDue = false;
     proxy.anchoring = finger.anchoring;
     ProxyRow row{.time = proxy.begun + tick.time,
                  .dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep),
+                 .pace = goesOn ? 1 : proxy.channels.pace.load(std::memory_order_relaxed),
                  .finger = tripleOf(finger.position),
                  .velocity = tripleOf(finger.velocity),
                  .world = proxy.world->revision,
                  .anchoring = finger.anchoring,
-                 .flags = flagsOf(restart, found, proxy.ladder.fidelity())};
+                 .flags = flagsOf(restart, found, proxy.ladder.fidelity()) |
+                          (begin ? std::uint32_t(ProxyRow::Begin) : 0)};
     Recorder& recorder = proxy.channels.recorder;
     recorder.begin(row, proxy.state);
     const HapticOutput output = stepFrom(row, *proxy.world, proxy.state);
@@ -83,6 +97,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.squeezed += output.report.squeezed;
     telemetry.passed += output.report.passed;
     telemetry.time = proxy.state.time;
+    if (proxy.world->moving) telemetry.bodies = proxy.state.bodies;
     telemetry.fidelity = proxy.ladder.fidelity();
     telemetry.stepsDown = proxy.ladder.stepsDown();
     proxy.channels.proxyTelemetry.write(telemetry);

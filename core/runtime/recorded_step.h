@@ -27,12 +27,14 @@ struct ProxyRow {
         Restart = 1,   ///< HapticInput::restart
         Forget = 2,    ///< the sweep memories were emptied: the state before this row was kept
         Found = 4,     ///< HapticInput::found
+        Begin = 16,    ///< HapticInput::begin
         kFidelity = 8, ///< from this bit on: Fidelity
-        kAllFlags = 7 | 3 << kFidelity
+        kAllFlags = 23 | 3 << kFidelity
     };
 
     double time = 0; ///< s since the recorder was made: when the loop woke
     double dt = 0;
+    double pace = 1; ///< HapticInput::pace
     Triple finger{}, velocity{};
     std::uint64_t world = 0; ///< revision
     std::uint32_t anchoring = 0;
@@ -76,17 +78,22 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 136 && sizeof(ServoRow) == 192, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 144 && sizeof(ServoRow) == 192, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
-    if (row.flags & ProxyRow::Forget) state.proxy.memories = {};
+    if (row.flags & ProxyRow::Forget) {
+        state.proxy.memories = {};
+        if (world.moving) world.moving->forget();
+    }
     state.model.anchoring = row.anchoring;
     const HapticInput input{.finger = vectorOf(row.finger),
                             .fingerVelocity = vectorOf(row.velocity),
                             .restart = (row.flags & ProxyRow::Restart) != 0,
                             .fidelity = row.fidelity(),
-                            .found = (row.flags & ProxyRow::Found) != 0};
+                            .found = (row.flags & ProxyRow::Found) != 0,
+                            .pace = row.pace,
+                            .begin = (row.flags & ProxyRow::Begin) != 0};
     return hapticStep(world, state, input, row.dt);
 }
 

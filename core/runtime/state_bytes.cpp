@@ -46,8 +46,13 @@ void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit.counted(proxy.passed, proxy.passedCount);
     visit.counted(proxy.straddled, proxy.straddledCount);
 }
+void fields(auto& visit, MaybeConst<BodiesState> auto& bodies) {
+    visit(bodies.of, bodies.force);
+    visit.counted(bodies.q, bodies.qs);
+    visit.counted(bodies.v, bodies.vs);
+}
 void fields(auto& visit, MaybeConst<SimState> auto& state) {
-    visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts);
+    visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts, state.bodies);
 }
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
@@ -85,7 +90,8 @@ static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && s
 static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
-static_assert(sizeof(SimState) == 320 + sizeof(ProxyState));
+static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 40);
+static_assert(sizeof(SimState) == 312 + sizeof(ProxyState) + sizeof(BodiesState));
 #endif
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {

@@ -19,7 +19,7 @@ template <std::size_t Room> struct StateBytes {
 
     std::span<const std::byte> used() const noexcept { return {bytes.data(), std::size_t(size)}; }
 };
-using SimStateBytes = StateBytes<16 * 1024>;
+using SimStateBytes = StateBytes<32 * 1024>;
 using ServoStateBytes = StateBytes<4 * 1024>;
 
 /// All but the sweep memories, which only make the next steps faster.

@@ -73,22 +73,22 @@ int paletteScore(const QString& typed, const PaletteEntry& entry) {
 
 std::vector<std::size_t> paletteOrder(const QString& typed, const std::vector<PaletteEntry>& entries,
                                       const QStringList& recent) {
-    struct Place {
+    struct Match {
         int score;
         qsizetype age; ///< 0: run last
         std::size_t index;
     };
-    std::vector<Place> places;
+    std::vector<Match> places;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const qsizetype age = entries[i].id.isEmpty() ? -1 : recent.indexOf(entries[i].id);
         if (const int score = paletteScore(typed, entries[i]))
             places.push_back({score, age < 0 ? recent.size() : age, i});
     }
-    std::ranges::stable_sort(places, [](const Place& a, const Place& b) {
+    std::ranges::stable_sort(places, [](const Match& a, const Match& b) {
         return a.score != b.score ? a.score > b.score : a.age < b.age;
     });
     std::vector<std::size_t> order;
-    for (const Place& place : places)
+    for (const Match& place : places)
         order.push_back(place.index);
     return order;
 }

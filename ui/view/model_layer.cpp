@@ -71,6 +71,7 @@ void ModelLayer::setScene(const Scene& scene) {
         model->visible = object.visible;
         model->rest = object.pose;
         model->motion = object.motion;
+        if (object.body == kWorldBody) model->put.reset();
     }
     for (auto& [id, model] : models_)
         drop(*model);
@@ -188,8 +189,13 @@ void ModelLayer::update(Model& model, const SceneObject& object) {
     place(model);
 }
 
+Pose ModelLayer::poseOf(const Model& model) const {
+    if (model.put) return *model.put;
+    return model.motion ? model.rest * model.motion->at(time_) : model.rest;
+}
+
 void ModelLayer::place(Model& model) {
-    const Pose now = model.motion ? model.rest * model.motion->at(time_) : model.rest;
+    const Pose now = poseOf(model);
     setMatrix(*model.matrix, now);
     if (!model.small) return;
     for (auto& part : model.parts)
@@ -208,11 +214,25 @@ bool ModelLayer::moveTo(double time) {
     return any;
 }
 
+bool ModelLayer::put(std::span<const PlacedObject> places) {
+    bool any = false;
+    for (const PlacedObject& placed : places) {
+        const auto found = models_.find(placed.object);
+        if (found == models_.end()) continue; // of a World that is older than the scene
+        Model& model = *found->second;
+        if (model.put == placed.pose) continue;
+        model.put = placed.pose;
+        place(model);
+        any = any || model.visible;
+    }
+    return any;
+}
+
 Bounds ModelLayer::movingBounds() const {
     Bounds box;
     for (const auto& [id, model] : models_) {
-        if (!model->motion || !model->visible || model->box.empty()) continue;
-        const Pose now = model->rest * model->motion->at(time_);
+        if (!(model->motion || model->put) || !model->visible || model->box.empty()) continue;
+        const Pose now = poseOf(*model);
         for (int corner = 0; corner < 8; ++corner)
             box.add(now.apply({(corner & 1 ? model->box.high : model->box.low).x(),
                                (corner & 2 ? model->box.high : model->box.low).y(),

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <vtkActor.h>
@@ -17,6 +18,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
+#include "core/haptics/body_places.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/theme.h"
@@ -43,6 +45,9 @@ public:
     void setScene(const Scene& scene);
     /// Puts bodies that move by themselves where they are at a time in s; true if there is any that it moved.
     bool moveTo(double time);
+    /// Puts objects to where forces have moved them; true if any that is visible was elsewhere. Others stay
+    /// where they are.
+    bool put(std::span<const PlacedObject> places);
     /// The box of all bodies that move, where they are. World frame.
     Bounds movingBounds() const;
     void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);
@@ -88,6 +93,7 @@ private:
         Pose rest;                   ///< X_WB at the time 0
         vtkNew<vtkMatrix4x4> matrix; ///< X_WB now
         std::shared_ptr<const Motion> motion;
+        std::optional<Pose> put; ///< X_WB, where forces have moved it
     };
 
     std::unique_ptr<Model> build(const SceneObject& object);
@@ -96,6 +102,7 @@ private:
     void show(Model& model, DisplayMesh mesh);
     static void show(Model& model, vtkPoints* points, vtkDataArray* normals);
     void update(Model& model, const SceneObject& object);
+    Pose poseOf(const Model& model) const;
     void place(Model& model);
     void drop(Model& model);
     void drop(Part& part);

@@ -139,7 +139,8 @@ void SceneView::setPainted(const PaintedPicture& picture) {
 void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
                            bool armed) {
     const TouchState next = touchState(proxy, servo, forceLimit, armed);
-    const bool moved = impl_->model.moveTo(proxy.time);
+    const bool gone = impl_->model.moveTo(proxy.time);
+    const bool moved = impl_->model.put(impl_->bodies.at(proxy.bodies)) || gone;
     // Against what is shown, so that slow motion adds up until it is seen.
     const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
     if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return fadeOn();

@@ -22,6 +22,8 @@ const FeltOptions& SceneView::felt() const {
 
 void SceneView::setWorld(std::shared_ptr<const World> world) {
     if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
+    if (world != impl_->world) impl_->bodies = BodyPlaces(world.get());
+    impl_->world = world;
     impl_->felt.setWorld(std::move(world));
     if (impl_->felt.pending()) impl_->meshTimer.start();
     changed();

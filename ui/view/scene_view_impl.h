@@ -68,6 +68,8 @@ struct SceneView::Impl {
     MappingGizmo mapping;
     TouchOverlay overlay;
     FeltView felt;
+    std::shared_ptr<const World> world; ///< that the bodies below are of
+    BodyPlaces bodies;
     ScenePicker picker;
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;

@@ -95,6 +95,29 @@ private slots:
         QCOMPARE(again(sceneBytes({}, {})).size(), 0u);
     }
 
+    /// The bodies that forces move are in it, those of each scene, and which object goes with which.
+    void bodiesAreThose() {
+        std::vector<RecordedScene> list;
+        Scene scene = twoObjects();
+        RigidBody body;
+        body.id = 7;
+        body.mass = 0.25;
+        scene.objects[1].body = 7;
+        scene.mechanics.bodies = {body};
+        scene.mechanics.gravity = {0, 0, -3};
+        list.push_back(recorded(scene, 1));
+        list.push_back(recorded(scene, 2));
+        scene.mechanics.bodies[0].mass = 0.5;
+        list.push_back(recorded(scene, 3));
+        const std::vector<RecordedScene> read = again(sceneBytes(list, {}));
+        QCOMPARE(read.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(read[i].scene->mechanics == list[i].scene->mechanics);
+            QCOMPARE(read[i].scene->objects[1].body, 7u);
+        }
+        QCOMPARE(read[2].scene->mechanics.bodies[0].mass, 0.5);
+    }
+
     /// A minute of edits costs the edits: what stays as it was is there once.
     void whatStaysIsThereOnce() {
         const Scene scene = twoObjects();

@@ -110,7 +110,7 @@ private slots:
             bit *= 2;
         }
         QCOMPARE(std::uint32_t(ProxyRow::kFidelity), 8u);
-        QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x307u);
+        QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x317u);
         bit = 1;
         for (const auto flag :
              {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh, ServoRow::Armed,

@@ -1,0 +1,31 @@
+// Where the objects are that forces move, for who looks at them from outside of the loops.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/haptics/world.h"
+
+namespace tactum {
+
+struct PlacedObject {
+    ObjectId object = 0;
+    Pose pose; ///< X_WB
+};
+
+/// Of one World; its own memory, so that the loop's is left alone. Thread: one, any but real time.
+class BodyPlaces {
+public:
+    /// `world` may be null: nothing moves.
+    explicit BodyPlaces(const World* world = nullptr);
+
+    /// Until the next call. A state of other bodies shows them where they begin.
+    std::span<const PlacedObject> at(const BodiesState& state);
+
+private:
+    std::unique_ptr<MovingBodies> bodies_;
+    std::vector<PlacedObject> places_;
+};
+
+} // namespace tactum

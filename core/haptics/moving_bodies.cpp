@@ -1,0 +1,148 @@
+#include "core/haptics/moving_bodies.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace tactum {
+
+namespace {
+
+/// A body on the finger's spring swings; so much of a swing, in radians, is followed in one part of a step.
+constexpr double kSwing = 0.5;
+constexpr int kMostParts = 8;
+/// What swings faster gets no more of the finger's force than what can be followed, rad a part.
+constexpr double kFastestSwing = 2;
+
+/// FNV-1a over words.
+class Key {
+public:
+    void add(std::uint64_t word) noexcept { value_ = std::rotl((value_ ^ word) * 0x100000001b3u, 29); }
+    void add(double number) noexcept { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(const Eigen::VectorXd& numbers) noexcept {
+        for (const double number : numbers)
+            add(number);
+    }
+    void add(const Pose& pose) noexcept {
+        for (int i = 0; i < 4; ++i)
+            add(pose.rotation.coeffs()[i]);
+        for (int i = 0; i < 3; ++i)
+            add(pose.translation[i]);
+    }
+    std::uint64_t value() const noexcept { return value_ | 1; }
+
+private:
+    std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+/// Of masses, springs and materials nothing: they may change under the hand.
+std::uint64_t keyOf(const Mechanism& mechanism) {
+    Key key;
+    for (const Link& link : mechanism.links) {
+        key.add(std::uint64_t(link.kind));
+        key.add(std::uint64_t(std::int64_t(link.parent)));
+        key.add(std::uint64_t(link.axis));
+        key.add(link.base);
+    }
+    key.add(mechanism.q0);
+    key.add(mechanism.v0);
+    return key.value();
+}
+
+} // namespace
+
+FingerPushes pushesOf(const ProxyState& proxy, const Vec3& force_W, double stiffness) noexcept {
+    FingerPushes pushes;
+    double total = 0;
+    Vec3 rest = force_W;
+    for (int i = 0; i < proxy.contactCount; ++i) {
+        const Contact& contact = proxy.contacts[std::size_t(i)];
+        if (!(contact.lambda > 0)) continue;
+        total += contact.lambda;
+        rest -= stiffness * contact.lambda * contact.normal;
+    }
+    if (!(total > 0)) return pushes;
+    for (int i = 0; i < proxy.contactCount; ++i) {
+        const Contact& contact = proxy.contacts[std::size_t(i)];
+        if (!(contact.lambda > 0)) continue;
+        const double share = contact.lambda / total;
+        AppliedForce force;
+        force.force_W = -(stiffness * contact.lambda * contact.normal + share * rest);
+        force.stiffness = stiffness;
+        force.start_W = contact.point;
+        force.into_W = -contact.normal;
+        force.sticks = hasFriction(contact.material) && !contact.slipping;
+        pushes.push({contact.body, force});
+    }
+    return pushes;
+}
+
+MovingBodies::MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity)
+    : mechanism_(std::move(mechanism)), gravity_(gravity), key_(keyOf(*mechanism_)), dynamics_(mechanism_),
+      now_(dynamics_.startState()), poses_(mechanism_->bodies.size()) {}
+
+int MovingBodies::add(const Driven& driven) {
+    driven_.push_back(driven);
+    motions_.push_back({});
+    return int(driven_.size()) - 1;
+}
+
+void MovingBodies::read(const BodiesState& state) noexcept {
+    std::copy_n(state.q.begin(), state.qs, now_.q.data());
+    std::copy_n(state.v.begin(), state.vs, now_.v.data());
+}
+
+void MovingBodies::begin(BodiesState& state) noexcept {
+    const bool known = state.of == key_ && state.qs == mechanism_->qs && state.vs == mechanism_->vs;
+    if (!known) {
+        state.of = key_;
+        state.qs = mechanism_->qs, state.vs = mechanism_->vs;
+        std::copy_n(mechanism_->q0.data(), state.qs, state.q.begin());
+        std::copy_n(mechanism_->v0.data(), state.vs, state.v.begin());
+        state.force = Vec3::Zero();
+    }
+    read(state);
+    dynamics_.posesOf(now_, poses_);
+    for (std::size_t i = 0; i < driven_.size(); ++i)
+        motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
+}
+
+// The point of the body's material that is touched now.
+void MovingBodies::addForce(AppliedForce force, int driven) noexcept {
+    const std::size_t body = driven_[std::size_t(driven)].body;
+    const Place& place = mechanism_->places[body];
+    const Vec3 point = poses_[body].applyInverse(force.start_W);
+    force.at = {place.link, place.pose * Pose{Quat::Identity(), point}};
+    forces_.push(force);
+}
+
+// The finger's spring and the body make an oscillator: its parts are short enough to follow it, and where
+// none is, it is softer.
+int MovingBodies::partsFor(double dt) noexcept {
+    double fastest = 0;
+    for (AppliedForce& force : forces_.all()) {
+        const double mass = dynamics_.effectiveMass(now_, force.at, force.into_W);
+        const double swing = dt * std::sqrt(force.stiffness / mass);
+        fastest = std::max(fastest, swing);
+        const double most = kFastestSwing * kMostParts;
+        if (!(swing > most)) continue;
+        const double part = most * most / (swing * swing);
+        force.force_W *= part;
+        force.stiffness *= part;
+    }
+    return int(std::clamp(std::ceil(fastest / kSwing), 1.0, double(kMostParts)));
+}
+
+void MovingBodies::advance(BodiesState& state, double dt) noexcept {
+    dt = std::min(dt, kMostBodyTime);
+    const int parts = partsFor(dt);
+    for (int i = 0; i < parts; ++i)
+        dynamics_.step(now_, gravity_, forces_.all(), dt / parts);
+    std::copy_n(now_.q.data(), state.qs, state.q.begin());
+    std::copy_n(now_.v.data(), state.vs, state.v.begin());
+    dynamics_.posesOf(now_, poses_);
+    for (std::size_t i = 0; i < driven_.size(); ++i)
+        motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
+}
+
+} // namespace tactum

@@ -1,0 +1,94 @@
+// The bodies that forces move, in the hand (section 6): what the finger does to them, and where they go.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/dynamics/dynamics.h"
+#include "core/motion/body_motion.h"
+#include "core/proxy/proxy.h"
+
+namespace tactum {
+
+/// Of all joints and loose bodies of a scene together: a loose body has seven.
+inline constexpr int kMaxCoordinates = 1024;
+/// Bodies go on by no more than this in one haptic step, however long it was, s.
+inline constexpr double kMostBodyTime = 0.1;
+
+/// Where the bodies are and how they move, between two steps.
+struct BodiesState {
+    std::uint64_t of = 0; ///< MovingBodies::key(); 0: of none
+    int qs = 0, vs = 0;
+    std::array<double, kMaxCoordinates> q{}, v{};
+    Vec3 force =
+        Vec3::Zero(); ///< on the finger in the last step, N, world frame: the bodies get its opposite
+};
+
+/// How the finger presses on one body until the next step.
+struct FingerPush {
+    std::uint32_t obstacle = 0;
+    AppliedForce force; ///< `at` is found by MovingBodies
+};
+using FingerPushes = InplaceVector<FingerPush, kMaxPlanes>;
+
+/// The force on the finger, split over what it touches, opposite: of each contact the force k lambda n of its
+/// plane (19), and what is left, which is friction and damping, in the same shares (23). A contact that
+/// sticks gives way in every direction. `stiffness`: of the finger's spring, N/m. Thread: real time.
+FingerPushes pushesOf(const ProxyState& proxy, const Vec3& force_W, double stiffness) noexcept;
+
+/// Steps the bodies of one World; its memory is what it steps in. Thread: one at a time; all but making it
+/// real time.
+class MovingBodies {
+public:
+    /// An obstacle that moves with a body.
+    struct Driven {
+        std::size_t body = 0; ///< of the mechanism
+        Pose offset;          ///< body frame
+    };
+
+    MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity);
+    /// Gives the number for Mover::driven. Thread: any but real time.
+    int add(const Driven& driven);
+
+    const std::shared_ptr<const Mechanism>& mechanism() const noexcept { return mechanism_; }
+    /// Tells mechanisms apart whose coordinates mean other things; never 0.
+    std::uint64_t key() const noexcept { return key_; }
+    std::span<const Driven> driven() const noexcept { return driven_; }
+    const Vec3& gravity() const noexcept { return gravity_; }
+    /// Of each driven obstacle, in the last begin() or step(). They stay where they are in memory.
+    std::span<const BodyMotion> motions() const noexcept { return motions_; }
+
+    /// Takes the bodies to where a state has them; a state of another mechanism begins at the time 0 first.
+    void begin(BodiesState& state) noexcept;
+    /// They go on by dt, under gravity, their joints, each other and the finger. Deterministic after
+    /// forget(): the same state and pushes give the same bits. `drivenOf(obstacle)` is Mover::driven or -1.
+    template <class DrivenOf>
+    void step(BodiesState& state, const FingerPushes& pushes, double dt, DrivenOf&& drivenOf) noexcept {
+        forces_.clear();
+        for (const FingerPush& push : pushes.all())
+            if (const int driven = drivenOf(push.obstacle); driven >= 0) addForce(push.force, driven);
+        advance(state, dt);
+    }
+    void forget() noexcept { dynamics_.forget(); }
+
+private:
+    void addForce(AppliedForce force, int driven) noexcept;
+    void advance(BodiesState& state, double dt) noexcept;
+    int partsFor(double dt) noexcept;
+    void read(const BodiesState& state) noexcept;
+
+    std::shared_ptr<const Mechanism> mechanism_;
+    Vec3 gravity_;
+    std::uint64_t key_;
+    Dynamics dynamics_;
+    DynamicState now_;
+    std::vector<Pose> poses_; ///< of each body
+    std::vector<Driven> driven_;
+    std::vector<BodyMotion> motions_;
+    InplaceVector<AppliedForce, kMaxPlanes> forces_;
+};
+
+} // namespace tactum
