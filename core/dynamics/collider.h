@@ -59,6 +59,7 @@ struct Collider {
     ColliderShape shape;
     TouchMaterial material;
     CollisionFilter filter;
+    std::uint32_t part = 0; ///< of the world: which of the things that stand still it is of; 0: of no other
 
     bool operator==(const Collider&) const = default;
 };

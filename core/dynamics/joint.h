@@ -64,6 +64,9 @@ struct Joint {
     std::vector<JointDrive> drives;
     std::vector<JointFriction> frictions;
     bool collide = false; ///< whether a and b touch each other
+    /// Of a joint to the world: which of the things that stand still (Collider::part) it is fixed to; 0: to
+    /// none, and all of them are touched.
+    std::uint32_t part = 0;
 
     bool operator==(const Joint&) const = default;
 };

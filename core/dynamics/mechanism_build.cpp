@@ -446,9 +446,16 @@ Result<void> addTouchables(Mechanism& made, std::span<const Joint> joints,
     if (colliders.size() > kMostTouchables)
         return inputError("the scene has " + std::to_string(colliders.size()) + " colliders, and at most " +
                           std::to_string(kMostTouchables) + " can touch each other; join some of them");
-    std::set<std::pair<BodyId, BodyId>> joined;
-    for (const Joint& joint : joints)
-        if (!joint.collide) joined.insert(std::minmax(joint.a, joint.b));
+    using Thing = std::pair<BodyId, std::uint32_t>; // a body, or a part of the world
+    const auto thingOf = [](BodyId body, std::uint32_t part) {
+        return Thing{body, body == kWorldBody ? part : 0};
+    };
+    std::set<std::pair<Thing, Thing>> joined;
+    for (const Joint& joint : joints) {
+        const Thing a = thingOf(joint.a, joint.part), b = thingOf(joint.b, joint.part);
+        const bool isPlain = a == Thing{} || b == Thing{}; // the world, but no thing in particular
+        if (!joint.collide && !isPlain) joined.insert({std::min(a, b), std::max(a, b)});
+    }
     std::map<BodyId, const Place*> placeOf;
     for (std::size_t i = 0; i < made.bodies.size(); ++i)
         placeOf[made.bodies[i].id] = &made.places[i];
@@ -477,7 +484,9 @@ Result<void> addTouchables(Mechanism& made, std::span<const Joint> joints,
             const bool apart = from[i]->body != from[j]->body && a.place.link != b.place.link &&
                                !(isFixedIn(a) && isFixedIn(b));
             made.meets[i * count + j] =
-                apart && !joined.contains(std::minmax(from[i]->body, from[j]->body)) &&
+                apart &&
+                !joined.contains(std::minmax(thingOf(from[i]->body, from[i]->part),
+                                             thingOf(from[j]->body, from[j]->part))) &&
                 lets(from[i]->filter, from[j]->filter) && lets(from[j]->filter, from[i]->filter);
         }
     return {};

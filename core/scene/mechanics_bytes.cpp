@@ -66,8 +66,8 @@ template <class Io> void friction(Io& io, JointFriction& value) {
 }
 
 template <class Io> void joint(Io& io, Joint& value) {
-    auto& [name, a, b, frameA, frameB, limits, drives, frictions, collide] = value;
-    io(name), io(a), io(b), io(frameA), io(frameB), io(collide);
+    auto& [name, a, b, frameA, frameB, limits, drives, frictions, collide, part] = value;
+    io(name), io(a), io(b), io(frameA), io(frameB), io(collide), io(part);
     list(io, limits, 30, [&](JointLimit& one) { limit(io, one); });
     list(io, drives, 40, [&](JointDrive& one) { drive(io, one); });
     list(io, frictions, 10, [&](JointFriction& one) { friction(io, one); });
@@ -92,8 +92,8 @@ template <class Io> void shape(Io& io, ColliderShape& value) {
 }
 
 template <class Io> void collider(Io& io, Collider& value) {
-    auto& [of, pose, form, material, filter] = value;
-    io(of), io(pose);
+    auto& [of, pose, form, material, filter, part] = value;
+    io(of), io(pose), io(part);
     shape(io, form);
     auto& [still, sliding, restitution, frictionMode, restitutionMode] = material;
     io(still), io(sliding), io(restitution);

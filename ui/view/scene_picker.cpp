@@ -56,6 +56,16 @@ Vec3 normalOf(const TriangleSoup& soup, Index triangle) {
     return normal.squaredNorm() > 0 ? normal.stableNormalized() : Vec3(Vec3::UnitZ());
 }
 
+/// Of a box of the body frame, world frame.
+Bounds boxAround(const Bounds& own, const Pose& pose) {
+    Bounds box;
+    if (own.empty()) return box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.add(pose.apply({(corner & 1 ? own.high : own.low).x(), (corner & 2 ? own.high : own.low).y(),
+                            (corner & 4 ? own.high : own.low).z()}));
+    return box;
+}
+
 constexpr std::size_t kSpanningPoints = 20000;
 
 } // namespace
@@ -85,6 +95,20 @@ void ScenePicker::setScene(const Scene& scene) {
     }
     buildTrees(targets);
     targets_ = std::move(targets);
+}
+
+void ScenePicker::put(std::span<const PlacedObject> places) {
+    for (const PlacedObject& placed : places)
+        for (Target& target : targets_) {
+            if (target.object != placed.object || target.pose == placed.pose) continue;
+            if (!target.own) {
+                target.own.emplace();
+                for (const Vec3& point : target.soup->positions)
+                    target.own->add(point);
+            }
+            target.pose = placed.pose;
+            target.box = boxAround(*target.own, target.pose);
+        }
 }
 
 /// What is known of the same geometry, as far as it still holds.

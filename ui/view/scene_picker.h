@@ -4,10 +4,12 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "core/collision/sphere_tree.h"
+#include "core/haptics/body_places.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/view_camera.h"
@@ -34,6 +36,8 @@ public:
     /// Geometry that was there before keeps its hierarchy.
     void setScene(const Scene& scene);
     const Bounds& bounds() const { return bounds_; }
+    /// Objects are elsewhere now, until the next scene; bounds() stays as it was.
+    void put(std::span<const PlacedObject> places);
 
     /// The nearest visible surface along the ray.
     std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
@@ -50,8 +54,9 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         Tree tree;
         bool visible;
-        std::vector<Sides> sides; ///< None for surfaces that are not visible
-        Bounds box;               ///< world frame
+        std::vector<Sides> sides;       ///< None for surfaces that are not visible
+        Bounds box;                     ///< world frame
+        std::optional<Bounds> own = {}; ///< body frame; of one that was put elsewhere
     };
 
     using Known = std::unordered_multimap<std::size_t, const Target*>;

@@ -20,6 +20,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kOutlinePixels = 2.6;
 // A hand that holds still trembles by less than this.
 constexpr double kUnseenPixels = 0.1;
+// Diagonals of the scene: what forces have moved farther than this is not drawn.
+constexpr double kFarthestMoved = 10;
 
 } // namespace
 
@@ -44,9 +46,12 @@ void SceneView::Impl::refreshSelection() {
 
 Bounds SceneView::Impl::shown() const {
     Bounds box = picker.bounds();
-    if (const Bounds moving = model.movingBounds(); !moving.empty()) {
-        box.add(moving.low);
-        box.add(moving.high);
+    if (const Bounds moving = model.movingBounds(); !moving.empty() && !box.empty()) {
+        // What has fallen farther takes none of the depth that the rest is drawn with.
+        const Vec3 most = Vec3::Constant(kFarthestMoved * box.diagonal());
+        const Vec3 low = box.low - most, high = box.high + most;
+        box.add(moving.low.cwiseMax(low).cwiseMin(high));
+        box.add(moving.high.cwiseMin(high).cwiseMax(low));
     }
     if (!touch) return box;
     const Vec3 reach = Vec3::Constant(4 * proxyRadius);
@@ -140,7 +145,9 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
                            bool armed) {
     const TouchState next = touchState(proxy, servo, forceLimit, armed);
     const bool gone = impl_->model.moveTo(proxy.time);
-    const bool moved = impl_->model.put(impl_->bodies.at(proxy.bodies)) || gone;
+    const std::span<const PlacedObject> places = impl_->bodies.at(proxy.bodies);
+    const bool moved = impl_->model.put(places) || gone;
+    impl_->picker.put(places);
     // Against what is shown, so that slow motion adds up until it is seen.
     const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
     if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return fadeOn();

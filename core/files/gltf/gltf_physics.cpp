@@ -117,7 +117,7 @@ private:
         return body ? body->pose : Pose{};
     }
 
-    void visit(int node, const Affine& parent, BodyId body);
+    void visit(int node, const Affine& parent, BodyId body, std::uint32_t part);
     void addBody(int node, const Json& motion);
     void addCollider(int node, const Json& collider, BodyId body);
     std::optional<ColliderShape> shapeOf(int node, const Json& geometry);
@@ -140,13 +140,14 @@ private:
     const Json* shapes_ = nullptr;
     std::map<int, Spot> spots_; ///< of every node of the scene
     std::map<int, BodyId> owners_;
+    std::map<int, std::uint32_t> parts_; ///< Collider::part, of nodes that stand still
     std::map<BodyId, const Json*> motionsOf_;
     std::map<BodyId, int> nodeOf_;
     std::size_t looked_ = 0; ///< nodes of meshes, which need not be a tree
     GltfPhysics made_;
 };
 
-void PhysicsReader::visit(int node, const Affine& parent, BodyId body) {
+void PhysicsReader::visit(int node, const Affine& parent, BodyId body, std::uint32_t part) {
     const Affine world = parent * motions_.localAt(node, 0);
     spots_[node] = spotOf(world);
     const Json* ours = ofNode(node);
@@ -154,10 +155,13 @@ void PhysicsReader::visit(int node, const Affine& parent, BodyId body) {
         addBody(node, *motion);
         body = made_.mechanics.bodies.back().id;
     }
+    // What hangs below a collider that stands still is one thing with it.
+    if (part == 0 && ours && ours->contains("collider")) part = std::uint32_t(node) + 1;
+    if (body == kWorldBody) parts_[node] = part;
     owners_[node] = body;
     if (body != kWorldBody) made_.bodyOfNode[node] = body;
     for (const int child : model_.nodes[std::size_t(node)].children)
-        visit(child, world, body);
+        visit(child, world, body, part);
 }
 
 void PhysicsReader::addBody(int node, const Json& motion) {
@@ -301,6 +305,7 @@ void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
     collider.shape = *shape;
     collider.material = materialOf(json);
     collider.filter = filterOf(json);
+    if (body == kWorldBody) collider.part = parts_[node];
     made_.mechanics.colliders.push_back(std::move(collider));
 }
 
@@ -406,6 +411,8 @@ void PhysicsReader::addJoint(int node, const Json& json) {
     joint.frameA = frameOf(joint.a).inverse() * spots_[node].pose;
     joint.frameB = frameOf(joint.b).inverse() * spots_[other].pose;
     joint.collide = flagIn(json, "enableCollision");
+    if (joint.a == kWorldBody) joint.part = parts_[node];
+    if (joint.b == kWorldBody) joint.part = parts_[other];
     addLimits(*description, joint);
     addDrives(*description, joint);
     if (joint.a == joint.b)
@@ -420,7 +427,7 @@ GltfPhysics PhysicsReader::run() {
     if (std::ranges::none_of(*nodes, [](const Json& node) { return extension(node, kPhysicsExtension); }))
         return {};
     for (const int node : sceneRoots(model_))
-        visit(node, Affine::Identity(), kWorldBody);
+        visit(node, Affine::Identity(), kWorldBody, 0);
     for (const auto& [node, body] : owners_)
         if (const Json* ours = ofNode(node))
             if (const Json* collider = member(*ours, "collider"); collider && collider->is_object())
