@@ -30,6 +30,7 @@ Dynamics::Dynamics(std::shared_ptr<const Mechanism> mechanism)
         a_[i] = v_[i] = Coordinates::Zero(m.vs);
         qRate_[i] = Coordinates::Zero(m.qs);
     }
+    before_ = startState(); // its memory, before the first step
     springInertia_.assign(m.springs.size(), 1);
     weighs_ = std::ranges::any_of(m.springs, [](const Spring& spring) { return spring.drive.acceleration; });
 }

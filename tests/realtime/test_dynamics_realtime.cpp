@@ -1,9 +1,14 @@
 // The proof that a step of bodies and joints neither allocates nor locks: no hit of the interposer.
+#include <cmath>
+
 #include <QTest>
 
 #include "core/base/realtime.h"
+#include "core/haptics/haptic_step.h"
 #include "tests/core/dynamics/mechanisms.h"
 #include "tests/realtime/interposer.h"
+#include "tests/support/hand.h"
+#include "tests/support/soups.h"
 #include "tests/support/test_program.h"
 
 namespace test_dynamics_realtime {
@@ -49,6 +54,36 @@ private slots:
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         QCOMPARE(allocated, 0);
         QVERIFY(run.state().q.allFinite());
+    }
+
+    // The same in the hand: a plate that is pressed onto a floor, dragged, and let go.
+    void tenThousandHapticStepsOfAPushedPlate() {
+        Material feel;
+        feel.staticFriction = feel.dynamicFriction = 0.4;
+        Scene scene = sceneOf(plate(0.05, 0.01), feel, 1e-3, {Quat::Identity(), {0, 0, -0.005}});
+        scene.mechanics.gravity = {0, 0, -9.81};
+        scene.mechanics.bodies = {bodyAt(1, Vec3(0, 0, -0.005), 0.1, Vec3::Constant(1e-4))};
+        scene.objects[0].body = 1;
+        ColliderShape box, floor;
+        box.size = {0.1, 0.1, 0.01};
+        floor.kind = ShapeKind::Plane;
+        floor.size = {kUnbounded, 0, kUnbounded};
+        const Quat up(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));
+        scene.mechanics.colliders = {{1, Pose{}, box, {0.1, 0.1}, {}},
+                                     {kWorldBody, {up, Vec3(0, 0, -0.01)}, floor, {0.1, 0.1}, {}}};
+        const auto world = compile(scene).value();
+        SimState state;
+        int touching = 0;
+        interposer::reset();
+        for (int i = 0; i < 10'000; ++i) {
+            const double t = 5e-4 * i;
+            const Vec3 finger(0.01 * std::sin(3 * t), 0, 2e-3 * std::cos(7 * t));
+            const RealtimeScope scope;
+            touching += hapticStep(*world, state, {.finger = finger}, 5e-4).contacts > 0;
+        }
+        QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
+        QCOMPARE_GT(touching, 3000);
+        QVERIFY2(std::abs(state.bodies.q[0]) > 1e-4, "it was not dragged");
     }
 };
 

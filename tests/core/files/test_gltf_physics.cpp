@@ -3,6 +3,7 @@
 // which is quoted where a number hangs on it.
 #include <QTest>
 
+#include "core/dynamics/mechanism_build.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -74,6 +75,30 @@ private slots:
         COMPARE_NEAR(body.centre, Vec3(0, 0.5, 0), 1e-12, "m");
         COMPARE_NEAR(body.inertia, Vec3(body.mass / 12 * Vec3(0.25, 0.1, 0.17)), 1e-9, "kg m^2");
         COMPARE_NEAR(read.colliders[0].pose.translation, Vec3(0, 0.5, 0), 1e-12, "m");
+    }
+
+    // "Whether or not the connected nodes may collide": the two that are connected, and nothing else that
+    // stands still.
+    void aJointToTheWorldExceptsWhatItIsFixedToAlone() {
+        const std::string shape = R"({"type":"box","box":{"size":[0.1,0.1,0.1]}})";
+        const std::string solid = R"("collider":{"geometry":{"shape":0}})";
+        const Mechanics read =
+            mechanicsOf(gltf("[" +
+                                 node(R"("children":[3])", R"("motion":{},)" + solid +
+                                                               R"(,"joint":{"joint":0,"connectedNode":4})") +
+                                 "," + node(R"("children":[4],"translation":[0,0.09,0])", solid) + "," +
+                                 node(R"("translation":[0,-0.09,0])", solid) + R"(,{},{}])",
+                             kHinge, shape));
+        QCOMPARE(read.joints.size(), 1u);
+        QCOMPARE(read.colliders.size(), 3u);
+        const auto mechanism = compileMechanism(read.bodies, read.joints, read.colliders).value();
+        int body = -1, post = -1, floor = -1;
+        for (int i = 0; i < 3; ++i) {
+            const Collider& one = read.colliders[std::size_t(i)];
+            (one.body != kWorldBody ? body : one.pose.translation.y() > 0 ? post : floor) = i;
+        }
+        QVERIFY(!mechanism.mayTouch(body, post));
+        QVERIFY(mechanism.mayTouch(body, floor));
     }
 
     void zeroIsEndless() {

@@ -103,6 +103,56 @@ private slots:
         QCOMPARE_GT(pushed, 500);
     }
 
+    // A plate that is pushed and falls, stopped, slowed, stepped and put back: live, whole and from the
+    // middle.
+    void bodiesThatForcesMoveGiveTheSameBits() {
+        const auto target = std::make_shared<HandTarget>();
+        Engine engine(std::make_unique<SimulatedHand>(target));
+        Scene scene = bumpyScene(bumpyPlate(1), 0);
+        RigidBody body;
+        body.id = 1;
+        body.mass = 0.5;
+        body.inertia = Vec3::Constant(1e-3);
+        scene.objects[0].body = 1;
+        scene.mechanics.bodies = {body};
+        scene.mechanics.gravity = {0, 0, -0.05};
+        engine.publish(compile(scene).value());
+        QVERIFY(engine.start());
+        engine.setArmed(true);
+        int frame = 0;
+        BodiesState slowed;
+        (void)eventually([&] {
+            engine.poll();
+            target->write({.position = wanderingFinger(4e-3 * double(++frame))});
+            if (frame % 97 == 0) engine.beginBodies();
+            if (frame % 50 == 0) engine.setPace(frame % 150 == 0 ? 0 : frame % 100 == 0 ? 0.1 : 1);
+            if (frame % 7 == 0) engine.stepBodies();
+            return engine.servo().ticks >= 4000;
+        });
+        engine.stop();
+        engine.poll();
+        const BodiesState last = engine.proxy().bodies;
+        const auto run = shared(engine.recorded());
+        int paused = 0, slow = 0, begun = 0, touching = 0;
+        for (const ProxyRow& row : run->proxy.rows) {
+            paused += row.pace == 0, slow += row.pace == 0.1, touching += row.contacts > 0;
+            begun += (row.flags & ProxyRow::Begin) != 0;
+        }
+        QVERIFY2(paused > 0 && slow > 0 && begun > 0 && touching > 0,
+                 "the run does not hold what it is about");
+        auto player = Player::open(run);
+        QVERIFY2(player.has_value(), player ? "" : player.error().text.c_str());
+        player->advanceTo(kForEver);
+        QVERIFY2(player->check().differ == 0, player->check().first.c_str());
+        QVERIFY(player->proxy().bodies.qs > 0);
+        QCOMPARE(player->proxy().bodies.q, last.q);
+        player->seek(0.5 * (run->begin() + run->end()));
+        player->advanceTo(kForEver);
+        QVERIFY2(player->check().differ == 0, player->check().first.c_str());
+        QCOMPARE_GT(player->check().proxySteps, 1000);
+        QCOMPARE(player->proxy().bodies.q, last.q);
+    }
+
     void theGuardIsSeenAsItWasSeenLive() {
         auto player = Player::open(shared(run_));
         QVERIFY(player.has_value());

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/haptics/compile.h"
+#include "core/haptics/haptic_step.h"
 #include "core/motion/motion_build.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
@@ -162,6 +164,41 @@ private slots:
             if (there.x() < kSize.width()) QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
             QCOMPARE(difference(shown.colourAt(kCentre), ball) < 40, time == 0);
         }
+    }
+
+    // Pushed by its start velocity of 0.06 m/s: after a second it is seen there, and picked there.
+    void whatForcesMoveIsShownAndPickedWhereItIs() {
+        Shown shown;
+        RigidBody body;
+        body.id = 1;
+        body.velocity = {0.06, 0, 0};
+        shown.scene.objects[0].body = 1;
+        shown.scene.mechanics.bodies = {body};
+        shown.scene.mechanics.gravity = Vec3::Zero();
+        const auto world = compile(shown.scene).value();
+        shown.view.setScene(shown.scene);
+        shown.view.setWorld(world);
+        shown.view.setTool(ViewTool::Select);
+        const QColor ball = shown.colourAt(kCentre);
+        SimState state;
+        for (int i = 0; i < 1000; ++i)
+            hapticStep(*world, state, {.finger = {0, 1, 0}}, 1e-3);
+        ProxyTelemetry proxy;
+        proxy.updates = 1;
+        proxy.finger = proxy.output.proxy = {0, 1, 0}; // out of sight
+        proxy.bodies = state.bodies;
+        shown.view.setHaptics(proxy, {}, 8, false);
+        const QPoint there = shown.pixelOf({0.06, 0, kBallRadius});
+        QCOMPARE_LT(difference(shown.colourAt(there), ball), 40);
+        QCOMPARE_GT(difference(shown.colourAt(kCentre), ball), 40);
+        QSignalSpy picked(&shown.view, &SceneView::picked);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, there);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, kCentre);
+        QCOMPARE(picked.size(), 2);
+        const auto hit = [&](int i) { return picked[i][0].value<std::optional<PickHit>>(); };
+        QVERIFY(hit(0));
+        COMPARE_NEAR(hit(0)->point.x(), 0.06, 1e-3, "m");
+        QVERIFY(!hit(1));
     }
 
     void themesDiffer() {
