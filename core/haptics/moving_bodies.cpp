@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/surface/friction.h"
+
 namespace tactum {
 
 namespace {
