@@ -197,7 +197,8 @@ Result<int> runSimulate(const SimulateOptions& options) {
     summary["steps"] = times.size();
     summary["step_s"] = dt;
     summary["step_ns"] = timesOf(times);
-    summary["energy_drift"] = liveliest > 0 ? most / liveliest : 0.0; // of the most that was in motion
+    // Of the most that was in motion; of what rests only the joules mean anything.
+    summary["energy_drift"] = liveliest > 1e-9 ? most / liveliest : 0.0;
     summary["energy_drift_j"] = most;
     summary["largest_loop_gap"] = gap;
     const std::string text = summary.dump() + '\n';

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/dynamics/convex.h"
+
 namespace tactum {
 
 namespace {
@@ -115,6 +117,16 @@ ShapeMass together(const ShapeMass& a, const ShapeMass& b) {
     return sum;
 }
 
+/// What contact sees of a hull is what it weighs.
+static ShapeMesh meshOf(const Polytope& hull) {
+    ShapeMesh mesh{hull.points, {}};
+    for (const Polytope::Face& face : hull.faces)
+        for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
+            mesh.faces.push_back({std::uint32_t(face.corners[0]), std::uint32_t(face.corners[i]),
+                                  std::uint32_t(face.corners[i + 1])});
+    return mesh;
+}
+
 ShapeMass massOf(const ColliderShape& shape) {
     ShapeMass mass;
     switch (shape.kind) {
@@ -140,6 +152,7 @@ ShapeMass massOf(const ColliderShape& shape) {
     case ShapeKind::Plane:
         return mass;
     case ShapeKind::Hull:
+        return shape.mesh ? enclosed(meshOf(hullOf(shape.mesh->points))) : mass;
     case ShapeKind::Mesh:
         return shape.mesh ? enclosed(*shape.mesh) : mass;
     }

@@ -53,7 +53,7 @@ Dynamics::Stretch Dynamics::stretchOf(const Spring& spring, const Coordinates& q
         now.along = measured.along;
         now.rate = articulation_.powerOf(of.a, of.b, now.along);
     }
-    now.rest = spring.drive.position;
+    now.rest = spring.drive.restAt(now.value);
     if (spring.isLimit) {
         now.acts = now.value < spring.min || now.value > spring.max;
         now.rest = now.value < spring.min ? spring.min : spring.max;
@@ -250,8 +250,10 @@ double Dynamics::springEnergy(const DynamicState& state) noexcept {
     double sum = 0;
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
         const Stretch now = stretchOf(mechanism_->springs[i], state.q, state.v);
+        const JointDrive& drive = mechanism_->springs[i].drive;
         const double off = now.value - now.rest;
-        if (now.acts) sum += 0.5 * springInertia_[i] * mechanism_->springs[i].drive.stiffness * off * off;
+        const double held = drive.spacing > 0 ? drive.energyAt(now.value) : 0.5 * off * off;
+        if (now.acts) sum += springInertia_[i] * drive.stiffness * held;
     }
     return sum;
 }

@@ -2,8 +2,10 @@
 // takes away, so that hinges, sliders, springs, ropes and cones are limits and drives of one kind of joint.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,8 @@ struct JointLimit {
     bool operator==(const JointLimit&) const = default;
 };
 
-/// A spring with a damper and a bound on what it can do: a motor, a return spring, viscous friction. Its
-/// force on b is stiffness * (position - x) + damping * (velocity - x').
+/// A spring with a damper and a bound on what it can do: a motor, a return spring, detents, viscous friction.
+/// Its force on b is stiffness * (position - x) + damping * (velocity - x').
 struct JointDrive {
     bool angular = false;
     int axis = 0;
@@ -43,9 +45,29 @@ struct JointDrive {
     double velocity = 0;          ///< m/s or rad/s
     double maxForce = kUnbounded; ///< N or N m
     bool acceleration = false;    ///< the force counts for each kg or kg m^2 that it moves
+    /// m or rad: it rests at `position` and every so far from it, in detents. Its force is that of the spring
+    /// next to each, and goes through zero half way to the next: -k s / 2 pi sin(2 pi (x - position) / s). 0:
+    /// none.
+    double spacing = 0;
 
+    /// Where a spring of its stiffness would rest that pulls as it does at x: m or rad.
+    double restAt(double x) const;
+    /// J, for each N/m or N m/rad of stiffness.
+    double energyAt(double x) const;
     bool operator==(const JointDrive&) const = default;
 };
+
+inline double JointDrive::restAt(double x) const {
+    if (spacing == 0) return position;
+    const double turn = spacing / (2 * std::numbers::pi);
+    return x - turn * std::sin((x - position) / turn);
+}
+
+inline double JointDrive::energyAt(double x) const {
+    if (spacing == 0) return 0.5 * (x - position) * (x - position);
+    const double turn = spacing / (2 * std::numbers::pi);
+    return turn * turn * (1 - std::cos((x - position) / turn));
+}
 
 /// Dry friction of the joint itself: up to `force` it stays, beyond it goes against that force.
 struct JointFriction {

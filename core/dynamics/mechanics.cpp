@@ -37,6 +37,7 @@ void scale(Joint& joint, double factor) {
         if (!drive.angular) {
             drive.position *= factor;
             drive.velocity *= factor;
+            drive.spacing *= factor;
         }
 }
 

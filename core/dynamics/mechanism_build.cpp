@@ -57,8 +57,8 @@ Result<void> check(const Joint& joint) {
                         "correct it");
     for (const JointDrive& drive : joint.drives)
         if (!(drive.stiffness >= 0) || !(drive.damping >= 0) || !(drive.maxForce >= 0) ||
-            !std::isfinite(drive.position) || !std::isfinite(drive.velocity) || drive.axis < 0 ||
-            drive.axis > 2)
+            !std::isfinite(drive.position) || !std::isfinite(drive.velocity) ||
+            !(drive.spacing >= 0 && std::isfinite(drive.spacing)) || drive.axis < 0 || drive.axis > 2)
             return fail("has a drive with a negative or endless value; correct it");
     for (const JointFriction& friction : joint.frictions)
         if (!(friction.force >= 0) || friction.axis < 0 || friction.axis > 2)

@@ -230,7 +230,7 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
         // F = k (x0 - x) + d (v0 - v) at the end of the step.
         const double scale = spring.drive.acceleration ? row->yield : 1;
         const double k = scale * spring.drive.stiffness, d = scale * spring.drive.damping;
-        const double x0 = spring.isLimit ? (below ? spring.min : spring.max) : spring.drive.position;
+        const double x0 = spring.isLimit ? (below ? spring.min : spring.max) : spring.drive.restAt(now.value);
         row->compliance = 1 / (dt * (dt * k + d));
         row->target = row->compliance * dt * (k * (x0 - now.value) + d * spring.drive.velocity);
         row->high = spring.isLimit && !below ? 0 : scale * spring.drive.maxForce * dt;

@@ -105,7 +105,7 @@ void startAnew(const World& world, SimState& state, const HapticInput& input) {
 
 // What the finger did in the last step acts on the bodies until this one.
 void moveBodies(const World& world, SimState& state, double dt) noexcept {
-    const FingerPushes pushes = pushesOf(state.proxy, state.bodies.force, state.model.stiffness);
+    const FingerPushes pushes = pushesOf(state.proxy, state.bodies, state.model.stiffness);
     world.moving->step(state.bodies, pushes, dt, [&](std::uint32_t obstacle) {
         const int mover = world.obstacles[obstacle].mover;
         return mover < 0 ? -1 : world.movers[std::size_t(mover)].driven;
@@ -146,6 +146,7 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
     state.bodies.force = output.force;
+    state.bodies.most = input.mostForce;
     return output;
 }
 

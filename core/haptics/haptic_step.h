@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "core/base/vec.h"
 #include "core/haptics/contact_model.h"
@@ -21,7 +22,9 @@ struct HapticInput {
     /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
     /// it stays outside of.
     bool found = false;
-    double pace = 1;    ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
+    double pace = 1; ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
+    /// N, that the device can give the hand: what is beyond it reaches no body either.
+    double mostForce = std::numeric_limits<double>::infinity();
     bool begin = false; ///< first put all bodies to where they are at the time 0
 };
 

@@ -53,10 +53,10 @@ std::uint64_t keyOf(const Mechanism& mechanism) {
 
 } // namespace
 
-FingerPushes pushesOf(const ProxyState& proxy, const Vec3& force_W, double stiffness) noexcept {
+FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept {
     FingerPushes pushes;
     double total = 0;
-    Vec3 rest = force_W;
+    Vec3 rest = bodies.force;
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
@@ -64,13 +64,14 @@ FingerPushes pushesOf(const ProxyState& proxy, const Vec3& force_W, double stiff
         rest -= stiffness * contact.lambda * contact.normal;
     }
     if (!(total > 0)) return pushes;
+    const double given = bodies.force.norm(), part = given > bodies.most ? bodies.most / given : 1;
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
         const double share = contact.lambda / total;
         AppliedForce force;
-        force.force_W = -(stiffness * contact.lambda * contact.normal + share * rest);
-        force.stiffness = stiffness;
+        force.force_W = -part * (stiffness * contact.lambda * contact.normal + share * rest);
+        force.stiffness = part * stiffness;
         force.start_W = contact.point;
         force.into_W = -contact.normal;
         force.sticks = hasFriction(contact.material) && !contact.slipping;

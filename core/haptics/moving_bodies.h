@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,6 +26,7 @@ struct BodiesState {
     std::array<double, kMaxCoordinates> q{}, v{};
     Vec3 force =
         Vec3::Zero(); ///< on the finger in the last step, N, world frame: the bodies get its opposite
+    double most = std::numeric_limits<double>::infinity(); ///< N of it that the device can give
 };
 
 /// How the finger presses on one body until the next step.
@@ -36,8 +38,9 @@ using FingerPushes = InplaceVector<FingerPush, kMaxPlanes>;
 
 /// The force on the finger, split over what it touches, opposite: of each contact the force k lambda n of its
 /// plane (19), and what is left, which is friction and damping, in the same shares (23). A contact that
-/// sticks gives way in every direction. `stiffness`: of the finger's spring, N/m. Thread: real time.
-FingerPushes pushesOf(const ProxyState& proxy, const Vec3& force_W, double stiffness) noexcept;
+/// sticks gives way in every direction. Beyond what the device can give all of it is less in one proportion.
+/// `stiffness`: of the finger's spring, N/m. Thread: real time.
+FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept;
 
 /// Steps the bodies of one World; its memory is what it steps in. Thread: one at a time; all but making it
 /// real time.

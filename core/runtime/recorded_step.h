@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "core/haptics/haptic_step.h"
 #include "core/safety/servo_step.h"
@@ -34,7 +35,8 @@ struct ProxyRow {
 
     double time = 0; ///< s since the recorder was made: when the loop woke
     double dt = 0;
-    double pace = 1; ///< HapticInput::pace
+    double pace = 1;                                            ///< HapticInput::pace
+    double mostForce = std::numeric_limits<double>::infinity(); ///< HapticInput::mostForce
     Triple finger{}, velocity{};
     std::uint64_t world = 0; ///< revision
     std::uint32_t anchoring = 0;
@@ -78,7 +80,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 144 && sizeof(ServoRow) == 192, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 152 && sizeof(ServoRow) == 192, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
@@ -93,6 +95,7 @@ inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& 
                             .fidelity = row.fidelity(),
                             .found = (row.flags & ProxyRow::Found) != 0,
                             .pace = row.pace,
+                            .mostForce = row.mostForce,
                             .begin = (row.flags & ProxyRow::Begin) != 0};
     return hapticStep(world, state, input, row.dt);
 }

@@ -52,11 +52,12 @@ template <class Io> void limit(Io& io, JointLimit& value) {
 }
 
 template <class Io> void drive(Io& io, JointDrive& value) {
-    auto& [angular, axis, stiffness, damping, position, velocity, force, acceleration] = value;
+    auto& [angular, axis, stiffness, damping, position, velocity, force, acceleration, spacing] = value;
     io(angular), axisOf(io, axis), io(stiffness), io(damping), io(position), io(velocity);
     bound(io, force);
-    io(acceleration);
-    io.demand(stiffness >= 0 && damping >= 0 && force >= 0, "a drive of a joint is not possible");
+    io(acceleration), io(spacing);
+    io.demand(stiffness >= 0 && damping >= 0 && force >= 0 && spacing >= 0,
+              "a drive of a joint is not possible");
 }
 
 template <class Io> void friction(Io& io, JointFriction& value) {

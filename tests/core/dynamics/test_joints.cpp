@@ -62,6 +62,8 @@ private slots:
     void aDriveInAccelerationsKnowsNoMass();
     void aMotorHoldsItsSpeedUpToItsForce();
     void dryFrictionHoldsAndSlows();
+    void aDetentSwingsAsAPendulumDoes();
+    void aDetentHoldsUpToItsForce();
     void aLimitStopsWhatComes();
     void aRopeHolds();
     void aSoftLimitGivesWay();
@@ -199,9 +201,52 @@ void JointsTest::dryFrictionHoldsAndSlows() {
     COMPARE_NEAR(angleOf(run), 3 * 3 / (2 * 2.5), 1e-5, "rad"); // to within a part of one step
     const double stopped = angleOf(run);
     // A torque below it moves nothing.
-    const AppliedForce push{{0, {Quat::Identity(), Vec3(0.1, 0, 0)}}, Vec3(0, 0.3, 0)};
-    run.run(5, 1e-3, kDown, {&push, 1});
+    const auto push = [&](double force) { // x of the link is its axis, y the world's at the beginning
+        const Quat back = Quat(Eigen::AngleAxisd(-angleOf(run), Vec3::UnitX()));
+        const AppliedForce aside{{0, {Quat::Identity(), back * Vec3(0, 0.1, 0)}}, Vec3(-force, 0, 0)};
+        run.run(5, 1e-3, kDown, {&aside, 1});
+    };
+    push(0.49); // 0.049 N m of the 0.05
     COMPARE_NEAR(angleOf(run), stopped, 1e-12, "rad");
+    push(0.51);
+    QCOMPARE_GT(angleOf(run) - stopped, 0.1);
+}
+
+// A detent is a pendulum in its angle 2 pi x / s: T = 4 sqrt(I / k) K(sin(theta / 2)), theta its amplitude.
+void JointsTest::aDetentSwingsAsAPendulumDoes() {
+    for (const double theta : {0.1, 1.5, 2.8}) {
+        Disc disc;
+        const double spacing = 0.3, stiffness = 0.8;
+        disc.hinge.drives.push_back({.angular = true, .axis = 0, .stiffness = stiffness, .spacing = spacing});
+        // It swings about the third detent.
+        const double begin = 3 * spacing + theta * spacing / (2 * std::numbers::pi);
+        Running run(disc.bodies, {disc.hinge});
+        run.state().q[0] = begin;
+        const double energy = run.dynamics().springEnergy(run.state());
+        const double period =
+            4 * std::sqrt(disc.moment / stiffness) * std::comp_ellint_1(std::sin(theta / 2));
+        run.run(period, period / 4000);
+        COMPARE_NEAR(angleOf(run), begin, 1e-6, "rad");
+        COMPARE_NEAR(run.dynamics().springEnergy(run.state()) / energy, 1, 1e-5, "");
+    }
+}
+
+// Its force is k s / 2 pi at most: less stays, more goes on.
+void JointsTest::aDetentHoldsUpToItsForce() {
+    for (const double part : {0.95, 1.05}) {
+        Disc disc;
+        const double spacing = 0.3, stiffness = 0.8, most = stiffness * spacing / (2 * std::numbers::pi);
+        disc.hinge.drives.push_back(
+            {.angular = true, .axis = 0, .stiffness = stiffness, .damping = 0.05, .spacing = spacing});
+        Running run(disc.bodies, {disc.hinge});
+        for (int i = 1; i <= 300; ++i) { // slowly: what swings goes beyond
+            const AppliedForce push{{0, {Quat::Identity(), Vec3(0, 0.1, 0)}}, // x of the link is its axis
+                                    Vec3(-part * most / 0.1 * std::min(1.0, i / 100.0), 0, 0)};
+            run.run(0.05, 1e-3, Vec3::Zero(), {&push, 1});
+            if (part > 1 && angleOf(run) > 0.5 * spacing) break;
+        }
+        QCOMPARE(angleOf(run) > 0.5 * spacing, part > 1);
+    }
 }
 
 void JointsTest::aLimitStopsWhatComes() {

@@ -95,6 +95,7 @@ private slots:
     void whatSlipsIsDraggedByCoulombsForce();
     void aPinchedBodyRestsBetweenFingerAndWall();
     void bodiesGiveNoMoreThanTheyGot();
+    void noBodyGetsMoreThanTheDeviceGives();
     void lightBodiesStayWithTheFinger_data();
     void lightBodiesStayWithTheFinger();
     void theSameBitsFromAKeptState();
@@ -261,6 +262,21 @@ void MovedByHandTest::bodiesGiveNoMoreThanTheyGot() {
         }
         QCOMPARE_GT(leak, 1e-7);
     }
+}
+
+// 15 N of spring on a device of 3 N: the body gains 3 N / m each second, as the hand would feel it.
+void MovedByHandTest::noBodyGetsMoreThanTheDeviceGives() {
+    const double mass = 2, most = 3, dt = 5e-4;
+    const auto world = compile(Pushed(mass, material(3000)).scene).value();
+    SimState state;
+    hapticStep(*world, state, {.finger = {0, 0, 2 * kRadius}, .mostForce = most}, dt);
+    const int steps = 40;
+    for (int i = 0; i <= steps; ++i)
+        hapticStep(*world, state, {.finger = {0, 0, kRadius - 0.005}, .mostForce = most}, dt);
+    Hand seen(world);
+    seen.state = state;
+    COMPARE_NEAR(bodyOf(seen).velocity.z(), -most / mass * steps * dt, 0.02 * most / mass * steps * dt,
+                 "m/s");
 }
 
 void MovedByHandTest::lightBodiesStayWithTheFinger_data() {
