@@ -1,6 +1,7 @@
 // The rules of what each format keeps, said once. For loss_report.cpp only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -85,6 +86,19 @@ inline const std::array kSceneRows{
             [](const LossSubject& s) { return bool(s.scene.finger); },
             {kept(), lost("the format has no place for it"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel,
              kNoFeel, kNoFeel}},
+    LossRow{"bodies and joints",
+            [](const LossSubject& s) { return !s.scene.mechanics.bodies.empty(); },
+            {kept(), kAtRest, kNoPhysics,
+             kept("its colliders touch each other; what the finger feels is left out"), kAtRest, kAtRest,
+             kAtRest, kAtRest}},
+    LossRow{"dry friction and detents of joints",
+            [](const LossSubject& s) {
+                return std::ranges::any_of(s.scene.mechanics.joints, [](const Joint& joint) {
+                    const auto isDetent = [](const JointDrive& drive) { return drive.spacing > 0; };
+                    return !joint.frictions.empty() || std::ranges::any_of(joint.drives, isDetent);
+                });
+            },
+            {kept(), kAtRest, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
     LossRow{"proxy radius",
             always,
             {kept(), kept("in the file of the device"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel, kNoFeel,

@@ -1,6 +1,27 @@
 #include "tests/support/random_scene.h"
 
+#include <algorithm>
+
 namespace tactum::test {
+
+namespace {
+
+template <class Each>
+std::string difference(const char* what, const std::vector<Each>& a, const std::vector<Each>& b) {
+    if (a.size() != b.size()) return std::string("number of ") + what;
+    const auto [x, y] = std::ranges::mismatch(a, b);
+    return x == a.end() ? "" : what + (" " + std::to_string(x - a.begin()));
+}
+
+std::string difference(const Mechanics& a, const Mechanics& b) {
+    std::string found = difference("bodies", a.bodies, b.bodies);
+    if (found.empty()) found = difference("joints", a.joints, b.joints);
+    if (found.empty()) found = difference("colliders", a.colliders, b.colliders);
+    if (found.empty() && !a.bodies.empty() && a.gravity != b.gravity) found = "gravity";
+    return found;
+}
+
+} // namespace
 
 std::string difference(const Scene& a, const Scene& b) {
     const auto sameImage = [](const auto& x, const auto& y) {
@@ -19,12 +40,14 @@ std::string difference(const Scene& a, const Scene& b) {
     };
     if (a.proxyRadius != b.proxyRadius) return "proxy radius";
     if (bool(a.finger) != bool(b.finger) || (a.finger && *a.finger != *b.finger)) return "finger path";
+    if (const std::string found = difference(a.mechanics, b.mechanics); !found.empty()) return found;
     if (a.objects.size() != b.objects.size()) return "number of objects";
     for (std::size_t i = 0; i < a.objects.size(); ++i) {
         const SceneObject &x = a.objects[i], &y = b.objects[i];
         const std::string at = "object " + std::to_string(i) + ": ";
         if (x.name != y.name) return at + "name " + x.name + " | " + y.name;
         if (!(x.pose == y.pose)) return at + "pose";
+        if (x.body != y.body) return at + "body";
         if (x.visible != y.visible) return at + "visible";
         if (bool(x.motion) != bool(y.motion) || (x.motion && !(*x.motion == *y.motion))) return at + "motion";
         if (x.geometry->positions != y.geometry->positions) return at + "positions";

@@ -6,6 +6,7 @@
 
 #include "core/motion/motion_build.h"
 #include "core/scene/scene.h"
+#include "tests/support/random_mechanics.h"
 
 namespace tactum::test {
 
@@ -26,6 +27,7 @@ public:
         for (int i = count(1, 4); i > 0; --i)
             scene.add(
                 object(i > 1 && !scene.objects.empty() && chance(3) ? scene.objects[0].geometry : nullptr));
+        if (chance(3)) MechanicsDice(random_).addTo(scene);
         return scene;
     }
 

@@ -57,7 +57,7 @@ private:
         placed.name = node.name.empty() ? mesh.name : node.name;
         placed.node = chain_.back();
         placed.mesh = node.mesh;
-        if (chain_.size() == 2 && isRigid(chain_[0])) placed.rest = chain_[0];
+        placed.rest = poseAbove();
         placed.deforms = node.skin >= 0 || std::ranges::any_of(mesh.primitives, [](const auto& primitive) {
                              return !primitive.targets.empty();
                          });
@@ -70,6 +70,16 @@ private:
         else
             placeOnMover(placed, mover.base());
         placed_.push_back(std::move(placed));
+    }
+
+    std::optional<Pose> poseAbove() const {
+        std::optional<Pose> pose;
+        for (std::size_t i = 0; i + 1 < chain_.size(); ++i) {
+            if (!isRigid(chain_[i]) || motions_.moves(chain_[i])) return std::nullopt;
+            const Pose local = rigidOf(source_, model_, chain_[i]);
+            pose = pose ? *pose * local : local;
+        }
+        return pose;
     }
 
     bool isRigid(int index) const {

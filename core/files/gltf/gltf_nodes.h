@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/files/gltf/gltf_model.h"
@@ -15,8 +16,8 @@ class GltfMotions;
 struct PlacedMesh {
     std::string name; ///< of the node, or of the mesh
     int node = 0, mesh = 0;
-    int rest = -1; ///< the node above one that moves, if it is the root and has no scale: where our files put
-                   ///< the pose
+    std::optional<Pose> rest; ///< of the node above, if none above moves or has a scale: where our files put
+                              ///< the pose of one that moves
     Pose pose;
     Mat3 stretch = Mat3::Identity(); ///< scale, shear and mirroring; exactly the identity where there is none
     Vec3 offset = Vec3::Zero();      ///< m; of a mesh below the node that moves, which is the body's frame

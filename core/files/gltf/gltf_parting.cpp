@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/files/gltf/write_physics.h"
 
 namespace tactum {
 namespace {
@@ -13,6 +14,12 @@ namespace {
 const Json* motionIn(const Json& node) {
     const Json* ours = extensionOf(node);
     return ours ? member(*ours, "motion") : nullptr;
+}
+
+const Json* poseBelowBody(const Json& node) {
+    const Json* ours = extensionOf(node);
+    const Json* pose = ours ? member(*ours, "pose") : nullptr;
+    return pose && pose->is_object() ? pose : nullptr;
 }
 
 /// Takes the channels that move these nodes out of the animations: the objects' motions say it now.
@@ -52,10 +59,11 @@ bool isAllForeign(std::string_view array) {
 
 } // namespace
 
-GltfParting::GltfParting(const Json& json, const std::vector<int>& objects) : objects_(objects), root_(json) {
+GltfParting::GltfParting(const Json& json, const std::vector<int>& objects, bool mechanics)
+    : objects_(objects), root_(json) {
     readCounts(json);
     findOwnNodes(json);
-    strip();
+    strip(mechanics);
     markForeign(json);
     number();
     noteLost(json);
@@ -126,9 +134,11 @@ void GltfParting::findOwnNodes(const Json& json) {
         for (std::size_t i = 0; i < count; ++i) {
             const Json* children = member((*nodes)[i], "children");
             if (!ownNodes_[i] || restNodes_[i] || !children || !children->is_array()) continue;
+            const bool isBody = extensionOf((*nodes)[i])->contains("role");
             for (const Json& child : *children) {
                 const int index = indexIn(Json{{"i", child}}, "i", count);
                 if (index < 0 || ownNodes_[std::size_t(index)]) continue;
+                if (isBody && std::ranges::binary_search(objects_, index)) continue; // it is hung anew
                 ownNodes_[i] = 0, changed = true;
             }
         }
@@ -144,7 +154,8 @@ void GltfParting::visitMaterials(const Json& node, const auto& visit) {
                     });
 }
 
-void GltfParting::strip() {
+void GltfParting::strip(bool mechanics) {
+    if (mechanics) eraseMechanics(root_);
     const std::vector<std::string> copies = copiesIn(root_);
     eraseCopies(root_, copies);
     eraseMotions(root_, [&](int node) {
@@ -164,7 +175,11 @@ void GltfParting::strip() {
         Json& node = (*nodes)[i];
         const bool isObject = std::ranges::binary_search(objects_, int(i));
         if (isObject || extensionOf(node)) eraseCopies(node, copies);
+        if (const Json* ours = extensionOf(node); ours && ours->contains("role"))
+            eraseExtension(node, kExtension); // of one that stays for what hangs below it
         if (!isObject) continue;
+        if (const Json* pose = poseBelowBody(node)) // its body is ours, and goes
+            node.update(*pose);
         visitMaterials(node, [&](std::size_t material) { felt.insert(material); });
         eraseExtension(node, kExtension);
         for (const char* key : {"mesh", "skin", "weights"})
@@ -182,7 +197,7 @@ void GltfParting::strip() {
     // What this version knows of our extension of the root is written anew; without other keys it goes.
     eraseUse(root_, kExtension);
     if (!extensionOf(root_)) return;
-    for (const char* key : {"version", "foreign", "copies", "finger"})
+    for (const char* key : {"version", "foreign", "copies", "finger", "gravity"})
         root_["extensions"][kExtension].erase(key);
     root_["extensions"][kExtension].erase(jsonKey(kProxyRadius.key));
     if (root_["extensions"][kExtension].empty()) eraseExtension(root_, kExtension);

@@ -15,8 +15,9 @@ namespace tactum {
 /// is what only our objects name; all else was put in by another program, and moves to the foreign beginning.
 class GltfParting {
 public:
-    /// `objects`: the nodes that became objects, in rising order.
-    GltfParting(const Json& json, const std::vector<int>& objects);
+    /// `objects`: the nodes that became objects, in rising order. `mechanics`: bodies and joints were read;
+    /// our writer makes them anew.
+    GltfParting(const Json& json, const std::vector<int>& objects, bool mechanics);
 
     /// The root without what our writer makes anew: our extension and copies, the meshes of objects, the
     /// animations that move them. Elements of ours are in it still; settle() takes them out.
@@ -36,7 +37,7 @@ private:
     using Marks = std::map<std::string, std::vector<char>, std::less<>>;
 
     void readCounts(const Json& json);
-    void strip();
+    void strip(bool mechanics);
     void visitMaterials(const Json& node, const auto& visit);
     void findOwnNodes(const Json& json);
     bool isRest(const Json& node) const;

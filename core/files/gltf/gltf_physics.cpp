@@ -4,9 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/base/text.h"
+#include "core/dynamics/weigh.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
@@ -18,10 +17,7 @@ namespace {
 using Severity = Finding::Severity;
 using Affine = Eigen::Affine3d;
 
-constexpr const char* kShapesExtension = "KHR_implicit_shapes";
-constexpr const char* kOlderShapes = "KHR_collision_shapes";
 constexpr std::size_t kMostLooks = std::size_t(1) << 20;
-constexpr double kDensity = 1000; ///< kg/m^3, of a body whose mass the file leaves to us: water
 
 std::optional<double> numberIn(const Json& holder, const char* key) {
     const Json* found = member(holder, key);
@@ -65,11 +61,12 @@ struct Spot {
     Affine world = Affine::Identity();
     Pose pose;
     Mat3 stretch = Mat3::Identity();
+    Pose inBody;       ///< the same in the frame of its body
+    bool rigid = true; ///< neither this node nor one above has a matrix or a scale: poses are exact
 };
 
-Spot spotOf(const Affine& world) {
-    const RigidAndStretch parts = polarDecomposition(world.linear());
-    return {world, {unitLength(Quat(parts.rotation)), world.translation()}, parts.stretch};
+Affine affineOf(const Pose& pose) {
+    return Eigen::Translation3d(pose.translation) * pose.rotation;
 }
 
 class PhysicsReader {
@@ -117,7 +114,11 @@ private:
         return body ? body->pose : Pose{};
     }
 
-    void visit(int node, const Affine& parent, BodyId body, std::uint32_t part);
+    void visit(int node, const Spot& parent, BodyId body, std::uint32_t part);
+    Spot spotOf(int node, const Spot& parent, BodyId body);
+    void numberParts();
+    void noteTriggers();
+    Pose placeOf(int node);
     void addBody(int node, const Json& motion);
     void addCollider(int node, const Json& collider, BodyId body);
     std::optional<ColliderShape> shapeOf(int node, const Json& geometry);
@@ -129,7 +130,8 @@ private:
     void fillMasses();
     void addJoint(int node, const Json& json);
     void addLimits(const Json& description, Joint& joint);
-    void addDrives(const Json& description, Joint& joint);
+    void addDrives(const Json& from, const char* array, Joint& joint);
+    void addFrictions(const Json& ours, Joint& joint);
 
     const Source& source_;
     const tinygltf::Model& model_;
@@ -147,13 +149,33 @@ private:
     GltfPhysics made_;
 };
 
-void PhysicsReader::visit(int node, const Affine& parent, BodyId body, std::uint32_t part) {
-    const Affine world = parent * motions_.localAt(node, 0);
-    spots_[node] = spotOf(world);
+Spot PhysicsReader::spotOf(int node, const Spot& parent, BodyId body) {
+    Spot spot;
+    const tinygltf::Node& of = model_.nodes[std::size_t(node)];
+    spot.rigid = parent.rigid && !motions_.moves(node) && of.matrix.empty() &&
+                 scaleOf(model_, node).diagonal() == Vec3::Ones();
+    if (spot.rigid) {
+        const Pose local = rigidOf(source_, model_, node);
+        spot.pose = parent.pose * local;
+        spot.inBody = parent.inBody * local;
+        spot.world = affineOf(spot.pose);
+        return spot;
+    }
+    spot.world = parent.world * motions_.localAt(node, 0);
+    const RigidAndStretch parts = polarDecomposition(spot.world.linear());
+    spot.pose = {unitLength(Quat(parts.rotation)), spot.world.translation()};
+    spot.stretch = parts.stretch;
+    spot.inBody = frameOf(body).inverse() * spot.pose;
+    return spot;
+}
+
+void PhysicsReader::visit(int node, const Spot& parent, BodyId body, std::uint32_t part) {
+    spots_[node] = spotOf(node, parent, body);
     const Json* ours = ofNode(node);
     if (const Json* motion = ours ? member(*ours, "motion") : nullptr; motion && motion->is_object()) {
         addBody(node, *motion);
         body = made_.mechanics.bodies.back().id;
+        spots_[node].inBody = Pose{};
     }
     // What hangs below a collider that stands still is one thing with it.
     if (part == 0 && ours && ours->contains("collider")) part = std::uint32_t(node) + 1;
@@ -161,7 +183,7 @@ void PhysicsReader::visit(int node, const Affine& parent, BodyId body, std::uint
     owners_[node] = body;
     if (body != kWorldBody) made_.bodyOfNode[node] = body;
     for (const int child : model_.nodes[std::size_t(node)].children)
-        visit(child, world, body, part);
+        visit(child, spots_[node], body, part);
 }
 
 void PhysicsReader::addBody(int node, const Json& motion) {
@@ -172,11 +194,15 @@ void PhysicsReader::addBody(int node, const Json& motion) {
     body.pose = spot.pose;
     body.kinematic = flagIn(motion, "isKinematic") || motions_.moves(node);
     body.gravityFactor = numberIn(motion, "gravityFactor").value_or(1);
-    const auto along = [&](const char* key) {
-        return Vec3(spot.pose.rotation * vectorIn<3>(motion, key).value_or(Vec3::Zero()));
+    // Of the node's frame; m/s, whatever its scale. In ours the exact one of the world stands beside it.
+    const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
+    const auto along = [&](const char* key, const char* exactKey) {
+        const Vec3 turned = spot.pose.rotation * vectorIn<3>(motion, key).value_or(Vec3::Zero());
+        const auto exact = ours ? vectorIn<3>(*ours, exactKey) : std::nullopt;
+        return exact && (*exact - turned).norm() <= 1e-9 * turned.norm() ? *exact : turned;
     };
-    body.velocity = along("linearVelocity"); // of the node's frame; m/s, whatever its scale
-    body.angularVelocity = along("angularVelocity");
+    body.velocity = along("linearVelocity", "velocity");
+    body.angularVelocity = along("angularVelocity", "angularVelocity");
     motionsOf_[body.id] = &motion;
     nodeOf_[body.id] = node;
     made_.mechanics.bodies.push_back(body);
@@ -293,6 +319,13 @@ CollisionFilter PhysicsReader::filterOf(const Json& collider) const {
     return filter;
 }
 
+/// In the frame of its body; exact in ours below another node, where the product of two loses the last bits.
+Pose PhysicsReader::placeOf(int node) {
+    const Pose& place = spots_[node].inBody;
+    const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
+    return ours ? exactPose(*ours, place).value_or(place) : place;
+}
+
 void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
     const Json* geometry = member(json, "geometry");
     const auto shape = shapeOf(node, geometry && geometry->is_object() ? *geometry : json);
@@ -301,7 +334,7 @@ void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
                     "it touches no other body; give it one");
     Collider collider;
     collider.body = body;
-    collider.pose = frameOf(body).inverse() * spots_[node].pose;
+    collider.pose = placeOf(node);
     collider.shape = *shape;
     collider.material = materialOf(json);
     collider.filter = filterOf(json);
@@ -318,33 +351,14 @@ void PhysicsReader::fillMasses() {
             if (collider.body == body.id)
                 shapes = together(shapes, placed(massOf(collider.shape), collider.pose));
         const auto mass = numberIn(motion, "mass");
-        body.mass = std::max(0.0, mass.value_or(shapes.volume > 0 ? kDensity * shapes.volume : 1));
-        body.centre = shapes.centre;
+        weigh(body, shapes, std::max(0.0, mass.value_or(shapes.volume > 0 ? kDensity * shapes.volume : 1)));
         if (const auto centre = vectorIn<3>(motion, "centerOfMass"))
             body.centre = spots_[nodeOf_[body.id]].stretch * *centre;
-        if (const auto inertia = vectorIn<3>(motion, "inertiaDiagonal")) {
-            body.inertia = inertia->cwiseMax(0);
-            const auto turn = vectorIn<4>(motion, "inertiaOrientation");
-            if (turn && turn->norm() > 1e-6) body.inertiaFrame = unitLength(Quat(*turn));
-            continue;
-        }
-        const double counts = body.mass > 0 ? body.mass : 1;
-        if (!(shapes.volume > 0)) { // as a ball of water
-            const double r = std::cbrt(3 * counts / (4 * 3.14159265358979323846 * kDensity));
-            body.inertia = Vec3::Constant(0.4 * counts * r * r);
-            continue;
-        }
-        const Mat3 moments = shapes.moments * (counts / shapes.volume);
-        const Mat3 off = moments - Mat3(moments.diagonal().asDiagonal());
-        if (off.norm() <= 1e-12 * moments.norm()) {
-            body.inertia = moments.diagonal();
-            continue;
-        }
-        const Eigen::SelfAdjointEigenSolver<Mat3> axes(moments);
-        Mat3 turn = axes.eigenvectors();
-        if (turn.determinant() < 0) turn.col(0) = -turn.col(0);
-        body.inertia = axes.eigenvalues();
-        body.inertiaFrame = Quat(turn).normalized();
+        const auto inertia = vectorIn<3>(motion, "inertiaDiagonal");
+        if (!inertia) continue;
+        body.inertia = inertia->cwiseMax(0);
+        const auto turn = vectorIn<4>(motion, "inertiaOrientation");
+        body.inertiaFrame = turn && turn->norm() > 1e-6 ? unitLength(Quat(*turn)) : Quat::Identity();
     }
 }
 
@@ -378,8 +392,9 @@ void PhysicsReader::addLimits(const Json& description, Joint& joint) {
     }
 }
 
-void PhysicsReader::addDrives(const Json& description, Joint& joint) {
-    const Json* all = member(description, "drives");
+/// `from`: an array of drives, of the standard or of our detents, which have a spacing.
+void PhysicsReader::addDrives(const Json& from, const char* array, Joint& joint) {
+    const Json* all = member(from, array);
     if (!all || !all->is_array()) return;
     for (const Json& json : *all) {
         JointDrive drive;
@@ -391,10 +406,25 @@ void PhysicsReader::addDrives(const Json& description, Joint& joint) {
         drive.velocity = numberIn(json, "velocityTarget").value_or(0);
         drive.maxForce = std::max(0.0, numberIn(json, "maxForce").value_or(kUnbounded));
         drive.acceleration = textIn(json, "mode") == "acceleration";
+        drive.spacing = std::max(0.0, numberIn(json, "spacing").value_or(0));
         if (drive.axis < 0)
             warn(joint.name, "has a drive without an axis from 0 to 2", "left out; correct it");
         else
             joint.drives.push_back(drive);
+    }
+}
+
+/// Of our own extension: the standard has none.
+void PhysicsReader::addFrictions(const Json& ours, Joint& joint) {
+    const Json* all = member(ours, "frictions");
+    if (!all || !all->is_array()) return;
+    for (const Json& json : *all) {
+        const JointFriction friction{textIn(json, "type") == "angular", indexIn(json, "axis", 3),
+                                     numberIn(json, "force").value_or(-1)};
+        if (friction.axis < 0 || friction.force < 0)
+            warn(joint.name, "has a friction without an axis from 0 to 2 or a force", "left out; correct it");
+        else
+            joint.frictions.push_back(friction);
     }
 }
 
@@ -408,17 +438,41 @@ void PhysicsReader::addJoint(int node, const Json& json) {
     joint.name = printable(nameOf(node), kLongestName);
     joint.a = owners_[node];
     joint.b = owners_[other];
-    joint.frameA = frameOf(joint.a).inverse() * spots_[node].pose;
-    joint.frameB = frameOf(joint.b).inverse() * spots_[other].pose;
+    joint.frameA = placeOf(node);
+    joint.frameB = placeOf(other);
     joint.collide = flagIn(json, "enableCollision");
     if (joint.a == kWorldBody) joint.part = parts_[node];
     if (joint.b == kWorldBody) joint.part = parts_[other];
     addLimits(*description, joint);
-    addDrives(*description, joint);
+    addDrives(*description, "drives", joint);
+    if (const Json* ours = extensionOf(root_["nodes"][std::size_t(node)])) {
+        addDrives(*ours, "detents", joint);
+        addFrictions(*ours, joint);
+    }
     if (joint.a == joint.b)
         return warn(joint.name, "joins two nodes that move as one",
                     "left out; one of them needs a motion of its own");
     made_.mechanics.joints.push_back(std::move(joint));
+}
+
+/// In the order of their colliders, wherever their nodes stand.
+void PhysicsReader::numberParts() {
+    std::map<std::uint32_t, std::uint32_t> numbers{{0, 0}};
+    for (Collider& collider : made_.mechanics.colliders)
+        collider.part = numbers.try_emplace(collider.part, numbers.size()).first->second;
+    for (Joint& joint : made_.mechanics.joints) {
+        const auto number = numbers.find(joint.part);
+        joint.part = number == numbers.end() ? 0 : number->second;
+    }
+}
+
+void PhysicsReader::noteTriggers() {
+    std::size_t count = 0;
+    for (const auto& [node, body] : owners_)
+        if (const Json* ours = ofNode(node)) count += ours->contains("trigger");
+    if (count > 0)
+        made_.findings.push_back({Severity::Note, "", counted(count, "trigger") + " of another program",
+                                  "not known here, and not written when the scene is saved"});
 }
 
 GltfPhysics PhysicsReader::run() {
@@ -427,7 +481,7 @@ GltfPhysics PhysicsReader::run() {
     if (std::ranges::none_of(*nodes, [](const Json& node) { return extension(node, kPhysicsExtension); }))
         return {};
     for (const int node : sceneRoots(model_))
-        visit(node, Affine::Identity(), kWorldBody, 0);
+        visit(node, Spot{}, kWorldBody, 0);
     for (const auto& [node, body] : owners_)
         if (const Json* ours = ofNode(node))
             if (const Json* collider = member(*ours, "collider"); collider && collider->is_object())
@@ -438,6 +492,10 @@ GltfPhysics PhysicsReader::run() {
             if (const Json* joint = member(*ours, "joint"); joint && joint->is_object())
                 addJoint(node, *joint);
     if (made_.mechanics.bodies.empty()) return {}; // colliders alone: copies of our own, or of no use here
+    numberParts();
+    if (const Json* ours = extensionOf(root_))
+        made_.mechanics.gravity = vectorIn<3>(*ours, "gravity").value_or(made_.mechanics.gravity);
+    noteTriggers();
     return std::move(made_);
 }
 

@@ -56,9 +56,9 @@ double meanOf(const TextureImage& image) {
 
 } // namespace
 
-StandardCopies::StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps)
+StandardCopies::StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps, bool physics)
     : root_(root), data_(data), maps_(maps), mpeg_(mayWrite(kMpegExtension)),
-      physics_(mayWrite(kPhysicsExtension)), transform_(mayWrite(kTransformExtension)) {}
+      physics_(physics && mayWrite(kPhysicsExtension)), transform_(mayWrite(kTransformExtension)) {}
 
 bool StandardCopies::mayWrite(const char* extension) const {
     const Json* used = member(root_, "extensionsUsed");

@@ -18,12 +18,15 @@ namespace tactum {
 
 inline constexpr const char* kMpegExtension = "MPEG_haptic_material";
 inline constexpr const char* kPhysicsExtension = "KHR_physics_rigid_bodies";
+inline constexpr const char* kShapesExtension = "KHR_implicit_shapes";
+inline constexpr const char* kOlderShapes = "KHR_collision_shapes"; ///< as a draft before called it
 inline constexpr const char* kTransformExtension = "KHR_texture_transform";
 
 /// Writes the copies of objects whose nodes and meshes are in the root already.
 class StandardCopies {
 public:
-    StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps);
+    /// `physics`: whether colliders may stand for what is felt; in a scene with bodies they touch each other.
+    StandardCopies(Json& root, GltfData& data, SurfaceMaps& maps, bool physics);
     /// The look of a surface's height, where its object can show bumps and nobody has given the material
     /// another one.
     void addLook(const SceneObject& object, Index surface, Json& material);

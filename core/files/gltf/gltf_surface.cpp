@@ -87,10 +87,7 @@ Json patternJson(const TexturePattern& pattern, const WriteShared& shared) {
     return json;
 }
 
-void readPose(Members& members, const char* key, Pose& pose) {
-    const Json* found = members.object(key);
-    if (!found) return;
-    Members parts(*found, members.inside(key), members.complaints());
+void readPose(Members parts, Pose& pose) {
     std::array<double, 3> t{};
     std::array<double, 4> r{};
     if (parts("translation", t)) pose.translation = Vec3(t.data());
@@ -98,6 +95,12 @@ void readPose(Members& members, const char* key, Pose& pose) {
     const Quat rotation(r[3], r[0], r[1], r[2]);
     if (!(rotation.norm() > 1e-6)) return parts.complain("has a rotation of no length");
     pose.rotation = unitLength(rotation);
+}
+
+void readPose(Members& members, const char* key, Pose& pose) {
+    const Json* found = members.object(key);
+    if (!found) return;
+    readPose(Members(*found, members.inside(key), members.complaints()), pose);
 }
 
 void readPattern(Members& members, const ReadShared& shared, TexturePattern& pattern) {
@@ -242,6 +245,18 @@ Json quaternionJson(const Quat& q) {
 
 Json poseJson(const Pose& pose) {
     return {{"translation", vectorJson(pose.translation)}, {"rotation", quaternionJson(pose.rotation)}};
+}
+
+std::optional<Pose> exactPose(const Json& ours, const Pose& near) {
+    constexpr double kSame = 1e-6;
+    const Json* json = member(ours, "pose");
+    if (!json) return std::nullopt;
+    std::vector<std::string> complaints;
+    Pose pose;
+    readPose(Members(*json, "pose", complaints), pose);
+    const bool same = (pose.translation - near.translation).norm() < kSame * (1 + near.translation.norm()) &&
+                      pose.rotation.angularDistance(near.rotation) < kSame;
+    return same ? std::optional(pose) : std::nullopt;
 }
 
 Json surfaceJson(const Surface& surface, const WriteShared& shared) {

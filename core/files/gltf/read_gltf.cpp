@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/text.h"
+#include "core/files/corner_pool.h"
 #include "core/files/gltf/gltf_animation.h"
 #include "core/files/gltf/gltf_foreign.h"
 #include "core/files/gltf/gltf_mesh.h"
@@ -17,6 +18,7 @@
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
+#include "core/files/gltf/write_physics.h"
 #include "core/files/images/read_image.h"
 #include "core/files/readers.h"
 
@@ -38,6 +40,7 @@ private:
     void readRoot();
     void readFinger(int view);
     void readMechanics(const GltfMotions& motions);
+    bool hasMechanics() const { return !loaded_.scene.mechanics.bodies.empty(); }
     void place(const PlacedMesh& placed, const RawMesh& raw);
     void keep(SceneObject& object, const PlacedMesh& placed, const RawMesh& raw);
     void readNode(SceneObject& object, const PlacedMesh& placed, const Json& ours);
@@ -116,7 +119,7 @@ LoadedScene GltfReader::read() {
     for (const PlacedMesh& placed : all)
         objectNodes_.push_back(placed.node);
     std::ranges::sort(objectNodes_);
-    parting_.emplace(file_.json, objectNodes_);
+    parting_.emplace(file_.json, objectNodes_, hasMechanics());
     loaded_.findings.insert(loaded_.findings.end(), parting_->findings().begin(), parting_->findings().end());
     for (const PlacedMesh& placed : all) {
         const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
@@ -162,7 +165,9 @@ void GltfReader::readMechanics(const GltfMotions& motions) {
     const auto meshAt = [&](int mesh) {
         const RawMesh raw = meshes_.read(mesh);
         meshes_.countTriangles(raw.soup.triangles.size());
-        return ShapeMesh{raw.soup.positions, raw.soup.triangles};
+        ShapeMesh shape{raw.soup.positions, raw.soup.triangles};
+        std::erase_if(shape.faces, [](const auto& face) { return cornersOf(face) < 3; });
+        return shape;
     };
     GltfPhysics physics = readPhysics(source_, model_, file_.json, motions, meshAt);
     loaded_.scene.mechanics = std::move(physics.mechanics);
@@ -235,14 +240,14 @@ void GltfReader::readNode(SceneObject& object, const PlacedMesh& placed, const J
     else if (visible != ours.end())
         complain("visible is not true or false", "it is visible");
     const Json* motion = member(ours, "motion");
-    if (!motion) return;
-    const auto exact = motionOf(*motion);
-    if (!exact) return complain("motion is damaged", "its animation is felt, in single precision");
-    if (placed.rest < 0)
+    const auto exact = motion ? motionOf(*motion) : std::nullopt;
+    if (motion && !exact) return complain("motion is damaged", "its animation is felt, in single precision");
+    if (motion && !placed.rest)
         return complain("motion is not that of its nodes any more",
                         "its animation is felt, in single precision");
-    object.motion = std::make_shared<const Motion>(*exact);
-    object.pose = rigidOf(source_, model_, placed.rest);
+    if (motion) object.motion = std::make_shared<const Motion>(*exact);
+    if (motion) object.pose = *placed.rest;
+    object.pose = exactPose(ours, object.pose).value_or(object.pose);
 }
 
 /// What others have put into the primitives of a mesh, by the surfaces and kinds that these become.
@@ -283,6 +288,7 @@ Kept GltfReader::keptOf(const char* array, int index, Json primitives) const {
         element.erase(key);
     if (!primitives.empty()) element["primitives"] = std::move(primitives);
     eraseCopies(element, copies_);
+    if (hasMechanics()) eraseMechanics(element);
     if (array == std::string_view("materials")) eraseLook(element);
     parting_->renumber(array, element);
     return {parting_->place(array, index), std::make_shared<const std::string>(

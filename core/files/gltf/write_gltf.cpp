@@ -11,6 +11,7 @@
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
+#include "core/files/gltf/write_physics.h"
 
 namespace tactum {
 namespace {
@@ -23,7 +24,11 @@ public:
         : scene_(scene), progress_(progress), root_(foreignRoot(scene)), foreign_(arrayCounts(root_)),
           tree_(root_),
           data_(root_, scene.kept.foreign ? scene.kept.foreign->binary : std::string(), progress),
-          maps_(progress), copies_(root_, data_, maps_) {
+          maps_(progress), copies_(root_, data_, maps_, scene.mechanics.bodies.empty()),
+          meshOf_([this](const auto& mesh) { return addShapeMesh(mesh); }),
+          physics_(root_, data_, scene.mechanics, meshOf_) {
+        for (const RigidBody& body : scene.mechanics.bodies)
+            bodies_[body.id] = &body;
         for (const SceneObject& object : scene.objects)
             if (canShowBumps(object)) bumpy_.insert(shelf_.shared(object.geometry).get());
         foreign_["bytes"] = scene.kept.foreign ? scene.kept.foreign->binary.size() : 0;
@@ -50,7 +55,10 @@ private:
     int paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store);
     int addMaterial(const SceneObject& object, Index at, Paints& paints);
     int addMesh(const SceneObject& object);
+    int addShapeMesh(const std::shared_ptr<const ShapeMesh>& mesh);
     int addNode(const SceneObject& object);
+    std::vector<int> addNodes();
+    const RigidBody* bodyOf(BodyId id) const;
     int place(Json node, const SceneObject& object);
     void finishRoot(const std::vector<int>& roots);
 
@@ -62,11 +70,15 @@ private:
     GltfData data_;
     SurfaceMaps maps_;
     StandardCopies copies_;
+    AddShapeMesh meshOf_;
+    PhysicsWriter physics_;
     SoupShelf shelf_;
     std::set<const TriangleSoup*> bumpy_; ///< with tangents
     std::map<const TriangleSoup*, Stored> soups_;
+    std::map<const TriangleSoup*, int> shapes_; ///< their meshes
     std::set<int> claimedNodes_, claimedMaterials_;
     std::vector<int> nodes_; ///< of each object
+    std::map<BodyId, const RigidBody*> bodies_;
 };
 
 /// `json` with the members of `ours` over its own; a null takes one away.
@@ -215,12 +227,38 @@ int GltfWriter::addMesh(const SceneObject& object) {
     return data_.add("meshes", std::move(mesh));
 }
 
+/// A shape is a mesh without surfaces; points alone are drawn as points.
+int GltfWriter::addShapeMesh(const std::shared_ptr<const ShapeMesh>& mesh) {
+    auto soup = std::make_shared<TriangleSoup>();
+    soup->positions = mesh->points;
+    soup->triangles = mesh->faces;
+    if (mesh->faces.empty())
+        for (Index i = 0; i < mesh->points.size(); ++i)
+            soup->triangles.push_back({i, i, i});
+    soup->surfaceOf.assign(soup->triangles.size(), 0);
+    const std::shared_ptr<const TriangleSoup> shared = shelf_.shared(soup);
+    const auto [found, isNew] = shapes_.try_emplace(shared.get());
+    if (!isNew) return found->second;
+    const Stored& store = stored(shared, 1);
+    Json json{{"name", "collider"}, {"primitives", Json::array()}};
+    for (const auto& [part, indices] : store.parts)
+        json["primitives"].push_back(
+            {{"attributes", store.attributes}, {"indices", indices}, {"mode", part.corners == 3 ? 4 : 0}});
+    json["extensions"][kExtension] = store.exact.is_null() ? Json::object() : store.exact;
+    return found->second = data_.add("meshes", std::move(json));
+}
+
+const RigidBody* GltfWriter::bodyOf(BodyId id) const {
+    const auto found = bodies_.find(id);
+    return found == bodies_.end() ? nullptr : found->second;
+}
+
 /// Into its foreign place, if it has one, without the part of the tree above it.
 int GltfWriter::place(Json node, const SceneObject& object) {
     const int index = object.kept.index;
     if (index < 0 || std::size_t(index) >= foreign_["nodes"] || !claimedNodes_.insert(index).second)
         return data_.add("nodes", std::move(node));
-    tree_.uproot(index, object.pose);
+    tree_.uproot(index, object.pose); // of the world: its body stands still when the file is written
     if (const Json* children = member(root_["nodes"][std::size_t(index)], "children"))
         node["children"] = *children;
     root_["nodes"][std::size_t(index)] = std::move(node);
@@ -228,16 +266,20 @@ int GltfWriter::place(Json node, const SceneObject& object) {
 }
 
 int GltfWriter::addNode(const SceneObject& object) {
-    const Json ours{{"visible", object.visible}, {"motion", nullptr}};
+    const RigidBody* body = bodyOf(object.body);
+    const Pose pose = body ? body->pose.inverse() * object.pose : object.pose;
+    const Json ours{{"visible", object.visible},
+                    {"motion", nullptr},
+                    {"pose", body ? poseJson(object.pose) : Json(nullptr)}};
     Json node = overlaid(object.kept, {{"name", object.name}, {"extensions", {{kExtension, ours}}}});
     if (object.motion) node["extensions"][kExtension]["motion"] = motionJson(*object.motion);
     if (object.geometry && !object.geometry->triangles.empty()) node["mesh"] = addMesh(object);
     if (!object.motion) {
-        node.update(poseJson(object.pose));
+        node.update(poseJson(pose));
         return nodes_.emplace_back(place(std::move(node), object));
     }
     const int moving = nodes_.emplace_back(place(std::move(node), object));
-    Json rest = poseJson(object.pose);
+    Json rest = poseJson(pose);
     rest["name"] = object.name + " at rest";
     rest["children"] = {moving};
     addAnimation(data_, *object.motion, moving, object.name);
@@ -272,6 +314,8 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
               {jsonKey(kProxyRadius.key), scene_.proxyRadius},
               {"foreign", foreign_},
               {"copies", copies_.wrote()}};
+    const bool moves = !scene_.mechanics.bodies.empty();
+    ours["gravity"] = moves ? vectorJson(scene_.mechanics.gravity) : Json(nullptr);
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
     Json& used = root_["extensionsUsed"];
@@ -279,13 +323,42 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
     if (std::ranges::find(used, Json(kExtension)) == used.end()) used.push_back(kExtension);
 }
 
-Result<std::string> GltfWriter::write() {
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-        if (progress_.isCancelled()) return cancelledError();
+/// Those of the scene: what stands still, and bodies with what moves with them, in the author's order as far
+/// as objects of one body stand together.
+std::vector<int> GltfWriter::addNodes() {
+    physics_.addParts();
+    std::map<BodyId, std::vector<int>> below;
+    std::vector<std::pair<BodyId, int>> order; // a body or an object, as it is met first
+    for (std::size_t i = 0; i < scene_.objects.size() && !progress_.isCancelled(); ++i) {
         if (progress_.report) progress_.report(double(i) / double(scene_.objects.size()));
-        roots.push_back(addNode(scene_.objects[i]));
+        const SceneObject& object = scene_.objects[i];
+        const int node = addNode(object);
+        if (!bodyOf(object.body))
+            order.emplace_back(kWorldBody, node);
+        else if (below[object.body].empty())
+            order.emplace_back(object.body, -1);
+        if (bodyOf(object.body)) below[object.body].push_back(node);
     }
+    std::vector<int> roots;
+    auto next = scene_.mechanics.bodies.begin();
+    const auto addBodiesTo = [&](const auto& end) {
+        for (; next < end; ++next)
+            roots.push_back(physics_.addBody(*next, below[next->id]));
+    };
+    for (const auto& [body, node] : order)
+        if (body == kWorldBody)
+            roots.push_back(node);
+        else
+            addBodiesTo(scene_.mechanics.bodies.begin() + (bodyOf(body) - scene_.mechanics.bodies.data()) +
+                        1);
+    addBodiesTo(scene_.mechanics.bodies.end());
+    roots.insert(roots.end(), physics_.still().begin(), physics_.still().end());
+    return roots;
+}
+
+Result<std::string> GltfWriter::write() {
+    const std::vector<int> roots = addNodes();
+    if (progress_.isCancelled()) return cancelledError();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
         copies_.add(scene_.objects[i], nodes_[i],
                     indexIn(root_["nodes"][std::size_t(nodes_[i])], "mesh", data_.count("meshes")));

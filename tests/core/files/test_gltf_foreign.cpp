@@ -271,13 +271,26 @@ private slots:
         QCOMPARE_LT(after.binary.size(), packed.binary.size());
     }
 
-    void whatStandsBesideOurCopiesStays() {
+    /// A motion that another program gives an object makes it a body, with the collider that was a copy.
+    void aMotionOfAnotherProgramMakesABody() {
         Parts glb(saved(bodies()));
         glb.json["nodes"][0]["extensions"][kPhysics]["motion"] = {{"mass", 3}};
+        Parts after = again(glb);
+        const Scene scene = load(after.glb()).scene;
+        QCOMPARE(scene.mechanics.bodies.size(), std::size_t(1));
+        QCOMPARE(scene.mechanics.bodies[0].mass, 3.0);
+        QCOMPARE(scene.objects[0].body, scene.mechanics.bodies[0].id);
+        QVERIFY(!scene.mechanics.colliders.empty());
+        QCOMPARE(saved(scene) == after.glb(), true);
+    }
+
+    void whatStandsBesideOurCopiesStays() {
+        Parts glb(saved(bodies()));
+        glb.json["nodes"][0]["extensions"][kPhysics]["trigger"] = {{"nodes", Json::array()}};
         glb.json["extensions"][kPhysics]["physicsJoints"] = Json::array({{{"limits", Json::array()}}});
         glb.json["extensions"]["MPEG_haptic_material"]["extras"] = "note";
         Parts after = again(glb);
-        QCOMPARE_EQ(after.json["nodes"][0]["extensions"][kPhysics]["motion"]["mass"], 3);
+        QVERIFY(after.json["nodes"][0]["extensions"][kPhysics].contains("trigger"));
         QVERIFY(after.json["nodes"][0]["extensions"][kPhysics].contains("collider"));
         QCOMPARE(after.json["extensions"][kPhysics]["physicsJoints"].size(), std::size_t(1));
         QCOMPARE(after.json["extensions"][kPhysics]["physicsMaterials"].size(), std::size_t(2));

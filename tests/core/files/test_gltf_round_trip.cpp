@@ -162,6 +162,7 @@ private slots:
     }
     void othersFeelTheLargestSurface() {
         Scene scene = SceneDice(5).scene();
+        scene.mechanics = {};
         for (SceneObject& object : scene.objects)
             for (Surface& surface : object.surfaces)
                 surface.material = {1234, 0, 0.75, 0.5, 0};
@@ -342,15 +343,15 @@ private slots:
                 layer["pattern"]["sparkle"] = true;
         }
         json["extensions"]["TACTUM_haptics"]["version"] = "1.7";
-        json["extensions"]["TACTUM_haptics"]["gravity"] = {0, -9.81, 0};
+        json["extensions"]["TACTUM_haptics"]["tide"] = {0, -9.81, 0};
         const std::string later = packGlb(json, std::string_view(first).substr(28 + jsonLength(first)));
         const Json after = jsonOf(saved(load(later)));
         for (std::size_t i = 0; i < json["materials"].size(); ++i) {
             const Json& was = json["materials"][i]["extensions"]["TACTUM_haptics"];
             QCOMPARE_EQ(after["materials"][i]["extensions"]["TACTUM_haptics"], was);
         }
-        QCOMPARE_EQ(after["extensions"]["TACTUM_haptics"]["gravity"],
-                    json["extensions"]["TACTUM_haptics"]["gravity"]);
+        QCOMPARE_EQ(after["extensions"]["TACTUM_haptics"]["tide"],
+                    json["extensions"]["TACTUM_haptics"]["tide"]);
     }
     /// For the work space and the safety of a device: docs/format.md.
     void reservedKeysOfTheRootStay() {
