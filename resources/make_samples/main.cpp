@@ -1,5 +1,6 @@
 // Writes the sample scenes, a picture of each, what its finger must feel, and the teapot as a bare mesh:
-// make-samples FOLDER. resources/scenes holds what this program writes; a test compares them.
+// make-samples FOLDER; those whose bodies move go into its folder "moving". resources/scenes holds what this
+// program writes; a test compares them.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -21,7 +22,19 @@ std::vector<Sample> allSamples() {
             {"layered-leather", layeredLeather()},
             {"relief-coin", reliefCoin()},
             {"thin-wall-maze", thinWallMaze()},
-            {"blind-box", blindBox()}};
+            {"blind-box", blindBox()},
+            {"windmill", windmill()},
+            {"crank", crank()},
+            {"turntable", turntable()},
+            {"rocket-car", rocketCar()},
+            {"cabinet", cabinet()},
+            {"keyboard", keyboard()},
+            {"kettle", kettle()},
+            {"micro-sensor", microSensor()},
+            {"ball-table", ballTable()},
+            {"dominoes", dominoes()},
+            {"bell", bell()},
+            {"marionette", marionette()}};
 }
 
 } // namespace tactum::samples
@@ -64,8 +77,10 @@ int main(int argc, char** argv) {
     }
     const std::filesystem::path folder = argv[1];
     bool good = tactum::samples::writeTeapotFiles(folder);
+    std::error_code fault;
+    std::filesystem::create_directories(folder / "moving", fault);
     for (const tactum::samples::Sample& sample : tactum::samples::allSamples())
-        good = good && write(folder, sample);
+        good = good && write(sample.scene.mechanics.bodies.empty() ? folder : folder / "moving", sample);
     if (good) return 0;
     std::cerr << "make-samples: cannot write into " << folder
               << "; check the folder and the space on its disk\n";

@@ -53,9 +53,14 @@ void Mesh::quad(Index a, Index b, Index c, Index d, Index surface) {
 }
 
 void Mesh::box(const Vec3& low, const Vec3& high, Index surface) {
+    box(low, high, Pose{}, surface);
+}
+
+void Mesh::box(const Vec3& low, const Vec3& high, const Pose& place, Index surface) {
     std::array<Index, 8> corner;
     for (unsigned i = 0; i < 8; ++i)
-        corner[i] = point({(i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z()});
+        corner[i] = point(
+            place.apply({(i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z()}));
     constexpr std::array<std::array<unsigned, 4>, 6> kSides{
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     for (const auto& side : kSides)

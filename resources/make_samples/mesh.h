@@ -22,6 +22,7 @@ public:
     /// Counter-clockwise seen from outside, as all here.
     void quad(Index a, Index b, Index c, Index d, Index surface = 0);
     void box(const Vec3& low, const Vec3& high, Index surface = 0);
+    void box(const Vec3& low, const Vec3& high, const Pose& place, Index surface = 0);
     /// Cells between the lines `us` and `vs`; a cell asks for its surface with its middle. Where the mesh has
     /// texture coordinates, `uvAt` gives them.
     using Place = std::function<Vec3(double u, double v)>;
