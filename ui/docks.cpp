@@ -4,6 +4,7 @@
 #include <QTabBar>
 
 #include "ui/document.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/history_list.h"
@@ -67,8 +68,8 @@ void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name,
 }
 
 Docks addDocks(QMainWindow& window, Document& document) {
-    Docks docks{new Outliner(document), new Inspector(document), new Problems(document),
-                new ForcePlot,          new HealthPanel,         new LayerPanel(document)};
+    Docks docks{new Outliner(document), new Inspector(document),  new Problems(document), new ForcePlot,
+                new HealthPanel,        new LayerPanel(document), new BodyPanel(document)};
     auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
                              Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
@@ -86,6 +87,7 @@ Docks addDocks(QMainWindow& window, Document& document) {
     shareTabs(window, *plot, *health);
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     shareTabs(window, *inspector, *layers);
+    addTabBeside(window, *layers, QStringLiteral("dock-body"), QObject::tr("Body"), docks.body);
     // The side docks reach down to the status bar; the plot stands under the view alone.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

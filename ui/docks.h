@@ -7,6 +7,7 @@ class QDockWidget;
 
 namespace tactum {
 
+class BodyPanel;
 class Document;
 class ForcePlot;
 class HealthPanel;
@@ -22,6 +23,7 @@ struct Docks {
     ForcePlot* plot = nullptr;
     HealthPanel* health = nullptr;
     LayerPanel* layers = nullptr;
+    BodyPanel* body = nullptr;
 };
 
 /// Adds a dock behind another one, in the same tabs.

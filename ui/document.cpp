@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/scene/bodies.h"
 #include "ui/numbers.h"
 
 namespace tactum {
@@ -264,10 +265,18 @@ void Document::removeObject(ObjectId id) {
     const SceneObject* object = scene_.find(id);
     if (!object) return;
     const QString name = text(object->name);
-    auto objects = scene_.objects;
-    std::erase_if(objects, [id](const SceneObject& other) { return other.id == id; });
-    edit<std::vector<SceneObject>>(tr("Remove %1").arg(name), [](Scene& scene) { return &scene.objects; },
-                                   std::move(objects), {SceneChange::What::Objects});
+    Scene left = scene_;
+    removeMechanics(left, id);
+    std::erase_if(left.objects, [id](const SceneObject& other) { return other.id == id; });
+    edit<Scene>(tr("Remove %1").arg(name), [](Scene& scene) { return &scene; }, std::move(left),
+                {SceneChange::What::Objects});
+}
+
+void Document::editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture) {
+    Scene value = scene_;
+    change(value);
+    edit<Scene>(
+        text, [](Scene& scene) { return &scene; }, std::move(value), {SceneChange::What::Bodies}, gesture);
 }
 
 void Document::replaceScene(const QString& text, const Scene& scene) {

@@ -31,6 +31,7 @@ struct SceneChange {
         Sides,      ///< of `surface`
         Layers,     ///< of `surface`: its haptic texture
         ProxyRadius,
+        Bodies,    ///< masses, joints, what moves with what: nothing that is drawn
         Selection, ///< not a part of the scene, and not undoable
     };
     What what = What::Everything;
@@ -39,7 +40,7 @@ struct SceneChange {
     /// Whether a World compiled before has other shapes than one compiled now.
     bool touchesShape() const;
     /// Whether to compile it takes long enough for a worker.
-    bool takesTime() const { return what == What::Shading || touchesShape(); }
+    bool takesTime() const { return what == What::Shading || what == What::Bodies || touchesShape(); }
     /// Whether the loops notice it at all.
     bool touchesFeel() const {
         return what == What::Material || what == What::Sides || what == What::Layers || takesTime();
@@ -120,6 +121,8 @@ public:
     void setVisible(ObjectId id, bool visible);
     void showAll();
     void removeObject(ObjectId id);
+    /// Bodies and joints, by the functions of core/scene/bodies.h, in one step of the history.
+    void editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture = 0);
     /// Another state of the scene in place of this one, as one step of the history.
     void replaceScene(const QString& text, const Scene& scene);
     /// Scales the whole scene about its centre, which comes to the origin.

@@ -18,6 +18,7 @@
 #include "ui/hand_link.h"
 #include "ui/held_key.h"
 #include "ui/keyboard_sheet.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
@@ -228,6 +229,23 @@ void MainWindow::connectMotion() {
         engine_.stepBodies();
     });
     connect(&actions_["motion-reset"], &QAction::triggered, this, [this] { engine_.beginBodies(); });
+    using Hold = BodyPanel::Hold;
+    for (const auto& [id, hold] : {std::pair{"body-loose", Hold::Loose},
+                                   {"body-hinge", Hold::Hinge},
+                                   {"body-slider", Hold::Slider},
+                                   {"body-still", Hold::Still}})
+        connect(&actions_[id], &QAction::triggered, this, [this, chosen = hold] {
+            docks_.body->hold(chosen);
+            auto* dock = findChild<QDockWidget*>(QStringLiteral("dock-body"));
+            dock->show();
+            dock->raise();
+        });
+    connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
+    connect(docks_.body, &BodyPanel::marked, this, [this] { view_->setJoint(docks_.body->mark()); });
+    const auto gesture = std::make_shared<Gesture>(0);
+    connect(view_, &SceneView::jointGrabbed, this, [gesture] { *gesture = newGesture(); });
+    connect(view_, &SceneView::jointDragged, this,
+            [this, gesture](const JointMark& mark) { docks_.body->setMark(mark, *gesture); });
 }
 
 void MainWindow::connectDocument() {

@@ -29,6 +29,8 @@ QStringList samplesIn(const QString& folder) {
     for (const QFileInfo& scene :
          QDir(folder).entryInfoList({QStringLiteral("*.glb")}, QDir::Files, QDir::Name))
         if (QFileInfo::exists(pictureOf(scene))) files << scene.canonicalFilePath();
+    for (const QFileInfo& group : QDir(folder).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
+        files << samplesIn(group.filePath());
     return files;
 }
 

@@ -1,5 +1,7 @@
 #include "ui/panels/start_page.h"
 
+#include <map>
+
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
@@ -28,6 +30,11 @@ QLabel* line(const QString& text, int points, bool dimmed) {
 QString shortened(const QString& path) {
     const QString home = QDir::homePath();
     return path.startsWith(home + u'/') ? QStringLiteral("~") + path.mid(home.size()) : path;
+}
+
+QString headingOf(bool moves, std::size_t groups) {
+    if (groups < 2) return StartPage::tr("Samples");
+    return moves ? StartPage::tr("Samples: moving worlds") : StartPage::tr("Samples: surfaces");
 }
 
 } // namespace
@@ -95,11 +102,17 @@ void StartPage::addButtons() {
 }
 
 void StartPage::addSamples(const QStringList& samples) {
-    auto* gallery = new SampleGallery(samples);
-    connect(gallery, &SampleGallery::fileChosen, this, &StartPage::fileChosen);
-    column_->addSpacing(2 * kRhythm);
-    column_->addWidget(line(tr("Samples"), 0, true));
-    column_->addWidget(gallery);
+    std::map<QString, QStringList> groups; // by folder: surfaces first, what moves in a folder below
+    for (const QString& sample : samples)
+        groups[QFileInfo(sample).path()] << sample;
+    for (const auto& [folder, files] : groups) {
+        auto* gallery = new SampleGallery(files);
+        connect(gallery, &SampleGallery::fileChosen, this, &StartPage::fileChosen);
+        const bool moves = folder.endsWith(QStringLiteral("/moving"));
+        column_->addSpacing(2 * kRhythm);
+        column_->addWidget(line(headingOf(moves, groups.size()), 0, true));
+        column_->addWidget(gallery);
+    }
 }
 
 void StartPage::setRecent(const QStringList& files) {

@@ -140,14 +140,6 @@ int sideOf(const MappingFrame& frame, const ViewCamera& camera) {
     return best;
 }
 
-/// How far along a line the point is that is nearest to a ray; both directions of unit length.
-std::optional<double> alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {
-    const double c = direction.dot(ray.direction), sine = 1 - c * c;
-    if (sine < 1e-4) return std::nullopt; // looked at along the line
-    const Vec3 apart = origin - ray.origin;
-    return (c * ray.direction.dot(apart) - direction.dot(apart)) / sine;
-}
-
 const QColor& colourOf(const Theme& theme, int axis) {
     return axis == 0 ? theme.axisX : axis == 1 ? theme.axisY : theme.axisZ;
 }

@@ -224,6 +224,16 @@ void SceneView::setMapping(const std::optional<MappingFrame>& frame) {
     changed();
 }
 
+void SceneView::setJoint(const std::optional<JointMark>& mark) {
+    if (impl_->joint.mark() == mark) return;
+    impl_->joint.show(mark);
+    changed();
+}
+
+const JointGizmo& SceneView::joint() const {
+    return impl_->joint;
+}
+
 const MappingGizmo& SceneView::mapping() const {
     return impl_->mapping;
 }
@@ -317,6 +327,7 @@ void SceneView::paintOver() {
     }
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
+    impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }

@@ -16,6 +16,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/felt_options.h"
+#include "ui/view/joint_gizmo.h"
 #include "ui/view/mapping_gizmo.h"
 #include "ui/view/painted_picture.h"
 #include "ui/view/scene_picker.h"
@@ -85,6 +86,9 @@ public:
     /// The frame of a texture's mapping, with handles to drag; nothing: none. World frame, at the time 0.
     void setMapping(const std::optional<MappingFrame>& frame);
     const MappingGizmo& mapping() const;
+    /// The free axis of a joint, with handles to drag; nothing: none. World frame, at the time 0.
+    void setJoint(const std::optional<JointMark>& mark);
+    const JointGizmo& joint() const;
     /// The surface under a place of the view, in logical pixels, which is lit up as under the mouse; for what
     /// is dragged over the view from elsewhere.
     std::optional<PickHit> light(QPointF place);
@@ -141,6 +145,9 @@ signals:
     /// The mouse took hold of a handle of the mapping; what it does to it follows until it lets go.
     void mappingGrabbed();
     void mappingDragged(const tactum::MappingFrame& frame);
+    /// Likewise of the joint.
+    void jointGrabbed();
+    void jointDragged(const tactum::JointMark& mark);
     /// G with the select tool: the mapping is to be moved, or has been.
     void mappingAsked();
 

@@ -47,6 +47,12 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
         emit view.mappingGrabbed();
         return;
     }
+    if (const auto handle = joint.at(cursor, camera)) {
+        drag = ViewDrag::Joint;
+        joint.grab(*handle, cursor);
+        emit view.jointGrabbed();
+        return;
+    }
     if (tool == ViewTool::Select) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
@@ -87,6 +93,7 @@ void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
 void SceneView::Impl::letGo() {
     drag = ViewDrag::None;
     mapping.letGo();
+    joint.letGo();
     if (hand.grip() == Grip::None) return;
     hand.end();
     emit view.handGrabbed(false);
@@ -102,6 +109,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Orbit) camera.orbit(step);
     if (drag == ViewDrag::Pan) camera.pan(step);
     if (drag == ViewDrag::Mapping) emit view.mappingDragged(mapping.dragged(cursor, camera));
+    if (drag == ViewDrag::Joint) emit view.jointDragged(joint.dragged(cursor, camera));
     if (hand.grip() == Grip::None) return view.changed();
     std::optional<Vec3> touched;
     if (hand.grip() == Grip::Stroke)
@@ -137,7 +145,7 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
         view.changed();
     }
     showCursor(cursor);
-    if (mapping.frame()) view.changed(); // the handle under the mouse is lit
+    if (mapping.frame() || joint.mark()) view.changed(); // the handle under the mouse is lit
 }
 
 void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
@@ -166,6 +174,7 @@ void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
     if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
     if (drag == ViewDrag::Mapping || mapping.at(cursor, camera)) return view.setCursor(Qt::SizeAllCursor);
+    if (drag == ViewDrag::Joint || joint.at(cursor, camera)) return view.setCursor(Qt::SizeAllCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
     view.setCursor(tool == ViewTool::Select ? Qt::PointingHandCursor : Qt::CrossCursor);

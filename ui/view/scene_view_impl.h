@@ -19,7 +19,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Mapping };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Mapping, Joint };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -66,6 +66,7 @@ struct SceneView::Impl {
     PaintLayer paint;
     MarkLayer marks;
     MappingGizmo mapping;
+    JointGizmo joint;
     TouchOverlay overlay;
     FeltView felt;
     std::shared_ptr<const World> world; ///< that the bodies below are of

@@ -96,4 +96,11 @@ void ViewCamera::fit(std::span<const Vec3> points_W) {
         distance = std::max(distance, distanceFor(*this, p - focus, tanX, tanY));
 }
 
+std::optional<double> alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray) {
+    const double c = direction.dot(ray.direction), sine = 1 - c * c;
+    if (sine < 1e-4) return std::nullopt;
+    const Vec3 apart = origin - ray.origin;
+    return (c * ray.direction.dot(apart) - direction.dot(apart)) / sine;
+}
+
 } // namespace tactum

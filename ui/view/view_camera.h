@@ -62,4 +62,8 @@ struct ViewCamera {
     void fit(std::span<const Vec3> points_W);
 };
 
+/// How far along a line the point is that is nearest to a ray; both directions of unit length. Nothing where
+/// the line is looked at along itself.
+std::optional<double> alongLine(const Vec3& origin, const Vec3& direction, const Ray& ray);
+
 } // namespace tactum

@@ -288,9 +288,27 @@ void takeTasks(const QDir& folder, const QString& sample, QSize size) {
     takeProblems(program, folder);
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|device|devices]]]: with the last word only the
-// pictures of what is felt, of layers, of painting, of presets and problems, or of a device; `devices`: every
-// page of its dock in both themes.
+/// A joint with its handles on the model, and a world that moves.
+void takeBodies(const QDir& folder, const QString& scenes, QSize size) {
+    TouchedWindow program(size);
+    if (!program.open(scenes + QStringLiteral("moving/kettle.glb"))) qFatal("no kettle");
+    program.document.select(SurfaceRef{program.document.scene().objects[2].id, 0});
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-body"));
+    dock->raise();
+    program.frames(30);
+    save(program, folder, QStringLiteral("body.png"));
+    if (!program.open(scenes + QStringLiteral("moving/marionette.glb"))) qFatal("no marionette");
+    QPoint at = program.centre();
+    program.press(at);
+    strokeTo(program, at, at + QPoint(40, 10), 20);
+    program.frames(20);
+    save(program, folder, QStringLiteral("marionette.png"));
+    program.release(at);
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|device|devices]]]: with the last word only the
+// pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a device;
+// `devices`: every page of its dock in both themes.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -311,8 +329,10 @@ int main(int argc, char** argv) {
     applyTheme(ThemeChoice::Dark);
     if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
-    TouchedWindow program(size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (wanted("bodies")) takeBodies(folder, scenes, size);
+    if (only == "bodies") return 0;
+    TouchedWindow program(size);
     if (wanted("felt")) takeFeltPictures(program, folder, scenes);
     if (wanted("layers")) takeLayerPictures(program, folder, scenes);
     return 0;

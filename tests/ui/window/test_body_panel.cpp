@@ -1,0 +1,239 @@
+// Bodies and joints made in the window with real events: a crank with its rod and piston out of bare meshes.
+#include <QAction>
+#include <QComboBox>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+#include "core/files/gltf/write_gltf.h"
+#include "core/haptics/body_places.h"
+#include "core/haptics/compile.h"
+#include "core/scene/bodies.h"
+#include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/panels/body_panel.h"
+#include "ui/view/scene_view.h"
+
+namespace test_body_panel {
+
+using namespace tactum;
+
+namespace {
+
+QByteArray box(const char* name, const Vec3& low, const Vec3& high, int& corner) {
+    QByteArray text = name ? QByteArray("o ") + name + "\n" : QByteArray();
+    for (unsigned i = 0; i < 8; ++i) {
+        const Vec3 p((i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z());
+        text += QStringLiteral("v %1 %2 %3\n").arg(p.x()).arg(p.y()).arg(p.z()).toUtf8();
+    }
+    for (const auto& side :
+         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+        text += "f";
+        for (const int i : side)
+            text += " " + QByteArray::number(corner + i);
+        text += "\n";
+    }
+    corner += 8;
+    return text;
+}
+
+/// A wheel of 30 mm with a peg at 20 mm, a rod of 70 mm and a piston, in line; a base far below.
+QString writeCrank(const QTemporaryDir& folder) {
+    int next = 1;
+    QByteArray text = box("base", {-0.09, -0.06, -0.03}, {0.09, -0.05, 0.03}, next);
+    text += box("wheel", {-0.08, -0.03, -0.004}, {-0.02, 0.03, 0.004}, next);
+    text += box(nullptr, {-0.034, -0.004, 0.02}, {-0.026, 0.004, 0.04}, next);
+    text += box("rod", {-0.034, -0.003, 0.006}, {0.044, 0.003, 0.012}, next);
+    text += box("piston", {0.03, -0.01, 0.013}, {0.06, 0.01, 0.019}, next);
+    return writeFile(folder, QStringLiteral("crank.obj"), text);
+}
+
+} // namespace
+
+class TestBodyPanel : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static void choose(TouchedWindow& program, const QString& name) {
+        auto* outliner = program.window->findChild<QTreeWidget*>(QStringLiteral("outliner"));
+        for (int i = 0; i < outliner->topLevelItemCount(); ++i)
+            if (outliner->topLevelItem(i)->text(0) == name) {
+                QTest::mouseClick(outliner->viewport(), Qt::LeftButton, {},
+                                  outliner->visualItemRect(outliner->topLevelItem(i)).center());
+                return;
+            }
+        QFAIL(qPrintable(name));
+    }
+    static void push(TouchedWindow& program, const char* name) {
+        auto* button = program.window->findChild<QToolButton*>(QLatin1String(name));
+        QVERIFY2(button && button->isVisible(), name);
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    static void fixTo(TouchedWindow& program, const QString& name) {
+        auto* to = program.window->findChild<QComboBox*>(QStringLiteral("joint-to"));
+        const int row = to->findText(name);
+        QVERIFY2(row >= 0, qPrintable(name));
+        to->setFocus();
+        while (to->currentIndex() != row)
+            QTest::keyClick(to, to->currentIndex() < row ? Qt::Key_Down : Qt::Key_Up);
+    }
+    /// To be looked at.
+    static void keep(TouchedWindow& program, const char* name) {
+        if (const QString folder = qEnvironmentVariable("TACTUM_KEEP_PICTURES"); !folder.isEmpty())
+            program.window->grab().save(folder + u'/' + QLatin1String(name) + QStringLiteral(".png"));
+    }
+    static void place(TouchedWindow& program, const Vec3& millimetres) {
+        const char* keys[] = {"joint-x", "joint-y", "joint-z"};
+        for (int i = 0; i < 3; ++i)
+            program.type(QLatin1String(keys[i]), QString::number(millimetres[i]));
+    }
+
+public:
+    static void initMain() { prepareProcess(); }
+
+private slots:
+    void init() { useSettingsIn(folder_.path()); }
+
+    void aCrankOutOfBareMeshes() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        const std::string before = glbOf(program.document.scene()).value();
+        choose(program, QStringLiteral("wheel"));
+        program.command("body-hinge").trigger(); // shows the dock, too
+        push(program, "axis-z");
+        place(program, {-50, 0, 0});
+        choose(program, QStringLiteral("rod"));
+        push(program, "hold-hinge");
+        fixTo(program, QStringLiteral("wheel"));
+        push(program, "axis-z");
+        place(program, {-30, 0, 9});
+        choose(program, QStringLiteral("piston"));
+        push(program, "hold-slider");
+        push(program, "axis-x");
+        push(program, "joint-add");
+        fixTo(program, QStringLiteral("rod"));
+        push(program, "axis-z");
+        place(program, {40, 0, 9});
+        const Mechanics& mechanics = program.document.scene().mechanics;
+        QCOMPARE(mechanics.bodies.size(), std::size_t(3));
+        QCOMPARE(mechanics.joints.size(), std::size_t(4));
+        COMPARE_NEAR(mechanics.bodies[1].mass, 1000 * 0.078 * 0.006 * 0.006, 1e-6, "kg");
+        keep(program, "crank");
+
+        // It closes, and the hand turns it: the piston goes where the triangle of wheel and rod puts it.
+        QVERIFY(test::waitFor([&] { return program.caughtUp(); }));
+        const auto world = compile(program.document.scene()).value();
+        QVERIFY(world->moving);
+        QCOMPARE(world->moving->mechanism()->loopJoints, std::size_t(1));
+        program.frames(60);
+        BodyPlaces places(world.get());
+        const auto poseOf = [&](const char* name) {
+            for (const PlacedObject& placed : places.at(program.engine.proxy().bodies))
+                if (program.document.scene().find(placed.object)->name == name) return placed.pose;
+            return Pose{};
+        };
+        const Vec3 peg = poseOf("wheel").apply({-0.03, 0, 0.009}),
+                   pin = poseOf("piston").apply({0.04, 0, 0.009});
+        QVERIFY(std::abs(peg.y()) > 1e-4); // it does not stand on its dead point: the peg weighs
+        COMPARE_NEAR((peg - pin).norm(), 0.07, 1e-6, "m");
+        COMPARE_NEAR(pin.y(), 0, 1e-6, "m");
+
+        while (program.document.history().canUndo())
+            program.command("undo").trigger();
+        QVERIFY(glbOf(program.document.scene()).value() == before);
+        while (program.document.history().canRedo())
+            program.command("redo").trigger();
+        QCOMPARE(program.document.scene().mechanics.joints.size(), std::size_t(4));
+    }
+
+    // Numbers by the fields; what is out of range is brought into it, and a stop at its end is none.
+    void massStopsAndSpringAreTyped() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        program.command("body-slider").trigger();
+        program.type(QStringLiteral("body-mass"), QStringLiteral("0.25"));
+        program.type(QStringLiteral("slider-high"), QStringLiteral("20"));
+        program.type(QStringLiteral("slider-spring"), QStringLiteral("300"));
+        const Scene& scene = program.document.scene();
+        const BodyId body = scene.mechanics.bodies[0].id;
+        QCOMPARE(scene.mechanics.bodies[0].mass, 0.25);
+        auto joint = axisJointOf(scene, body);
+        QVERIFY(joint);
+        COMPARE_NEAR(joint->high, 0.02, 1e-12, "m");
+        QVERIFY(joint->low == -kUnbounded);
+        QCOMPARE(joint->stiffness, 300.0);
+        program.type(QStringLiteral("slider-high"), QStringLiteral("1000"));
+        QVERIFY(axisJointOf(scene, body)->high == kUnbounded);
+        program.command("body-still").trigger();
+        QVERIFY(scene.mechanics.bodies.empty() && scene.mechanics.colliders.empty());
+        program.command("undo").trigger();
+        QCOMPARE(scene.mechanics.bodies[0].mass, 0.25);
+    }
+
+    // On the model: the tip of the axis turns it and snaps to the world's axes, the end of the arc is a stop.
+    void theJointIsDraggedOnTheModel() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("wheel"));
+        program.command("body-hinge").trigger();
+        push(program, "axis-z");
+        const SceneView& view = program.window->view();
+        QVERIFY(view.joint().mark());
+        const auto placeOf = [&](JointHandle handle) {
+            return view.joint().placeOf(handle, view.camera())->toPoint();
+        };
+        const auto jointNow = [&] {
+            const Scene& scene = program.document.scene();
+            return axisJointOf(scene, scene.mechanics.bodies[0].id).value();
+        };
+        const auto drag = [&](JointHandle handle, QPoint by) {
+            const QPoint from = placeOf(handle);
+            program.press(from);
+            program.moveTo(from + by / 2);
+            program.moveTo(from + by);
+            program.release(from + by);
+        };
+        const int steps = program.document.history().count();
+        QVERIFY(jointNow().high == kUnbounded);
+        const QPoint end = placeOf(JointHandle::High);
+        drag(JointHandle::High, QPoint(4, -12));
+        QCOMPARE(program.document.history().count(), steps + 1); // one step, however many moves
+        QVERIFY(jointNow().high < kUnbounded && jointNow().high > 0);
+        const QPoint now = placeOf(JointHandle::High);
+        QVERIFY2((now - end - QPoint(4, -12)).manhattanLength() < 40, "it follows the pointer");
+        const Vec3 before = jointNow().at;
+        drag(JointHandle::Place, QPoint(30, 0));
+        QCOMPARE_GT((jointNow().at - before).norm(), 1e-3);
+        drag(JointHandle::Tip, QPoint(2, 1));
+        COMPARE_NEAR(jointNow().axis, Vec3(Vec3::UnitZ()), 1e-12, ""); // it snaps back
+        drag(JointHandle::Tip, QPoint(60, -60));
+        QCOMPARE_LT(jointNow().axis.z(), 0.99);
+        keep(program, "joint");
+        choose(program, QStringLiteral("base"));
+        QVERIFY(!view.joint().mark());
+    }
+
+    // A removed object leaves nothing behind that others would meet.
+    void whatIsRemovedIsMetByNobody() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        program.command("body-loose").trigger();
+        const Scene& scene = program.document.scene();
+        const std::size_t colliders = scene.mechanics.colliders.size();
+        program.document.removeObject(scene.objects[2].id);
+        QCOMPARE(scene.mechanics.colliders.size(), colliders - 1);
+        program.document.removeObject(scene.objects.back().id);
+        QVERIFY(scene.mechanics.bodies.empty());
+    }
+};
+
+TACTUM_GUI_TEST(TestBodyPanel)
+
+} // namespace test_body_panel
+
+#include "test_body_panel.moc"

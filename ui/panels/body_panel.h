@@ -1,0 +1,82 @@
+// How the selected object moves: its mass, and the hinge or slider that holds it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "core/scene/bodies.h"
+#include "ui/document.h"
+#include "ui/view/joint_gizmo.h"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+
+namespace tactum {
+
+class ParameterField;
+
+/// Generated from kBodyFields and kAxisFields; every edit goes through the document and can be undone.
+class BodyPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// How an object is held; the buttons have these numbers.
+    enum class Hold { Still, Loose, Hinge, Slider };
+
+    explicit BodyPanel(Document& document, QWidget* parent = nullptr);
+
+    /// Of the selected object.
+    void hold(Hold hold);
+
+    /// The joint that is shown, for the view; nothing while nobody sees the panel.
+    std::optional<JointMark> mark() const;
+    /// As the view was dragged.
+    void setMark(const JointMark& mark, Gesture gesture);
+
+signals:
+    /// mark() may be another one.
+    void marked();
+    /// Why nothing was done, in one line.
+    void failed(const QString& sentence);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    struct AxisRow {
+        const AxisField* field;
+        AxisKind kind;
+        ParameterField* row;
+    };
+
+    QWidget* makeHoldRow();
+    QWidget* makeBodyRows();
+    QWidget* makeJointRows();
+    QWidget* makeWhichRow();
+    QWidget* makeAxisRow();
+    void addJoint();
+    void addAxisFields(AxisKind kind, QWidget* rows);
+    void editJoint(const QString& what, Gesture gesture, const std::function<void(AxisJoint&)>& change);
+    void refresh();
+    void refreshJoint(const AxisJoint& joint);
+    void refreshOthers(BodyId own, BodyId to);
+    const SceneObject* object() const;
+    BodyId body() const;
+
+    Document& document_;
+    QLabel *heading_, *hint_, *others_;
+    QWidget *holdRow_, *bodyRows_, *jointRows_;
+    QButtonGroup *hold_, *axis_;
+    QComboBox *to_, *joints_;
+    std::vector<ParameterField*> bodyFields_; ///< in the order of kBodyFields
+    std::vector<ParameterField*> places_;     ///< x, y, z of the joint
+    std::vector<AxisRow> axisRows_;
+    std::vector<BodyId> choices_; ///< of `to_`
+    ObjectId shown_ = 0;
+    std::size_t which_ = 0; ///< of the joints that hold it
+};
+
+} // namespace tactum
