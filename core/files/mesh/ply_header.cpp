@@ -72,6 +72,9 @@ void HeaderReader::readElement(Fields& fields) {
         fail("element needs a count where " + inQuotes(word) + " is; re-export the file");
     element.count = std::uint64_t(count);
     if (header_.elements.size() == kMaxProperties) fail("too many elements; re-export the file");
+    // The vertices' values go into columns of one length, which a second list of them need not have.
+    if (std::ranges::find(header_.elements, element.name, &PlyElement::name) != header_.elements.end())
+        fail("a second element " + inQuotes(element.name) + "; re-export the file");
     header_.elements.push_back(std::move(element));
 }
 

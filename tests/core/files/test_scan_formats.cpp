@@ -159,6 +159,12 @@ private slots:
         row("ply: negative count", "a.ply", replaced(little, "vertex 4", "vertex -4"),
             "a.ply:4: element needs a count");
         row("ply: type", "a.ply", replaced(little, "float y", "quad y"), "a.ply:6: unknown type \"quad\"");
+        // The first of them has normals, the second none: a face that asked for one read past their end.
+        row("ply: two lists of vertices", "a.ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+            "property float nx\nproperty float ny\nproperty float nz\n" +
+                kVertices + kFaces + "end_header\n0 0 0 0 0 1\n" + kCorners + "3 2 3 4\n",
+            "a.ply:10: a second element \"vertex\"");
         row("ply: no z", "a.ply", replaced(little, "float z", "float w"),
             "a.ply: its vertices have no x, y and z");
         row("ply: index", "a.ply", plyText(kVertices, kFaces, kCorners + "3 0 1 4\n"),
