@@ -12,12 +12,12 @@ constexpr int kMostEvents = 4;
 
 } // namespace
 
-Vec3 AppliedForce::forceAt(const Vec3& now_W) const noexcept {
+Vec3 AppliedForce::forceAt(const Vec3& now_W, const Vec3& rate_W) const noexcept {
     if (!(stiffness > 0)) return force_W;
-    const Vec3 way = now_W - start_W;
-    const double before = force_W.dot(into_W), press = before - stiffness * into_W.dot(way);
+    const Vec3 less = stiffness * (now_W - start_W) + damping * (rate_W - velocity_W);
+    const double before = force_W.dot(into_W), press = before - into_W.dot(less);
     if (!(press > 0 && before > 0)) return Vec3::Zero();
-    if (sticks) return force_W - stiffness * way;
+    if (sticks) return force_W - less;
     return press / before * force_W;
 }
 
@@ -81,7 +81,8 @@ void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt)
 
 void Dynamics::addForce(const AppliedForce& force) noexcept {
     const Vec3 point = articulation_.poseOf(force.at).translation;
-    articulation_.addForce(force.at.link, force.forceAt(point), point);
+    const Vec3 rate = articulation_.velocityOf(force.at).linear;
+    articulation_.addForce(force.at.link, force.forceAt(point, rate), point);
 }
 
 void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surroundings& around,

@@ -26,12 +26,15 @@ struct AppliedForce {
     /// Of a force that an elastic finger presses with: so much less for each metre that the point gives way
     /// from where it was, N/m; 0: it is constant. It never becomes a pull.
     double stiffness = 0;
-    Vec3 start_W = Vec3::Zero(); ///< where the point is when the force is `force_W`, m
-    Vec3 into_W = Vec3::UnitZ(); ///< of unit length: the way that it presses
-    bool sticks = false;         ///< it gives way in every direction, and not along `into_W` alone
+    /// So much less for each m/s that the point goes faster than `velocity_W`, N s/m.
+    double damping = 0;
+    Vec3 velocity_W = Vec3::Zero(); ///< of who presses, m/s
+    Vec3 start_W = Vec3::Zero();    ///< where the point is when the force is `force_W`, m
+    Vec3 into_W = Vec3::UnitZ();    ///< of unit length: the way that it presses
+    bool sticks = false;            ///< it gives way in every direction, and not along `into_W` alone
 
-    /// N, while the point is at `now_W`. Thread: real time.
-    Vec3 forceAt(const Vec3& now_W) const noexcept;
+    /// N, while the point is at `now_W` and goes with `rate_W`. Thread: real time.
+    Vec3 forceAt(const Vec3& now_W, const Vec3& rate_W) const noexcept;
 };
 
 struct BodyState {

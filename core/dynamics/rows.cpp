@@ -223,8 +223,8 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
         if (!springIsRow(i, dt)) continue;
         const Spring& spring = mechanism_.springs[i];
         const Reading now = read(articulation, spring.of, q);
-        const bool below = spring.isLimit && now.value < spring.min;
-        if (spring.isLimit && !below && !(now.value > spring.max)) continue;
+        // A limit counts from before it is met: what is light goes far beyond it in one step.
+        const bool below = spring.isLimit && now.value - spring.min < spring.max - now.value;
         Row* row = addRow(Kind::Spring, articulation, loops, spring.of.a, spring.of.b, now.along, 1);
         if (!row) continue;
         // F = k (x0 - x) + d (v0 - v) at the end of the step.

@@ -146,7 +146,8 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     output.report = report;
     output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
     state.bodies.force = output.force;
-    state.bodies.most = input.mostForce;
+    state.bodies.fingerVelocity = input.fingerVelocity;
+    state.bodies.coupling = input.coupling;
     return output;
 }
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include "core/base/vec.h"
 #include "core/haptics/contact_model.h"
@@ -22,10 +21,9 @@ struct HapticInput {
     /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
     /// it stays outside of.
     bool found = false;
-    double pace = 1; ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
-    /// N, that the device can give the hand: what is beyond it reaches no body either.
-    double mostForce = std::numeric_limits<double>::infinity();
-    bool begin = false; ///< first put all bodies to where they are at the time 0
+    double pace = 1;     ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
+    Coupling coupling{}; ///< what of the force the hand gets: what is beyond it reaches no body either
+    bool begin = false;  ///< first put all bodies to where they are at the time 0
 };
 
 /// One touched place, for the display.

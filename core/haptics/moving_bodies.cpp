@@ -51,6 +51,14 @@ std::uint64_t keyOf(const Mechanism& mechanism) {
     return key.value();
 }
 
+/// Of the force on the finger, that the hand gets.
+double partGiven(const BodiesState& bodies, double stiffness) noexcept {
+    const Coupling& hand = bodies.coupling;
+    const double softer = stiffness > hand.stiffness ? hand.stiffness / stiffness : 1;
+    const double given = softer * bodies.force.norm();
+    return given > hand.force ? softer * hand.force / given : softer;
+}
+
 } // namespace
 
 FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept {
@@ -64,7 +72,7 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         rest -= stiffness * contact.lambda * contact.normal;
     }
     if (!(total > 0)) return pushes;
-    const double given = bodies.force.norm(), part = given > bodies.most ? bodies.most / given : 1;
+    const double part = partGiven(bodies, stiffness);
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
@@ -72,6 +80,8 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         AppliedForce force;
         force.force_W = -part * (stiffness * contact.lambda * contact.normal + share * rest);
         force.stiffness = part * stiffness;
+        force.damping = force.stiffness * bodies.coupling.delay;
+        force.velocity_W = bodies.fingerVelocity;
         force.start_W = contact.point;
         force.into_W = -contact.normal;
         force.sticks = hasFriction(contact.material) && !contact.slipping;
@@ -102,7 +112,7 @@ void MovingBodies::begin(BodiesState& state) noexcept {
         state.qs = mechanism_->qs, state.vs = mechanism_->vs;
         std::copy_n(mechanism_->q0.data(), state.qs, state.q.begin());
         std::copy_n(mechanism_->v0.data(), state.vs, state.v.begin());
-        state.force = Vec3::Zero();
+        state.force = state.fingerVelocity = Vec3::Zero();
     }
     read(state);
     dynamics_.posesOf(now_, poses_);
@@ -126,8 +136,9 @@ int MovingBodies::partsFor(double dt) noexcept {
     for (AppliedForce& force : forces_.all()) {
         const double mass = dynamics_.effectiveMass(now_, force.at, force.into_W);
         const double swing = dt * std::sqrt(force.stiffness / mass);
-        fastest = std::max(fastest, swing);
         const double most = kFastestSwing * kMostParts;
+        force.damping = std::min(force.damping, most * mass / dt);
+        fastest = std::max({fastest, swing, dt * force.damping / mass});
         if (!(swing > most)) continue;
         const double part = most * most / (swing * swing);
         force.force_W *= part;

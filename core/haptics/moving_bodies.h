@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/dynamics/dynamics.h"
+#include "core/haptics/coupling.h"
 #include "core/motion/body_motion.h"
 #include "core/proxy/proxy.h"
 
@@ -24,9 +24,9 @@ struct BodiesState {
     std::uint64_t of = 0; ///< MovingBodies::key(); 0: of none
     int qs = 0, vs = 0;
     std::array<double, kMaxCoordinates> q{}, v{};
-    Vec3 force =
-        Vec3::Zero(); ///< on the finger in the last step, N, world frame: the bodies get its opposite
-    double most = std::numeric_limits<double>::infinity(); ///< N of it that the device can give
+    // Of the finger in the last step: the force on it (N, world frame), its velocity (m/s) and who feels it.
+    Vec3 force = Vec3::Zero(), fingerVelocity = Vec3::Zero();
+    Coupling coupling;
 };
 
 /// How the finger presses on one body until the next step.
@@ -38,7 +38,7 @@ using FingerPushes = InplaceVector<FingerPush, kMaxPlanes>;
 
 /// The force on the finger, split over what it touches, opposite: of each contact the force k lambda n of its
 /// plane (19), and what is left, which is friction and damping, in the same shares (23). A contact that
-/// sticks gives way in every direction. Beyond what the device can give all of it is less in one proportion.
+/// sticks gives way in every direction. Beyond what the hand gets all of it is less in one proportion.
 /// `stiffness`: of the finger's spring, N/m. Thread: real time.
 FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept;
 

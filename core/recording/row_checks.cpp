@@ -45,8 +45,10 @@ const char* faultIn(double time, double before, double begin) {
 
 const char* faultIn(const ProxyRow& row) {
     const bool possible = row.dt > 0 && row.dt <= kLongestDt && row.pace >= 0 && row.pace <= 1 &&
-                          row.mostForce >= 0 && (row.flags & ~std::uint32_t(ProxyRow::kAllFlags)) == 0 &&
-                          isPlace(row.finger) && isPlace(row.velocity);
+                          row.coupling[0] >= 0 && row.coupling[1] >= 0 && row.coupling[2] >= 0 &&
+                          std::isfinite(row.coupling[2]) &&
+                          (row.flags & ~std::uint32_t(ProxyRow::kAllFlags)) == 0 && isPlace(row.finger) &&
+                          isPlace(row.velocity);
     return possible ? nullptr : "has a length, a place or a flag that cannot be";
 }
 

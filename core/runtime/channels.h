@@ -77,7 +77,6 @@ struct Channels {
     std::atomic<bool> armed{false};           ///< false: the servo commands zero force
     std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
-    std::atomic<double> mostForce{0};         ///< HapticInput::mostForce
     std::atomic<double> pace{1};              ///< HapticInput::pace
     std::atomic<bool> stop{false};
 };

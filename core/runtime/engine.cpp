@@ -115,7 +115,6 @@ void Engine::Impl::freshChannels() {
     channels->workspace.write(workspace);
     motors = heat[info.name];
     askForButton();
-    channels->mostForce.store(info.maxForce, std::memory_order_relaxed);
     channels->pace.store(pace, std::memory_order_relaxed);
     proxyBeats = servoBeats = {};
     felt.clear();

@@ -66,7 +66,7 @@ HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) no
     ProxyRow row{.time = proxy.begun + tick.time,
                  .dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep),
                  .pace = goesOn ? 1 : proxy.channels.pace.load(std::memory_order_relaxed),
-                 .mostForce = proxy.channels.mostForce.load(std::memory_order_relaxed),
+                 .coupling = {finger.coupling.stiffness, finger.coupling.force, finger.coupling.delay},
                  .finger = tripleOf(finger.position),
                  .velocity = tripleOf(finger.velocity),
                  .world = proxy.world->revision,

@@ -35,8 +35,9 @@ struct ProxyRow {
 
     double time = 0; ///< s since the recorder was made: when the loop woke
     double dt = 0;
-    double pace = 1;                                            ///< HapticInput::pace
-    double mostForce = std::numeric_limits<double>::infinity(); ///< HapticInput::mostForce
+    double pace = 1; ///< HapticInput::pace
+    Triple coupling{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                    0}; ///< HapticInput::coupling
     Triple finger{}, velocity{};
     std::uint64_t world = 0; ///< revision
     std::uint32_t anchoring = 0;
@@ -80,7 +81,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 152 && sizeof(ServoRow) == 192, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 192, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
@@ -95,7 +96,7 @@ inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& 
                             .fidelity = row.fidelity(),
                             .found = (row.flags & ProxyRow::Found) != 0,
                             .pace = row.pace,
-                            .mostForce = row.mostForce,
+                            .coupling = {row.coupling[0], row.coupling[1], row.coupling[2]},
                             .begin = (row.flags & ProxyRow::Begin) != 0};
     return hapticStep(world, state, input, row.dt);
 }

@@ -47,8 +47,10 @@ void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit.counted(proxy.straddled, proxy.straddledCount);
 }
 void fields(auto& visit, MaybeConst<BodiesState> auto& bodies) {
-    visit(bodies.of, bodies.force);
-    visit.unbounded(bodies.most);
+    visit(bodies.of, bodies.force, bodies.fingerVelocity);
+    visit.unbounded(bodies.coupling.stiffness);
+    visit.unbounded(bodies.coupling.force);
+    visit(bodies.coupling.delay);
     visit.counted(bodies.q, bodies.qs);
     visit.counted(bodies.v, bodies.vs);
 }
@@ -91,8 +93,8 @@ static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && s
 static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
-static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 48);
-static_assert(sizeof(SimState) == 336 + sizeof(ProxyState) + sizeof(BodiesState));
+static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);
+static_assert(sizeof(SimState) == 328 + sizeof(ProxyState) + sizeof(BodiesState));
 #endif
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {

@@ -23,7 +23,7 @@ LoopFigures loopFigures(const DeviceInfo& device) noexcept {
 }
 
 StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept {
-    const double late = 0.5 * loop.period + loop.delay + loop.amplifierLag;
+    const double late = lateness(loop);
     const double losses = kOfTheLosses * loop.damping;
     if (!(late > 0) || !(losses > 0)) return {};
     StiffnessCeiling ceiling{losses / late, CeilingReason::Damping, kSurfaceShare * losses};

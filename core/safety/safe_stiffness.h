@@ -20,6 +20,12 @@ struct LoopFigures {
 /// Of a device as it describes itself. Thread: any, real time too.
 LoopFigures loopFigures(const DeviceInfo& device) noexcept;
 
+/// s, from a position to the force that answers it: half a period that the force is held, and what comes on
+/// the way. Thread: any, real time too.
+inline double lateness(const LoopFigures& loop) noexcept {
+    return 0.5 * loop.period + loop.delay + loop.amplifierLag;
+}
+
 enum class CeilingReason : std::uint8_t { Damping, SurfaceDamping, Resolution, Maker };
 
 struct StiffnessCeiling {

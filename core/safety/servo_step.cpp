@@ -137,12 +137,29 @@ double suddenOf(const ServoState& state, const Previous& previous, const Contact
                          .speed = contact.sliding.norm()});
 }
 
+/// What the hand gets of what the finger pushes with, in the world's measure. With the forces off nobody
+/// feels it: then the finger is a pointer that pushes as the surface would.
+Coupling couplingOf(const ServoState& state, const ServoSettings& settings, const ServoInput& input,
+                    const StiffnessBounds& bounds, double dt) noexcept {
+    Coupling coupling;
+    coupling.force = state.limiter.maxForce;
+    if (!settings.armed) return coupling;
+    coupling.stiffness = state.gate.gain() * bounds.stiffness / input.frame.scale;
+    // The answer is rendered from the next tick on, and until the one after it comes.
+    coupling.delay = state.schedule.lateness() + dt + state.transition.since(dt);
+    return coupling;
+}
+
 /// For the proxy loop; under the clutch the finger rests.
-FingerSample inWorld(const ServoState& state, const ServoInput& input) noexcept {
+FingerSample inWorld(const ServoState& state, const ServoInput& input, const Coupling& coupling) noexcept {
     const DeviceSample& seen = state.check.believed();
     const Vec3 velocity = input.clutched ? Vec3::Zero() : input.frame.wayInWorld(seen.velocity);
-    return {input.frame.pointInWorld(seen.position), velocity, state.ticks,
-            seen.valid && state.unread <= kLostAfter, state.gate.anchoring()};
+    return {input.frame.pointInWorld(seen.position),
+            velocity,
+            state.ticks,
+            seen.valid && state.unread <= kLostAfter,
+            state.gate.anchoring(),
+            coupling};
 }
 
 } // namespace
@@ -193,7 +210,7 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
                       .gain = state.gate.gain(),
                       .load = contact.model.stiffness * contact.stretch(seen.position),
                       .touching = contact.anchor.touching};
-    return {spring.force, inWorld(state, input), input.frame};
+    return {spring.force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame};
 }
 
 } // namespace tactum

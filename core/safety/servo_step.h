@@ -2,6 +2,7 @@
 // A plain function, the same in the servo loop, in the closed-loop simulator and in replay.
 #pragma once
 
+#include "core/haptics/coupling.h"
 #include "core/port/device_frame.h"
 #include "core/port/force_limiter.h"
 #include "core/port/haptic_device.h"
@@ -22,6 +23,7 @@ struct FingerSample {
     std::uint64_t tick = 0; ///< of the servo
     bool valid = false;
     std::uint32_t anchoring = 0; ///< another number than before: the proxy has to begin at the finger
+    Coupling coupling{};         ///< with what it pushes
 };
 
 /// What the person and the machine decide about the loop.

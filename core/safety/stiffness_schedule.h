@@ -49,6 +49,7 @@ public:
     double goal() const noexcept { return goal_; } ///< where the scale goes
     std::uint64_t oscillations() const noexcept { return oscillations_; } ///< that were noticed
     double period() const noexcept { return period_; }                    ///< s, that the ceiling is for
+    double lateness() const noexcept { return tactum::lateness(loop_); }  ///< s, at the nominal period
     bool overriding() const noexcept { return overriding_; }              ///< the person's word is in force
     void forgetSwings() noexcept { oscillation_.forget(); } ///< the swing that goes on begins anew
 

@@ -22,7 +22,11 @@ void Proxy::step(const FingerSample& finger) {
     const double dt = std::clamp(time_ - last_, kShortestStep, kLongestStep);
     last_ = time_;
     output = hapticStep(*world, state,
-                        {.finger = finger.position, .fingerVelocity = finger.velocity, .found = found}, dt);
+                        {.finger = finger.position,
+                         .fingerVelocity = finger.velocity,
+                         .found = found,
+                         .coupling = finger.coupling},
+                        dt);
     onTheWay_.push_back({time_ + latency, state.model});
 }
 

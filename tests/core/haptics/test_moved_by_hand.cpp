@@ -269,10 +269,10 @@ void MovedByHandTest::noBodyGetsMoreThanTheDeviceGives() {
     const double mass = 2, most = 3, dt = 5e-4;
     const auto world = compile(Pushed(mass, material(3000)).scene).value();
     SimState state;
-    hapticStep(*world, state, {.finger = {0, 0, 2 * kRadius}, .mostForce = most}, dt);
+    hapticStep(*world, state, {.finger = {0, 0, 2 * kRadius}, .coupling = {.force = most}}, dt);
     const int steps = 40;
     for (int i = 0; i <= steps; ++i)
-        hapticStep(*world, state, {.finger = {0, 0, kRadius - 0.005}, .mostForce = most}, dt);
+        hapticStep(*world, state, {.finger = {0, 0, kRadius - 0.005}, .coupling = {.force = most}}, dt);
     Hand seen(world);
     seen.state = state;
     COMPARE_NEAR(bodyOf(seen).velocity.z(), -most / mass * steps * dt, 0.02 * most / mass * steps * dt,
