@@ -25,7 +25,7 @@ void Proxy::step(const FingerSample& finger) {
                         {.finger = finger.position,
                          .fingerVelocity = finger.velocity,
                          .found = found,
-                         .coupling = finger.coupling},
+                         .coupling = coupled ? finger.coupling : Coupling{}},
                         dt);
     onTheWay_.push_back({time_ + latency, state.model});
 }

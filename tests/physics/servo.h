@@ -47,6 +47,7 @@ public:
     std::shared_ptr<const World> world;
     double rate;    ///< Hz
     double latency; ///< s
+    bool coupled = true; ///< false: bodies get what the model says, whatever the hand gets of it
     SimState state;
     HapticOutput output; ///< of the newest step
 
