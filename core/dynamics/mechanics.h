@@ -17,6 +17,9 @@ struct Mechanics {
     std::vector<Joint> joints;
     std::vector<Collider> colliders;
     Vec3 gravity{0, -kEarthGravity, 0}; ///< m/s^2, world frame
+    // How a hand meets what is much smaller or larger than it. All else stays in the world's own SI.
+    double forceScale = 1; ///< N on a body for each N of the finger
+    double timeScale = 1;  ///< s of the bodies and of all motions for each s of the hand
 
     bool operator==(const Mechanics&) const = default;
 };

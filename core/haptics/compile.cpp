@@ -167,7 +167,8 @@ Result<void> addMechanics(World& world, const World* previous) {
                           std::to_string(mechanism->qs) + " coordinates together, and " +
                           std::to_string(kMaxCoordinates) +
                           " are the most; make some of them still, a loose body has seven");
-    world.moving = std::make_unique<MovingBodies>(std::move(mechanism), mechanics.gravity);
+    world.moving = std::make_unique<MovingBodies>(std::move(mechanism), mechanics.gravity,
+                                                  HandScale{mechanics.forceScale, mechanics.timeScale});
     return {};
 }
 

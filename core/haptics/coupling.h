@@ -5,8 +5,8 @@
 
 namespace tactum {
 
-/// What of the force of a virtual coupling (Colgate 1995) the hand really gets: the bodies get the opposite of
-/// that, and no more.
+/// What of the force of a virtual coupling (Colgate 1995) the hand really gets: the bodies get the opposite
+/// of that, and no more.
 struct Coupling {
     double stiffness = std::numeric_limits<double>::infinity(); ///< N/m, that is rendered at most
     double force = std::numeric_limits<double>::infinity();     ///< N, that the device can give at most

@@ -104,8 +104,9 @@ void startAnew(const World& world, SimState& state, const HapticInput& input) {
 }
 
 // What the finger did in the last step acts on the bodies until this one.
-void moveBodies(const World& world, SimState& state, double dt) noexcept {
-    const FingerPushes pushes = pushesOf(state.proxy, state.bodies, state.model.stiffness);
+void moveBodies(const World& world, SimState& state, double dt, double time) noexcept {
+    const FingerPushes pushes =
+        pushesOf(state.proxy, state.bodies, state.model.stiffness, {world.moving->scale().force, time});
     world.moving->step(state.bodies, pushes, dt, [&](std::uint32_t obstacle) {
         const int mover = world.obstacles[obstacle].mover;
         return mover < 0 ? -1 : world.movers[std::size_t(mover)].driven;
@@ -134,9 +135,9 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     }
     if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
         startAnew(world, state, input);
-    const double way = input.pace * dt;
+    const double time = input.pace * (world.moving ? world.moving->scale().time : 1), way = time * dt;
     const double before = std::exchange(state.time, state.time + way);
-    if (world.moving) moveBodies(world, state, way);
+    if (world.moving) moveBodies(world, state, way, time);
     const StepMotions movers(world.movers, before, state.time, world.drivenMotions());
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,

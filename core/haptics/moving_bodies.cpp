@@ -61,8 +61,10 @@ double partGiven(const BodiesState& bodies, double stiffness) noexcept {
 
 } // namespace
 
-FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept {
+FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness,
+                      const HandScale& scale) noexcept {
     FingerPushes pushes;
+    if (!(scale.time > 0)) return pushes;
     double total = 0;
     Vec3 rest = bodies.force;
     for (int i = 0; i < proxy.contactCount; ++i) {
@@ -72,7 +74,7 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         rest -= stiffness * contact.lambda * contact.normal;
     }
     if (!(total > 0)) return pushes;
-    const double part = partGiven(bodies, stiffness);
+    const double part = scale.force * partGiven(bodies, stiffness);
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
@@ -80,8 +82,8 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         AppliedForce force;
         force.force_W = -part * (stiffness * contact.lambda * contact.normal + share * rest);
         force.stiffness = part * stiffness;
-        force.damping = force.stiffness * bodies.coupling.delay;
-        force.velocity_W = bodies.fingerVelocity;
+        force.damping = force.stiffness * scale.time * bodies.coupling.delay;
+        force.velocity_W = bodies.fingerVelocity / scale.time;
         force.start_W = contact.point;
         force.into_W = -contact.normal;
         force.sticks = hasFriction(contact.material) && !contact.slipping;
@@ -90,9 +92,10 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
     return pushes;
 }
 
-MovingBodies::MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity)
-    : mechanism_(std::move(mechanism)), gravity_(gravity), key_(keyOf(*mechanism_)), dynamics_(mechanism_),
-      now_(dynamics_.startState()), poses_(mechanism_->bodies.size()) {}
+MovingBodies::MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity,
+                           const HandScale& scale)
+    : mechanism_(std::move(mechanism)), gravity_(gravity), scale_(scale), key_(keyOf(*mechanism_)),
+      dynamics_(mechanism_), now_(dynamics_.startState()), poses_(mechanism_->bodies.size()) {}
 
 int MovingBodies::add(const Driven& driven) {
     driven_.push_back(driven);

@@ -36,11 +36,18 @@ struct FingerPush {
 };
 using FingerPushes = InplaceVector<FingerPush, kMaxPlanes>;
 
+/// What the world makes of the hand (Mechanics): its pace may be slower still.
+struct HandScale {
+    double force = 1; ///< N on a body for each N of the finger
+    double time = 1;  ///< s of the bodies for each s of the hand
+};
+
 /// The force on the finger, split over what it touches, opposite: of each contact the force k lambda n of its
 /// plane (19), and what is left, which is friction and damping, in the same shares (23). A contact that
 /// sticks gives way in every direction. Beyond what the hand gets all of it is less in one proportion.
-/// `stiffness`: of the finger's spring, N/m. Thread: real time.
-FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness) noexcept;
+/// `stiffness`: of the finger's spring, N/m. None where time stands still. Thread: real time.
+FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness,
+                      const HandScale& scale = {}) noexcept;
 
 /// Steps the bodies of one World; its memory is what it steps in. Thread: one at a time; all but making it
 /// real time.
@@ -52,7 +59,8 @@ public:
         Pose offset;          ///< body frame
     };
 
-    MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity);
+    MovingBodies(std::shared_ptr<const Mechanism> mechanism, const Vec3& gravity,
+                 const HandScale& scale = {});
     /// Gives the number for Mover::driven. Thread: any but real time.
     int add(const Driven& driven);
 
@@ -61,6 +69,7 @@ public:
     std::uint64_t key() const noexcept { return key_; }
     std::span<const Driven> driven() const noexcept { return driven_; }
     const Vec3& gravity() const noexcept { return gravity_; }
+    const HandScale& scale() const noexcept { return scale_; }
     /// Of each driven obstacle, in the last begin() or step(). They stay where they are in memory.
     std::span<const BodyMotion> motions() const noexcept { return motions_; }
 
@@ -85,6 +94,7 @@ private:
 
     std::shared_ptr<const Mechanism> mechanism_;
     Vec3 gravity_;
+    HandScale scale_;
     std::uint64_t key_;
     Dynamics dynamics_;
     DynamicState now_;

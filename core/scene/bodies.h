@@ -12,8 +12,8 @@ namespace tactum {
 
 inline constexpr Parameter kBodyMass{
     "body-mass", "Mass", "kg",
-    1e-5,        100,    1e-3,
-    0.1,         4,      "How hard it is to move. At first that of its volume in water."};
+    1e-9,        1e9,    1e-3,
+    0.1,         9,      "How hard it is to move. At first that of its volume in water."};
 inline constexpr Parameter kGravityFactor{"body-gravity",
                                           "Gravity",
                                           "",
@@ -28,6 +28,35 @@ struct BodyField {
     const Parameter* parameter;
     double RigidBody::*value;
 };
+/// Of the whole world that moves.
+inline constexpr Parameter kForceScale{
+    "force-scale",
+    "Force",
+    "x",
+    1e-9,
+    1e9,
+    0.1,
+    1,
+    9,
+    "Newtons on a body for each of the finger's: small for a micro-sensor, large for a windmill."};
+inline constexpr Parameter kTimeScale{
+    "time-scale",
+    "Time",
+    "x",
+    1e-6,
+    100,
+    0.1,
+    1,
+    6,
+    "Seconds of the moving world for each of the hand's: small for what swings faster than a hand feels."};
+
+struct WorldField {
+    const Parameter* parameter;
+    double Mechanics::*value;
+};
+inline constexpr std::array<WorldField, 2> kWorldFields{
+    {{&kForceScale, &Mechanics::forceScale}, {&kTimeScale, &Mechanics::timeScale}}};
+
 /// The mass is set by setMass(), which keeps the form of the moments.
 inline constexpr std::array<BodyField, 2> kBodyFields{
     {{&kBodyMass, &RigidBody::mass}, {&kGravityFactor, &RigidBody::gravityFactor}}};

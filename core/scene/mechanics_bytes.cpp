@@ -106,8 +106,8 @@ template <class Io> void collider(Io& io, Collider& value) {
 } // namespace
 
 template <class Io> void mechanicsBytes(Io& io, Mechanics& mechanics) {
-    auto& [bodies, joints, colliders, gravity] = mechanics;
-    io(gravity);
+    auto& [bodies, joints, colliders, gravity, forceScale, timeScale] = mechanics;
+    io(gravity), io(forceScale), io(timeScale);
     list(io, bodies, 100, [&](RigidBody& one) { body(io, one); });
     list(io, joints, 100, [&](Joint& one) { joint(io, one); });
     list(io, colliders, 100, [&](Collider& one) { collider(io, one); });

@@ -108,7 +108,10 @@ Scene microSensor() {
         "frame", kSilicon,
         {block({0.17, 0.02, 0.014}, {0, 0, 0.063}), block({0.17, 0.02, 0.014}, {0, 0, -0.063}),
          block({0.014, 0.02, 0.112}, {0.078, 0, 0}), block({0.014, 0.02, 0.112}, {-0.078, 0, 0})});
-    const BodyId mass = works.body("test mass", {}, 500, kGold, {block({0.09, 0.012, 0.06})});
+    // 1.7 mm of silicon and gold, drawn 100 times as large: 0.15 ug that swing at 8 to 12 kHz. A newton of
+    // the finger is a hundredth of one there, and a second two milliseconds.
+    const BodyId mass = works.body("test mass", {}, 2330, kGold, {block({0.09, 0.012, 0.06})});
+    works.scale(100, 1e-6, 1, 2e-3);
     std::vector<Piece> beams;
     for (const double x : {-0.06, 0.06})
         for (const double z : {-0.022, 0.022})
@@ -117,10 +120,9 @@ Scene microSensor() {
     Joint& flexures = works.ball("flexures", kWorldBody, mass, Vec3::Zero(), frame);
     flexures.limits.clear();
     for (const auto& [axis, stiffness] : {std::pair{0, 900.0}, {1, 150.0}, {2, 400.0}}) {
-        flexures.drives.push_back(spring(false, stiffness, 0.4));
+        flexures.drives.push_back(spring(false, stiffness, 8e-4)); // N/m, N s/m
         flexures.drives.back().axis = axis;
-        if (axis == 1) flexures.drives.back().position = 0.0324 * kEarthGravity / stiffness; // its weight
-        flexures.drives.push_back(spring(true, 0.4, 2e-4));
+        flexures.drives.push_back(spring(true, 0.4, 4e-7)); // N m/rad, as drawn
         flexures.drives.back().axis = axis;
     }
     const std::vector<FingerKey> keys{{0.0, {0.02, 0.03, 0.01}},    {0.3, {0.02, 0.0, 0.01}},

@@ -134,6 +134,14 @@ BodyId Works::body(const std::string& name, const Pose& at, double density, cons
     return body.id;
 }
 
+void Works::scale(double size, double mass, double force, double time) {
+    Mechanics& mechanics = scene_.mechanics;
+    mechanics.gravity *= size;
+    mechanics.forceScale = force, mechanics.timeScale = time;
+    for (RigidBody& body : mechanics.bodies)
+        body.mass *= mass, body.inertia *= mass;
+}
+
 void Works::trim(BodyId body, const std::string& name, const Look& look, const std::vector<Piece>& pieces) {
     show(body, name, look, pieces);
 }

@@ -45,6 +45,10 @@ public:
                   std::uint32_t part = 0);
     Joint& ball(const std::string& name, BodyId a, BodyId b, const Vec3& at, std::uint32_t part = 0);
 
+    /// Drawn `size` times as large as it is, with a hand that feels its masses and times as HandScale says;
+    /// the mass of each body is `mass` times what its drawn volume has. After all bodies.
+    void scale(double size, double mass, double force, double time);
+
     /// The joint that was made last.
     Joint& last() { return scene_.mechanics.joints.back(); }
 

@@ -31,6 +31,7 @@ public:
         for (int i = count(0, 4); i > 0; --i)
             to.joints.push_back(joint(bodies));
         to.gravity = vector(10);
+        if (chance(2)) to.forceScale = 10 * length(), to.timeScale = length();
     }
 
 private:

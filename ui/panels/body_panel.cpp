@@ -13,6 +13,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
+#include "ui/panels/world_fields.h"
 #include "ui/style.h"
 
 namespace tactum {
@@ -84,8 +85,9 @@ BodyPanel::BodyPanel(Document& document, QWidget* parent) : QWidget(parent), doc
     hint_ = dimmedLine(tr("Select an object to give it a mass, a hinge or a slider."));
     others_ = dimmedLine({});
     others_->setObjectName(QStringLiteral("other-joints"));
+    world_ = new WorldFields(document_);
     for (QWidget* each : std::initializer_list<QWidget*>{heading_, hint_, makeHoldRow(), makeBodyRows(),
-                                                         others_, makeJointRows()})
+                                                         others_, makeJointRows(), world_})
         sections->addWidget(each);
     sections->addStretch();
     columnIn(this, 0)->addWidget(scrolled(page));
@@ -314,6 +316,7 @@ void BodyPanel::refresh() {
     const SceneObject* chosen = object();
     heading_->setText(chosen ? textOf(chosen->name) : tr("No object selected"));
     hint_->setVisible(!chosen);
+    world_->setVisible(!chosen && !document_.scene().mechanics.bodies.empty());
     holdRow_->setVisible(chosen);
     const RigidBody* found = findBody(document_.scene(), body());
     const std::size_t joints = found ? jointsOf(document_.scene(), found->id) : 0;

@@ -17,6 +17,7 @@ class QLabel;
 namespace tactum {
 
 class ParameterField;
+class WorldFields;
 
 /// Generated from kBodyFields and kAxisFields; every edit goes through the document and can be undone.
 class BodyPanel : public QWidget {
@@ -68,6 +69,7 @@ private:
 
     Document& document_;
     QLabel *heading_, *hint_, *others_;
+    WorldFields* world_;
     QWidget *holdRow_, *bodyRows_, *jointRows_;
     QButtonGroup *hold_, *axis_;
     QComboBox *to_, *joints_;

@@ -7,6 +7,7 @@
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/write_physics.h"
+#include "core/scene/bodies.h"
 
 namespace tactum {
 namespace {
@@ -200,6 +201,8 @@ void GltfParting::strip(bool mechanics) {
     for (const char* key : {"version", "foreign", "copies", "finger", "gravity"})
         root_["extensions"][kExtension].erase(key);
     root_["extensions"][kExtension].erase(jsonKey(kProxyRadius.key));
+    for (const WorldField& field : kWorldFields)
+        root_["extensions"][kExtension].erase(jsonKey(field.parameter->key));
     if (root_["extensions"][kExtension].empty()) eraseExtension(root_, kExtension);
 }
 

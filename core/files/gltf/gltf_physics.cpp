@@ -9,6 +9,7 @@
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/scene/bodies.h"
 
 namespace tactum {
 
@@ -493,8 +494,12 @@ GltfPhysics PhysicsReader::run() {
                 addJoint(node, *joint);
     if (made_.mechanics.bodies.empty()) return {}; // colliders alone: copies of our own, or of no use here
     numberParts();
-    if (const Json* ours = extensionOf(root_))
+    if (const Json* ours = extensionOf(root_)) {
         made_.mechanics.gravity = vectorIn<3>(*ours, "gravity").value_or(made_.mechanics.gravity);
+        for (const WorldField& field : kWorldFields)
+            if (const auto value = numberIn(*ours, jsonKey(field.parameter->key).c_str()); value)
+                made_.mechanics.*field.value = field.parameter->clamped(*value);
+    }
     noteTriggers();
     return std::move(made_);
 }

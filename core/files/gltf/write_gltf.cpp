@@ -12,6 +12,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
 #include "core/files/gltf/write_physics.h"
+#include "core/scene/bodies.h"
 
 namespace tactum {
 namespace {
@@ -316,6 +317,11 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
               {"copies", copies_.wrote()}};
     const bool moves = !scene_.mechanics.bodies.empty();
     ours["gravity"] = moves ? vectorJson(scene_.mechanics.gravity) : Json(nullptr);
+    for (const WorldField& field : kWorldFields) {
+        const double value = scene_.mechanics.*field.value;
+        ours[jsonKey(field.parameter->key)] =
+            moves && value != field.parameter->initial ? Json(value) : Json(nullptr);
+    }
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
     Json& used = root_["extensionsUsed"];

@@ -1,6 +1,7 @@
 #include "tests/core/files/format_schema.h"
 
 #include "core/files/gltf/gltf_surface.h"
+#include "core/scene/bodies.h"
 
 namespace tactum {
 namespace {
@@ -147,6 +148,8 @@ std::string formatSchema() {
          {"finger", view("a stroke that shows the scene, four doubles a row: time in s, position in m in the "
                          "world frame.")},
          {"gravity", numbers(3, "Of a scene with bodies, world frame. Unit: m/s^2.")},
+         {jsonKey(kForceScale.key), number(kForceScale)},
+         {jsonKey(kTimeScale.key), number(kTimeScale)},
          {"foreign",
           object(
               "How many elements of each array, and bytes of the buffer, are not Tactum's: they stand first.",

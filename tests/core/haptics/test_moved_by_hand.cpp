@@ -100,6 +100,8 @@ private slots:
     void lightBodiesStayWithTheFinger();
     void theSameBitsFromAKeptState();
     void anotherMassKeepsTheMotionAnotherPlaceBeginsAnew();
+    void scaledTheHandFeelsTheSame_data();
+    void scaledTheHandFeelsTheSame();
     void tooManyCoordinatesAreRefused();
 };
 
@@ -352,6 +354,43 @@ void MovedByHandTest::anotherMassKeepsTheMotionAnotherPlaceBeginsAnew() {
     hand.take(compile(plate.scene, &hand.world()).value());
     hand.to({0, 0, 0.05});
     COMPARE_NEAR(bodyOf(hand).velocity.norm(), 0, 1e-12, "m/s");
+}
+
+void MovedByHandTest::scaledTheHandFeelsTheSame_data() {
+    QTest::addColumn<double>("force");
+    QTest::addColumn<double>("time");
+    QTest::newRow("as it is") << 1.0 << 1.0;
+    QTest::newRow("a micro-sensor") << 1e-5 << 1e-2;
+    QTest::newRow("a windmill") << 100.0 << 4.0;
+}
+
+// x'' = F / m: where forces count S and seconds T, a body of S T^2 m goes the same way in the hand's time,
+// and T times slower in its own.
+void MovedByHandTest::scaledTheHandFeelsTheSame() {
+    QFETCH(double, force);
+    QFETCH(double, time);
+    const auto run = [](double mass, double forceScale, double timeScale) {
+        Pushed pushed(mass, material(800));
+        pushed.scene.mechanics.forceScale = forceScale;
+        pushed.scene.mechanics.timeScale = timeScale;
+        Hand hand(compile(pushed.scene).value(), 5e-4);
+        const auto to = [&](double z) {
+            return hapticStep(hand.world(), hand.state,
+                              {.finger = {0, 0, z}, .coupling = {.stiffness = 600, .delay = 2e-3}}, 5e-4);
+        };
+        to(2 * kRadius);
+        double most = 0;
+        for (int i = 0; i < 400; ++i)
+            most = std::max(most, to(2 * kRadius - 4e-5 * i).force.z());
+        return std::pair{bodyOf(hand), most};
+    };
+    const double mass = 0.1;
+    const auto [plain, plainForce] = run(mass, 1, 1);
+    const auto [scaled, scaledForce] = run(mass * force * time * time, force, time);
+    QCOMPARE_LT(plain.velocity.z(), -0.05);
+    COMPARE_NEAR(scaledForce, plainForce, 1e-6 * plainForce, "N");
+    COMPARE_NEAR(scaled.centre.z(), plain.centre.z(), 1e-9, "m");
+    COMPARE_NEAR(scaled.velocity.z() * time, plain.velocity.z(), 1e-6, "m/s");
 }
 
 void MovedByHandTest::tooManyCoordinatesAreRefused() {

@@ -1,0 +1,57 @@
+#include "ui/panels/world_fields.h"
+
+#include <array>
+
+#include "core/scene/bodies.h"
+#include "ui/panels/columns.h"
+#include "ui/panels/parameter_field.h"
+#include "ui/style.h"
+
+namespace tactum {
+namespace {
+
+constexpr std::array<Parameter, 3> kGravity{{
+    {"gravity-x", "Gravity x", "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
+     "What makes bodies fall, along x of the world."},
+    {"gravity-y", "Gravity y", "m/s\u00b2", -1e4, 1e4, 0.1, -kEarthGravity, 2,
+     "What makes bodies fall, along y of the world: upward."},
+    {"gravity-z", "Gravity z", "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
+     "What makes bodies fall, along z of the world."},
+}};
+
+} // namespace
+
+WorldFields::WorldFields(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+    columnIn(this, kRhythm);
+    for (int i = 0; i < 3; ++i)
+        add(kGravity[std::size_t(i)], i, [](Mechanics& of, int axis) -> double& { return of.gravity[axis]; });
+    for (int i = 0; i < int(kWorldFields.size()); ++i)
+        add(*kWorldFields[std::size_t(i)].parameter, i,
+            [](Mechanics& of, int field) -> double& { return of.*kWorldFields[std::size_t(field)].value; });
+    connect(&document_, &Document::changed, this, &WorldFields::refresh);
+    refresh();
+}
+
+void WorldFields::add(const Parameter& parameter, int index, Value value) {
+    auto* field = new ParameterField(parameter);
+    layout()->addWidget(field);
+    rows_.push_back({field, index, value});
+    connect(
+        field, &ParameterField::edited, this,
+        [this, &parameter, index, value](double wanted, Gesture gesture) {
+            document_.editBodies(
+                tr("%1 of the world")
+                    .arg(QString::fromUtf8(parameter.label.data(), qsizetype(parameter.label.size()))),
+                [=, &parameter](Scene& scene) { value(scene.mechanics, index) = parameter.clamped(wanted); },
+                gesture);
+            refresh();
+        });
+}
+
+void WorldFields::refresh() {
+    Mechanics mechanics = document_.scene().mechanics;
+    for (const Row& row : rows_)
+        row.field->setValue(row.value(mechanics, row.index));
+}
+
+} // namespace tactum
