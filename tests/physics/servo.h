@@ -45,8 +45,8 @@ public:
     bool answer(const FingerSample& finger, double dt, LocalContactModel& model) override;
 
     std::shared_ptr<const World> world;
-    double rate;    ///< Hz
-    double latency; ///< s
+    double rate;         ///< Hz
+    double latency;      ///< s
     bool coupled = true; ///< false: bodies get what the model says, whatever the hand gets of it
     SimState state;
     HapticOutput output; ///< of the newest step
