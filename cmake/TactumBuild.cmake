@@ -50,7 +50,7 @@ target_compile_options(tactum_options INTERFACE
   -ffp-contract=off)
 if(TACTUM_NATIVE)
   # g++ 12 takes the undefined lanes in its own AVX-512 headers for a mistake of ours.
-  target_compile_options(tactum_options INTERFACE -march=native -Wno-maybe-uninitialized)
+  target_compile_options(tactum_options INTERFACE -march=native -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 if(TACTUM_SANITIZE)
   # In instrumented code gcc sees uninitialised values where there are none, in the standard library too.
