@@ -4,17 +4,12 @@
 #include <bit>
 #include <cmath>
 
+#include "core/dynamics/finger_swing.h"
 #include "core/surface/friction.h"
 
 namespace tactum {
 
 namespace {
-
-/// A body on the finger's spring swings; so much of a swing, in radians, is followed in one part of a step.
-constexpr double kSwing = 0.5;
-constexpr int kMostParts = 8;
-/// What swings faster gets no more of the finger's force than what can be followed, rad a part.
-constexpr double kFastestSwing = 2;
 
 /// FNV-1a over words.
 class Key {
@@ -139,7 +134,7 @@ int MovingBodies::partsFor(double dt) noexcept {
     for (AppliedForce& force : forces_.all()) {
         const double mass = dynamics_.effectiveMass(now_, force.at, force.into_W);
         const double swing = dt * std::sqrt(force.stiffness / mass);
-        const double most = kFastestSwing * kMostParts;
+        const double most = kFastestSwing * kSwingParts;
         force.damping = std::min(force.damping, most * mass / dt);
         fastest = std::max({fastest, swing, dt * force.damping / mass});
         if (!(swing > most)) continue;
@@ -147,7 +142,7 @@ int MovingBodies::partsFor(double dt) noexcept {
         force.force_W *= part;
         force.stiffness *= part;
     }
-    return int(std::clamp(std::ceil(fastest / kSwing), 1.0, double(kMostParts)));
+    return int(std::clamp(std::ceil(fastest / kSwing), 1.0, double(kSwingParts)));
 }
 
 void MovingBodies::advance(BodiesState& state, double dt) noexcept {

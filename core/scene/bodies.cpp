@@ -345,6 +345,16 @@ void setMass(RigidBody& body, double mass) {
     body.mass = mass;
 }
 
+Moves movesOf(const Scene& scene, const SceneObject& object) {
+    if (object.motion) return Moves::ByKeys;
+    if (!findBody(scene, object.body)) return Moves::Never;
+    return std::ranges::any_of(
+               scene.mechanics.joints,
+               [&](const Joint& joint) { return joint.a == object.body || joint.b == object.body; })
+               ? Moves::OnJoints
+               : Moves::Loose;
+}
+
 std::size_t jointsOf(const Scene& scene, BodyId body) {
     return std::size_t(std::ranges::count(scene.mechanics.joints, body, &Joint::b));
 }

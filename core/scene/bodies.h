@@ -101,6 +101,10 @@ void makeStill(Scene& scene, BodyId body);
 /// it.
 void removeMechanics(Scene& scene, ObjectId object);
 
+/// What moves an object.
+enum class Moves : std::uint8_t { Never, ByKeys, Loose, OnJoints };
+Moves movesOf(const Scene& scene, const SceneObject& object);
+
 RigidBody* findBody(Scene& scene, BodyId id);
 const RigidBody* findBody(const Scene& scene, BodyId id);
 /// The moments change in proportion.

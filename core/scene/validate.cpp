@@ -5,6 +5,7 @@
 #include "core/motion/movers.h"
 #include "core/scene/describe.h"
 #include "core/scene/findings.h"
+#include "core/scene/light_bodies.h"
 #include "core/scene/value_checks.h"
 
 namespace tactum {
@@ -22,6 +23,7 @@ public:
         for (const SceneObject& object : scene_.objects)
             check(object);
         checkSize();
+        appendLightBodies(findings_, scene_);
         return std::move(findings_);
     }
 

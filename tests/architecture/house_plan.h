@@ -54,8 +54,10 @@ struct Library {
 inline const std::vector<Library> kLibraries{
     {"Eigen/", {"core/", "device/", "ui/", "app/"}},
     {"tl/expected.hpp", {"core/base/result.h"}},
-    {"OpenMesh/", {"tests/core/geometry/"}}, // what is compared with
-    {"mujoco/", {"tests/core/dynamics/"}},   // likewise
+    {"OpenMesh/", {"tests/core/geometry/"}},                    // what is compared with
+    {"mujoco/", {"tests/core/dynamics/", "tests/benchmarks/"}}, // likewise
+    {"BulletDynamics/", {"tests/benchmarks/"}},
+    {"btBulletDynamicsCommon.h", {"tests/benchmarks/"}},
     {"tiny_gltf.h", {"core/files/gltf/gltf_model.h"}},
     {"assimp/", {"core/files/read_assimp.cpp"}},
     {"pugixml.hpp", {"core/files/x3d/x3d_document.h", "core/presets/read_hatt.cpp"}},

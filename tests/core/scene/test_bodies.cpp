@@ -9,6 +9,7 @@
 #include "core/dynamics/mechanism_build.h"
 #include "core/scene/bodies.h"
 #include "core/scene/convex_parts.h"
+#include "core/scene/light_bodies.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
@@ -163,6 +164,34 @@ private slots:
                         field.hinge->allows(field.hinge->initial) &&
                         field.slider->allows(field.slider->initial));
         }
+    }
+
+    // A loose box yields along each side's middle like its mass; at 2 kHz 800 N/m push k / (16 * 2000)^2 =
+    // 0.78 mg.
+    void whatIsTooLightIsSaid() {
+        Scene scene;
+        const ObjectId id = add(scene, "crumb", box({0.01, 0.02, 0.03}));
+        RigidBody& body = *findBody(scene, makeBody(scene, id));
+        const auto told = [&](double mass, double stiffness, double time) {
+            setMass(body, mass);
+            scene.objects[0].surfaces[0].material.stiffness = stiffness;
+            scene.mechanics.timeScale = time;
+            std::vector<Finding> findings;
+            appendLightBodies(findings, scene);
+            return findings.size();
+        };
+        QCOMPARE(told(7e-7, 800, 1), std::size_t(1));
+        QCOMPARE(told(9e-7, 800, 1), std::size_t(0));
+        QCOMPARE(told(7e-7, 600, 1), std::size_t(0));
+        QCOMPARE(told(9e-9, 800, 0.1), std::size_t(0));
+        const std::vector<Finding> all = [&] {
+            told(7e-7, 800, 1);
+            return validate(scene);
+        }();
+        const auto found = std::ranges::find(all, "crumb", &Finding::object);
+        QVERIFY(found != all.end());
+        qInfo("%s; %s", found->sentence.c_str(), found->remedy.c_str());
+        QVERIFY(found->sentence.starts_with("yields to a finger like"));
     }
 
     // T = 2 pi sqrt(I / (m g d)) of a plate about its edge, I = m L^2 / 3, d = L / 2, at 1 degree.
