@@ -241,7 +241,10 @@ void MainWindow::connectMotion() {
             dock->raise();
         });
     connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
-    connect(docks_.body, &BodyPanel::marked, this, [this] { view_->setJoint(docks_.body->mark()); });
+    connect(docks_.body, &BodyPanel::marked, this, [this] {
+        view_->setJoint(docks_.body->mark());
+        view_->setMass(docks_.body->mass());
+    });
     const auto gesture = std::make_shared<Gesture>(0);
     connect(view_, &SceneView::jointGrabbed, this, [gesture] { *gesture = newGesture(); });
     connect(view_, &SceneView::jointDragged, this,

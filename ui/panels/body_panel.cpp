@@ -294,6 +294,12 @@ std::optional<JointMark> BodyPanel::mark() const {
                      joint->high < kUnbounded};
 }
 
+std::optional<MassMark> BodyPanel::mass() const {
+    const RigidBody* found = findBody(document_.scene(), body());
+    if (!isVisible() || !found) return std::nullopt;
+    return massMark(found->pose * Pose{found->inertiaFrame, found->centre}, found->mass, found->inertia);
+}
+
 void BodyPanel::setMark(const JointMark& mark, Gesture gesture) {
     editJoint(tr("Joint"), gesture, [&](AxisJoint& joint) {
         joint.at = mark.at, joint.axis = mark.axis;

@@ -9,6 +9,7 @@
 #include "core/scene/bodies.h"
 #include "ui/document.h"
 #include "ui/view/joint_gizmo.h"
+#include "ui/view/mass_mark.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -33,11 +34,13 @@ public:
 
     /// The joint that is shown, for the view; nothing while nobody sees the panel.
     std::optional<JointMark> mark() const;
+    /// The mass of the selected body, likewise.
+    std::optional<MassMark> mass() const;
     /// As the view was dragged.
     void setMark(const JointMark& mark, Gesture gesture);
 
 signals:
-    /// mark() may be another one.
+    /// mark() and mass() may be others.
     void marked();
     /// Why nothing was done, in one line.
     void failed(const QString& sentence);

@@ -62,7 +62,7 @@ void Outliner::follow(const SceneChange& change) {
     if (change.what == What::Selection)
         showSelection();
     else if (change.what == What::Everything || change.what == What::Objects ||
-             change.what == What::Surfaces || change.what == What::Names)
+             change.what == What::Surfaces || change.what == What::Names || change.what == What::Bodies)
         refresh();
 }
 
@@ -73,8 +73,11 @@ void Outliner::changeEvent(QEvent* event) {
 
 void Outliner::rebuild() {
     const QScopedValueRollback quiet(filling_, true);
-    icons_ = {icon(QStringLiteral("object"), theme().textDimmed), icon(QStringLiteral("eye"), theme().text),
-              icon(QStringLiteral("eye-off"), theme().textDimmed), icon(QStringLiteral("lock"), theme().text),
+    const auto dimmed = [](const char* name) { return icon(QLatin1String(name), theme().textDimmed); };
+    icons_ = {{dimmed("object"), dimmed("body-keys"), dimmed("body-loose"), dimmed("body-joint")},
+              icon(QStringLiteral("eye"), theme().text),
+              icon(QStringLiteral("eye-off"), theme().textDimmed),
+              icon(QStringLiteral("lock"), theme().text),
               icon(QStringLiteral("lock-open"), theme().border)};
     clear();
     listed_.clear();
@@ -109,8 +112,9 @@ void Outliner::refresh() {
     showSelection();
 }
 
-std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) {
+std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) const {
     std::vector<Row> rows{{object.name, object.visible, object.visible}};
+    rows.front().moves = movesOf(document_.scene(), object);
     for (const Surface& each : object.surfaces)
         rows.push_back({each.name, each.visible, object.visible && each.visible, each.locked, each.colour});
     return rows;
@@ -118,7 +122,10 @@ std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) {
 
 void Outliner::fill(QTreeWidgetItem& item, const Row& row) {
     item.setText(kName, QString::fromStdString(row.name));
-    item.setIcon(kName, isObject(&item) ? icons_.object : QIcon(swatch(row.colour)));
+    if (isObject(&item))
+        showMoves(item, row.moves);
+    else
+        item.setIcon(kName, QIcon(swatch(row.colour)));
     showEye(item, row.visible, row.shown);
     if (!isObject(&item)) showLock(item, row.locked);
 }
@@ -186,6 +193,14 @@ void Outliner::selectChosen() {
     }
     const QScopedValueRollback quiet(choosing_, true);
     document_.select(chosen);
+}
+
+void Outliner::showMoves(QTreeWidgetItem& item, Moves moves) {
+    const std::array<QString, 4> words{tr("stands still"), tr("moves by its keys"), tr("a loose body"),
+                                       tr("a body on joints")};
+    item.setIcon(kName, icons_.object[std::size_t(moves)]);
+    item.setToolTip(kName, words[std::size_t(moves)]);
+    item.setData(kName, Qt::AccessibleDescriptionRole, words[std::size_t(moves)]);
 }
 
 void Outliner::showEye(QTreeWidgetItem& item, bool visible, bool shown) {

@@ -1,11 +1,13 @@
 // The tree of objects and their surfaces.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include <QIcon>
 
+#include "core/scene/bodies.h"
 #include "ui/document.h"
 #include "ui/panels/hinted_tree.h"
 
@@ -32,22 +34,25 @@ private:
         std::string name;
         bool visible = true, shown = true, locked = false;
         Eigen::Vector3f colour = Eigen::Vector3f::Zero(); ///< of a surface
+        Moves moves = Moves::Never;                       ///< of an object
 
         bool operator==(const Row&) const = default;
     };
-    static std::vector<Row> rowsOf(const SceneObject& object);
+    std::vector<Row> rowsOf(const SceneObject& object) const;
     void fill(QTreeWidgetItem& item, const Row& row);
     QTreeWidgetItem* itemOf(SurfaceRef ref) const;
     bool hasSameRows(const Scene& scene) const;
     void showSelection();
     void selectChosen();
+    void showMoves(QTreeWidgetItem& item, Moves moves);
     void showEye(QTreeWidgetItem& item, bool visible, bool shown);
     void showLock(QTreeWidgetItem& item, bool locked);
     void rename(QTreeWidgetItem* item);
     void toggle(QTreeWidgetItem* item, int column);
 
     struct Icons {
-        QIcon object, eye, eyeOff, lock, lockOpen;
+        std::array<QIcon, 4> object; ///< by Moves
+        QIcon eye, eyeOff, lock, lockOpen;
     };
 
     Document& document_;

@@ -230,6 +230,16 @@ void SceneView::setJoint(const std::optional<JointMark>& mark) {
     changed();
 }
 
+void SceneView::setMass(const std::optional<MassMark>& mark) {
+    if (impl_->mass == mark) return;
+    impl_->mass = mark;
+    changed();
+}
+
+const std::optional<MassMark>& SceneView::mass() const {
+    return impl_->mass;
+}
+
 const JointGizmo& SceneView::joint() const {
     return impl_->joint;
 }
@@ -327,6 +337,7 @@ void SceneView::paintOver() {
     }
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
+    if (impl_->mass) drawMass(painter, *impl_->mass, impl_->camera, impl_->theme());
     impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());

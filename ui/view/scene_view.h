@@ -18,6 +18,7 @@
 #include "ui/view/felt_options.h"
 #include "ui/view/joint_gizmo.h"
 #include "ui/view/mapping_gizmo.h"
+#include "ui/view/mass_mark.h"
 #include "ui/view/painted_picture.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
@@ -89,6 +90,9 @@ public:
     /// The free axis of a joint, with handles to drag; nothing: none. World frame, at the time 0.
     void setJoint(const std::optional<JointMark>& mark);
     const JointGizmo& joint() const;
+    /// Where the mass of a body is; nothing: none.
+    void setMass(const std::optional<MassMark>& mark);
+    const std::optional<MassMark>& mass() const;
     /// The surface under a place of the view, in logical pixels, which is lit up as under the mouse; for what
     /// is dragged over the view from elsewhere.
     std::optional<PickHit> light(QPointF place);

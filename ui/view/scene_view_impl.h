@@ -67,6 +67,7 @@ struct SceneView::Impl {
     MarkLayer marks;
     MappingGizmo mapping;
     JointGizmo joint;
+    std::optional<MassMark> mass;
     TouchOverlay overlay;
     FeltView felt;
     std::shared_ptr<const World> world; ///< that the bodies below are of

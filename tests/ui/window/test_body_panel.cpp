@@ -121,6 +121,15 @@ private slots:
         QCOMPARE(mechanics.bodies.size(), std::size_t(3));
         QCOMPARE(mechanics.joints.size(), std::size_t(4));
         COMPARE_NEAR(mechanics.bodies[1].mass, 1000 * 0.078 * 0.006 * 0.006, 1e-6, "kg");
+        // Of a box the ellipsoid of the same moments has sqrt(5 / 12) of its sides.
+        choose(program, QStringLiteral("rod"));
+        const auto& mass = program.window->findChild<SceneView*>()->mass();
+        QVERIFY(mass);
+        COMPARE_NEAR(mass->half.maxCoeff(), std::sqrt(5.0 / 12) * 0.078, 1e-6, "m");
+        COMPARE_NEAR(mass->half.minCoeff(), std::sqrt(5.0 / 12) * 0.006, 1e-6, "m");
+        COMPARE_NEAR((mass->pose.translation - Vec3(0.005, 0, 0.009)).norm(), 0, 1e-6, "m");
+        keep(program, "rod");
+        choose(program, QStringLiteral("piston"));
         keep(program, "crank");
 
         // It closes, and the hand turns it: the piston goes where the triangle of wheel and rod puts it.
