@@ -7,6 +7,7 @@
 #include <QSettings>
 
 #include "ui/ask_where.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/notice_bar.h"
@@ -118,7 +119,8 @@ void MainWindow::drawTrace() {
     trace_.clear();
     for (TracePoint point; engine_.popTrace(point);)
         trace_.push_back(point);
-    docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate);
+    docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate,
+                      view_->readingOf(engine_.proxy().bodies, docks_.body->body()));
     view_->addTrail(trace_, engine_.proxy().output);
     sound_->play(trace_);
     docks_.layers->take(trace_, engine_.proxy().time);

@@ -23,4 +23,11 @@ std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
     return places_;
 }
 
+std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body) {
+    if (!bodies_) return std::nullopt;
+    BodiesState seen = state;
+    bodies_->begin(seen);
+    return bodies_->readingOf(body);
+}
+
 } // namespace tactum

@@ -22,6 +22,8 @@ public:
 
     /// Until the next call. A state of other bodies shows them where they begin.
     std::span<const PlacedObject> at(const BodiesState& state);
+    /// Nothing for what no force moves.
+    std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body);
 
 private:
     std::unique_ptr<MovingBodies> bodies_;

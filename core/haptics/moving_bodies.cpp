@@ -118,6 +118,23 @@ void MovingBodies::begin(BodiesState& state) noexcept {
         motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
 }
 
+std::optional<BodyReading> MovingBodies::readingOf(BodyId body) {
+    const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
+    if (found == mechanism_->bodies.end()) return std::nullopt;
+    const std::size_t index = std::size_t(found - mechanism_->bodies.begin());
+    const int place = mechanism_->places[index].link;
+    if (place < 0) return std::nullopt;
+    std::vector<BodyState> all(mechanism_->bodies.size());
+    dynamics_.describe(now_, gravity_, all);
+    BodyReading reading{.kinetic = all[index].kinetic, .potential = all[index].potential};
+    const Link& link = mechanism_->links[std::size_t(place)];
+    if (link.kind == LinkKind::Ball) return reading;
+    reading.turns = link.kind == LinkKind::Turn;
+    reading.slides = !reading.turns;
+    reading.value = now_.q[link.q], reading.rate = now_.v[link.v];
+    return reading;
+}
+
 // The point of the body's material that is touched now.
 void MovingBodies::addForce(AppliedForce force, int driven) noexcept {
     const std::size_t body = driven_[std::size_t(driven)].body;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,13 @@ struct HandScale {
 FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness,
                       const HandScale& scale = {}) noexcept;
 
+/// How one body moves, for who looks at it.
+struct BodyReading {
+    bool turns = false, slides = false; ///< it has a joint of one freedom: an angle or a way; else neither
+    double value = 0, rate = 0;         ///< of that joint: rad, rad/s or m, m/s
+    double kinetic = 0, potential = 0;  ///< J; of gravity, 0 at the origin
+};
+
 /// Steps the bodies of one World; its memory is what it steps in. Thread: one at a time; all but making it
 /// real time.
 class MovingBodies {
@@ -85,6 +93,8 @@ public:
         advance(state, dt);
     }
     void forget() noexcept { dynamics_.forget(); }
+    /// As in the last begin() or step(). Nothing for what stands still. Thread: any but real time.
+    std::optional<BodyReading> readingOf(BodyId body);
 
 private:
     void addForce(AppliedForce force, int driven) noexcept;

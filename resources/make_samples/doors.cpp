@@ -108,7 +108,7 @@ Scene microSensor() {
         "frame", kSilicon,
         {block({0.17, 0.02, 0.014}, {0, 0, 0.063}), block({0.17, 0.02, 0.014}, {0, 0, -0.063}),
          block({0.014, 0.02, 0.112}, {0.078, 0, 0}), block({0.014, 0.02, 0.112}, {-0.078, 0, 0})});
-    // 1.7 mm of silicon and gold, drawn 100 times as large: 0.15 ug that swing at 8 to 12 kHz. A newton of
+    // 1.7 mm of silicon and gold, drawn 100 times as large: 0.15 mg that swing at 5 to 12 kHz. A newton of
     // the finger is a hundredth of one there, and a second two milliseconds.
     const BodyId mass = works.body("test mass", {}, 2330, kGold, {block({0.09, 0.012, 0.06})});
     works.scale(100, 1e-6, 1, 2e-3);

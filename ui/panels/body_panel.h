@@ -31,6 +31,7 @@ public:
 
     /// Of the selected object.
     void hold(Hold hold);
+    BodyId body() const;
 
     /// The joint that is shown, for the view; nothing while nobody sees the panel.
     std::optional<JointMark> mark() const;
@@ -68,7 +69,6 @@ private:
     void refreshJoint(const AxisJoint& joint);
     void refreshOthers(BodyId own, BodyId to);
     const SceneObject* object() const;
-    BodyId body() const;
 
     Document& document_;
     QLabel *heading_, *hint_, *others_;

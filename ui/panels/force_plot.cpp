@@ -1,6 +1,7 @@
 #include "ui/panels/force_plot.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include <QBuffer>
 #include <QEvent>
@@ -70,6 +71,51 @@ std::vector<StripKind> kinds() {
          0,
          {{tr("servo"), &S::servoRate, &Theme::finger}, {tr("proxy"), &S::proxyRate, &Theme::proxy}},
          1000},
+        {"joint-angle",
+         tr("Joint angle"),
+         "\u00b0",
+         180 / std::numbers::pi,
+         2,
+         {{tr("of the selected body"), &S::jointAngle, &Theme::accent}},
+         1,
+         false,
+         StripKind::Of::Turning},
+        {"joint-turning",
+         tr("Turning"),
+         "rad/s",
+         1,
+         2,
+         {{tr("of the selected body's joint"), &S::jointTurning, &Theme::accent}},
+         0.1,
+         false,
+         StripKind::Of::Turning},
+        {"joint-way",
+         tr("Joint way"),
+         "mm",
+         1e3,
+         3,
+         {{tr("of the selected body"), &S::jointWay, &Theme::accent}},
+         0.1,
+         false,
+         StripKind::Of::Sliding},
+        {"joint-speed",
+         tr("Sliding"),
+         "m/s",
+         1,
+         3,
+         {{tr("of the selected body's joint"), &S::jointSpeed, &Theme::accent}},
+         0.01,
+         false,
+         StripKind::Of::Sliding},
+        {"body-energy",
+         tr("Body energy"),
+         "mJ",
+         1e3,
+         3,
+         {{tr("kinetic"), &S::kinetic, &Theme::proxy}, {tr("potential"), &S::potential, &Theme::finger}},
+         0.1,
+         false,
+         StripKind::Of::Body},
     };
 }
 
@@ -139,10 +185,12 @@ QToolButton* ForcePlot::addSwitch(StripChart& chart) {
     button->setCheckable(true);
     const bool first = charts_.front() == &chart;
     button->setChecked(QSettings().value(keyOf(chart), first).toBool());
-    chart.setVisible(button->isChecked());
+    const bool has = offered_[std::size_t(chart.kind().of)];
+    button->setVisible(has);
+    chart.setVisible(has && button->isChecked());
     connect(button, &QToolButton::toggled, this, [this, &chart](bool on) {
         QSettings().setValue(keyOf(chart), on);
-        chart.setVisible(on);
+        chart.setVisible(on && offered_[std::size_t(chart.kind().of)]);
         refresh();
     });
     switches_.push_back(button);
@@ -160,14 +208,27 @@ void ForcePlot::changeEvent(QEvent* event) {
 }
 
 void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit,
-                     double proxyRate) {
+                     double proxyRate, const std::optional<BodyReading>& body) {
     limit_ = std::max(limit, 0.1);
     if (paused_) return;
+    offer(body);
     // The mouse rests on the glass, not on the curve.
     const double before = history_.end();
-    history_.add(points, {&touch, proxyRate});
+    history_.add(points, {&touch, proxyRate, body.value_or(BodyReading{})});
     if (time_.cursor) *time_.cursor += history_.end() - before;
     refresh();
+}
+
+/// Strips of a body only while one is selected that has them.
+void ForcePlot::offer(const std::optional<BodyReading>& body) {
+    const std::array<bool, 4> offered{true, body && body->turns, body && body->slides, body.has_value()};
+    if (offered == offered_) return;
+    offered_ = offered;
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+        const bool has = offered[std::size_t(charts_[i]->kind().of)];
+        switches_[i]->setVisible(has);
+        charts_[i]->setVisible(has && switches_[i]->isChecked());
+    }
 }
 
 void ForcePlot::clear() {

@@ -1,6 +1,8 @@
 // The touch of the last seconds as strips: force, friction, lag, energy, rates.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -23,9 +25,9 @@ public:
     explicit ForcePlot(QWidget* parent = nullptr);
 
     /// What the servo loop did since the last frame. `touch` is of the last of the points; limit in N, of the
-    /// device; proxyRate in Hz.
+    /// device; proxyRate in Hz. `body`: the selected one, in the last frame.
     void take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit,
-              double proxyRate = 0);
+              double proxyRate = 0, const std::optional<BodyReading>& body = {});
     /// Forgets what was; the time of what comes next may be any.
     void clear();
     bool paused() const { return paused_; }
@@ -54,6 +56,7 @@ private:
     QToolButton* addSwitch(StripChart& chart);
     void refresh();
     void refreshIcons();
+    void offer(const std::optional<BodyReading>& body);
     std::vector<StripChart*> shown() const;
     void paintShown(QPainter& painter, const QSize& size) const;
 
@@ -61,6 +64,7 @@ private:
     StripTime time_;
     double limit_ = 1; ///< N, of the device
     bool paused_ = false;
+    std::array<bool, 4> offered_{true}; ///< by StripKind::Of
     std::vector<StripChart*> charts_;
     std::vector<QToolButton*> switches_; ///< of the charts, in their order
     QLabel* caption_;

@@ -27,6 +27,9 @@ struct StripLine {
 
 /// What a strip shows. Values are shown times `factor`.
 struct StripKind {
+    /// What there must be for it to be offered.
+    enum class Of { Touch, Turning, Sliding, Body };
+
     const char* id;
     QString title, unit;
     double factor = 1;
@@ -34,6 +37,7 @@ struct StripKind {
     std::vector<StripLine> lines;
     std::optional<double> least = {}; ///< the axis never ends below it, in what is shown
     bool hasLimit = false;            ///< the device's force limit belongs to it
+    Of of = Of::Touch;
 };
 
 /// The part of time that all strips of a plot show, and where the mouse is in it.

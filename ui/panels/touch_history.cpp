@@ -44,6 +44,10 @@ void TouchHistory::add(const std::vector<TracePoint>& points, const TouchFrame& 
         s.energy = point.energy;
         s.servoRate = rate(point.t);
         s.proxyRate = frame.proxyRate;
+        (frame.body.turns ? s.jointAngle : s.jointWay) = frame.body.value;
+        (frame.body.turns ? s.jointTurning : s.jointSpeed) = frame.body.rate;
+        s.kinetic = frame.body.kinetic;
+        s.potential = frame.body.potential;
         s.slipping = s.touching && slips(s);
         samples_.push_back(s);
     }
@@ -80,7 +84,9 @@ std::string csvOf(const TouchHistory& history, double from) {
     std::string csv = "time (s),finger x (m),finger y (m),finger z (m),proxy x (m),proxy y (m),proxy z (m),"
                       "force x (N),force y (N),force z (N),force (N),normal force (N),tangential force (N),"
                       "friction ratio,static friction,dynamic friction,proxy lag (m),energy (J),"
-                      "servo rate (Hz),proxy rate (Hz),touching,slipping\n";
+                      "servo rate (Hz),proxy rate (Hz),joint angle (rad),joint way (m),"
+                      "joint turning (rad/s),joint speed (m/s),kinetic energy (J),potential energy (J),"
+                      "touching,slipping\n";
     const auto& samples = history.samples();
     auto row = std::ranges::lower_bound(samples, from, {}, &TouchSample::t);
     const double begin = row == samples.end() ? 0 : row->t;
@@ -88,9 +94,11 @@ std::string csvOf(const TouchHistory& history, double from) {
         const TouchSample& s = *row;
         appendNumber(csv, s.t - begin);
         for (const double value :
-             {s.finger.x(), s.finger.y(), s.finger.z(), s.proxy.x(), s.proxy.y(), s.proxy.z(), s.force.x(),
-              s.force.y(), s.force.z(), s.magnitude, s.normal, s.tangential, s.ratio, s.staticFriction,
-              s.dynamicFriction, s.lag, s.energy, s.servoRate, s.proxyRate}) {
+             {s.finger.x(), s.finger.y(),   s.finger.z(), s.proxy.x(),      s.proxy.y(),
+              s.proxy.z(),  s.force.x(),    s.force.y(),  s.force.z(),      s.magnitude,
+              s.normal,     s.tangential,   s.ratio,      s.staticFriction, s.dynamicFriction,
+              s.lag,        s.energy,       s.servoRate,  s.proxyRate,      s.jointAngle,
+              s.jointWay,   s.jointTurning, s.jointSpeed, s.kinetic,        s.potential}) {
             csv += ',';
             appendNumber(csv, value);
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/haptics/haptic_step.h"
+#include "core/haptics/moving_bodies.h"
 #include "core/runtime/trace_point.h"
 
 namespace tactum {
@@ -20,6 +21,9 @@ struct TouchSample {
     double lag = 0;                                   ///< m, from the finger to the proxy
     double energy = 0;                                ///< J, made by the surface: see Passivity
     double servoRate = 0, proxyRate = 0;              ///< Hz
+    // Of the selected body, once a frame: rad or m and their rates, J.
+    double jointAngle = 0, jointWay = 0, jointTurning = 0, jointSpeed = 0;
+    double kinetic = 0, potential = 0;
     bool touching = false, slipping = false;
 };
 
@@ -27,6 +31,7 @@ struct TouchSample {
 struct TouchFrame {
     const HapticOutput* touch = nullptr; ///< of the last of them
     double proxyRate = 0;                ///< Hz
+    BodyReading body{};                  ///< the selected one, if it moves
 };
 
 /// Thread: ui.

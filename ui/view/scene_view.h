@@ -90,6 +90,8 @@ public:
     /// The free axis of a joint, with handles to drag; nothing: none. World frame, at the time 0.
     void setJoint(const std::optional<JointMark>& mark);
     const JointGizmo& joint() const;
+    /// How a body of the shown World moves; nothing for what stands still.
+    std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body);
     /// Where the mass of a body is; nothing: none.
     void setMass(const std::optional<MassMark>& mark);
     const std::optional<MassMark>& mass() const;

@@ -29,6 +29,10 @@ void SceneView::setWorld(std::shared_ptr<const World> world) {
     changed();
 }
 
+std::optional<BodyReading> SceneView::readingOf(const BodiesState& state, BodyId body) {
+    return body == kWorldBody ? std::nullopt : impl_->bodies.readingOf(state, body);
+}
+
 void SceneView::addTrail(std::span<const TracePoint> points, const HapticOutput& touch) {
     impl_->felt.addTrail(points, touch);
 }

@@ -14,6 +14,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/body_panel.h"
+#include "ui/panels/force_plot.h"
 #include "ui/view/scene_view.h"
 
 namespace test_body_panel {
@@ -156,6 +157,54 @@ private slots:
         while (program.document.history().canRedo())
             program.command("redo").trigger();
         QCOMPARE(program.document.scene().mechanics.joints.size(), std::size_t(4));
+    }
+
+    // The strips of a selected pendulum: its period is 2 pi sqrt(I / (m g d)), its energy stays.
+    void theJointOfTheSelectedBodyIsPlotted() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        program.command("body-hinge").trigger();
+        push(program, "axis-z");
+        place(program, {30, 0, 16});
+        program.type(QStringLiteral("hinge-damping"), QStringLiteral("0"));
+        program.command("motion-reset").trigger();
+        auto* plot = program.window->findChild<ForcePlot*>();
+        auto* angle = plot->findChild<QToolButton*>(QStringLiteral("plot-joint-angle"));
+        QVERIFY(angle && angle->isVisibleTo(plot));
+        QVERIFY(!plot->findChild<QToolButton*>(QStringLiteral("plot-joint-way"))->isVisibleTo(plot));
+        QTest::mouseClick(angle, Qt::LeftButton);
+        QTest::mouseClick(plot->findChild<QToolButton*>(QStringLiteral("plot-body-energy")), Qt::LeftButton);
+        double low = 0, high = 0;
+        QVERIFY(test::waitFor([&] {
+            program.frames(10);
+            for (const TouchSample& sample : plot->history().samples())
+                low = std::min(low, sample.jointAngle), high = std::max(high, sample.jointAngle);
+            return high - low > 3;
+        }));
+        keep(program, "plot");
+        QCOMPARE_LT(high - low, std::numbers::pi + 0.01); // from the level down and up again
+        const TouchSample& now = plot->history().samples().back();
+        COMPARE_NEAR(now.kinetic + now.potential, 0, 2e-6, "J");
+        choose(program, QStringLiteral("base"));
+        program.frames(5);
+        QVERIFY(!angle->isVisibleTo(plot));
+    }
+
+    // What is of no single body is edited where nothing is selected.
+    void theWorldIsScaled() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        program.command("body-loose").trigger();
+        program.command("select-none").trigger();
+        program.type(QStringLiteral("force-scale"), QStringLiteral("0.5"));
+        program.type(QStringLiteral("gravity-y"), QStringLiteral("-1.62"));
+        keep(program, "world");
+        QCOMPARE(program.document.scene().mechanics.forceScale, 0.5);
+        QCOMPARE(program.document.scene().mechanics.gravity.y(), -1.62);
+        program.command("undo").trigger();
+        QCOMPARE(program.document.scene().mechanics.gravity.y(), -kEarthGravity);
     }
 
     // Numbers by the fields; what is out of range is brought into it, and a stop at its end is none.
