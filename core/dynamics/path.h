@@ -21,7 +21,7 @@ struct JointPath {
     bool operator==(const JointPath&) const = default;
 };
 
-/// So many points are read of a path.
+/// A path has no more points.
 inline constexpr std::size_t kMostPathPoints = 2048;
 
 } // namespace tactum

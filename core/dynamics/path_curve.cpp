@@ -24,6 +24,9 @@ Result<QuinticSpline> throughPoints(JointPath path) {
     const std::size_t least = path.closed ? 3 : 2;
     if (path.points.size() < least)
         return inputError("its path has too few points; give " + std::to_string(least) + " or more");
+    if (path.points.size() > kMostPathPoints)
+        return inputError("its path has more than " + std::to_string(kMostPathPoints) +
+                          " points; give fewer, it is smooth between them");
     if (!path.ups.empty() && path.ups.size() != path.points.size())
         return inputError("its path has not one up for each point; give as many, or none");
     if (path.points.size() == 2) { // a line

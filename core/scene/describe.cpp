@@ -79,6 +79,8 @@ SceneDescription describe(const Scene& scene) {
     result.triangles = triangleCount(scene);
     result.bounds_W = boundsOf(scene);
     result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
+    if (!scene.mechanics.bodies.empty())
+        result.parameters.push_back(described(kAirDensity, scene.mechanics.airDensity));
     std::map<const TriangleSoup*, MeshHealth> healths;
     for (const SceneObject& object : scene.objects) {
         auto [health, isNew] = healths.try_emplace(object.geometry.get());

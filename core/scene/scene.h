@@ -30,6 +30,18 @@ inline constexpr Parameter kProxyRadius{"proxy-radius",
                                         "Radius of the sphere that stands for the finger; larger than any "
                                         "gap it must not fall into (section 2)."};
 
+inline constexpr Parameter kAirDensity{
+    "air-density",
+    "Air",
+    "kg/m^3",
+    0,
+    1000,
+    0.1,
+    0,
+    2,
+    "Density of what bodies move through, which slows them by the square of "
+    "their speed: 1.2 is air, 1000 water, 0 nothing."};
+
 /// A part of an object with one feel: a group or material of the file.
 struct Surface {
     std::string name;

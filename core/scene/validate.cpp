@@ -18,6 +18,8 @@ public:
 
     std::vector<Finding> run() {
         checkParameter(findings_, "", "", kProxyRadius, scene_.proxyRadius);
+        if (!scene_.mechanics.bodies.empty())
+            checkParameter(findings_, "", "", kAirDensity, scene_.mechanics.airDensity);
         if (scene_.objects.empty()) say(Severity::Warning, "", "the scene is empty", "open a model");
         for (const SceneObject& object : scene_.objects)
             check(object);

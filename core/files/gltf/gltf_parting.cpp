@@ -199,7 +199,8 @@ void GltfParting::strip(bool mechanics) {
     if (!extensionOf(root_)) return;
     for (const char* key : {"version", "foreign", "copies", "finger", "gravity"})
         root_["extensions"][kExtension].erase(key);
-    root_["extensions"][kExtension].erase(jsonKey(kProxyRadius.key));
+    for (const Parameter* number : {&kProxyRadius, &kAirDensity})
+        root_["extensions"][kExtension].erase(jsonKey(number->key));
     if (root_["extensions"][kExtension].empty()) eraseExtension(root_, kExtension);
 }
 

@@ -316,6 +316,8 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
               {"copies", copies_.wrote()}};
     const bool moves = !scene_.mechanics.bodies.empty();
     ours["gravity"] = moves ? vectorJson(scene_.mechanics.gravity) : Json(nullptr);
+    const bool slowed = moves && scene_.mechanics.airDensity != kAirDensity.initial;
+    ours[jsonKey(kAirDensity.key)] = slowed ? Json(scene_.mechanics.airDensity) : Json(nullptr);
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
     Json& used = root_["extensionsUsed"];
