@@ -145,7 +145,8 @@ Result<int> runSimulate(const SimulateOptions& options) {
     if (mechanics.bodies.empty())
         return inputError(options.scene.string() + ": has no body that moves by forces; give a node a motion "
                                                    "(KHR_physics_rigid_bodies)");
-    auto compiled = compileMechanism(mechanics.bodies, mechanics.joints, mechanics.colliders);
+    auto compiled =
+        compileMechanism(mechanics.bodies, mechanics.joints, mechanics.colliders, mechanics.airDensity);
     if (!compiled) return tl::unexpected(compiled.error());
     const auto mechanism = std::make_shared<const Mechanism>(std::move(*compiled));
     Dynamics dynamics(mechanism);

@@ -30,7 +30,7 @@ Mat3 inverseBut(const Mat3& all, AxisSet driven) noexcept {
 
 Articulation::Articulation(const Mechanism& mechanism)
     : mechanism_(mechanism), now_(mechanism.links.size()), origins_(mechanism.islands.size(), Vec3::Zero()),
-      impulses_(mechanism.links.size()), rests_(mechanism.links.size()) {
+      spots_(mechanism.paths.size()), impulses_(mechanism.links.size()), rests_(mechanism.links.size()) {
     for (LinkNow& now : now_) {
         now.way.setZero();
         now.push.setZero();
@@ -45,10 +45,37 @@ void Articulation::placeLink(std::size_t i, const Coordinates& q) noexcept {
         moved.translation[link.axis] = q[link.q];
     else if (link.kind == LinkKind::Turn)
         moved.rotation = Quat(Eigen::AngleAxisd(q[link.q], Vec3::Unit(link.axis)));
+    else if (link.kind == LinkKind::Path)
+        moved = alongPath(link, q[link.q]);
     else
         moved.rotation = ballOf(q, link.q);
     const Pose base = link.parent < 0 ? link.base : now_[std::size_t(link.parent)].pose * link.base;
     now.pose = base * moved;
+}
+
+Pose Articulation::alongPath(const Link& link, double way) noexcept {
+    PathSpot& spot = spots_[std::size_t(link.path)];
+    spot = mechanism_.paths[std::size_t(link.path)].at(way);
+    return link.carriesPath ? spot.pose.inverse() : spot.pose;
+}
+
+// S in the frame of the curve is (w, c' + c x w), and S' = (w', c'' + c' x w + c x w'); about the origin,
+// along the axes of the world. Where the curve moves with this link both are the opposite of how the rider
+// moves.
+void Articulation::moveAlongPath(std::size_t i, double rate) noexcept {
+    const Link& link = mechanism_.links[i];
+    LinkNow& now = now_[i];
+    const PathSpot& spot = spots_[std::size_t(link.path)];
+    const Pose base = link.parent < 0 ? link.base : now_[std::size_t(link.parent)].pose * link.base;
+    const Quat& turned = link.carriesPath ? now.pose.rotation : base.rotation;
+    const double sense = link.carriesPath ? -1 : 1;
+    const Mat3 axes = sense * turned.toRotationMatrix();
+    const Vec3 rider = link.carriesPath ? base.translation : now.pose.translation;
+    const Vec3 at = rider - origins_[std::size_t(link.island)];
+    const Vec3 turn = axes * spot.turn, way = axes * spot.way, turnRate = axes * spot.turnRate;
+    now.way.col(0) = spatial(turn, way + at.cross(turn));
+    const Vec3 wayRate = axes * spot.wayRate + sense * way.cross(turn) + at.cross(turnRate);
+    now.pathDrift = rate * rate * spatial(turnRate, wayRate);
 }
 
 void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
@@ -63,6 +90,9 @@ void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
         for (int k = 0; k < 3; ++k)
             now.way.col(k) = turnAbout(axes.col(k), at);
         own = now.way * v.segment<3>(link.v);
+    } else if (link.kind == LinkKind::Path) {
+        moveAlongPath(i, v[link.v]);
+        own = now.way.col(0) * v[link.v];
     } else {
         now.way.col(0) = link.kind == LinkKind::Slide ? spatial(Vec3::Zero(), axes.col(link.axis))
                                                       : turnAbout(axes.col(link.axis), at);
@@ -70,6 +100,7 @@ void Articulation::moveLink(std::size_t i, const Coordinates& v) noexcept {
     }
     now.velocity = before + own;
     now.drift = crossMotion(before, own);
+    if (link.kind == LinkKind::Path) now.drift += now.pathDrift;
     now.force.setZero();
     if (link.mass > 0)
         now.inertia = spatialInertia(link.mass, now.pose.apply(link.centre) - origin,

@@ -19,7 +19,8 @@ struct LinkNow {
     Eigen::Matrix<double, 6, 3> way, push; ///< what its freedoms move (S), and the momentum that takes (U)
     Mat3 yield = Mat3::Zero();             ///< the inverse of S^T U
     Vec6 velocity = Vec6::Zero(), drift = Vec6::Zero(), acceleration = Vec6::Zero();
-    Vec6 force = Vec6::Zero(); ///< from outside, gravity too
+    Vec6 pathDrift = Vec6::Zero(); ///< of Path: the part of `drift` that the curve makes, S' s'^2
+    Vec6 force = Vec6::Zero();     ///< from outside, gravity too
     Vec6 bias = Vec6::Zero();
     Vec3 rest = Vec3::Zero();
     Mat6 inertia; ///< of the link alone, then of all that hangs on it
@@ -63,11 +64,14 @@ private:
     Vec6 atOrigin(int link, const Wrench& wrench) const noexcept;
     void placeLink(std::size_t i, const Coordinates& q) noexcept;
     void moveLink(std::size_t i, const Coordinates& v) noexcept;
+    Pose alongPath(const Link& link, double way) noexcept;
+    void moveAlongPath(std::size_t i, double rate) noexcept;
 
     const Mechanism& mechanism_;
     std::vector<LinkNow> now_;
-    std::vector<Vec3> origins_;  ///< of each island
-    std::vector<Vec6> impulses_; ///< of respond()
+    std::vector<Vec3> origins_;   ///< of each island
+    std::vector<PathSpot> spots_; ///< of each path, where its link is
+    std::vector<Vec6> impulses_;  ///< of respond()
     std::vector<Vec3> rests_;
 };
 

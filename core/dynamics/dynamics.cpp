@@ -85,12 +85,23 @@ void Dynamics::addForce(const AppliedForce& force) noexcept {
     articulation_.addForce(force.at.link, force.forceAt(point, rate), point);
 }
 
+void Dynamics::addAir(double dt) noexcept {
+    for (const AirBox& box : mechanism_->air) {
+        const Pose at = articulation_.poseOf(box.place);
+        const FrameVelocity moves = articulation_.velocityOf(box.place);
+        const Vec3 force = box.force(at.rotateInverse(moves.linear), dt);
+        const Vec3 torque = box.torque(at.rotateInverse(moves.angular), dt);
+        articulation_.addForce(Place{}, box.place, {at.rotate(force), at.translation, at.rotate(torque)}, 1);
+    }
+}
+
 void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surroundings& around,
                         Coordinates& acceleration) noexcept {
     articulation_.place(q, v);
     articulation_.addGravity(around.gravity);
     for (const AppliedForce& force : around.forces)
         addForce(force);
+    addAir(around.dt);
     addSprings(q, v, around.dt);
     articulation_.factor();
     articulation_.accelerate(springs_, acceleration);

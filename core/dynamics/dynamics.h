@@ -96,6 +96,7 @@ private:
 
     Stretch stretchOf(const Spring& spring, const Coordinates& q, const Coordinates& v) const noexcept;
     void addForce(const AppliedForce& force) noexcept;
+    void addAir(double dt) noexcept;
     void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/dynamics/path.h"
 #include "core/dynamics/rigid_body.h"
 
 namespace tactum {
@@ -89,6 +90,10 @@ struct Joint {
     /// Of a joint to the world: which of the things that stand still (Collider::part) it is fixed to; 0: to
     /// none, and all of them are touched.
     std::uint32_t part = 0;
+    /// A curve in frame a that the origin of frame b rides on, with x of b along it and y up: all that is
+    /// free is the way from its first point, which limits, drives and frictions of the linear axis x are
+    /// about; those of other axes do nothing. At the time 0 b is put onto it where it is nearest.
+    JointPath path;
 
     bool operator==(const Joint&) const = default;
 };

@@ -111,6 +111,8 @@ JointFreedom reversed(const JointFreedom& freedom) {
     JointFreedom other{freedom.after.inverse(), freedom.stages, freedom.before.inverse()};
     std::ranges::reverse(other.stages);
     for (LinkStage& stage : other.stages) {
+        stage.carriesPath = stage.kind == LinkKind::Path;
+        if (stage.carriesPath) continue; // its way is the same one
         stage.start = -stage.start;
         stage.turn = stage.turn.conjugate();
         stage.sense = -stage.sense;

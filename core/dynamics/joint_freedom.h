@@ -13,6 +13,8 @@ struct LinkStage {
     double start = 0;             ///< of Slide and Turn, m or rad
     Quat turn = Quat::Identity(); ///< of Ball
     double sense = 1;             ///< of the joint's coordinate along the link's
+    int path = -1;                ///< of Path
+    bool carriesPath = false;
 };
 
 /// X_parent,child = before * stages * after.

@@ -76,6 +76,8 @@ Measured measure(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcep
         const Vec3 other = axisOf(b_W, of.axis2);
         return turning(axis.dot(other), other.cross(axis));
     }
+    case Measure::Way:
+        return pushAlong(0, axisOf(b_W, of.axis), b_W);
     case Measure::Residue: {
         const Quat q = between(a_W, b_W);
         const Vec3 unit = Vec3::Unit(of.axis);

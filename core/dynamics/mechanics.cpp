@@ -28,6 +28,8 @@ ColliderShape scaled(ColliderShape shape, double factor) {
 void scale(Joint& joint, double factor) {
     joint.frameA = scaled(joint.frameA, factor);
     joint.frameB = scaled(joint.frameB, factor);
+    for (Vec3& point : joint.path.points)
+        point *= factor;
     for (JointLimit& limit : joint.limits)
         if (!limit.angular) {
             limit.min *= factor;

@@ -17,6 +17,7 @@ struct Mechanics {
     std::vector<Joint> joints;
     std::vector<Collider> colliders;
     Vec3 gravity{0, -kEarthGravity, 0}; ///< m/s^2, world frame
+    double airDensity = 0;              ///< kg/m^3, of what bodies move through; 0: nothing
     // How a hand meets what is much smaller or larger than it. All else stays in the world's own SI.
     double forceScale = 1; ///< N on a body for each N of the finger
     double timeScale = 1;  ///< s of the bodies and of all motions for each s of the hand
@@ -24,8 +25,8 @@ struct Mechanics {
     bool operator==(const Mechanics&) const = default;
 };
 
-/// The same with `about` moved to the origin and then every length multiplied; masses, forces and stiffnesses
-/// stay. Thread: any but real time.
+/// The same with `about` moved to the origin and then every length multiplied; masses, forces,
+/// stiffnesses and the density of the air stay. Thread: any but real time.
 Mechanics scaled(Mechanics mechanics, double factor, const Vec3& about);
 
 } // namespace tactum

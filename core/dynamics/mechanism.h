@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/dynamics/air.h"
 #include "core/dynamics/convex.h"
 #include "core/dynamics/joint.h"
+#include "core/dynamics/path_curve.h"
+#include "core/dynamics/place.h"
 #include "core/dynamics/rigid_body.h"
 
 namespace tactum {
@@ -15,7 +18,8 @@ namespace tactum {
 enum class LinkKind : std::uint8_t {
     Slide, ///< along an axis: one coordinate
     Turn,  ///< about an axis: one coordinate
-    Ball   ///< about all three: a quaternion x, y, z, w, and the turn rate in the link's own frame
+    Ball,  ///< about all three: a quaternion x, y, z, w, and the turn rate in the link's own frame
+    Path   ///< along a curve: its coordinate is the way, m
 };
 
 /// One freedom, and what moves with it. A joint with several freedoms is a chain of links of which the last
@@ -24,23 +28,19 @@ struct Link {
     LinkKind kind = LinkKind::Turn;
     int parent = -1; ///< a link that comes before it; -1: the world
     int island = 0;
-    int axis = 0;                ///< of Slide and Turn
-    int q = 0, v = 0;            ///< its first coordinate and its first velocity
-    AxisSet driven = 0;          ///< nothing changes its velocity: of Slide and Turn bit 0, of Ball each axis
-    Pose base;                   ///< of its joint's frame, in the parent's link
-    double mass = 0;             ///< kg; 0: a link between two freedoms of a joint
-    Vec3 centre = Vec3::Zero();  ///< of mass, link frame
-    Mat3 moments = Mat3::Zero(); ///< about `centre`, kg m^2, link frame
-    double heavy = 0;            ///< kg that gravity acts on
+    int axis = 0;                    ///< of Slide and Turn
+    int path = -1;                   ///< of Path: which one
+    bool carriesPath = false;        ///< the curve moves with this link, and the parent rides on it
+    int q = 0, v = 0;                ///< its first coordinate and its first velocity
+    AxisSet driven = 0;              ///< nothing changes its velocity: of Ball each axis, of others bit 0
+    Pose base;                       ///< of its joint's frame, in the parent's link
+    double mass = 0;                 ///< kg; 0: a link between two freedoms of a joint
+    Vec3 centre = Vec3::Zero();      ///< of mass, link frame
+    Mat3 moments = Mat3::Zero();     ///< about `centre`, kg m^2, link frame
+    double heavy = 0;                ///< kg that gravity acts on
     Vec3 heavyCentre = Vec3::Zero(); ///< where, link frame
 
     int freedoms() const { return kind == LinkKind::Ball ? 3 : 1; }
-};
-
-/// A frame that moves with a link.
-struct Place {
-    int link = -1; ///< -1: it stands still in the world
-    Pose pose;     ///< link frame, or world
 };
 
 /// What of the place of frame b relative to frame a is measured (the metrics of KHR_physics_rigid_bodies).
@@ -52,6 +52,7 @@ enum class Measure : std::uint8_t {
     Cone,     ///< angle between axis of a and axis of b
     Turned,   ///< angle of the whole turn
     Tilt,     ///< cosine of the angle between axis of a and axis2 of b
+    Way,      ///< along a path, whose tangent at b is axis of b; how far only its link knows
     Residue   ///< twice the vector part of the quaternion from a to b, along axis: for three locked axes
 };
 
@@ -107,6 +108,8 @@ struct Mechanism {
     std::vector<Limit> limits;     ///< hard ones
     std::vector<Spring> springs;   ///< drives and soft limits
     std::vector<DryFriction> frictions;
+    std::vector<PathCurve> paths;
+    std::vector<AirBox> air; ///< of bodies that it slows
     std::vector<Touchable> touchables;
     std::vector<bool> meets; ///< of each two touchables, whether they may touch
     std::size_t loopJoints = 0;

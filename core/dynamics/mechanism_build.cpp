@@ -50,6 +50,10 @@ Result<void> check(const Joint& joint) {
     const auto fail = [&](const char* what) {
         return inputError("joint " + inQuotes(joint.name) + ": " + what);
     };
+    for (const std::vector<Vec3>* all : {&joint.path.points, &joint.path.ups})
+        for (const Vec3& one : *all)
+            if (!one.allFinite())
+                return fail("has a path with a value that is not a finite number; correct it");
     for (const JointLimit& limit : joint.limits)
         if (std::isnan(limit.min) || std::isnan(limit.max) || limit.min > limit.max ||
             !(limit.stiffness >= 0) || !(limit.damping >= 0) || limit.axes == 0 || limit.axes > kAllAxes)
@@ -64,6 +68,10 @@ Result<void> check(const Joint& joint) {
         if (!(friction.force >= 0) || friction.axis < 0 || friction.axis > 2)
             return fail("has negative friction; give a force from 0 up");
     return {};
+}
+
+bool isTurning(LinkKind kind) {
+    return kind == LinkKind::Turn || kind == LinkKind::Ball;
 }
 
 /// Grows the trees from the world and from what nothing moves, joint by joint.
@@ -134,6 +142,9 @@ private:
     std::vector<IslandParts> partsOfIslands() const;
     void plantFree(int body);
     int addLink(const LinkStage& stage, int parent, const Pose& base, AxisSet driven);
+    Result<void> addPath(std::size_t joint);
+    Result<void> checkPaths() const;
+    JointFreedom alongPath(std::size_t joint) const;
     int addStages(const JointFreedom& freedom, Place from, AxisSet driven);
     void carry(int body, const Place& place);
     void attach(std::size_t joint, int parent, int child);
@@ -150,6 +161,7 @@ private:
     std::vector<bool> reached_, used_;          ///< bodies; joints that are links
     std::vector<std::vector<Stage>> stages_;    ///< of each joint, which link is which of its coordinates
     std::vector<Ends> ends_;                    ///< bodies of each joint
+    std::vector<int> pathOf_;                   ///< of each joint, or -1
     std::vector<std::vector<std::size_t>> jointsOf_; ///< of the world, and of each body
     std::vector<double> start_;                      ///< q
 };
@@ -161,6 +173,8 @@ int Builder::addLink(const LinkStage& stage, int parent, const Pose& base, AxisS
     link.parent = parent;
     link.base = base;
     link.driven = driven;
+    link.path = stage.path;
+    link.carriesPath = stage.carriesPath;
     link.q = made_.qs;
     link.v = made_.vs;
     link.island = int(made_.islands.size()) - 1;
@@ -234,7 +248,7 @@ void Builder::plantFree(int index) {
 void Builder::attach(std::size_t number, int parent, int child) {
     const Joint& joint = joints_[number];
     const bool forward = ends_[number].a == parent && ends_[number].b == child;
-    JointFreedom freedom = freedomOf(joint, startOf(number));
+    JointFreedom freedom = pathOf_[number] < 0 ? freedomOf(joint, startOf(number)) : alongPath(number);
     if (!forward) freedom = reversed(freedom);
     const Place from = frameOn(parent, forward ? joint.frameA : joint.frameB);
     const RigidBody& body = bodies_[std::size_t(child)];
@@ -242,12 +256,43 @@ void Builder::attach(std::size_t number, int parent, int child) {
     const std::size_t first = made_.links.size();
     const int last = addStages(freedom, from, driven);
     for (std::size_t i = 0; i < freedom.stages.size(); ++i)
-        stages_[number].push_back({freedom.stages[i].kind != LinkKind::Slide, freedom.stages[i].axis,
-                                   int(first + i), freedom.stages[i].sense});
+        stages_[number].push_back({isTurning(freedom.stages[i].kind), freedom.stages[i].axis, int(first + i),
+                                   freedom.stages[i].sense});
     const Pose& frame = forward ? joint.frameB : joint.frameA;
     const Pose below = freedom.after * frame.inverse();
     const bool welded = freedom.stages.empty();
     carry(child, welded ? Place{from.link, from.pose * freedom.before * below} : Place{last, below});
+}
+
+Result<void> Builder::addPath(std::size_t number) {
+    pathOf_.push_back(-1);
+    const Joint& joint = joints_[number];
+    if (!joint.path.isThere() || joint.a == joint.b) return {};
+    auto curve = PathCurve::through(joint.path);
+    if (!curve) return inputError("joint " + inQuotes(joint.name) + ": " + curve.error().text);
+    pathOf_.back() = int(made_.paths.size());
+    made_.paths.push_back(std::move(*curve));
+    return {};
+}
+
+/// Links alone ride on paths: there are no multipliers for one that closes a loop.
+Result<void> Builder::checkPaths() const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const bool stands = placeOf(ends_[i].a).link < 0 && placeOf(ends_[i].b).link < 0;
+        if (pathOf_[i] >= 0 && !used_[i] && !stands)
+            return inputError("joint " + inQuotes(joints_[i].name) +
+                              ": its path closes a loop; let the body that rides on it hang on nothing else, "
+                              "and hang others on that body");
+    }
+    return {};
+}
+
+/// The way alone, from where the curve is nearest at the time 0.
+JointFreedom Builder::alongPath(std::size_t number) const {
+    LinkStage stage{LinkKind::Path};
+    stage.path = pathOf_[number];
+    stage.start = made_.paths[std::size_t(stage.path)].nearest(startOf(number));
+    return {{}, {stage}, {}};
 }
 
 /// From body to body, nearest first, so that a loop is cut where it is farthest from what stands still.
@@ -256,7 +301,8 @@ void Builder::reachFrom(int body) {
     for (std::size_t next = 0; next < reached.size(); ++next)
         for (const std::size_t i : jointsOf(reached[next])) {
             const int other = *beyond(i, reached[next]);
-            if (used_[i] || isReached(other) || !isTreeJoint(joints_[i], startOf(i), kAligned)) continue;
+            if (used_[i] || isReached(other)) continue;
+            if (pathOf_[i] < 0 && !isTreeJoint(joints_[i], startOf(i), kAligned)) continue;
             used_[i] = reached_[std::size_t(other)] = true;
             children_[std::size_t(reached[next] + 1)].push_back({i, other});
             reached.push_back(other);
@@ -362,9 +408,10 @@ Coordinate Builder::coordinateOf(std::size_t number, bool angular, AxisSet axes)
     const Joint& joint = joints_[number];
     const std::vector<Stage>& stages = stages_[number];
     Coordinate of = coordinate(angular, axes);
+    if (pathOf_[number] >= 0) of.measure = Measure::Way;
     of.a = frameOn(ends_[number].a, joint.frameA);
     of.b = frameOn(ends_[number].b, joint.frameB);
-    if (of.measure != Measure::Along && of.measure != Measure::Twist) return of;
+    if (of.measure != Measure::Along && of.measure != Measure::Twist && of.measure != Measure::Way) return of;
     const auto turns = std::ranges::count_if(stages, &Stage::angular);
     for (const Stage& stage : stages)
         if (stage.angular == angular && stage.axis == of.axis &&
@@ -379,8 +426,14 @@ void Builder::addActions(std::size_t number) {
     const Joint& joint = joints_[number];
     const auto [a, b] = ends_[number];
     if (placeOf(a).link < 0 && placeOf(b).link < 0) return;
+    const bool rides = pathOf_[number] >= 0;
+    const auto isHeld = [rides](bool angular, AxisSet axes) { return rides && (angular || axes != 1); };
+    if (rides)
+        if (const PathCurve& path = made_.paths[std::size_t(pathOf_[number])]; !path.isClosed())
+            made_.limits.push_back({coordinateOf(number, false, 1), 0, path.length()});
     for (const JointLimit& limit : joint.limits) {
-        if (takesAxes(limit)) continue; // its axes are gone, or locked
+        if (isHeld(limit.angular, limit.axes)) continue;
+        if (!rides && takesAxes(limit)) continue; // its axes are gone, or locked
         const Coordinate of = coordinateOf(number, limit.angular, limit.axes);
         if (limit.isHard()) {
             made_.limits.push_back({of, limit.min, limit.max});
@@ -392,10 +445,10 @@ void Builder::addActions(std::size_t number) {
         made_.springs.push_back({of, drive, limit.min, limit.max, true});
     }
     for (const JointDrive& drive : joint.drives)
-        if (drive.stiffness > 0 || drive.damping > 0)
+        if (!isHeld(drive.angular, AxisSet(1 << drive.axis)) && (drive.stiffness > 0 || drive.damping > 0))
             made_.springs.push_back({coordinateOf(number, drive.angular, AxisSet(1 << drive.axis)), drive});
     for (const JointFriction& friction : joint.frictions)
-        if (friction.force > 0)
+        if (!isHeld(friction.angular, AxisSet(1 << friction.axis)) && friction.force > 0)
             made_.frictions.push_back(
                 {coordinateOf(number, friction.angular, AxisSet(1 << friction.axis)), friction.force});
 }
@@ -409,16 +462,19 @@ Result<Mechanism> Builder::run() {
         if (ends_.back().a == -2 || ends_.back().b == -2)
             return inputError("joint " + inQuotes(joint.name) +
                               ": names a body that is not there; choose one");
-        const std::size_t number = ends_.size() - 1;
-        if (joint.a == joint.b) continue;
-        for (const int body : {ends_.back().a, ends_.back().b})
-            jointsOf_[std::size_t(body + 1)].push_back(number);
+        if (const auto added = addPath(ends_.size() - 1); !added) return tl::unexpected(added.error());
     }
+    for (const bool rides : {true, false}) // what rides on a path hangs on nothing else
+        for (std::size_t i = 0; i < joints_.size(); ++i)
+            if (joints_[i].a != joints_[i].b && rides == (pathOf_[i] >= 0))
+                for (const int body : {ends_[i].a, ends_[i].b})
+                    jointsOf_[std::size_t(body + 1)].push_back(i);
     for (std::size_t i = 0; i < joints_.size(); ++i)
         used_[i] = joints_[i].a == joints_[i].b;
     findTrees();
     for (const IslandParts& parts : partsOfIslands())
         growIsland(parts);
+    if (const auto fine = checkPaths(); !fine) return tl::unexpected(fine.error());
     std::erase_if(made_.islands, [](const Island& one) { return one.velocities == 0; }); // all of it stands
     for (std::size_t i = 0; i < made_.islands.size(); ++i)
         for (int link = made_.islands[i].firstLink; link < made_.islands[i].endLink; ++link)
@@ -495,9 +551,10 @@ Result<void> addTouchables(Mechanism& made, std::span<const Joint> joints,
 } // namespace
 
 Result<Mechanism> compileMechanism(std::span<const RigidBody> bodies, std::span<const Joint> joints,
-                                   std::span<const Collider> colliders) {
+                                   std::span<const Collider> colliders, double airDensity) {
     auto made = Builder(bodies, joints).run();
     if (!made) return made;
+    made->air = airBoxesOf(bodies, made->places, colliders, airDensity);
     if (const auto added = addTouchables(*made, joints, colliders); !added)
         return tl::unexpected(added.error());
     startVelocities(*made);

@@ -91,12 +91,18 @@ inline const std::array kSceneRows{
             {kept(), kAtRest, kNoPhysics,
              kept("its colliders touch each other; what the finger feels is left out"), kAtRest, kAtRest,
              kAtRest, kAtRest}},
-    LossRow{"dry friction and detents of joints",
+    LossRow{"paths, dry friction and detents of joints",
             [](const LossSubject& s) {
                 return std::ranges::any_of(s.scene.mechanics.joints, [](const Joint& joint) {
                     const auto isDetent = [](const JointDrive& drive) { return drive.spacing > 0; };
-                    return !joint.frictions.empty() || std::ranges::any_of(joint.drives, isDetent);
+                    return joint.path.isThere() || !joint.frictions.empty() ||
+                           std::ranges::any_of(joint.drives, isDetent);
                 });
+            },
+            {kept(), kAtRest, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
+    LossRow{"air that slows bodies",
+            [](const LossSubject& s) {
+                return !s.scene.mechanics.bodies.empty() && s.scene.mechanics.airDensity > 0;
             },
             {kept(), kAtRest, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
     LossRow{"proxy radius",

@@ -157,7 +157,8 @@ Result<void> addMechanics(World& world, const World* previous) {
     if (previous && previous->moving && previous->scene->mechanics == mechanics)
         mechanism = previous->moving->mechanism();
     if (!mechanism) {
-        auto made = compileMechanism(mechanics.bodies, mechanics.joints, mechanics.colliders);
+        auto made =
+            compileMechanism(mechanics.bodies, mechanics.joints, mechanics.colliders, mechanics.airDensity);
         if (!made) return tl::unexpected(made.error());
         mechanism = std::make_shared<const Mechanism>(std::move(*made));
     }

@@ -32,6 +32,14 @@ private:
     std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+/// The way means another place where the curve is another one.
+void addCurve(const PathCurve& path, Key& key) {
+    constexpr int kLooks = 64;
+    key.add(path.length());
+    for (int i = 0; i <= kLooks; ++i)
+        key.add(path.at(path.length() * i / kLooks).pose);
+}
+
 /// Of masses, springs and materials nothing: they may change under the hand.
 std::uint64_t keyOf(const Mechanism& mechanism) {
     Key key;
@@ -40,6 +48,9 @@ std::uint64_t keyOf(const Mechanism& mechanism) {
         key.add(std::uint64_t(std::int64_t(link.parent)));
         key.add(std::uint64_t(link.axis));
         key.add(link.base);
+        if (link.kind != LinkKind::Path) continue;
+        key.add(std::uint64_t(link.carriesPath));
+        addCurve(mechanism.paths[std::size_t(link.path)], key);
     }
     key.add(mechanism.q0);
     key.add(mechanism.v0);

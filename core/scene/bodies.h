@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/scene/scene.h"
+#include "core/scene/world_fields.h"
 #include "core/surface/parameter.h"
 
 namespace tactum {
@@ -28,35 +29,6 @@ struct BodyField {
     const Parameter* parameter;
     double RigidBody::*value;
 };
-/// Of the whole world that moves.
-inline constexpr Parameter kForceScale{
-    "force-scale",
-    "Force",
-    "x",
-    1e-9,
-    1e9,
-    0.1,
-    1,
-    9,
-    "Newtons on a body for each of the finger's: small for a micro-sensor, large for a windmill."};
-inline constexpr Parameter kTimeScale{
-    "time-scale",
-    "Time",
-    "x",
-    1e-6,
-    100,
-    0.1,
-    1,
-    6,
-    "Seconds of the moving world for each of the hand's: small for what swings faster than a hand feels."};
-
-struct WorldField {
-    const Parameter* parameter;
-    double Mechanics::*value;
-};
-inline constexpr std::array<WorldField, 2> kWorldFields{
-    {{&kForceScale, &Mechanics::forceScale}, {&kTimeScale, &Mechanics::timeScale}}};
-
 /// The mass is set by setMass(), which keeps the form of the moments.
 inline constexpr std::array<BodyField, 2> kBodyFields{
     {{&kBodyMass, &RigidBody::mass}, {&kGravityFactor, &RigidBody::gravityFactor}}};

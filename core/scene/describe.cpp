@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/motion/motion_build.h"
+#include "core/scene/world_fields.h"
 
 namespace tactum {
 namespace {
@@ -79,6 +80,9 @@ SceneDescription describe(const Scene& scene) {
     result.triangles = triangleCount(scene);
     result.bounds_W = boundsOf(scene);
     result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
+    if (!scene.mechanics.bodies.empty())
+        for (const WorldField& field : kWorldFields)
+            result.parameters.push_back(described(*field.parameter, scene.mechanics.*field.value));
     std::map<const TriangleSoup*, MeshHealth> healths;
     for (const SceneObject& object : scene.objects) {
         auto [health, isNew] = healths.try_emplace(object.geometry.get());

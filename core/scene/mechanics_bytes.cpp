@@ -66,12 +66,22 @@ template <class Io> void friction(Io& io, JointFriction& value) {
     io.demand(force >= 0, "the friction of a joint is negative");
 }
 
+template <class Io> void pathBytes(Io& io, JointPath& value) {
+    auto& [points, ups, closed] = value;
+    list(io, points, 24, [&](Vec3& point) { io(point); });
+    list(io, ups, 24, [&](Vec3& up) { io(up); });
+    io(closed);
+    io.demand(points.size() <= kMostPathPoints && (ups.empty() || ups.size() == points.size()),
+              "a path has more points than are allowed, or not one up for each");
+}
+
 template <class Io> void joint(Io& io, Joint& value) {
-    auto& [name, a, b, frameA, frameB, limits, drives, frictions, collide, part] = value;
+    auto& [name, a, b, frameA, frameB, limits, drives, frictions, collide, part, path] = value;
     io(name), io(a), io(b), io(frameA), io(frameB), io(collide), io(part);
     list(io, limits, 30, [&](JointLimit& one) { limit(io, one); });
     list(io, drives, 40, [&](JointDrive& one) { drive(io, one); });
     list(io, frictions, 10, [&](JointFriction& one) { friction(io, one); });
+    pathBytes(io, path);
 }
 
 template <class Io> void shape(Io& io, ColliderShape& value) {
@@ -106,8 +116,10 @@ template <class Io> void collider(Io& io, Collider& value) {
 } // namespace
 
 template <class Io> void mechanicsBytes(Io& io, Mechanics& mechanics) {
-    auto& [bodies, joints, colliders, gravity, forceScale, timeScale] = mechanics;
-    io(gravity), io(forceScale), io(timeScale);
+    auto& [bodies, joints, colliders, gravity, air, forceScale, timeScale] = mechanics;
+    io(gravity), io(air), io(forceScale), io(timeScale);
+    io.demand(air >= 0, "the air has a negative density");
+    io.demand(forceScale > 0 && timeScale > 0, "a scale is not positive");
     list(io, bodies, 100, [&](RigidBody& one) { body(io, one); });
     list(io, joints, 100, [&](Joint& one) { joint(io, one); });
     list(io, colliders, 100, [&](Collider& one) { collider(io, one); });

@@ -7,6 +7,7 @@
 #include "core/scene/findings.h"
 #include "core/scene/light_bodies.h"
 #include "core/scene/value_checks.h"
+#include "core/scene/world_fields.h"
 
 namespace tactum {
 namespace {
@@ -19,6 +20,9 @@ public:
 
     std::vector<Finding> run() {
         checkParameter(findings_, "", "", kProxyRadius, scene_.proxyRadius);
+        if (!scene_.mechanics.bodies.empty())
+            for (const WorldField& field : kWorldFields)
+                checkParameter(findings_, "", "", *field.parameter, scene_.mechanics.*field.value);
         if (scene_.objects.empty()) say(Severity::Warning, "", "the scene is empty", "open a model");
         for (const SceneObject& object : scene_.objects)
             check(object);

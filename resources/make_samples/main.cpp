@@ -27,6 +27,7 @@ std::vector<Sample> allSamples() {
             {"crank", crank()},
             {"turntable", turntable()},
             {"rocket-car", rocketCar()},
+            {"roller-coaster", rollerCoaster()},
             {"cabinet", cabinet()},
             {"keyboard", keyboard()},
             {"kettle", kettle()},

@@ -25,18 +25,19 @@ Scene thinWallMaze();    ///< walls thinner than the proxy, which must not go th
 Scene blindBox();        ///< a shape that the eye does not see and the finger has to find out
 
 // Moving worlds.
-Scene windmill();    ///< a finger holds its sails against the wind
-Scene crank();       ///< with its rod and piston: a loop
-Scene turntable();   ///< a motor that a finger can hold
-Scene rocketCar();   ///< pushed back along its track against the thrust
-Scene cabinet();     ///< a door and two drawers, with detents, friction and stops
-Scene keyboard();    ///< keys on springs, with preload and stops
-Scene kettle();      ///< a lid on a hinge, that its weight closes
-Scene microSensor(); ///< a test mass on flexures, stiff in one direction and soft in another
-Scene ballTable();   ///< loose balls
-Scene dominoes();    ///< one blow goes through all
-Scene bell();        ///< on a rope
-Scene marionette();  ///< a tree of twenty bodies on strings
+Scene windmill();      ///< a finger holds its sails against the wind
+Scene crank();         ///< with its rod and piston: a loop
+Scene turntable();     ///< a motor that a finger can hold
+Scene rocketCar();     ///< pushed back along its track against the thrust
+Scene rollerCoaster(); ///< three cars on a track with a hill and a loop; the finger pushes them over
+Scene cabinet();       ///< a door and two drawers, with detents, friction and stops
+Scene keyboard();      ///< keys on springs, with preload and stops
+Scene kettle();        ///< a lid on a hinge, that its weight closes
+Scene microSensor();   ///< a test mass on flexures, stiff in one direction and soft in another
+Scene ballTable();     ///< loose balls
+Scene dominoes();      ///< one blow goes through all
+Scene bell();          ///< on a rope
+Scene marionette();    ///< a tree of twenty bodies on strings
 
 /// Every one has a finger path that shows what it is for.
 std::vector<Sample> allSamples();

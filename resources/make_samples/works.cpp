@@ -146,6 +146,16 @@ void Works::trim(BodyId body, const std::string& name, const Look& look, const s
     show(body, name, look, pieces);
 }
 
+void Works::decor(const std::string& name, const Look& look, const Mesh& mesh) {
+    scene_.add(object(name, mesh, {surface(name, look.colour, look.material)}));
+}
+
+Joint& Works::ride(const std::string& name, BodyId b, const JointPath& path) {
+    Joint joint;
+    joint.name = name, joint.b = b, joint.path = path;
+    return scene_.mechanics.joints.emplace_back(std::move(joint));
+}
+
 Joint& Works::joint(const std::string& name, BodyId a, BodyId b, const Pose& at, std::uint32_t part) {
     Joint joint;
     joint.name = name, joint.a = a, joint.b = b, joint.part = part;

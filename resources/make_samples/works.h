@@ -37,6 +37,8 @@ public:
                 const std::vector<Piece>& pieces);
     /// Looks for the eye and the finger that no other body meets.
     void trim(BodyId body, const std::string& name, const Look& look, const std::vector<Piece>& pieces);
+    /// A mesh that stands still, for the eye and the finger.
+    void decor(const std::string& name, const Look& look, const Mesh& mesh);
 
     /// Joints at a place of the world; `part`: of the thing that it is fixed to, where `a` is the world.
     Joint& hinge(const std::string& name, BodyId a, BodyId b, const Vec3& at, const Vec3& axis,
@@ -44,6 +46,9 @@ public:
     Joint& slider(const std::string& name, BodyId a, BodyId b, const Vec3& at, const Vec3& axis,
                   std::uint32_t part = 0);
     Joint& ball(const std::string& name, BodyId a, BodyId b, const Vec3& at, std::uint32_t part = 0);
+
+    /// A body on a curve of the world, where it is put at first.
+    Joint& ride(const std::string& name, BodyId b, const JointPath& path);
 
     /// Drawn `size` times as large as it is, with a hand that feels its masses and times as HandScale says;
     /// the mass of each body is `mass` times what its drawn volume has. After all bodies.

@@ -115,6 +115,9 @@ private slots:
         row("crank", "frame(frame) wheel(wheel) connecting rod(connecting rod) piston(piston)");
         row("turntable", "box(box) record(record) label(label) mark(mark)");
         row("rocket-car", "track(track) car(car) rocket(rocket) wheels(wheels)");
+        row("roller-coaster",
+            "ground(ground) rails(rails) posts(posts) car 1(car 1) seat 1(seat 1) car 2(car 2) "
+            "seat 2(seat 2) car 3(car 3) seat 3(seat 3)");
         row("cabinet", "cabinet(cabinet) door(door) lower drawer(lower drawer) upper drawer(upper drawer)");
         row("keyboard", "bed(bed) C(C) D(D) E(E) F(F) G(G) A(A) B(B) c(c) C sharp(C sharp) D sharp(D sharp) "
                         "F sharp(F sharp) G sharp(G sharp) A sharp(A sharp)");

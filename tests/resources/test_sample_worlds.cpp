@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "core/dynamics/dynamics.h"
+#include "core/dynamics/mechanism_build.h"
 #include "core/files/load_scene.h"
 #include "core/haptics/body_places.h"
 #include "core/haptics/compile.h"
@@ -128,6 +130,50 @@ private slots:
         COMPARE_NEAR(farthest, 0.1, 1e-4, "m");
         QCOMPARE_LT(back, 0.05);
         COMPARE_NEAR(play.way("car", Vec3::UnitX()), 0.1, 1e-4, "m"); // and goes again
+    }
+
+    void theTrainIsPushedOverTheHill() {
+        Play play("roller-coaster"), alone("roller-coaster", true);
+        double hill = 0, loop = 0;
+        play.run([&](double) {
+            const Vec3 at = play.at("car 1").translation;
+            if (at.z() > 0.03) hill = std::max(hill, at.y());
+            if (at.z() < -0.03) loop = std::max(loop, at.y());
+        });
+        QCOMPARE_GT(hill, 0.084);
+        QCOMPARE_GT(loop, 0.062); // its top is at 64 mm
+        alone.run();
+        QCOMPARE_LT((alone.at("car 1").translation - alone.body("car 1").pose.translation).norm(), 1e-4);
+    }
+
+    // Without friction and air the height alone says how fast it is: v^2 = v0^2 + 2 g (h0 - h).
+    void heightBecomesSpeed() {
+        Mechanics track = loadScene(SAMPLES "/moving/roller-coaster.glb")->scene.mechanics;
+        QCOMPARE_GT(track.airDensity, 0);
+        track.airDensity = 0;
+        track.bodies.resize(1), track.joints.resize(1), track.colliders.clear();
+        track.joints[0].frictions.clear();
+        RigidBody& car = track.bodies[0];
+        car.centre = Vec3::Zero();
+        car.inertia = Vec3::Constant(1e-12);
+        car.velocity = 1.3 * (car.pose.rotation * Vec3::UnitX());
+        Dynamics dynamics(std::make_shared<const Mechanism>(
+            compileMechanism(track.bodies, track.joints, track.colliders).value()));
+        DynamicState state = dynamics.startState();
+        BodyState now;
+        dynamics.describe(state, track.gravity, {&now, 1});
+        const double start = now.velocity.squaredNorm(), height = now.centre.y();
+        COMPARE_NEAR(std::sqrt(start), 1.3, 1e-6, "m/s");
+        double highest = 0;
+        for (int i = 0; i < 4000; ++i) {
+            dynamics.step(state, track.gravity, {}, 5e-4);
+            dynamics.describe(state, track.gravity, {&now, 1});
+            highest = std::max(highest, now.centre.y());
+            COMPARE_NEAR(now.velocity.squaredNorm(), start + 2 * 9.81 * (height - now.centre.y()),
+                         1e-4 * start, "m^2/s^2");
+        }
+        QCOMPARE_GT(highest, 0.0849);
+        QCOMPARE_GT(state.q[0], 1.5); // more than twice around
     }
 
     void doorAndDrawerAreShutAndStayShut() {

@@ -31,6 +31,7 @@ public:
         for (int i = count(0, 4); i > 0; --i)
             to.joints.push_back(joint(bodies));
         to.gravity = vector(10);
+        if (chance(2)) to.airDensity = 1000 * unit();
         if (chance(2)) to.forceScale = 10 * length(), to.timeScale = length();
     }
 
@@ -123,6 +124,19 @@ private:
         limit.damping = chance(2) ? 0 : unit();
         return limit;
     }
+    /// On a wavy ring, so that it is one that can be ridden on.
+    JointPath path() {
+        JointPath path;
+        const int points = count(5, 20);
+        const bool hasUps = chance(2);
+        path.closed = chance(2);
+        for (int i = 0; i < points; ++i) {
+            const double a = 6 * double(i) / points;
+            path.points.push_back(Vec3(std::cos(a), 0.1 * unit(), std::sin(a)));
+            if (hasUps) path.ups.push_back(Vec3(0.1 * unit(), 1, 0.1 * unit()));
+        }
+        return path;
+    }
     Joint joint(int bodies) {
         Joint joint;
         joint.name = "joint " + std::to_string(count(0, 99));
@@ -141,6 +155,7 @@ private:
                 {chance(2), count(0, 2), unit(), unit(), unit(), 0, bound(), false, length()});
         for (int i = count(0, 2); i > 0; --i)
             joint.frictions.push_back({chance(2), count(0, 2), unit()});
+        if (chance(3)) joint.path = path();
         joint.collide = chance(2);
         if (joint.a == kWorldBody || joint.b == kWorldBody) joint.part = std::uint32_t(count(0, int(parts_)));
         return joint;

@@ -18,6 +18,7 @@ std::string difference(const Mechanics& a, const Mechanics& b) {
     if (found.empty()) found = difference("joints", a.joints, b.joints);
     if (found.empty()) found = difference("colliders", a.colliders, b.colliders);
     if (found.empty() && !a.bodies.empty() && a.gravity != b.gravity) found = "gravity";
+    if (found.empty() && !a.bodies.empty() && a.airDensity != b.airDensity) found = "air density";
     return found;
 }
 

@@ -5,11 +5,12 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/dynamics/path_curve.h"
 #include "core/dynamics/weigh.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
-#include "core/scene/bodies.h"
+#include "core/scene/world_fields.h"
 
 namespace tactum {
 
@@ -32,16 +33,20 @@ bool flagIn(const Json& holder, const char* key) {
     return found && found->is_boolean() && found->get<bool>();
 }
 
-template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    if (!found || !found->is_array() || found->size() != N) return std::nullopt;
+template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorOf(const Json& list) {
+    if (!list.is_array() || list.size() != N) return std::nullopt;
     Eigen::Matrix<double, N, 1> v;
     for (int i = 0; i < N; ++i) {
-        const Json& entry = (*found)[std::size_t(i)];
+        const Json& entry = list[std::size_t(i)];
         if (!entry.is_number() || !std::isfinite(entry.get<double>())) return std::nullopt;
         v[i] = entry.get<double>();
     }
     return v;
+}
+
+template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found ? vectorOf<N>(*found) : std::nullopt;
 }
 
 std::string textIn(const Json& holder, const char* key) {
@@ -133,6 +138,8 @@ private:
     void addLimits(const Json& description, Joint& joint);
     void addDrives(const Json& from, const char* array, Joint& joint);
     void addFrictions(const Json& ours, Joint& joint);
+    bool addPath(const Json& path, Joint& joint);
+    void readWorld(const Json& ours, const WorldField& field);
 
     const Source& source_;
     const tinygltf::Model& model_;
@@ -429,6 +436,34 @@ void PhysicsReader::addFrictions(const Json& ours, Joint& joint) {
     }
 }
 
+/// Of our own extension as well. Whether it is a curve.
+bool PhysicsReader::addPath(const Json& path, Joint& joint) {
+    const auto vectors = [](const Json* list) {
+        std::vector<Vec3> all;
+        if (list && list->is_array())
+            for (std::size_t i = 0; i < std::min(list->size(), kMostPathPoints + 1); ++i)
+                all.push_back(vectorOf<3>((*list)[i]).value_or(Vec3::Constant(kUnbounded)));
+        return all;
+    };
+    joint.path.points = vectors(member(path, "points"));
+    joint.path.ups = vectors(member(path, "ups"));
+    joint.path.closed = path.is_object() && flagIn(path, "closed");
+    const auto curve = PathCurve::through(joint.path);
+    if (!curve) warn(joint.name, "has a path that is none: " + curve.error().text, "the joint is left out");
+    return curve.has_value();
+}
+
+void PhysicsReader::readWorld(const Json& ours, const WorldField& field) {
+    const std::string key = jsonKey(field.parameter->key);
+    if (!ours.contains(key) || ours[key].is_null()) return;
+    const auto value = numberIn(ours, key.c_str());
+    if (value && field.parameter->allows(*value))
+        made_.mechanics.*field.value = *value;
+    else
+        warn("", std::string(kExtension) + "." + key + " is not a number that it may be",
+             "the initial value is used");
+}
+
 void PhysicsReader::addJoint(int node, const Json& json) {
     const int other = indexOf(json, "connectedNode");
     const Json* description = element(physics_, "physicsJoints", indexOf(json, "joint"));
@@ -444,9 +479,13 @@ void PhysicsReader::addJoint(int node, const Json& json) {
     joint.collide = flagIn(json, "enableCollision");
     if (joint.a == kWorldBody) joint.part = parts_[node];
     if (joint.b == kWorldBody) joint.part = parts_[other];
-    addLimits(*description, joint);
-    addDrives(*description, "drives", joint);
-    if (const Json* ours = extensionOf(root_["nodes"][std::size_t(node)])) {
+    const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
+    const Json* path = ours ? member(*ours, "path") : nullptr;
+    if (path && !addPath(*path, joint)) return;
+    const Json& acts = path ? *path : *description; // what the standard says of such a joint is for others
+    addLimits(acts, joint);
+    addDrives(acts, "drives", joint);
+    if (ours) {
         addDrives(*ours, "detents", joint);
         addFrictions(*ours, joint);
     }
@@ -497,8 +536,7 @@ GltfPhysics PhysicsReader::run() {
     if (const Json* ours = extensionOf(root_)) {
         made_.mechanics.gravity = vectorIn<3>(*ours, "gravity").value_or(made_.mechanics.gravity);
         for (const WorldField& field : kWorldFields)
-            if (const auto value = numberIn(*ours, jsonKey(field.parameter->key).c_str()); value)
-                made_.mechanics.*field.value = field.parameter->clamped(*value);
+            readWorld(*ours, field);
     }
     noteTriggers();
     return std::move(made_);

@@ -12,7 +12,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
 #include "core/files/gltf/write_physics.h"
-#include "core/scene/bodies.h"
+#include "core/scene/world_fields.h"
 
 namespace tactum {
 namespace {

@@ -51,6 +51,15 @@ Json driveJson(const JointDrive& drive) {
     return json;
 }
 
+Json pathJson(const JointPath& path) {
+    Json json{{"closed", path.closed}, {"points", Json::array()}};
+    for (const Vec3& point : path.points)
+        json["points"].push_back(vectorJson(point));
+    for (const Vec3& up : path.ups)
+        json["ups"].push_back(vectorJson(up));
+    return json;
+}
+
 /// With `type` and an object under its name.
 Json shapeJson(const ColliderShape& shape) {
     const std::string type = kShapes[std::size_t(shape.kind)];
@@ -166,11 +175,13 @@ void PhysicsWriter::addCollider(const Collider& collider) {
 }
 
 void PhysicsWriter::addJoint(const Joint& joint) {
-    Json description = Json::object();
+    Json description = Json::object(), path;
+    Json& acts = joint.path.isThere() ? path : description; // along a path nothing acts that others know
+    if (joint.path.isThere()) path = pathJson(joint.path);
     for (const JointLimit& limit : joint.limits)
-        description["limits"].push_back(limitJson(limit));
+        acts["limits"].push_back(limitJson(limit));
     for (const JointDrive& drive : joint.drives)
-        if (drive.spacing == 0) description["drives"].push_back(driveJson(drive));
+        if (drive.spacing == 0) acts["drives"].push_back(driveJson(drive));
     const auto frame = [&](const std::string& name, BodyId body, const Pose& pose) {
         return partNode("joint", name, pose, body, joint.part);
     };
@@ -180,6 +191,7 @@ void PhysicsWriter::addJoint(const Joint& joint) {
         {"connectedNode", other},
         {"joint", element(kPhysicsExtension, "physicsJoints", std::move(description))},
         {"enableCollision", joint.collide}};
+    if (joint.path.isThere()) node["extensions"][kExtension]["path"] = std::move(path);
     for (const JointDrive& drive : joint.drives) // the standard has no detents
         if (drive.spacing > 0) node["extensions"][kExtension]["detents"].push_back(driveJson(drive));
     for (const JointFriction& friction : joint.frictions)

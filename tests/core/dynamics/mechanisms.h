@@ -69,7 +69,7 @@ public:
 
     explicit Running(const Mechanics& scene)
         : dynamics_(std::make_shared<const Mechanism>(
-              compileMechanism(scene.bodies, scene.joints, scene.colliders).value())),
+              compileMechanism(scene.bodies, scene.joints, scene.colliders, scene.airDensity).value())),
           state_(dynamics_.startState()), now_(scene.bodies.size()) {}
 
     void run(double seconds, double dt, const Vec3& gravity = kDown,

@@ -1,7 +1,8 @@
 #include "tests/core/files/format_schema.h"
 
+#include "core/dynamics/path.h"
 #include "core/files/gltf/gltf_surface.h"
-#include "core/scene/bodies.h"
+#include "core/scene/world_fields.h"
 
 namespace tactum {
 namespace {
@@ -23,6 +24,15 @@ Schema numbers(int count, const std::string& sentence) {
             {"minItems", count},
             {"maxItems", count},
             {"description", sentence}};
+}
+
+Schema listOf(Schema items) {
+    return {{"type", "array"}, {"items", std::move(items)}};
+}
+Schema listOf(Schema items, std::size_t least, std::size_t most) {
+    Schema list = listOf(std::move(items));
+    list["minItems"] = least, list["maxItems"] = most;
+    return list;
 }
 
 Schema number(const Parameter& parameter) {
@@ -148,6 +158,7 @@ std::string formatSchema() {
          {"finger", view("a stroke that shows the scene, four doubles a row: time in s, position in m in the "
                          "world frame.")},
          {"gravity", numbers(3, "Of a scene with bodies, world frame. Unit: m/s^2.")},
+         {jsonKey(kAirDensity.key), number(kAirDensity)},
          {jsonKey(kForceScale.key), number(kForceScale)},
          {jsonKey(kTimeScale.key), number(kTimeScale)},
          {"foreign",
@@ -188,6 +199,19 @@ std::string formatSchema() {
                             {{"spacing",
                               {{"type", "number"},
                                {"description", "From one place of rest to the next. Unit: m or rad."}}}})}}},
+         {"path",
+          object("Of a joint: a curve that the other node rides on, with x along it and y up.",
+                 {{"closed", flag("Not there: false. Whether the last point leads to the first again.")},
+                  {"points", listOf(numbers(3, "Where it goes through, in the frame of the node. Unit: m."),
+                                    2, kMostPathPoints)},
+                  {"ups", listOf(numbers(3, "Roughly up for what rides, at each point; not along the curve."),
+                                 2, kMostPathPoints)},
+                  {"limits", listOf(object("As in KHR_physics_rigid_bodies; of the way from the first point "
+                                           "those with linearAxes [0]. Unit: m.",
+                                           Schema::object()))},
+                  {"drives", listOf(object("As in KHR_physics_rigid_bodies; along the way those with type "
+                                           "linear and axis 0.",
+                                           Schema::object()))}})},
          {"frictions",
           {{"type", "array"},
            {"items", object("Dry friction of a joint: up to its force the joint stays.",

@@ -17,6 +17,7 @@ namespace {
 Mechanics everything() {
     Mechanics mechanics;
     mechanics.gravity = {1, 2, 3};
+    mechanics.airDensity = 1.25;
     RigidBody body;
     body.id = 7;
     body.name = "door";
@@ -39,6 +40,7 @@ Mechanics everything() {
     joint.drives.push_back({});
     joint.frictions.push_back({true, 1, 0.75});
     joint.collide = true;
+    joint.path = {{{1, 2, 3}, {4, 5, 6}}, {{0, 1, 0}, {1, 1, 0}}, true};
     mechanics.joints.push_back(joint);
     Collider collider;
     collider.body = 7;
