@@ -233,8 +233,9 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
         const double x0 = spring.isLimit ? (below ? spring.min : spring.max) : spring.drive.restAt(now.value);
         row->compliance = 1 / (dt * (dt * k + d));
         row->target = row->compliance * dt * (k * (x0 - now.value) + d * spring.drive.velocity);
-        row->high = spring.isLimit && !below ? 0 : scale * spring.drive.maxForce * dt;
-        row->low = spring.isLimit && below ? 0 : -scale * spring.drive.maxForce * dt;
+        const bool oneSided = spring.isLimit && spring.min < spring.max;
+        row->high = oneSided && !below ? 0 : scale * spring.drive.maxForce * dt;
+        row->low = oneSided && below ? 0 : -scale * spring.drive.maxForce * dt;
     }
 }
 

@@ -38,7 +38,7 @@ private slots:
 
     void aClickOnAPictureOpensItsScene() {
         const QStringList samples = samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes"));
-        QCOMPARE(samples.size(), 21);
+        QCOMPARE(samples.size(), 22);
         TouchedWindow program({1200, 800}, samples);
         const auto buttons = program.window->findChild<SampleGallery*>()->findChildren<QToolButton*>();
         QCOMPARE(buttons.size(), 9);
