@@ -36,6 +36,7 @@ void findYield(const RigidBody& body, const Vec3& at, AirBox& box) {
         const Vec3 arm = (at - body.centre).cross(Vec3::Unit(i));
         box.yield[i] = 1 / body.mass + arm.dot(turns * arm);
         box.turnYield[i] = turns(i, i);
+        box.swerve[i] = (turns * arm).norm();
     }
 }
 

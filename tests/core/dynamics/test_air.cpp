@@ -170,7 +170,8 @@ void AirTest::grainsNeverGainSpeed() {
         before = now;
     }
     QVERIFY(std::isfinite(before));
-    QCOMPARE_LT(run.bodies()[0].velocity.norm(), 0.2 * speed);
+    QCOMPARE_LT(run.bodies()[0].velocity.norm(),
+                0.6 * speed); // as a vane that hardly turns it is slowed less
 }
 
 void AirTest::mechanismsNeverGainEnergy() {
