@@ -145,7 +145,7 @@ void AirTest::grainsNeverGainSpeed_data() {
     QTest::addColumn<double>("density");
     QTest::addColumn<double>("speed");
     for (const double density : {1.2, 1000.0})
-        for (const double speed : {0.1, 1.0, 10.0})
+        for (const double speed : {0.1, 10.0, 1000.0})
             QTest::addRow("%g kg/m^3, %g m/s", density, speed) << density << speed;
 }
 
