@@ -29,6 +29,7 @@ QString durationText(double seconds) {
 
 DisplayUnit displayUnit(const Parameter& parameter) {
     if (parameter.unit == "m") return {1e3, QStringLiteral("mm"), std::max(0, parameter.decimals - 3)};
+    if (parameter.unit == "kg") return {1e3, QStringLiteral("g"), std::max(0, parameter.decimals - 3)};
     if (parameter.unit == "rad")
         return {180 / std::numbers::pi, QStringLiteral("\u00b0"), std::max(0, parameter.decimals - 2)};
     return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())),

@@ -22,17 +22,17 @@ inline constexpr Parameter kAirDensity{
 
 inline constexpr Parameter kForceScale{
     "force-scale",
-    "Force",
+    "Force scale",
     "x",
-    1e-9,
+    1e-6,
     1e9,
     0.1,
     1,
-    9,
+    6,
     "Newtons on a body for each of the finger's: small for a micro-sensor, large for a windmill."};
 inline constexpr Parameter kTimeScale{
     "time-scale",
-    "Time",
+    "Time scale",
     "x",
     1e-6,
     100,

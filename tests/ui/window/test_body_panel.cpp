@@ -218,7 +218,7 @@ private slots:
         QVERIFY(program.open(writeCrank(folder_)));
         choose(program, QStringLiteral("piston"));
         program.command("body-slider").trigger();
-        program.type(QStringLiteral("body-mass"), QStringLiteral("0.25"));
+        program.type(QStringLiteral("body-mass"), QStringLiteral("250"));
         program.type(QStringLiteral("slider-high"), QStringLiteral("20"));
         program.type(QStringLiteral("slider-spring"), QStringLiteral("300"));
         const Scene& scene = program.document.scene();
