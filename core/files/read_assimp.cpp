@@ -1,6 +1,6 @@
 // 3DS, FBX and DAE, read by Assimp out of memory: it opens no file. Every node with meshes is an object in
-// the world's frame, every material of it a surface. Assimp takes the axes and, for DAE, the unit into the
-// root's transform.
+// the world's frame, every material of it a surface. Assimp takes the axes and the unit of DAE into the
+// root's transform; those of FBX it hands over as numbers.
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
@@ -11,9 +11,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 
 #include "core/base/text.h"
 #include "core/files/bump_layers.h"
+#include "core/files/fbx_head.h"
 #include "core/files/world_mesh.h"
 
 namespace tactum {
@@ -46,6 +51,29 @@ void keepReaderOf(Assimp::Importer& importer, const std::string& ending) {
     }
 }
 
+/// Assimp makes a chain of nodes of what moves one node of FBX: "lid_$AssimpFbx$_PreRotation" above "lid".
+constexpr std::string_view kHelper = "_$AssimpFbx$_";
+
+bool isHelper(const aiNode& node) {
+    return std::string_view(node.mName.C_Str()).find(kHelper) != std::string_view::npos;
+}
+
+template <class T> std::optional<T> said(const aiMetadata* data, const char* key) {
+    T value{};
+    if (!data || !data->Get(key, value)) return std::nullopt;
+    return value;
+}
+
+FbxAxis axisOf(const aiMetadata* data, const char* axis, const char* sign, int usual) {
+    return {said<int>(data, axis).value_or(usual), said<int>(data, sign).value_or(1)};
+}
+
+/// How much larger the longest and the shortest of three axes have become.
+std::pair<double, double> scalesOf(const Mat3& linear) {
+    const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(linear.transpose() * linear).eigenvalues();
+    return {std::sqrt(std::max(0.0, squares[0])), std::sqrt(std::max(0.0, squares[2]))};
+}
+
 Eigen::Affine3d affineOf(const aiMatrix4x4& m) {
     Eigen::Affine3d affine;
     affine.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
@@ -62,8 +90,11 @@ public:
     }
 
     LoadedScene read() {
+        if (ending_ == "fbx")
+            if (const auto refusal = fbxRefusal(source_.bytes())) source_.fail(*refusal);
         keepReaderOf(importer_, ending_);
-        importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+        // Without pivots Assimp hands a node's geometric transform down to its children.
+        importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
         importer_.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
         importer_.SetProgressHandler(new Listener(progress_)); // the importer's own from here on
         const std::string_view bytes = source_.bytes();
@@ -71,7 +102,7 @@ public:
         if (progress_.isCancelled()) throw ReadFault{cancelledError().value()};
         if (!scene_ || !scene_->mRootNode)
             source_.fail("cannot be read: " + printable(importer_.GetErrorString(), 300) +
-                         "; the file may be damaged, export it again");
+                         "; the file may be damaged: export it again, or as glTF");
         walk();
         sayWhatIsLeftOut();
         if (!hasUnit()) loaded_.findings.push_back(unitGuess(loaded_.scene));
@@ -82,8 +113,20 @@ private:
     /// What one unit of the vertices is beyond the transforms, in metres.
     double unit() const {
         float centimetres = 0;
-        const bool said = scene_->mMetaData && scene_->mMetaData->Get("UnitScaleFactor", centimetres);
-        return said && centimetres > 0 ? 0.01 * double(centimetres) : 1;
+        const bool known = scene_->mMetaData && scene_->mMetaData->Get("UnitScaleFactor", centimetres);
+        return known && centimetres > 0 ? 0.01 * double(centimetres) : 1;
+    }
+
+    /// From the file's axes and unit to ours.
+    Eigen::Affine3d toOurs() {
+        const aiMetadata* const data = scene_->mMetaData;
+        const auto axes = fromFbxAxes(axisOf(data, "CoordAxis", "CoordAxisSign", 0),
+                                      axisOf(data, "UpAxis", "UpAxisSign", 1),
+                                      axisOf(data, "FrontAxis", "FrontAxisSign", 2));
+        if (!axes)
+            loaded_.findings.push_back({Severity::Warning, "", "names axes that are no frame",
+                                        "y is taken as up; turn it if it is not"});
+        return Eigen::Affine3d(unit() * axes.value_or(Mat3::Identity()));
     }
 
     bool hasUnit() const {
@@ -92,20 +135,48 @@ private:
         return ending_ == "dae" && source_.bytes().find("meter=") != std::string_view::npos;
     }
 
+    struct Step {
+        const aiNode* node;
+        Eigen::Affine3d toWorld; ///< of what is above it
+        Mat3 parent;             ///< the linear part of it, where the node above in the file stands
+    };
+
     void walk() {
-        struct Step {
-            const aiNode* node;
-            Eigen::Affine3d toWorld;
-        };
-        std::vector<Step> open{{scene_->mRootNode, Eigen::Affine3d(Eigen::Scaling(unit()))}};
+        const Eigen::Affine3d root = toOurs();
+        std::vector<Step> open{{scene_->mRootNode, root, root.linear()}};
         while (!open.empty()) {
             const Step step = open.back();
             open.pop_back();
-            const Eigen::Affine3d here = step.toWorld * affineOf(step.node->mTransformation);
-            if (step.node->mNumMeshes > 0) add(*step.node, here);
+            const Eigen::Affine3d here =
+                isIdle(*step.node) ? step.toWorld : step.toWorld * affineOf(step.node->mTransformation);
+            if (step.node->mNumMeshes > 0) {
+                oddlyScaled_ += inheritsScaleOddly(step);
+                add(*step.node, here);
+            }
+            const Mat3 parent = isHelper(*step.node) ? step.parent : here.linear();
             for (unsigned i = step.node->mNumChildren; i-- > 0;)
-                open.push_back({step.node->mChildren[i], here});
+                open.push_back({step.node->mChildren[i], here, parent});
         }
+    }
+
+    /// A rotation before or after that of a node whose "RotationActive" is off: FBX leaves it out.
+    bool isIdle(const aiNode& node) const {
+        const std::string_view name = node.mName.C_Str();
+        if (!name.ends_with("_$AssimpFbx$_PreRotation") && !name.ends_with("_$AssimpFbx$_PostRotation"))
+            return false;
+        const aiNode* moved = &node;
+        while (isHelper(*moved) && moved->mNumChildren > 0)
+            moved = moved->mChildren[0];
+        return !said<bool>(moved->mMetaData, "RotationActive").value_or(activeUnsaid_);
+    }
+
+    /// The scale above a node acts otherwise than by the product of the transforms.
+    bool inheritsScaleOddly(const Step& step) const {
+        constexpr int kProduct = 1, kWithoutParent = 2;
+        const int kind = said<int>(step.node->mMetaData, "InheritType").value_or(kProduct);
+        if (kind == kProduct) return false;
+        const auto [least, most] = scalesOf(step.parent / unit());
+        return most > 1.0001 * least || (kind == kWithoutParent && std::abs(most - 1) > 1e-4);
     }
 
     void add(const aiNode& node, const Eigen::Affine3d& toWorld) {
@@ -181,6 +252,8 @@ private:
             "everything stands where the file puts it; export it as glTF to let it move");
         say(Severity::Warning, deformed_, "mesh part", " deformed by a skin or by morph targets",
             "felt in the shape that it has at rest");
+        say(Severity::Warning, oddlyScaled_, "mesh", " under a scaled parent whose scale it does not share",
+            "size and place may be wrong; apply the scales before you export");
         say(Severity::Note, scene_->mNumCameras, "camera", " left out", "the view shows everything");
         say(Severity::Note, scene_->mNumLights, "light", " left out", "not felt");
         say(Severity::Note, scene_->mNumTextures, "picture", " inside the file left out",
@@ -194,7 +267,9 @@ private:
     Assimp::Importer importer_;
     const aiScene* scene_ = nullptr;
     LoadedScene loaded_;
-    std::size_t deformed_ = 0;
+    std::size_t deformed_ = 0, oddlyScaled_ = 0;
+    /// Where no node of the file speaks of it.
+    const bool activeUnsaid_ = source_.bytes().find("RotationActive") == std::string_view::npos;
 };
 
 } // namespace

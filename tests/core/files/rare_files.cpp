@@ -67,31 +67,40 @@ std::string asDae(const std::string& unit) {
            "</library_visual_scenes><scene><instance_visual_scene url='#s'/></scene></COLLADA>";
 }
 
-std::string asFbx(double centimetres) {
+std::string asFbx(double centimetres, const FbxWords& words) {
+    const auto axis = [](const std::string& name, int number, int sign) {
+        return "  P: \"" + name + "Axis\", \"int\", \"Integer\", \"\"," + std::to_string(number) +
+               "\n  P: \"" + name + "AxisSign\", \"int\", \"Integer\", \"\"," + std::to_string(sign) + "\n";
+    };
+    const auto square = [](const std::string& number) {
+        return " Geometry: " + number +
+               ", \"Geometry::shape\", \"Mesh\" {\n"
+               "  Vertices: *12 {\n   a: 0,0,0,1,0,0,1,1,0,0,1,0\n  }\n"
+               "  PolygonVertexIndex: *4 {\n   a: 0,1,2,-4\n  }\n  GeometryVersion: 124\n"
+               "  LayerElementMaterial: 0 {\n   Version: 101\n   Name: \"\"\n   MappingInformationType: "
+               "\"AllSame\"\n"
+               "   ReferenceInformationType: \"IndexToDirect\"\n   Materials: *1 {\n    a: 0\n   }\n  }\n"
+               "  Layer: 0 {\n   Version: 100\n   LayerElement:  {\n    Type: \"LayerElementMaterial\"\n"
+               "    TypedIndex: 0\n   }\n  }\n }\n";
+    };
+    const auto node = [](const std::string& number, const std::string& name, const std::string& properties) {
+        return " Model: " + number + ", \"Model::" + name +
+               "\", \"Mesh\" {\n  Version: 232\n  Properties70:  {\n" + properties + "  }\n }\n";
+    };
+    const bool two = !words.child.empty();
     return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n FBXHeaderVersion: 1003\n FBXVersion: 7400\n}\n"
-           "GlobalSettings:  {\n Version: 1000\n Properties70:  {\n"
-           "  P: \"UpAxis\", \"int\", \"Integer\", \"\",1\n  P: \"UpAxisSign\", \"int\", \"Integer\", "
-           "\"\",1\n"
-           "  P: \"FrontAxis\", \"int\", \"Integer\", \"\",2\n  P: \"FrontAxisSign\", \"int\", \"Integer\", "
-           "\"\",1\n"
-           "  P: \"CoordAxis\", \"int\", \"Integer\", \"\",0\n  P: \"CoordAxisSign\", \"int\", \"Integer\", "
-           "\"\",1\n"
-           "  P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," +
-           std::to_string(centimetres) +
-           "\n }\n}\n"
-           "Objects:  {\n Geometry: 1000, \"Geometry::shape\", \"Mesh\" {\n"
-           "  Vertices: *12 {\n   a: 0,0,0,1,0,0,1,1,0,0,1,0\n  }\n"
-           "  PolygonVertexIndex: *4 {\n   a: 0,1,2,-4\n  }\n  GeometryVersion: 124\n"
-           "  LayerElementMaterial: 0 {\n   Version: 101\n   Name: \"\"\n   MappingInformationType: "
-           "\"AllSame\"\n"
-           "   ReferenceInformationType: \"IndexToDirect\"\n   Materials: *1 {\n    a: 0\n   }\n  }\n"
-           "  Layer: 0 {\n   Version: 100\n   LayerElement:  {\n    Type: \"LayerElementMaterial\"\n"
-           "    TypedIndex: 0\n   }\n  }\n }\n"
-           " Model: 2000, \"Model::plate\", \"Mesh\" {\n  Version: 232\n  Properties70:  {\n"
-           "   P: \"Lcl Translation\", \"Lcl Translation\", \"\", \"A\",0,0,5\n  }\n }\n"
+           "GlobalSettings:  {\n Version: 1000\n Properties70:  {\n" +
+           axis("Up", words.up, words.upSign) + axis("Front", words.front, words.frontSign) +
+           axis("Coord", words.side, words.sideSign) +
+           "  P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," + std::to_string(centimetres) +
+           "\n }\n}\nObjects:  {\n" + square("1000") +
+           node("2000", "plate",
+                "   P: \"Lcl Translation\", \"Lcl Translation\", \"\", \"A\",0,0,5\n" + words.node) +
+           (two ? square("1001") + node("2001", "lid", words.child) : "") +
            " Material: 3000, \"Material::red\", \"\" {\n  Version: 102\n  ShadingModel: \"lambert\"\n"
            "  Properties70:  {\n   P: \"DiffuseColor\", \"Color\", \"\", \"A\",1,0,0\n  }\n }\n}\n"
-           "Connections:  {\n C: \"OO\",2000,0\n C: \"OO\",1000,2000\n C: \"OO\",3000,2000\n}\n";
+           "Connections:  {\n C: \"OO\",2000,0\n C: \"OO\",1000,2000\n C: \"OO\",3000,2000\n" +
+           (two ? " C: \"OO\",2001,2000\n C: \"OO\",1001,2001\n C: \"OO\",3000,2001\n" : "") + "}\n";
 }
 
 } // namespace tactum

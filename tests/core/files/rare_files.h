@@ -12,7 +12,14 @@ std::string as3ds(const TriangleSoup& soup, const std::string& object, const std
 /// A unit square and a triangle, with two materials, under a node that scales and mirrors. `unit`: an
 /// element.
 std::string asDae(const std::string& unit);
-/// A unit square in the text form of FBX.
-std::string asFbx(double centimetres);
+/// What a file in the text form of FBX says of its axes, as numbers of axes and signs, and of the node of the
+/// square.
+struct FbxWords {
+    int up = 1, upSign = 1, front = 2, frontSign = 1, side = 0, sideSign = 1;
+    std::string node;  ///< further properties of the node "plate"
+    std::string child; ///< those of a second square below it, "lid"; empty: there is none
+};
+/// A unit square, its corners counter-clockwise seen from +z, 5 units along z in the text form of FBX.
+std::string asFbx(double centimetres, const FbxWords& words = {});
 
 } // namespace tactum
