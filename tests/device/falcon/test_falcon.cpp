@@ -10,6 +10,7 @@
 #include "device/falcon/falcon_preparation.h"
 #include "tests/device/falcon/falcon_bench.h"
 #include "tests/support/compare.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
 namespace test_falcon {
@@ -614,6 +615,11 @@ private slots:
         const auto falcon = bench.opened();
         for (int cycle = 0; cycle < 20; ++cycle) {
             exchange(*falcon, 20 + cycle, kPush);
+            // After a tick that came late there is no force for a moment.
+            QVERIFY(eventually([&] {
+                exchange(*falcon, 1, kPush);
+                return bench.device->motors() != kNoTorque;
+            }));
             FalconBench::unplug();
             QCOMPARE(exchange(*falcon, 1, kPush).valid, 0);
             exchange(*falcon, 2, kPush);
