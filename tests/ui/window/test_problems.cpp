@@ -107,7 +107,8 @@ void TestProblems::fixRepairsAndUndoBringsBack() {
     const int steps = program.document.history().index();
     QTRY_VERIFY_WITH_TIMEOUT(row(program, kHole) && row(program, kFlipped), kPatience);
     click(program, kFlipped);
-    // Looked at when it is said: a notice does not stay, and on a busy machine a fault may have one of its own.
+    // Looked at when it is said: a notice does not stay, and on a busy machine a fault may have one of its
+    // own.
     const auto* notice = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
     QString said;
     connect(&dynamic_cast<Problems&>(list(program)), &Problems::repaired, program.window.get(),
