@@ -17,7 +17,7 @@ struct LeafPlanes {
     static constexpr Index kNone = ~Index(0);
 
     /// The distance of p from the triangle is at least n . (p - origin) + offset.
-    struct Slot {
+    struct alignas(kCacheLine) Slot {
         LaneArray nx, ny, nz, offset;
     };
 

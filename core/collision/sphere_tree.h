@@ -52,14 +52,14 @@ public:
     /// Eight children in structure-of-arrays, single precision, rounded outward. Each is a sphere; a flat one
     /// also lies between two planes, |n . (p - centre) - offset| <= thickness, so that together they are a
     /// coin. n = 0 where there is no such pair.
-    struct Node {
+    struct alignas(kCacheLine) Node {
         LaneArray x, y, z, radius; ///< radius -1e30 for an unused child: nothing is ever near it
         LaneArray nx, ny, nz, offset, thickness;
         std::int32_t child[kWidth] = {}; ///< >= 0 an inner node, < 0 the complement of a leaf
     };
 
     /// Eight primitives, or parts of long ones, rounded to single precision.
-    struct Leaf {
+    struct alignas(kCacheLine) Leaf {
         LaneArray ax, ay, az, bx, by, bz, cx, cy, cz; ///< 1e15 for an unused lane: nothing is ever near it
         Index triangle[kWidth] = {};                  ///< index into the soup
     };
