@@ -76,7 +76,7 @@ HapticOutput reportOf(const World& world, const SimState& state) {
         report.normal = contact.normal;
         report.normalForce = state.model.stiffness * contact.lambda;
         report.body = contact.body;
-        report.surface = world.obstacles[contact.body].mesh->soup->surfaceOf[contact.triangle];
+        report.surface = world.obstacles[contact.body].surfaceOf(contact.triangle);
         report.slipping = contact.slipping;
         report.frictionless = !hasFriction(contact.material);
         report.staticFriction = contact.material.staticFriction;

@@ -11,10 +11,6 @@ Triangle Obstacle::triangle(Index index) const {
     return {soup.positions[corner[0]], soup.positions[corner[1]], soup.positions[corner[2]]};
 }
 
-const Material& Obstacle::material(Index triangleIndex) const {
-    return materials[mesh->soup->surfaceOf[triangleIndex]];
-}
-
 namespace {
 
 // Along the edge that a closest point lies on, body frame.

@@ -30,7 +30,10 @@ struct Obstacle {
     std::uint64_t placedIn = 0;           ///< World::shapeRevision in which it came to where it is
 
     Triangle triangle(Index index) const; ///< body frame
-    const Material& material(Index triangleIndex) const;
+    /// Which surface a triangle belongs to. Most objects have one alone, and it is known without a look into
+    /// memory that nothing else asks for.
+    Index surfaceOf(Index index) const { return materials.size() == 1 ? 0 : mesh->soup->surfaceOf[index]; }
+    const Material& material(Index index) const { return materials[surfaceOf(index)]; }
 };
 
 /// A primitive that the proxy touches, with its constraint plane. World frame.

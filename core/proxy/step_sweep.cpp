@@ -54,7 +54,7 @@ void Step::goTo(const Vec3& place) noexcept {
 bool Step::isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept {
     const Obstacle& obstacle = obstacles_[contact.body];
     return obstacle.sides.empty() ||
-           isFelt(obstacle.sides[obstacle.mesh->soup->surfaceOf[contact.triangle]],
+           isFelt(obstacle.sides[obstacle.surfaceOf(contact.triangle)],
                   obstacle.triangle(contact.triangle), poseNow(obstacle, movers_).applyInverse(place_W));
 }
 

@@ -11,7 +11,7 @@ namespace tactum {
 /// Nothing for a triangle that feels as it is. Thread: real time.
 inline const SurfaceFeel* feelOf(const Obstacle& obstacle, Index triangle) noexcept {
     if (obstacle.feels.empty()) return nullptr;
-    const SurfaceFeel& feel = obstacle.feels[obstacle.mesh->soup->surfaceOf[triangle]];
+    const SurfaceFeel& feel = obstacle.feels[obstacle.surfaceOf(triangle)];
     return feel.normals || feel.texture ? &feel : nullptr;
 }
 
