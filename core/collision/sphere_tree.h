@@ -40,6 +40,9 @@ struct SpherePath {
     /// From where each surface of the soup is felt; empty: all from both sides.
     std::span<const Sides> sides{};
     Vec3 cameFrom = from; ///< the sphere counts as on the side of a surface that this place is on
+    /// What is touched so little later, in radii, or is so near to where a free path ends is what the sphere
+    /// slides onto next (SweepHit::soon).
+    double lookAhead = 0.01;
 };
 
 struct Neighbourhood;

@@ -95,6 +95,7 @@ private:
     // step_sweep.cpp
     SweepHit sweep(const Vec3& motion, std::uint32_t& body) noexcept;
     void sweepOne(std::uint32_t i, const Vec3& motion, SweepHit& first, std::uint32_t& body) noexcept;
+    bool looksNear(const Obstacle& obstacle) const noexcept;
     void goTo(const Vec3& place) noexcept;
     bool isFeltFrom(const Contact& contact, const Vec3& place_W) noexcept;
     bool isStillFelt(const Contact& contact) noexcept;
@@ -127,6 +128,7 @@ private:
     int vainRounds_ = 0;                    ///< since it began, none of them nearer
     bool guessed_ = false;                  ///< this round went along a curve
     bool felt_ = false;                     ///< some contact of this round is shaded or textured
+    bool smooth_ = false;                   ///< no contact of this round rubs or is felt
     int pushing_ = 0;                       ///< how many planes hold the proxy in this round
     std::uint32_t soonBody_ = 0;            ///< of the triangle that the last sweep ended near
 };

@@ -128,12 +128,13 @@ Step::Planes Step::planes() noexcept {
 
 // Update (2.2), friction (4), move (2.1). False when the proxy has come to rest for this step.
 bool Step::round() noexcept {
-    guessed_ = false;
+    guessed_ = smooth_ = false;
     if (comesOut()) return true;
     const Vec3 wish = unconstrainedByFriction();
     if (wish.norm() <= rest_) return false;
     // Friction holds the slide back, never the way down onto what is pressed.
     const bool rubbing = rubs();
+    smooth_ = !felt_ && !rubbing;
     const Vec3 drop = felt_ || rubbing ? seat() : Vec3::Zero();
     const Vec3 along = wish - drop;
     const double excess = along.norm();

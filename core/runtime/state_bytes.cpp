@@ -92,9 +92,9 @@ static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && siz
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
 static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
-static_assert(sizeof(ProxyState) == 7392 + sizeof(ProxyState::memories));
+static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);
-static_assert(sizeof(SimState) == 328 + sizeof(ProxyState) + sizeof(BodiesState));
+static_assert(sizeof(SimState) == 360 + sizeof(ProxyState) + sizeof(BodiesState));
 #endif
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {
