@@ -152,4 +152,13 @@ HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& 
     return output;
 }
 
+void rehearse(const World& world, const SimState& state, const HapticInput& next, double dt,
+              ProxyState& copy) noexcept {
+    if (state.shapeRevision != world.shapeRevision || !next.finger.allFinite()) return;
+    copy = state.proxy;
+    const StepMotions movers(world.movers, state.time, state.time, world.drivenMotions());
+    moveAndUpdate(copy, world.obstaclesAt(next.fidelity), world.proxyRadius, next.finger, dt, movers,
+                  roundsAt(next.fidelity), &world.near);
+}
+
 } // namespace tactum

@@ -71,4 +71,11 @@ struct SimState {
 /// and where bodies move by themselves those of carry() before them.
 HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
 
+/// Goes the way that the next step is likely to go, on a copy of the proxy: what of the mesh it will look at
+/// is in the caches then. Neither the world nor the state changes, and so no bit of any step. `next`: the
+/// finger as it will be. `copy`: room for the copy, which is too large for a stack; what it holds is lost.
+/// Thread: real time; as long as a step.
+void rehearse(const World& world, const SimState& state, const HapticInput& next, double dt,
+              ProxyState& copy) noexcept;
+
 } // namespace tactum

@@ -19,6 +19,7 @@ struct Proxy {
     std::uint32_t anchoring = 0; ///< of the last finger
     DegradationController ladder;
     SimState state{};
+    ProxyState rehearsed{}; ///< thrown away each time
     HalfSecond updates{};
     ProxyTelemetry telemetry{};
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
@@ -104,6 +105,17 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     proxy.channels.proxyTelemetry.write(telemetry);
 }
 
+// Between two steps the caches forget the mesh. Where there is time the next step is gone through beforehand,
+// with the finger where it will be then if it goes on as it does.
+void rehearseNext(Proxy& proxy, const FingerSample& finger, const Tick& tick, double period) noexcept {
+    const double spent = 1e-9 * double(monotonicNanoseconds() - tick.woke);
+    if (spent > kRehearsed * period) return;
+    const HapticInput next{.finger = finger.position + period * finger.velocity,
+                           .fingerVelocity = finger.velocity,
+                           .fidelity = proxy.ladder.fidelity()};
+    rehearse(*proxy.world, proxy.state, next, period, proxy.rehearsed);
+}
+
 } // namespace
 
 void proxyLoop(Channels& channels, double rate, double budget) noexcept {
@@ -126,6 +138,7 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         const HapticOutput output = step(proxy, finger, tick);
         channels.contactModel.write({proxy.state.model, channels.recorder.proxyCount()});
         report(proxy, output, finger.position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
+        rehearseNext(proxy, finger, tick, metronome.period());
     }
 }
 

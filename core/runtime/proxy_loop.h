@@ -10,6 +10,9 @@ inline constexpr double kShortestStep = 1e-4, kLongestStep = 5e-3;
 /// A step that takes longer than its period still sleeps for this part of it.
 inline constexpr double kProxyRest = 0.125;
 
+/// A step that took no more than this part of its period leaves time to rehearse the next one.
+inline constexpr double kRehearsed = 0.25;
+
 /// Runs until channels.stop, `rate` times a second or as often as its work allows. Steps that take longer
 /// than `budget` seconds in the mean are made at a lower fidelity. Without a World or a finger it waits.
 /// Thread: proxy. The clock lies outside the RealtimeScope, all else inside it.

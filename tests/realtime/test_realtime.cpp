@@ -205,6 +205,7 @@ private slots:
                           .rate = 1 / kStep,
                           .damping = 8,
                           .tripSpeed = 100});
+        const auto rehearsed = std::make_unique<ProxyState>();
         const int steps = tactum::test::longOnly(1'000'000);
         int touching = 0, slipping = 0, riding = 0, squeezed = 0;
         PageFaults faults;
@@ -216,6 +217,7 @@ private slots:
             const PageFaults before = PageFaults::now();
 
             const RealtimeScope scope;
+            rehearse(worlds.current(), state, {finger, velocity}, kStep, *rehearsed);
             const HapticOutput output = hapticStep(worlds.current(), state, {finger, velocity}, kStep);
             state.model.anchoring = servo.gate.anchoring();
             const Vec3 force =

@@ -58,6 +58,7 @@ private slots:
     void modelFollowsTheFingerAlongThePlane();
     void modelRubsOnAllPlanesOfAFloor();
     void mixesMaterialsByTheirPush();
+    void aRehearsalChangesNothing();
 };
 
 void HapticStepTest::forceIsStiffnessTimesStretch() {
@@ -238,6 +239,28 @@ void HapticStepTest::mixesMaterialsByTheirPush() {
     QCOMPARE(hand.output().contacts, 2);
     COMPARE_NEAR(hand.output().force.z(), 1000 * 0.001, 1e-5, "N");
     QCOMPARE_NE(hand.output().contact[0].surface, hand.output().contact[1].surface);
+}
+
+// Over a rough ground with friction: rehearsed before each step, with the finger where it will be and where
+// it will not, the steps have the bits that they have without.
+void HapticStepTest::aRehearsalChangesNothing() {
+    const auto world = worldOf(eggCrate(0.05, 60, 1e-3, 8e-3), {800, 1, 0.3, 0.2, 0}, kRadius);
+    SimState plain, rehearsed;
+    ProxyState copy;
+    Vec3 before(-0.02, 0, 0.01);
+    int touching = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 finger(-0.02 + 2e-5 * i, 0.01 * std::sin(0.01 * i), 0.002 * std::cos(0.02 * i));
+        const HapticInput input{finger, (finger - before) / kMillisecond};
+        rehearse(*world, rehearsed, input, kMillisecond, copy);
+        rehearse(*world, rehearsed, {.finger = Vec3(0, 0, -0.01 * (i % 3))}, kMillisecond, copy);
+        const HapticOutput a = hapticStep(*world, plain, input, kMillisecond);
+        const HapticOutput b = hapticStep(*world, rehearsed, input, kMillisecond);
+        QVERIFY2(sameState(plain, rehearsed) && sameBits(a.force, b.force), qPrintable(QString::number(i)));
+        touching += a.contacts > 0;
+        before = finger;
+    }
+    QCOMPARE_GT(touching, 1000);
 }
 
 TACTUM_TEST(HapticStepTest)
