@@ -2,7 +2,7 @@
 //
 //   ui ----- World (pointer hand-over) ---------> proxy      proxy -- old World (retire queue) --> ui
 //   ui ----- EngineCommand (queue) -------------> proxy
-//   ui ----- Workspace (newest) ----------------> servo
+//   ui ----- Workspace, OutsidePush (newest) ---> servo
 //   servo -- FingerSample (newest) -------------> proxy
 //   proxy -- LocalContactModel (newest) --------> servo
 //   proxy -- ProxyTelemetry (newest) -----------> ui         servo -- ServoTelemetry (newest) ---> ui
@@ -68,6 +68,7 @@ struct Channels {
     SpscQueue<const World*, 64> worldOut;
     SpscQueue<EngineCommand, 64> commands;
     TripleBuffer<Workspace> workspace;
+    TripleBuffer<OutsidePush> outside;
     TripleBuffer<FingerSample> finger;
     TripleBuffer<NumberedModel> contactModel;
     TripleBuffer<ProxyTelemetry> proxyTelemetry;
@@ -75,6 +76,7 @@ struct Channels {
     SpscQueue<TracePoint, 8192> trace;
     Recorder recorder;
     std::atomic<bool> armed{false};           ///< false: the servo commands zero force
+    std::atomic<bool> fading{false};          ///< when it is not armed: gently
     std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
     std::atomic<double> pace{1};              ///< HapticInput::pace

@@ -292,7 +292,13 @@ std::uint64_t Engine::publishedAfter() const {
     return impl_->publishedAfter;
 }
 
+void Engine::fade() {
+    impl_->channels->fading.store(true, std::memory_order_relaxed);
+    impl_->channels->armed.store(false, std::memory_order_release);
+}
+
 void Engine::setArmed(bool armed) {
+    impl_->channels->fading.store(false, std::memory_order_relaxed);
     impl_->channels->armed.store(armed, std::memory_order_relaxed);
 }
 bool Engine::armed() const {
@@ -312,6 +318,10 @@ void Engine::setOverrideCeiling(bool on) {
 }
 bool Engine::overridesCeiling() const {
     return impl_->channels->overrideCeiling.load(std::memory_order_relaxed);
+}
+
+void Engine::push(const Vec3& force) {
+    impl_->channels->outside.write({force, monotonicNanoseconds()});
 }
 
 /// A full queue holds the same order already.

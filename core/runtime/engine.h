@@ -16,7 +16,7 @@ inline constexpr double kUpdatesPerTick = 2;
 
 class Engine {
 public:
-    /// Thread of every member: one and the same, not real time (the ui thread in the program).
+    /// Thread of every member: one at a time, not real time (the ui thread in the program).
     explicit Engine(std::unique_ptr<HapticDevice> device);
     ~Engine();
     Engine(const Engine&) = delete;
@@ -54,6 +54,8 @@ public:
     /// (kRise): a finger that is deep inside is not thrown out. After a fault they stay off until they were
     /// switched off and on again.
     void setArmed(bool armed);
+    /// Forces off, over kFadeAway instead of at once: for when nobody is there who could have wanted it.
+    void fade();
     bool armed() const;
     /// Force only while one of the device's buttons is held: a dead-man switch. Stays so through stop() and
     /// start(). Without effect on a device that has no buttons: it would never push.
@@ -63,6 +65,9 @@ public:
     /// Surfaces may be stiffer than safeStiffness(), at the person's own risk. Off after start().
     void setOverrideCeiling(bool on);
     bool overridesCeiling() const;
+    /// Adds a force to what the finger feels, N, world frame, from the next tick on: under the device's
+    /// limit, the gate and kOutsidePower. Said again within kOutsidePatience, or it fades.
+    void push(const Vec3& force);
     /// Puts the proxy onto the finger: a new model, a jump of the hand.
     void restartProxy();
     /// How fast the bodies' time goes, from 0 (they stand still) to 1. Stays so through stop() and start().

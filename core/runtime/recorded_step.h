@@ -61,7 +61,8 @@ struct ServoRow {
         Unguarded = 64,
         Clutched = 128,
         Stopped = 256,
-        kAllFlags = 511
+        Fading = 512,
+        kAllFlags = 1023
     };
 
     double time = 0, dt = 0;
@@ -70,6 +71,7 @@ struct ServoRow {
     Triple offset{};               ///< of the DeviceFrame, with its scale and axes
     double scale = 1;
     std::array<std::int8_t, 8> axes{1, 2, 3}; ///< the last five are zero
+    Triple outside{};                         ///< ServoInput::outside_D
     std::uint64_t model = 0; ///< how many rows of the proxy led to the model; 0: there was none
     double period = 0;       ///< ServoSettings::period
     std::uint32_t buttons = 0, deadMan = 0;
@@ -81,7 +83,7 @@ struct ServoRow {
     std::uint64_t faults = 0, oscillations = 0;
 };
 
-static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 192, "the layout of the file");
+static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 216, "the layout of the file");
 
 /// The step of a row's inputs. Thread: real time.
 inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
@@ -116,6 +118,7 @@ inline DeviceFrame frameOf(const ServoRow& row) noexcept {
 inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalContactModel& model) noexcept {
     const auto is = [&row](ServoRow::Flag flag) { return (row.flags & flag) != 0; };
     const ServoSettings settings{.armed = is(ServoRow::Armed),
+                                 .fading = is(ServoRow::Fading),
                                  .deadMan = row.deadMan,
                                  .overrideCeiling = is(ServoRow::Override),
                                  .period = row.period};
@@ -133,7 +136,8 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                       .late = is(ServoRow::Late),
                       .fresh = is(ServoRow::Fresh),
                       .unguarded = is(ServoRow::Unguarded),
-                      .clutched = is(ServoRow::Clutched)},
+                      .clutched = is(ServoRow::Clutched),
+                      .outside_D = vectorOf(row.outside)},
                      model);
 }
 

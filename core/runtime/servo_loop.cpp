@@ -44,6 +44,7 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, con
             .offset = tripleOf(frame.offset),
             .scale = frame.scale,
             .axes = {frame.axes[0], frame.axes[1], frame.axes[2]},
+            .outside = tripleOf(frame.turnedBack(wantedOf(channels.outside.value(), monotonicNanoseconds()))),
             .model = channels.contactModel.value().steps,
             .period = servo.period,
             .buttons = sample.buttons,
@@ -55,11 +56,13 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, con
                      flag(servo.workspace.clutched(), ServoRow::Clutched) |
                      flag(sample.stopped, ServoRow::Stopped) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
+                     flag(channels.fading.load(std::memory_order_relaxed), ServoRow::Fading) |
                      flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
 }
 
 ServoOutput stepServo(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {
     const bool fresh = servo.channels.contactModel.update();
+    servo.channels.outside.update();
     if (servo.channels.workspace.update()) servo.workspace.decide(servo.channels.workspace.value());
     const double apart = servo.readings(sample, tick.elapsed, monotonicNanoseconds());
     DeviceSample credible = sample;

@@ -75,8 +75,8 @@ void fields(auto& visit, MaybeConst<RenderedSpring> auto& spring) {
     visit(spring.force, spring.stiffness, spring.stretch, spring.limit, spring.velocity);
 }
 void fields(auto& visit, MaybeConst<Previous> auto& previous) {
-    visit(previous.finger_D, previous.anchor_D, previous.added_D, previous.gain, previous.load,
-          previous.touching);
+    visit(previous.finger_D, previous.anchor_D, previous.added_D, previous.outside_D, previous.gain,
+          previous.load, previous.touching);
 }
 void fields(auto& visit, MaybeConst<ServoState> auto& state) {
     visit(state.check, state.schedule, state.transition, state.gate, state.passivity, state.damper,
@@ -90,7 +90,7 @@ namespace {
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
 static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2352);
+static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2376);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);

@@ -31,6 +31,7 @@ InhibitReason ForceGate::faultOf(const GateInput& tick) const noexcept {
 
 double ForceGate::operator()(const GateInput& tick) noexcept {
     if (!tick.armed) {
+        if (fades(tick)) return gain_;
         if (state_ != GateState::Off) settle(InhibitReason::NotArmed);
         state_ = GateState::Off;
         return 0;
@@ -87,8 +88,21 @@ void ForceGate::rise(const GateInput& tick) noexcept {
     why_ = InhibitReason::Nothing;
 }
 
+/// A spring that gets softer takes energy and gives none. Armed again, the gain rises from where it is.
+bool ForceGate::fades(const GateInput& tick) noexcept {
+    if (!tick.fading || faultOf(tick) != InhibitReason::Nothing || pauseOf(tick) != InhibitReason::Nothing)
+        return false;
+    const double left = gain_ - tick.dt / kFadeAway;
+    if (!(left > 0)) return false;
+    gain_ = left;
+    state_ = GateState::Rising;
+    why_ = InhibitReason::NotArmed;
+    return true;
+}
+
 double ForceGate::arrivalDamping() const noexcept {
-    return gain_ > 0 ? kArrivalDamping * (1 - gain_) / (1 - kFirstGain) : 0;
+    return gain_ > 0 && why_ != InhibitReason::NotArmed ? kArrivalDamping * (1 - gain_) / (1 - kFirstGain)
+                                                        : 0;
 }
 
 } // namespace tactum

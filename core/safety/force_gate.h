@@ -21,19 +21,23 @@ inline constexpr double kRiseRate = 10;
 inline constexpr double kFirstGain = 0.15;
 /// While the gain rises the finger is damped, with less and less. Unit: N s/m.
 inline constexpr double kArrivalDamping = 8;
+/// So long the force takes to go when nobody answers for it any more, who is not there to be hurt by a sudden
+/// end. Unit: s.
+inline constexpr double kFadeAway = 0.3;
 /// Before it rises the force must have been smaller than this for so long. Units: N, s.
 inline constexpr double kSmallForce = 0.2, kSmallForceTime = 0.02;
 
 /// Off -> Settling -> Rising -> On; a pause leads back to Settling, a fault to Latched, disarming to Off. The
-/// gain is above 0 in Rising and On alone.
+/// gain is above 0 in Rising and On alone; while it fades the state is Rising.
 enum class GateState : std::uint8_t { Off, Settling, Rising, On, Latched };
 
 /// What a tick brought.
 struct GateInput {
-    double dt = 1e-3;   ///< s since the last tick
-    double unread = 0;  ///< s since the newest reading that was believed came; 0: at this tick
-    bool armed = false; ///< the person wants forces
-    bool held = true;   ///< the dead-man switch, or none is asked for
+    double dt = 1e-3;    ///< s since the last tick
+    double unread = 0;   ///< s since the newest reading that was believed came; 0: at this tick
+    bool armed = false;  ///< the person wants forces
+    bool fading = false; ///< not armed any more, but the force goes over kFadeAway instead of at once
+    bool held = true;    ///< the dead-man switch, or none is asked for
     bool clutched = false;
     bool stopped = false; ///< by a button, so that the device gets no force whatever comes out
     bool deviceLost = false;
@@ -78,6 +82,7 @@ private:
     void settle(InhibitReason why) noexcept;
     void wait(const GateInput& tick) noexcept;
     void rise(const GateInput& tick) noexcept;
+    bool fades(const GateInput& tick) noexcept;
 
     double tripSpeed_;
     GateState state_ = GateState::Off;

@@ -96,6 +96,7 @@ GateInput gateInput(ServoState& state, const ServoSettings& settings, const Serv
     return {.dt = dt,
             .unread = state.unread,
             .armed = settings.armed,
+            .fading = settings.fading,
             .held = isHeld(state, seen, settings.deadMan),
             .clutched = input.clutched,
             .stopped = input.sample.stopped,
@@ -143,7 +144,7 @@ Coupling couplingOf(const ServoState& state, const ServoSettings& settings, cons
                     const StiffnessBounds& bounds, double dt) noexcept {
     Coupling coupling;
     coupling.force = state.limiter.maxForce;
-    if (!settings.armed) return coupling;
+    if (!settings.armed && state.gate.gain() == 0) return coupling;
     coupling.stiffness = state.gate.gain() * bounds.stiffness / input.frame.scale;
     // The answer is rendered from the next tick on, and until the one after it comes.
     coupling.delay = state.schedule.lateness() + dt + state.transition.since(dt);
@@ -200,17 +201,22 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
         spring = {};
     }
 
-    // 9     Limit: finite, and at most what the motors bear now.                                        T12
+    // 9     Limit: finite, and at most what the motors bear now; what others add is under it too.       T12
     spring.force = state.limiter(spring.force);
-    state.heat.add(spring.force.norm(), dt);
+    const Vec3 outside = outsideForce(previous.outside_D, gain > 0 ? input.outside_D : Vec3::Zero(),
+                                      seen.velocity, state.limiter.maxForce);
+    const Vec3 force =
+        outside.isZero(0) ? spring.force : state.limiter(spring.force + state.gate.gain() * outside);
+    state.heat.add(force.norm(), dt);
     state.passivity.commanded(spring);
     state.previous = {.finger_D = seen.position,
                       .anchor_D = contact.anchor.position,
                       .added_D = state.damper.force(),
+                      .outside_D = state.gate.gain() > 0 ? outside : Vec3::Zero(),
                       .gain = state.gate.gain(),
                       .load = contact.model.stiffness * contact.stretch(seen.position),
                       .touching = contact.anchor.touching};
-    return {spring.force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame};
+    return {force, inWorld(state, input, couplingOf(state, settings, input, bounds, dt)), input.frame};
 }
 
 } // namespace tactum

@@ -10,6 +10,7 @@
 #include "core/safety/contact_transition.h"
 #include "core/safety/force_gate.h"
 #include "core/safety/motor_heat.h"
+#include "core/safety/outside_force.h"
 #include "core/safety/passivity.h"
 #include "core/safety/sample_check.h"
 #include "core/safety/stiffness_schedule.h"
@@ -29,6 +30,7 @@ struct FingerSample {
 /// What the person and the machine decide about the loop.
 struct ServoSettings {
     bool armed = false;           ///< forces on
+    bool fading = false;          ///< forces off, gently (kFadeAway)
     std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
     bool overrideCeiling = false; ///< the person knows better than safeStiffness(); from the next contact on
     double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
@@ -36,22 +38,24 @@ struct ServoSettings {
 
 struct ServoInput {
     DeviceSample sample;
-    DeviceFrame frame{};    ///< where the device is in the scene
-    double dt = 1e-3;       ///< s since the last tick
-    double apart = 1e-3;    ///< s between the last two readings; 0: there is no new one (ReadingClock)
-    bool late = false;      ///< the tick came more than one period late
-    bool fresh = false;     ///< the model is another one than at the last tick
-    bool unguarded = false; ///< nobody would stop the device if the program died
-    bool clutched = false;  ///< the device moves and the finger stays: `frame` sees to that
+    DeviceFrame frame{};           ///< where the device is in the scene
+    double dt = 1e-3;              ///< s since the last tick
+    double apart = 1e-3;           ///< s between the last two readings; 0: there is no new one (ReadingClock)
+    bool late = false;             ///< the tick came more than one period late
+    bool fresh = false;            ///< the model is another one than at the last tick
+    bool unguarded = false;        ///< nobody would stop the device if the program died
+    bool clutched = false;         ///< the device moves and the finger stays: `frame` sees to that
+    Vec3 outside_D = Vec3::Zero(); ///< N, that somebody else wants added to the force: see OutsideForce
 };
 
 /// What one tick leaves to the next, beside what each stage remembers itself. Frame D, SI.
 struct Previous {
     Vec3 finger_D = Vec3::Zero();
-    Vec3 anchor_D = Vec3::Zero(); ///< of the rendered model
-    Vec3 added_D = Vec3::Zero();  ///< N, of the added damping
-    double gain = 0;              ///< of the gate
-    double load = 0;              ///< N, of the spring before the gain
+    Vec3 anchor_D = Vec3::Zero();  ///< of the rendered model
+    Vec3 added_D = Vec3::Zero();   ///< N, of the added damping
+    Vec3 outside_D = Vec3::Zero(); ///< N, of the outside force that was added, before the gain
+    double gain = 0;               ///< of the gate
+    double load = 0;               ///< N, of the spring before the gain
     bool touching = false;
 };
 

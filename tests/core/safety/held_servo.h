@@ -40,7 +40,8 @@ struct Held {
                             .dt = dt,
                             .apart = repeats ? 0 : dt,
                             .fresh = fresh,
-                            .clutched = clutched},
+                            .clutched = clutched,
+                            .outside_D = outside},
                            model);
         return output.force;
     }
@@ -60,8 +61,9 @@ struct Held {
     std::uint32_t buttons = 0;
     DeviceFrame frame;
     bool clutched = false;
-    bool repeats = false; ///< the device says nothing new: the reading is that of the tick before
-    bool fresh = true;    ///< the model is a newer one at every tick
+    Vec3 outside = Vec3::Zero(); ///< N, that others add
+    bool repeats = false;        ///< the device says nothing new: the reading is that of the tick before
+    bool fresh = true;           ///< the model is a newer one at every tick
     ServoOutput output;
 };
 

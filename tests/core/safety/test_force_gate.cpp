@@ -137,6 +137,44 @@ private slots:
         QCOMPARE(guard.gain(), 1.0);
     }
 
+    /// Nobody answers for it any more: it goes over 0.3 s, and comes back from where it is.
+    void itFadesWhereThatIsAskedFor() {
+        ForceGate guard = running();
+        GateInput fading = calm();
+        fading.armed = false;
+        fading.fading = true;
+        double last = 1;
+        for (int i = 1; i < int(1e3 * kFadeAway); ++i) {
+            COMPARE_NEAR(guard(fading), 1 - 1e-3 * i / kFadeAway, 1e-9, "");
+            QCOMPARE_LT(guard.gain(), last);
+            QCOMPARE(guard.inhibit(), InhibitReason::NotArmed);
+            last = guard.gain();
+        }
+        for (int i = 0; i < 3; ++i)
+            guard(fading);
+        QCOMPARE_EQ(guard.gain(), 0);
+        QCOMPARE_EQ(int(guard.state()), int(GateState::Off));
+
+        ForceGate again = running();
+        for (int i = 0; i < 100; ++i)
+            again(fading);
+        const double left = again.gain();
+        QCOMPARE_GT(again(calm()), left);
+        QCOMPARE_LT(again.gain(), left + 0.01);
+
+        ForceGate stopped = running();
+        stopped(fading);
+        GateInput off = calm();
+        off.armed = false;
+        QCOMPARE_EQ(stopped(off), 0); // who stops does not wait for it
+        for (const Case& pause : pauses()) {
+            ForceGate paused = running();
+            GateInput both = fading;
+            pause.change(both);
+            QCOMPARE_EQ(paused(both), 0);
+        }
+    }
+
     /// What is just allowed is no fault, and without force there is nothing to take away.
     void nothingElseIsAFault() {
         ForceGate guard = running();

@@ -100,7 +100,8 @@ private slots:
                                                   .dt = dt,
                                                   .apart = random() % 8 ? dt : 0,
                                                   .late = random() % 32 == 0,
-                                                  .fresh = random() % 4 != 0},
+                                                  .fresh = random() % 4 != 0,
+                                                  .outside_D = wild ? anyVector(random) : Vec3::Zero()},
                                                  model);
             if (!output.force.allFinite()) QFAIL(qPrintable(QString("not finite at %1").arg(i)));
             if (output.force.norm() > info.maxForce) QFAIL(qPrintable(QString("too strong at %1").arg(i)));
@@ -119,6 +120,66 @@ private slots:
             force = servoStep(state, settings, {.sample = sample, .dt = kTick, .fresh = true}, model).force;
         }
         QCOMPARE_GT(force.z(), 0.1);
+    }
+
+    /// It comes step by step, is all there, and goes with the force itself.
+    void whatOthersAddComesAndGoes() {
+        Held held;
+        held.rest({0, 0, 0.01});
+        held.outside = Vec3(1, 0, 2);
+        Vec3 last = Vec3::Zero();
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 force = held.tick({0, 0, 0.01});
+            QCOMPARE_LT((force - last).norm(), kOutsideStep * Held::info().maxForce + 1e-12);
+            last = force;
+        }
+        COMPARE_NEAR(last, held.outside, 1e-12, "N");
+        held.settings.armed = false;
+        COMPARE_NEAR(held.tick({0, 0, 0.01}), Vec3::Zero().eval(), 1e-300, "N");
+        held.settings.armed = true;
+        held.outside = Vec3::Zero();
+        held.rest({0, 0, 0.01});
+        COMPARE_NEAR(held.output.force, Vec3::Zero().eval(), 1e-300, "N");
+    }
+
+    /// However much is asked for: the device's limit is that of all together.
+    void whatOthersAddIsUnderTheLimit() {
+        Held held;
+        held.model = wall(800);
+        held.rest({0, 0, 0.01});
+        held.go(0.01, -0.01); // 8 N
+        held.outside = Vec3(0, 0, 1000);
+        for (int i = 0; i < 500; ++i)
+            QCOMPARE_LT(held.tick({0, 0, -0.01}).norm(), Held::info().maxForce + 1e-9);
+        COMPARE_NEAR(held.output.force.z(), Held::info().maxForce, 1e-9, "N");
+    }
+
+    /// A hand that is pushed along gets little power from it, and one that goes against it all of the force.
+    void whatOthersAddGivesLittlePower() {
+        const double speed = 0.2, most = kOutsidePower / speed;
+        for (const double way : {1.0, -1.0}) {
+            Held held;
+            held.rest({0, 0, 0.1});
+            held.outside = Vec3(0, 0, 2);
+            for (int i = 0; i < 500; ++i)
+                held.tick({0, 0, 0.1 + way * speed * kTick * i});
+            COMPARE_NEAR(held.output.force.z(), way > 0 ? most : 2.0, 0.01, "N");
+        }
+    }
+
+    /// For 0.1 s it is what was asked for, after another 0.1 s nothing.
+    void whatIsNotAskedForAgainFades() {
+        const OutsidePush push{Vec3(0, 0, 2), 1'000'000'000};
+        const auto after = [&](double seconds) {
+            return wantedOf(push, push.at + std::int64_t(1e9 * seconds)).z();
+        };
+        COMPARE_NEAR(after(0), 2.0, 1e-12, "N");
+        COMPARE_NEAR(after(0.1), 2.0, 1e-6, "N");
+        COMPARE_NEAR(after(0.15), 1.0, 1e-6, "N");
+        QCOMPARE_EQ(after(0.2), 0.0);
+        QCOMPARE_EQ(after(1e6), 0.0);
+        QCOMPARE_EQ(wantedOf({}, 1).norm(), 0.0);
+        QCOMPARE_EQ(wantedOf({Vec3(0, 0, std::nan("")), 1}, 1).norm(), 0.0);
     }
 
     void editsAreContinuous_data() {
