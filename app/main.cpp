@@ -1,11 +1,15 @@
 // The one program: a verb runs without any display, a scene or nothing opens the window.
 
 #include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <span>
 #include <string_view>
+#include <unistd.h>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -309,6 +313,7 @@ int runVerb(int argc, char** argv) {
     program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
     addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
     addDevices(program, request);
+    program.add_subcommand("serve", "A device and a scene for programs elsewhere, without a window");
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);
@@ -327,6 +332,18 @@ int runVerb(int argc, char** argv) {
     return *code;
 }
 
+// The server is a program of its own beside this one: what it needs for the network would make every other
+// start slower.
+int becomeServer(int argc, char** argv) {
+    std::error_code fault;
+    const auto server = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path() / "tactum-serve";
+    std::vector<char*> words(argv + 1, argv + argc);
+    words.push_back(nullptr);
+    execv(server.c_str(), words.data());
+    return fail(
+        server.string() + ": cannot be started (" + std::strerror(errno) + "); install the program again", 3);
+}
+
 // What is not there and does not look like a file was meant to be a verb.
 int failMissing(const std::filesystem::path& scene) {
     const std::string name = scene.string();
@@ -337,6 +354,7 @@ int failMissing(const std::filesystem::path& scene) {
 }
 
 int runProgram(int argc, char** argv) {
+    if (argc > 1 && argv[1] == std::string_view("serve")) return becomeServer(argc, argv);
     if (argc > 1 && (isVerb(argv[1]) || argv[1][0] == '-')) return runVerb(argc, argv);
     if (argc > 2)
         return fail("'" + std::string(argv[1]) +

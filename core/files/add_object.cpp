@@ -47,4 +47,17 @@ void addObject(LoadedScene& loaded, std::string name, const BuildReport& report,
     loaded.scene.add(std::move(object));
 }
 
+Result<LoadedScene> sceneOfMesh(std::string name, TriangleSoup soup, std::vector<Surface> surfaces,
+                                const Progress& progress) {
+    if (soup.triangles.empty())
+        return inputError(printable(name) + ": has no triangles: there is nothing to touch");
+    LoadedScene loaded;
+    try {
+        addObject(loaded, std::move(name), {}, std::move(soup), std::move(surfaces), progress);
+    } catch (const ReadFault& fault) {
+        return tl::unexpected(fault.error);
+    }
+    return loaded;
+}
+
 } // namespace tactum

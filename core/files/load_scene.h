@@ -28,4 +28,9 @@ const std::vector<std::string>& readableEndings();
 /// progress and stop when cancelled.
 Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress& progress = {});
 
+/// The same of a mesh that came in no file: repaired where it has to be, with its findings. Every index is
+/// within the soup and the surfaces, every number finite. Errors: cancelled. Thread: any but real time.
+Result<LoadedScene> sceneOfMesh(std::string name, TriangleSoup soup, std::vector<Surface> surfaces,
+                                const Progress& progress = {});
+
 } // namespace tactum

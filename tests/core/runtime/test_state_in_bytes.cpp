@@ -112,9 +112,9 @@ private slots:
         QCOMPARE(std::uint32_t(ProxyRow::kFidelity), 8u);
         QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x317u);
         bit = 1;
-        for (const auto flag :
-             {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh, ServoRow::Armed,
-              ServoRow::Override, ServoRow::Unguarded, ServoRow::Clutched, ServoRow::Stopped}) {
+        for (const auto flag : {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh,
+                                ServoRow::Armed, ServoRow::Override, ServoRow::Unguarded, ServoRow::Clutched,
+                                ServoRow::Stopped, ServoRow::Fading}) {
             QCOMPARE(std::uint32_t(flag), bit);
             bit *= 2;
         }

@@ -1,0 +1,188 @@
+// The haptic server, which `tactum serve` becomes: a device and a scene for programs elsewhere, without a
+// window.
+
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/import/import_scene.h"
+#include "core/protocol/server.h"
+#include "device/registry.h"
+
+namespace tactum {
+namespace {
+
+constexpr const char* kListen = "127.0.0.1:51270";
+
+struct Options {
+    std::filesystem::path scene, credentials;
+    std::string listen = kListen, device = "simulated";
+    std::optional<std::vector<std::string>> certificate;
+    double outsideForce = 1; ///< N
+};
+
+int fail(const Error& error) {
+    std::cerr << "tactum: " << error.text << '\n';
+    return int(error.kind);
+}
+
+/// "[::1]:51270" and "localhost:0" alike.
+bool readListen(const std::string& text, std::string& host, std::uint16_t& port) {
+    const std::size_t colon = text.rfind(':');
+    const auto number = colon == text.npos ? std::nullopt : parseNumber(text.substr(colon + 1));
+    if (!number || *number < 0 || *number > 65535 || *number != std::uint16_t(*number)) return false;
+    host = text.substr(0, colon);
+    if (host.size() > 1 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+    port = std::uint16_t(*number);
+    return !host.empty();
+}
+
+std::filesystem::path folderOf(const Options& options) {
+    return options.credentials.empty() ? credentialsFolder() : options.credentials;
+}
+
+int makeCertificate(const Options& options) {
+    const auto folder = folderOf(options);
+    if (folder.empty())
+        return fail({Error::Kind::Usage, "name a folder with --credentials: there is no HOME"});
+    const auto made = makeCredentials(*options.certificate);
+    if (!made) return fail(made.error());
+    if (const auto saved = saveCredentials(*made, folder); !saved) return fail(saved.error());
+    std::cout << "certificate.pem, key.pem and token are in " << folder.string()
+              << "; clients need certificate.pem and token\n";
+    return 0;
+}
+
+Result<ServerSettings> settingsOf(const Options& options) {
+    ServerSettings settings;
+    readListen(options.listen, settings.host, settings.port);
+    settings.service.pushLimit = options.outsideForce;
+    if (isLoopback(settings.host) && options.credentials.empty()) return settings;
+    auto credentials = loadCredentials(folderOf(options));
+    if (!credentials) return tl::unexpected(credentials.error());
+    settings.credentials = std::move(*credentials);
+    return settings;
+}
+
+Result<Scene> sceneOf(const std::filesystem::path& file) {
+    if (file.empty()) return Scene{};
+    auto loaded = importScene(file);
+    if (!loaded) return tl::unexpected(loaded.error());
+    return std::move(loaded->scene);
+}
+
+/// Ours, which knows the verb that drives a device in a process of its own.
+std::filesystem::path tactum() {
+    std::error_code unknown; // then all drivers run here
+    return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "tactum";
+}
+
+Result<int> serve(const Options& options) {
+    // Before any thread: all of them inherit it, and only sigwait() below hears these.
+    sigset_t ends;
+    sigemptyset(&ends);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        sigaddset(&ends, signal);
+    pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+    auto settings = settingsOf(options);
+    if (!settings) return tl::unexpected(settings.error());
+    auto scene = sceneOf(options.scene);
+    if (!scene) return tl::unexpected(scene.error());
+    const auto hand = std::make_shared<HandTarget>();
+    DeviceRegistry devices({.hand = hand, .profiles = personsProfiles(), .program = tactum()});
+    auto device = devices.make(options.device);
+    if (!device) return tl::unexpected(device.error());
+    Stage stage(std::move(*device), options.device == "simulated" ? hand : nullptr, std::move(*scene));
+    if (auto started = stage.start(); !started) return tl::unexpected(started.error());
+    const std::string host =
+        settings->host.find(':') == std::string::npos ? settings->host : '[' + settings->host + ']';
+    auto server = Server::start(stage, std::move(*settings));
+    if (!server) return tl::unexpected(server.error());
+    std::cout << "listening on " << host << ':' << (*server)->port() << std::endl;
+    int signal = 0;
+    sigwait(&ends, &signal);
+    return 0;
+}
+
+void addOptions(CLI::App& program, Options& options) {
+    program.add_option("SCENE", options.scene,
+                       "Any file that the program opens; without one there is nothing to touch");
+    program
+        .add_option_function<std::string>(
+            "--listen",
+            [&](const std::string& text) {
+                std::string host;
+                std::uint16_t port = 0;
+                if (!readListen(text, host, port))
+                    throw CLI::ValidationError("--listen",
+                                               "'" + text + "' is not HOST:PORT, as in " + kListen);
+                options.listen = text;
+            },
+            "Where clients find it; 127.0.0.1:51270 unless said otherwise, port 0 is any that is free. Where "
+            "others "
+            "can reach it, it needs a certificate and a token")
+        ->type_name("HOST:PORT");
+    program
+        .add_option("--device", options.device,
+                    "A name that tactum devices lists; the simulated hand unless said otherwise")
+        ->type_name("NAME");
+    program
+        .add_option("--credentials", options.credentials, "The folder of certificate.pem, key.pem and token")
+        ->type_name("FOLDER");
+    program
+        .add_option_function<std::string>(
+            "--outside-force",
+            [&](const std::string& text) {
+                const auto number = parseNumber(text);
+                if (!number || *number < 0 || *number > 100)
+                    throw CLI::ValidationError("--outside-force",
+                                               "'" + text + "' is not a number from 0 to 100 N");
+                options.outsideForce = *number;
+            },
+            "The most that clients may add to the force; 1 N unless said otherwise, 0: nothing")
+        ->type_name("N");
+    program
+        .add_option_function<std::vector<std::string>>(
+            "--make-certificate", [&](const std::vector<std::string>& names) { options.certificate = names; },
+            "Makes certificate, key and token for these names and addresses of this machine, and ends")
+        ->type_name("NAME")
+        ->expected(0, 64);
+}
+
+int run(int argc, char** argv) {
+    constexpr int kUsage = 2;
+    CLI::App program{"A device and a scene for programs elsewhere, without a window", "tactum serve"};
+    Options options;
+    addOptions(program, options);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "tactum: " << printable(error.what(), 400) << "; see tactum serve --help\n";
+        return kUsage;
+    }
+    if (options.certificate) return makeCertificate(options);
+    const auto code = serve(options);
+    return code ? *code : fail(code.error());
+}
+
+} // namespace
+} // namespace tactum
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        return tactum::run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return tactum::fail(
+            {tactum::Error::Kind::Machine, "not enough memory for this scene; close other programs"});
+    }
+}

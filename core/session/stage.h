@@ -1,0 +1,165 @@
+// One scene on one device, for several at once: revisions, the pen, heartbeats, and what happens as events.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/haptics/body_places.h"
+#include "core/port/hand_target.h"
+#include "core/runtime/engine.h"
+#include "core/session/attendance.h"
+
+namespace tactum {
+
+/// What happened. The kinds are those of the protocol.
+struct StageEvent {
+    enum class Kind : std::uint8_t {
+        Touch = 1,
+        Leave,
+        Pressed,
+        Released,
+        Force,
+        Scene,
+        Pen,
+        PenAsked,
+        Attends
+    };
+    Kind kind = Kind::Touch;
+    std::int64_t at = 0; ///< ns of monotonicNanoseconds()
+    ObjectId object = 0;
+    std::uint32_t button = 0;
+    std::uint64_t revision = 0;
+    std::string text{}; ///< safe to print
+    ClientId only = 0;  ///< for this client alone; 0: for all
+};
+
+/// The newest of everything. SI, world frame.
+struct StageState {
+    std::int64_t at = 0;        ///< ns of monotonicNanoseconds()
+    std::uint64_t revision = 0; ///< of the scene that is felt; 0: of none
+    HapticOutput output;
+    std::vector<ObjectId> objects; ///< of each contact of `output`
+    std::vector<PlacedObject> bodies;
+    ServoTelemetry servo;
+    double proxyRate = 0; ///< Hz
+    std::uint64_t updates = 0;
+    bool armed = false;
+};
+
+/// What a change did.
+struct StageChange {
+    std::uint64_t revision = 0;
+    std::vector<ObjectId> added; ///< that were not there before, in their order
+    std::uint64_t feltAfter = 0; ///< Engine::publishedAfter()
+};
+
+class Stage {
+public:
+    /// Called from the stage's thread, every millisecond while somebody attends. It may not wait.
+    using Listener = std::function<void(const StageState&, std::span<const StageEvent>)>;
+    /// A change of the scene: makes all of it or says why not. May be called again for a newer scene.
+    using Edit = std::function<Result<void>(Scene&)>;
+
+    /// `hand`: of the simulated hand, else null.
+    Stage(std::unique_ptr<HapticDevice> device, std::shared_ptr<HandTarget> hand, Scene scene);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// Starts the loops, and after them the thread of the stage: forks before it has more than one thread.
+    Result<void> start();
+    void listen(Listener listener);
+
+    // Thread of all below: any but real time, several at once.
+
+    struct Welcome {
+        ClientId id = 0;
+        std::string key;
+        bool pen = false;
+    };
+    Result<Welcome> join(std::string_view name, bool wantsPen);
+    /// What it held fades.
+    void leave(ClientId id);
+    void heard(ClientId id);
+    ClientId whoHas(std::string_view key) const;
+    bool hasPen(ClientId id) const;
+    std::string penHolder() const; ///< its name; empty: nobody
+
+    /// Changes the scene, whole or not at all, for who has the pen or finds it free. `base`: only if the
+    /// scene is still of this revision; 0: whichever. What takes long, new shapes, happens beside everything
+    /// else: until it is done the old scene is felt, and others may change it.
+    Result<StageChange> change(ClientId who, std::uint64_t base, const Edit& edit,
+                               const Progress& progress = {});
+    struct Scenery {
+        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const World> world;
+        std::uint64_t revision = 0;
+    };
+    Scenery scenery() const;
+
+    /// All force ends, now, whoever says so.
+    void stop(ClientId who);
+    /// Forces on or off; for who has the pen.
+    Result<void> arm(ClientId who, bool on);
+    Result<void> askForPen(ClientId who);
+    Result<void> passPen(ClientId who, std::string_view name);
+    /// Engine::push(), for who has the pen; from others it is nothing.
+    void push(ClientId who, const Vec3& force);
+    /// For who has the pen: an order to the engine.
+    Result<void> order(ClientId who, const std::function<void(Engine&)>& order);
+    /// For who has the pen: where the simulated hand goes, m in frame D.
+    Result<void> leadHand(ClientId who, const Vec3& to);
+
+    const DeviceInfo& device() const { return device_; } ///< as it was when the loops started
+    bool armed() const;
+    std::size_t attending() const;
+
+private:
+    struct Felt {
+        std::uint64_t revision = 0;
+        std::shared_ptr<const World> world;
+    };
+
+    double now() const;
+    void run();
+    void tick(StageState& state, std::vector<StageEvent>& events);
+    void watchHearts();
+    void watchContacts(const StageState& state);
+    void watchDevice(const StageState& state);
+    void fill(StageState& state);
+    const Felt* feltNow(std::uint64_t worldRevision);
+    void take(Scene scene, std::shared_ptr<const World> world);
+    void say(StageEvent event);
+    void letGo(ClientId who, const std::string& why);
+    std::string nameOf(ClientId id) const;
+
+    mutable std::mutex mutex_; ///< of everything below, the engine too
+    std::condition_variable wake_;
+    Engine engine_;
+    DeviceInfo device_;
+    std::shared_ptr<HandTarget> hand_;
+    Attendance attendance_;
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const World> world_;
+    std::uint64_t revision_ = 0;
+    std::deque<Felt> felt_; ///< published and perhaps felt, oldest first
+    std::unique_ptr<BodyPlaces> places_;
+    std::uint64_t placesOf_ = 0;     ///< revision of the World
+    std::vector<StageEvent> events_; ///< that were not told yet
+    std::vector<ObjectId> touched_;
+    std::uint32_t buttons_ = 0;
+    InhibitReason why_ = InhibitReason::NotArmed;
+    bool ending_ = false;
+    Listener listener_; ///< set before the thread starts
+    std::thread thread_;
+};
+
+} // namespace tactum
