@@ -1,13 +1,22 @@
-# find_package(Tactum) gives Tactum::bundle, Tactum::runtime, Tactum::scene and the rooms below them.
-# What core was built on is found again, because its libraries are static.
+# find_package(Tactum) gives Tactum::bundle, Tactum::runtime, Tactum::scene and the rooms below them;
+# find_package(Tactum COMPONENTS hl) gives Tactum::hl, the client of the haptic server, and nothing else.
+# What they were built on is found again, because the libraries are static.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
-find_dependency(Eigen3 3.4)
-find_dependency(TinyGLTF)
-find_dependency(nlohmann_json)
-find_dependency(PNG)
-find_dependency(JPEG)
-find_dependency(TIFF)
-find_dependency(assimp)
-find_dependency(pugixml)
-include("${CMAKE_CURRENT_LIST_DIR}/TactumTargets.cmake")
+if("hl" IN_LIST Tactum_FIND_COMPONENTS)
+  find_dependency(Protobuf)
+  find_dependency(gRPC CONFIG)
+  include("${CMAKE_CURRENT_LIST_DIR}/TactumHlTargets.cmake")
+  set(Tactum_hl_FOUND TRUE)
+endif()
+if(NOT Tactum_FIND_COMPONENTS STREQUAL "hl")
+  find_dependency(Eigen3 3.4)
+  find_dependency(TinyGLTF)
+  find_dependency(nlohmann_json)
+  find_dependency(PNG)
+  find_dependency(JPEG)
+  find_dependency(TIFF)
+  find_dependency(assimp)
+  find_dependency(pugixml)
+  include("${CMAKE_CURRENT_LIST_DIR}/TactumTargets.cmake")
+endif()

@@ -11,6 +11,12 @@ cmake -S "$source/docs/examples/play-bundle" -B "$place/build" -G Ninja -DCMAKE_
 cmake --build "$place/build"
 "$place/tactum/bin/tactum" convert "$place/tactum/share/tactum/scenes/teapot.obj" "$place/teapot.zip"
 "$place/build/play-bundle" "$place/teapot.zip"
+# The client library by itself: its three programs against the installed server.
+cmake -S "$source/docs/examples/hl" -B "$place/hl" -G Ninja -DCMAKE_PREFIX_PATH="$place/tactum" \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" >"$place/configure.log" || { cat "$place/configure.log"; exit 1; }
+cmake --build "$place/hl"
+"$source/tests/app/hl/with_server.sh" "$place/tactum/bin/tactum-serve" "$place/hl/teapot" @ \
+    "$place/tactum/share/tactum/scenes/teapot.obj"
 # A bundle that was touched by another hand is refused.
 printf 'x' | dd of="$place/teapot.zip" bs=1 seek=2000 conv=notrunc status=none
 if "$place/build/play-bundle" "$place/teapot.zip"; then

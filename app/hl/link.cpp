@@ -1,0 +1,182 @@
+#include "app/hl/link.h"
+
+#include <algorithm>
+
+namespace hl {
+namespace {
+
+constexpr auto kBeat = std::chrono::milliseconds(200); // a heartbeat each 250 ms is what the server wants
+constexpr auto kSilence = std::chrono::milliseconds(750);
+constexpr auto kLongest = std::chrono::seconds(60); // of a call
+constexpr std::size_t kPiece = 1 << 18, kMostEvents = 4096;
+
+class TokenPlugin final : public grpc::MetadataCredentialsPlugin {
+public:
+    explicit TokenPlugin(std::string token) : token_(std::move(token)) {}
+    grpc::Status GetMetadata(grpc::string_ref, grpc::string_ref, const grpc::AuthContext&,
+                             std::multimap<grpc::string, grpc::string>* metadata) override {
+        metadata->emplace("tactum-token", token_);
+        return grpc::Status::OK;
+    }
+
+private:
+    std::string token_;
+};
+
+std::shared_ptr<grpc::ChannelCredentials> credentialsOf(const Options& options) {
+    if (options.certificate.empty()) return grpc::InsecureChannelCredentials();
+    grpc::SslCredentialsOptions ssl;
+    ssl.pem_root_certs = options.certificate;
+    return grpc::CompositeChannelCredentials(
+        grpc::SslCredentials(ssl),
+        grpc::MetadataCredentialsFromPlugin(std::make_unique<TokenPlugin>(options.token)));
+}
+
+std::string sentenceOf(const grpc::Status& status) {
+    if (status.ok()) return {};
+    return status.error_message().empty() ? "the server did not answer" : status.error_message();
+}
+
+} // namespace
+
+// Channels that share nothing: an upload never holds up what is said meanwhile.
+std::shared_ptr<grpc::Channel> Link::channel() const {
+    grpc::ChannelArguments arguments;
+    arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+    arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
+    arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
+    return grpc::CreateCustomChannel(target_, credentials_, arguments);
+}
+
+Link::Link(const std::string& target, const std::string& name, const Options& options)
+    : target_(target), credentials_(credentialsOf(options)), stub_(v1::Haptics::NewStub(channel())),
+      uploads_(v1::Haptics::NewStub(channel())) {
+    context_.set_wait_for_ready(true);
+    call_ = stub_->Attend(&context_);
+    v1::Word word;
+    word.set_name(name);
+    word.set_wants_pen(true);
+    word.set_bodies(true);
+    word.set_state_rate(options.stateRate);
+    reader_ = std::thread([this] { read(); });
+    heart_ = std::thread([this, word] {
+        say(word);
+        beat();
+    });
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::duration<double>(options.patience),
+                      [this] { return ended_ || !key_.empty(); });
+    if (!key_.empty()) return;
+    if (fault_.empty()) fault_ = "no server answered at " + target;
+    lock.unlock();
+    context_.TryCancel();
+}
+
+Link::~Link() {
+    {
+        const std::lock_guard lock(mutex_);
+        leaving_ = true;
+    }
+    changed_.notify_all();
+    context_.TryCancel();
+    heart_.join();
+    reader_.join();
+}
+
+bool Link::open() const {
+    const std::lock_guard lock(mutex_);
+    return !key_.empty() && !ended_ && Clock::now() - heard_ < kSilence;
+}
+
+std::string Link::fault() const {
+    const std::lock_guard lock(mutex_);
+    return fault_;
+}
+
+void Link::read() {
+    v1::News news;
+    while (call_->Read(&news))
+        hear(news);
+    const std::string why = sentenceOf(call_->Finish());
+    const std::lock_guard lock(mutex_);
+    if (fault_.empty()) fault_ = why.empty() ? "the server has ended" : why;
+    ended_ = true;
+    changed_.notify_all();
+}
+
+void Link::hear(const v1::News& news) {
+    std::unique_lock lock(mutex_);
+    heard_ = Clock::now();
+    if (news.has_welcome()) key_ = news.welcome().key();
+    if (news.has_event() && events_.size() < kMostEvents) events_.push_back(news.event());
+    if (news.has_state()) state_ = news.state();
+    changed_.notify_all();
+    lock.unlock();
+    if (!news.has_state()) return;
+    v1::Word seen;
+    seen.set_seen(news.state().number());
+    say(seen);
+}
+
+void Link::beat() {
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, kBeat, [this] { return leaving_ || ended_; })) {
+        lock.unlock();
+        say({});
+        lock.lock();
+    }
+}
+
+void Link::say(const v1::Word& word) {
+    const std::lock_guard lock(writing_);
+    call_->Write(word);
+}
+
+std::string Link::apply(v1::Transaction& transaction, v1::Applied& applied) {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + kLongest);
+    transaction.set_key(key_);
+    return sentenceOf(stub_->Apply(&context, transaction, &applied));
+}
+
+std::string Link::order(v1::OrderRequest& request) {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + kLongest);
+    request.set_key(key_);
+    v1::OrderReply reply;
+    return sentenceOf(stub_->Order(&context, request, &reply));
+}
+
+std::string Link::upload(v1::UploadHead head, const std::string& bytes, std::uint64_t& number) {
+    grpc::ClientContext context;
+    auto call = uploads_->Upload(&context);
+    head.set_key(key_);
+    head.set_size(bytes.size());
+    // What the server says meanwhile is little: it waits until all is written.
+    for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+        v1::Piece piece;
+        if (at == 0) *piece.mutable_head() = head;
+        piece.set_bytes(bytes.substr(at, kPiece));
+        if (!call->Write(piece)) break;
+    }
+    call->WritesDone();
+    v1::UploadNews news;
+    while (call->Read(&news))
+        if (news.has_done()) number = news.done().upload();
+    return sentenceOf(call->Finish());
+}
+
+v1::State Link::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+bool Link::nextEvent(v1::Event& event) {
+    const std::lock_guard lock(mutex_);
+    if (events_.empty()) return false;
+    event = std::move(events_.front());
+    events_.pop_front();
+    return true;
+}
+
+} // namespace hl
