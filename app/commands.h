@@ -63,6 +63,11 @@ struct ConvertOptions {
     std::optional<std::filesystem::path> path;   ///< the finger that shows the scene, CSV
 };
 
+struct ThumbnailOptions {
+    std::filesystem::path bundle, out; ///< out: PNG
+    int size = 256;                    ///< pixels of the longer side
+};
+
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.
 Result<int> runTouch(const TouchOptions& options);
 /// Lets the bodies of a scene move by forces and writes where they were.
@@ -75,6 +80,8 @@ Result<int> runInfo(const std::filesystem::path& scene, bool json);
 Result<int> runConvert(const ConvertOptions& options);
 /// Every finding with object, sentence and remedy; 1 when there are errors.
 Result<int> runCheck(const std::filesystem::path& scene);
+/// The picture that lies in a bundle, as a file manager shows it.
+Result<int> runThumbnail(const ThumbnailOptions& options);
 /// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
 Result<int> runDevices(const std::optional<std::string>& makers, bool json);
 /// Drives a device for another process of this program, which started this one (device/remote).

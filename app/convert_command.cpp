@@ -63,10 +63,11 @@ Result<void> writeMesh(const Scene& scene, const ConvertOptions& options, std::v
     return writeAll(options, files);
 }
 
-constexpr Writer kWriters[] = {{"glb", ExportTarget::Glb, writeGlb},  {"zip", ExportTarget::Glb, writeBundle},
-                               {"x3d", ExportTarget::X3d, writeX3d},  {"obj", ExportTarget::Obj, writeMesh},
-                               {"ply", ExportTarget::Ply, writeMesh}, {"stl", ExportTarget::Stl, writeMesh},
-                               {"off", ExportTarget::Off, writeMesh}};
+constexpr Writer kWriters[] = {
+    {"glb", ExportTarget::Glb, writeGlb},    {"tactum", ExportTarget::Glb, writeBundle},
+    {"zip", ExportTarget::Glb, writeBundle}, {"x3d", ExportTarget::X3d, writeX3d},
+    {"obj", ExportTarget::Obj, writeMesh},   {"ply", ExportTarget::Ply, writeMesh},
+    {"stl", ExportTarget::Stl, writeMesh},   {"off", ExportTarget::Off, writeMesh}};
 
 const Writer* writerFor(const fs::path& out) {
     for (const Writer& writer : kWriters)

@@ -15,8 +15,10 @@
 
 #include "app/commands.h"
 #include "app/display.h"
+#include "app/manual.h"
 #include "app/results.h"
 #include "app/window.h"
+#include "core/base/child_program.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
 
@@ -243,11 +245,12 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
     addFile(*convert, "IN", options.in, "Any file that the program opens")->required();
     addFile(*convert, "OUT", options.out,
-            "Ends in .glb (everything), .zip (a bundle for others), .x3d (for H3D), .obj, .ply, .stl or .off")
+            "Ends in .glb (everything), .tactum or .zip (a bundle for others), .x3d (for H3D), .obj, .ply, "
+            ".stl or .off")
         ->required();
     addFile(*convert, "--report", options.report, "Write what is kept, degraded and lost as JSON");
     addFile(*convert, "--path", options.path,
-            "The finger that shows the scene, kept in .glb and .zip: CSV with the header t,x,y,z");
+            "The finger that shows the scene, kept in .glb and in bundles: CSV with the header t,x,y,z");
     addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
@@ -268,6 +271,8 @@ struct Request {
     std::string device;
     bool json = false;
     std::optional<std::string> makers;
+    std::string manual;
+    ThumbnailOptions thumbnail;
 };
 
 void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
@@ -285,6 +290,34 @@ void addDevices(CLI::App& program, Request& request) {
     server->group("")->add_option("ID", request.device)->required();
 }
 
+inline constexpr Parameter kThumbnailSize{
+    "size", "Size", "pixels", 16, 1024, 16, 256, 0, "Of the longer side."};
+
+/// For file managers; not listed.
+void addThumbnail(CLI::App& program, ThumbnailOptions& options) {
+    CLI::App* thumbnail = program.add_subcommand("thumbnail", "The picture in a bundle");
+    thumbnail->group("");
+    addFile(*thumbnail, "BUNDLE", options.bundle, "Ends in .tactum or .zip")->required();
+    addFile(*thumbnail, "OUT", options.out, "PNG")->required();
+    addNumber(*thumbnail, kThumbnailSize, [&](double value) { options.size = int(value); });
+    thumbnail->final_callback([&] { checkOutputs({options.bundle}, {options.out}); });
+}
+
+/// What an installation brings beside the program; not listed.
+void addManual(CLI::App& program, Request& request) {
+    program.add_subcommand("manual", "The man page, and what shells complete")
+        ->group("")
+        ->add_option("FORM", request.manual, kManualForms)
+        ->required();
+}
+
+Result<int> sayManual(const CLI::App& program, const std::string& form) {
+    const auto text = manual(program, form);
+    if (!text) return tl::unexpected(Error{Error::Kind::Usage, "'" + form + "' is none of " + kManualForms});
+    std::cout << *text;
+    return 0;
+}
+
 Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("touch")) return runTouch(request.touch);
     if (program.got_subcommand("convert")) return runConvert(request.convert);
@@ -292,13 +325,16 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("play")) return runPlay(request.play);
     if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
     if (program.got_subcommand("check")) return runCheck(request.scene);
+    if (program.got_subcommand("thumbnail")) return runThumbnail(request.thumbnail);
+    if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
     return runDevices(request.makers, request.json);
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 8> verbs{"touch", "simulate", "convert", "play",
-                                                    "info",  "check",    "devices", "device-server"};
+    constexpr std::array<std::string_view, 10> verbs{"touch",  "simulate", "convert", "play",
+                                                     "info",   "check",    "devices", "device-server",
+                                                     "manual", "thumbnail"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -314,6 +350,8 @@ int runVerb(int argc, char** argv) {
     addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
     addDevices(program, request);
     program.add_subcommand("serve", "A device and a scene for programs elsewhere, without a window");
+    addManual(program, request);
+    addThumbnail(program, request.thumbnail);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);
@@ -335,13 +373,13 @@ int runVerb(int argc, char** argv) {
 // The server is a program of its own beside this one: what it needs for the network would make every other
 // start slower.
 int becomeServer(int argc, char** argv) {
-    std::error_code fault;
-    const auto server = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path() / "tactum-serve";
+    const auto server = programBeside("tactum-serve");
     std::vector<char*> words(argv + 1, argv + argc);
     words.push_back(nullptr);
     execv(server.c_str(), words.data());
-    return fail(
-        server.string() + ": cannot be started (" + std::strerror(errno) + "); install the program again", 3);
+    return fail(std::string("tactum-serve: cannot be started (") + std::strerror(errno) +
+                    "); install the program again",
+                3);
 }
 
 // What is not there and does not look like a file was meant to be a verb.

@@ -112,13 +112,14 @@ endfunction()
 function(tactum_install)
   foreach(room IN LISTS ARGN)
     set_target_properties(tactum_${room} PROPERTIES EXPORT_NAME ${room})
-    install(TARGETS tactum_${room} EXPORT TactumTargets ARCHIVE DESTINATION lib)
-    install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/${room}" DESTINATION include/tactum/core
-      FILES_MATCHING PATTERN "*.h")
+    install(TARGETS tactum_${room} EXPORT TactumTargets COMPONENT dev ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/${room}" COMPONENT dev
+      DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tactum/core" FILES_MATCHING PATTERN "*.h")
   endforeach()
-  install(EXPORT TactumTargets NAMESPACE Tactum:: DESTINATION lib/cmake/Tactum)
+  install(EXPORT TactumTargets NAMESPACE Tactum:: COMPONENT dev DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
   include(CMakePackageConfigHelpers)
   write_basic_package_version_file(TactumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES "${PROJECT_SOURCE_DIR}/cmake/TactumConfig.cmake"
-    "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" DESTINATION lib/cmake/Tactum)
+    "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" COMPONENT dev
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
 endfunction()

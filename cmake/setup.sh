@@ -11,7 +11,8 @@ die() {
     exit 3
 }
 
-wanted_packages() { sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]*$//' "$root/cmake/debian-packages.txt" | sort; }
+package_lists=("$root/cmake/debian-packages.txt")
+wanted_packages() { sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]*$//' "${package_lists[@]}" | sort -u; }
 
 # Also the names that installed packages provide: they differ between releases.
 installed_packages() {

@@ -98,9 +98,10 @@ void MainWindow::saveAs() {
 }
 
 void MainWindow::exportBundle() {
-    const QString file =
-        askWhere(this, tr("Export a bundle"), {{tr("Bundles"), QString::fromUtf8(kBundleEnding)}},
-                 placeToSave(document_, samples_));
+    const QString file = askWhere(this, tr("Export a bundle"),
+                                  {{tr("Bundles"), QString::fromUtf8(kBundleEnding)},
+                                   {tr("Bundles as zip"), QString::fromUtf8(kBundleZipEnding)}},
+                                  placeToSave(document_, samples_));
     if (!file.isEmpty()) document_.exportBundle(pathOf(file));
 }
 

@@ -67,4 +67,13 @@ int startChild(ChildProgram program, pid_t& child) {
                        program.environment ? program.environment->data() : environ);
 }
 
+std::filesystem::path programBeside(const std::string& name) {
+    std::error_code fault;
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe", fault).parent_path();
+    if (fault) return {};
+    for (const auto& program : {folder / name, folder / "../libexec/tactum" / name})
+        if (std::filesystem::exists(program, fault)) return program;
+    return {};
+}
+
 } // namespace tactum

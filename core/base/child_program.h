@@ -26,4 +26,8 @@ struct ChildProgram {
 /// the force loops fault once. Returns 0, or the error's number. Thread: any but real time.
 int startChild(ChildProgram program, pid_t& child);
 
+/// Where a program of ours is that people do not start themselves: beside the running one, or in
+/// libexec/tactum beside its folder, as it is installed. Empty when in neither. Thread: any but real time.
+std::filesystem::path programBeside(const std::string& name);
+
 } // namespace tactum

@@ -12,8 +12,9 @@
 
 namespace tactum {
 
-/// The ending of bundles, without dot.
-inline constexpr const char* kBundleEnding = "zip";
+/// The endings of bundles, without dot: their own, which desktops know them by, and that of what they are.
+inline constexpr const char* kBundleEnding = "tactum";
+inline constexpr const char* kBundleZipEnding = "zip";
 
 /// The bytes of a bundle (docs/format.md): scene.glb, scene.x3d with its images and deviceinfo.x3d, a finger
 /// path and what it must feel, preview.png, report.md, and a manifest. The same scene gives the same bytes.

@@ -16,10 +16,10 @@ struct Format {
     std::string_view ending;
     LoadedScene (*read)(const Source&, const Progress&);
 };
-constexpr Format kFormats[] = {{"obj", readObj},    {"ply", readPly},    {"stl", readStl},
-                               {"off", readOff},    {"gltf", readGltf},  {"glb", readGltf},
-                               {"x3d", readX3d},    {"3ds", readAssimp}, {"fbx", readAssimp},
-                               {"dae", readAssimp}, {"zip", readBundle}};
+constexpr Format kFormats[] = {{"obj", readObj},    {"ply", readPly},       {"stl", readStl},
+                               {"off", readOff},    {"gltf", readGltf},     {"glb", readGltf},
+                               {"x3d", readX3d},    {"3ds", readAssimp},    {"fbx", readAssimp},
+                               {"dae", readAssimp}, {"tactum", readBundle}, {"zip", readBundle}};
 
 const Format* formatOf(const std::filesystem::path& file) {
     const std::string ending = lowerCase(file.extension().string());
@@ -42,7 +42,7 @@ struct Disguise {
 };
 constexpr Disguise kDisguises[] = {
     {"PK\x03\x04",
-     "is a ZIP archive; unpack it and open the model that is inside, or call it .zip if it is a bundle"},
+     "is a ZIP archive; unpack it and open the model that is inside, or call it .tactum if it is a bundle"},
     {"\x1f\x8b", "is compressed by gzip; unpack it first"},
     {"BZh", "is compressed by bzip2; unpack it first"},
     {"\xFD"

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "core/base/child_program.h"
 #include "core/base/realtime.h"
 #include "core/base/text.h"
 #include "core/files/source.h"
@@ -123,11 +124,8 @@ ImportLimits limitsFor(std::uint64_t fileBytes) {
 }
 
 std::filesystem::path importWorker() {
-    std::error_code fault;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", fault);
-    const auto beside = program.parent_path() / "tactum-import";
-    if (!fault && std::filesystem::exists(beside, fault)) return beside;
-    return TACTUM_IMPORT_WORKER;
+    const auto worker = programBeside("tactum-import");
+    return worker.empty() ? std::filesystem::path(TACTUM_IMPORT_WORKER) : worker;
 }
 
 Result<LoadedScene> importScene(const std::filesystem::path& file, const Progress& progress,

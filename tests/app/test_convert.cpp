@@ -25,7 +25,7 @@ using namespace test_program;
 
 namespace {
 
-const QStringList kEndings{"glb", "zip", "x3d", "obj", "ply", "stl", "off"};
+const QStringList kEndings{"glb", "tactum", "zip", "x3d", "obj", "ply", "stl", "off"};
 
 // Grey pictures of one texel, and of two: black beside white.
 const char* const kGrain =

@@ -15,7 +15,7 @@ cmake --build "$place/build"
 cmake -S "$source/docs/examples/hl" -B "$place/hl" -G Ninja -DCMAKE_PREFIX_PATH="$place/tactum" \
     -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" >"$place/configure.log" || { cat "$place/configure.log"; exit 1; }
 cmake --build "$place/hl"
-"$source/tests/app/hl/with_server.sh" "$place/tactum/bin/tactum-serve" "$place/hl/teapot" @ \
+"$source/tests/app/hl/with_server.sh" "$place/tactum/libexec/tactum/tactum-serve" "$place/hl/teapot" @ \
     "$place/tactum/share/tactum/scenes/teapot.obj"
 # A bundle that was touched by another hand is refused.
 printf 'x' | dd of="$place/teapot.zip" bs=1 seek=2000 conv=notrunc status=none

@@ -1,0 +1,103 @@
+# The Debian packages, made by ./package: tactum (the program), libtactum-dev (the core and HL for other programs) and
+# python3-tactum (the client of the server).
+
+set(desktop "${PROJECT_SOURCE_DIR}/resources/desktop")
+set(made "${CMAKE_CURRENT_BINARY_DIR}/package")
+file(MAKE_DIRECTORY "${made}")
+find_program(RSVG_CONVERT rsvg-convert REQUIRED)
+find_program(GZIP gzip REQUIRED)
+
+# What a desktop wants to know.
+install(FILES "${desktop}/tactum.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+install(FILES "${desktop}/tactum-mime.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME tactum.xml)
+install(FILES "${desktop}/tactum.thumbnailer" DESTINATION "${CMAKE_INSTALL_DATADIR}/thumbnailers")
+install(FILES "${desktop}/org.tactum.Tactum.metainfo.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+
+# Icons from one picture.
+set(icon "${PROJECT_SOURCE_DIR}/resources/icons/tactum.svg")
+set(files "")
+foreach(size 16 22 24 32 48 64 128 256 512)
+  set(png "${made}/tactum-${size}.png")
+  add_custom_command(OUTPUT "${png}" DEPENDS "${icon}" VERBATIM
+    COMMAND "${RSVG_CONVERT}" -w ${size} -h ${size} -o "${png}" "${icon}")
+  list(APPEND files "${png}")
+  install(FILES "${png}" DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/${size}x${size}/apps" RENAME tactum.png)
+endforeach()
+install(FILES "${icon}" DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
+
+# tactum_made(FILE COMMAND): the command's output, compressed where the name says so.
+function(tactum_made file)
+  set(output "${made}/${file}")
+  set(text "$<TARGET_FILE:tactum> manual ${ARGN}")
+  if(file MATCHES "\\.gz$")
+    string(APPEND text " | ${GZIP} -9n")
+  endif()
+  add_custom_command(OUTPUT "${output}" DEPENDS tactum VERBATIM COMMAND sh -c "${text} >${output}")
+  set(files ${files} "${output}" PARENT_SCOPE)
+endfunction()
+tactum_made(tactum.1.gz man)
+tactum_made(tactum.bash bash)
+tactum_made(_tactum zsh)
+tactum_made(tactum.fish fish)
+install(FILES "${made}/tactum.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+install(FILES "${made}/tactum.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME tactum)
+install(FILES "${made}/_tactum" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
+install(FILES "${made}/tactum.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+
+# Devices for whoever sits at the machine, and priority for their loops.
+install(FILES "${PROJECT_SOURCE_DIR}/resources/udev/70-tactum.rules" DESTINATION lib/udev/rules.d)
+
+# What Debian asks of every package: who may do what with it, and what changed.
+set(debian "${PROJECT_SOURCE_DIR}/resources/debian")
+add_custom_command(OUTPUT "${made}/changelog.gz" DEPENDS "${debian}/changelog" VERBATIM
+  COMMAND sh -c "${GZIP} -9nc '${debian}/changelog' >'${made}/changelog.gz'")
+list(APPEND files "${made}/changelog.gz")
+foreach(pair program:tactum dev:libtactum-dev python:python3-tactum)
+  string(REPLACE ":" ";" pair "${pair}")
+  list(GET pair 0 component)
+  list(GET pair 1 package)
+  install(FILES "${debian}/copyright" "${made}/changelog.gz" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}"
+    COMPONENT ${component})
+  install(FILES "${debian}/${package}.lintian-overrides" DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides"
+    RENAME "${package}" COMPONENT ${component})
+endforeach()
+add_custom_target(package-files ALL DEPENDS ${files})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program dev python)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_NAME tactum)
+set(CPACK_PACKAGE_VENDOR Tactum)
+set(CPACK_PACKAGE_CONTACT "Tactum maintainers <maintainers@tactum.example>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tactum)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-open-sans, libgl1-mesa-dri")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "author haptic scenes, and touch them
+ Open a 3-D model, give each surface a feel (stiffness, friction, texture,
+ moving parts) and touch it with a force-feedback device, or with the mouse
+ and a simulated hand. Scenes are saved as glTF and exported as bundles that
+ other programs open. Verbs without a window replay, convert and check.")
+
+# The libraries are static: who links them links what they stand on.
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtactum-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libassimp-dev, libtinygltf-dev, libpugixml-dev, \
+libgrpc++-dev, libprotobuf-dev, libpng-dev, libjpeg-dev, libtiff-dev, libzip-dev, libmd-dev, nlohmann-json3-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs
+ Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
+ with its real-time loops: headers, static libraries and a CMake package.")
+# Text alone: the client of the haptic server.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tactum)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-grpcio, python3-numpy, python3-protobuf")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python client of Tactum's haptic server
+ Sends scenes to a running tactum serve, edits how they feel, and gets the
+ states, forces and contacts of its device as numpy arrays.")
+include(CPack)

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Installs the packages into an empty Debian 12 and tries them there as a person would: check_package.sh DEB...
+# Wants root, debootstrap and the network that apt uses here. Takes some three minutes, most of them for downloads.
+set -euo pipefail
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 2>/dev/null | grep -m 1 . || echo http://deb.debian.org/debian)
+place=$(mktemp -d)
+empty="$place/root"
+leave() {
+    umount -l "$empty/proc" 2>/dev/null || true
+    rm -rf "$place"
+}
+trap leave EXIT
+fail() {
+    printf 'check_package: %s\n' "$*" >&2
+    exit 1
+}
+inside() { chroot "$empty" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
+person() { inside runuser -u person -- "$@"; }
+expect() { # expect TEXT COMMAND...: the command succeeds and prints TEXT
+    local text=$1 printed
+    shift
+    printed=$("$@") || fail "\"$*\" ended with $?"
+    [[ $printed == *"$text"* ]] || fail "\"$*\" does not print \"$text\" but: ${printed:0:400}"
+}
+
+debootstrap --variant=minbase bookworm "$empty" "$mirror" >"$place/debootstrap.log" 2>&1 || { tail "$place/debootstrap.log"; exit 1; }
+cp -r /etc/apt/. "$empty/etc/apt/" # what leads to a mirror here leads to it there
+mount -t proc proc "$empty/proc"
+cp "$@" "$empty/tmp/"
+inside useradd -m person
+inside apt-get -q update >"$place/apt.log" 2>&1
+inside find / -xdev -path /proc -prune -o -path /tmp -prune -o -print | sort >"$place/before"
+program=$(basename "$(printf '%s\n' "$@" | grep /tactum_)")
+SECONDS=0
+inside apt-get -q -y install --no-install-recommends "/tmp/$program" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
+echo "installed in $SECONDS s"
+
+# Without a display.
+samples=/usr/share/tactum/scenes
+expect teapot person tactum info "$samples/teapot.glb"
+expect '"updates"' person tactum touch "$samples/teapot.obj" --path "$samples/teapot-finger.csv" --out /tmp/touch.csv
+person tactum convert "$samples/teapot.glb" /home/person/teapot.tactum 2>/dev/null || fail "no bundle was written"
+person tactum thumbnail /home/person/teapot.tactum /home/person/teapot.png --size 64 || fail "the bundle has no thumbnail"
+person tactum devices >/dev/null || fail "tactum devices failed"
+expect simulate inside bash -c 'source /usr/share/bash-completion/completions/tactum; COMP_WORDS=(tactum sim); COMP_CWORD=1; _tactum; echo "${COMPREPLY[@]}"'
+for file in man/man1/tactum.1.gz zsh/vendor-completions/_tactum fish/vendor_completions.d/tactum.fish thumbnailers/tactum.thumbnailer \
+    mime/packages/tactum.xml applications/tactum.desktop icons/hicolor/512x512/apps/tactum.png; do
+    [ -s "$empty/usr/share/$file" ] || fail "there is no /usr/share/$file"
+done
+[ -s "$empty/usr/lib/udev/rules.d/70-tactum.rules" ] || fail "there is no rule for udev"
+
+# With one: the window comes up on the teapot and stays.
+inside apt-get -q -y install --no-install-recommends xvfb xauth libgl1-mesa-dri fonts-dejavu-core man-db xdg-utils libglib2.0-bin \
+    shared-mime-info desktop-file-utils x11-utils >>"$place/apt.log" 2>&1
+expect "author haptic scenes" person man tactum
+person timeout 60 xvfb-run -a -s "-screen 0 1280x800x24" bash -c "
+    tactum $samples/teapot.glb & window=\$!
+    for i in \$(seq 200); do xwininfo -root -tree | grep -q 'teapot.glb - Tactum\|teapot.glb.*Tactum' && break; sleep 0.2; done
+    xwininfo -root -tree | grep -q 'teapot.glb.*Tactum' && kill -0 \$window && kill \$window" || fail "the window did not come up"
+
+# A double click on a bundle.
+expect vnd.tactum.bundle person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query filetype /home/person/teapot.tactum
+expect tactum.desktop person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query default application/vnd.tactum.bundle+zip
+
+inside apt-get -q -y purge tactum >>"$place/apt.log" 2>&1
+left=$(inside find / -xdev -path /proc -prune -o -name '*actum*' -not -path '/tmp/*' -not -path '/home/*' -not -path '/var/cache/*' -print)
+[ -z "$left" ] || fail "removal leaves: $left"
+echo "packages: installed, used and removed"
