@@ -38,6 +38,7 @@ bool Leader::canLead(std::size_t body) const {
 }
 
 void Leader::lead(std::span<const Led> all, double dt, DynamicState& state) {
+    if (all.empty()) return;
     before_.place(state.q, state.v);
     for (const Led& one : all) {
         const Pose goal = linkAt(one);
@@ -49,7 +50,7 @@ void Leader::lead(std::span<const Led> all, double dt, DynamicState& state) {
             state.v[link->v] = (goal.translation[link->axis] - state.q[link->q]) / dt;
         }
     }
-    if (!all.empty()) keepMomentum(state);
+    keepMomentum(state);
 }
 
 // The coordinates of what hangs on a body are relative to it: unchanged they would take all of it along.
