@@ -162,13 +162,16 @@ inline constexpr Parameter kSeconds{"seconds", "Seconds", "s", 0, 1e5, 1, 1, 3, 
 inline constexpr Parameter kRate{"rate", "Rate", "Hz", 1, 1e6, 100, 2000, 0, "Steps a second, at least."};
 inline constexpr Parameter kEvery{"every", "Every", "s", 1e-6, 1e5, 0.01, 0.01, 3, "Time between two rows."};
 
+/// Of a point, a force or an acceleration, SI: nothing that anybody means is beyond it.
+constexpr double kLargestNumber = 1e9;
+
 /// As many numbers as there are, with commas between them.
 void readNumbers(const char* name, std::string_view text, std::span<double> numbers) {
     std::size_t count = 0;
     for (std::string_view rest = text; !rest.empty() || count == 0; ++count) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
         const auto number = parseNumber(rest.substr(0, comma));
-        if (!number || count == numbers.size())
+        if (!number || std::abs(*number) > kLargestNumber || count == numbers.size())
             throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
                                                  std::to_string(numbers.size()) +
                                                  " numbers with commas between them");
@@ -178,6 +181,7 @@ void readNumbers(const char* name, std::string_view text, std::span<double> numb
             break;
         }
         rest.remove_prefix(comma + 1);
+        if (rest.empty()) count = numbers.size(); // a comma at the end
     }
     if (count != numbers.size())
         throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
@@ -200,6 +204,8 @@ void addSimulate(CLI::App& program, SimulateOptions& options) {
                 for (const std::string& text : texts) {
                     std::array<double, 8> n{};
                     readNumbers("--push", text, n);
+                    if (!(n[0] < n[1]))
+                        throw CLI::ValidationError("--push", "'" + text + "' ends before it begins");
                     options.pushes.push_back({n[0], n[1], Vec3(n[2], n[3], n[4]), Vec3(n[5], n[6], n[7])});
                 }
             },

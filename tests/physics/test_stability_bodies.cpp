@@ -369,7 +369,7 @@ private slots:
     void withoutTheCouplingEnergyIsMade() {
         int bad = 0, restless = 0;
         for (const std::vector<Meeting> all = meetings(); const Meeting& met : all)
-            everyLoop(49, [&](const Bench& bench, const Beside& beside) {
+            everyLoop(23, [&](const Bench& bench, const Beside& beside) {
                 const Seen seen = meet(bench, beside, met, false);
                 bad += seen.given > kGiven || seen.faults > 0;
                 restless += seen.motion > 2 * bench.device.resolution;
