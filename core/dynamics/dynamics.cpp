@@ -52,7 +52,7 @@ Dynamics::Dynamics(std::shared_ptr<const Mechanism> mechanism)
         a_[i] = v_[i] = Coordinates::Zero(m.vs);
         qRate_[i] = Coordinates::Zero(m.qs);
     }
-    before_ = startState(); // its memory, before the first step
+    before_ = looked_ = startState(); // its memory, before the first step
     springInertia_.assign(m.springs.size(), 1);
     weighs_ = std::ranges::any_of(m.springs, [](const Spring& spring) { return spring.drive.acceleration; });
 }
@@ -83,6 +83,13 @@ Dynamics::Stretch Dynamics::stretchOf(const Spring& spring, const Coordinates& q
     return now;
 }
 
+double Dynamics::forceOf(std::size_t spring, const Stretch& now) const noexcept {
+    const JointDrive& drive = mechanism_->springs[spring].drive;
+    return springInertia_[spring] *
+           std::clamp(drive.stiffness * (now.rest - now.value) + drive.damping * (drive.velocity - now.rate),
+                      -drive.maxForce, drive.maxForce);
+}
+
 void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept {
     springs_ = along_;
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
@@ -90,10 +97,7 @@ void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt)
         if (rows_.springIsRow(i, dt)) continue;
         const Stretch now = stretchOf(spring, q, v);
         if (!now.acts) continue;
-        const JointDrive& drive = spring.drive;
-        const double force = springInertia_[i] * std::clamp(drive.stiffness * (now.rest - now.value) +
-                                                                drive.damping * (drive.velocity - now.rate),
-                                                            -drive.maxForce, drive.maxForce);
+        const double force = forceOf(i, now);
         if (spring.of.link >= 0)
             springs_[mechanism_->links[std::size_t(spring.of.link)].v] += spring.of.sense * force;
         else
@@ -300,6 +304,23 @@ double Dynamics::springEnergy(const DynamicState& state) noexcept {
         const double held = drive.spacing > 0 ? drive.energyAt(now.value) : 0.5 * off * off;
         if (now.acts) sum += springInertia_[i] * drive.stiffness * held;
     }
+    return sum;
+}
+
+double Dynamics::jointForce(const DynamicState& state, const Vec3& gravity,
+                            std::span<const AppliedForce> forces, double dt, int link) noexcept {
+    looked_ = state;
+    rows_.forget();
+    findHeldForces(looked_, {gravity, forces, dt}, true);
+    double sum = rows_.forceAlong(link, dt);
+    articulation_.place(state.q, state.v);
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+        const Spring& spring = mechanism_->springs[i];
+        if (spring.of.link != link || rows_.springIsRow(i, dt)) continue;
+        if (const Stretch now = stretchOf(spring, state.q, state.v); now.acts)
+            sum += spring.of.sense * forceOf(i, now);
+    }
+    rows_.forget();
     return sum;
 }
 

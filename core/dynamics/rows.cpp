@@ -193,4 +193,11 @@ bool Rows::correction(double dt, Coordinates& shift) noexcept {
     return any;
 }
 
+double Rows::forceAlong(int link, double dt) const noexcept {
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+        if (rows_[i].link == link) sum += rows_[i].sense * rows_[i].impulse;
+    return sum / dt;
+}
+
 } // namespace tactum

@@ -93,6 +93,13 @@ Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loop
     return &row;
 }
 
+Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loops, const Coordinate& of,
+                        const Wrench& along, double sense) noexcept {
+    Row* row = addRow(kind, articulation, loops, of.a, of.b, along, sense);
+    if (row) row->link = of.link, row->sense = sense * of.sense;
+    return row;
+}
+
 void Rows::gatherContact(int index, Articulation& articulation, const Loops& loops, double dt) noexcept {
     const Touching& touching = contacts_.all()[std::size_t(index)];
     const Touchable &a = mechanism_.touchables[std::size_t(touching.a)],
@@ -178,8 +185,7 @@ void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Co
             if (!both && gap.gap > kReached) continue;
             gap.reached = true;
             if (both && side != 2 * i) continue;
-            Row* row = addRow(Kind::Limit, articulation, loops, limit.of.a, limit.of.b, now.along,
-                              side == 2 * i ? 1 : -1);
+            Row* row = addRow(Kind::Limit, articulation, loops, limit.of, now.along, side == 2 * i ? 1 : -1);
             if (!row) continue;
             row->low = both ? -kUnbounded : 0;
             row->high = kUnbounded;
@@ -196,7 +202,7 @@ void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const C
         const Reading now = read(articulation, spring.of, q);
         // A limit counts from before it is met: what is light goes far beyond it in one step.
         const bool below = spring.isLimit && now.value - spring.min < spring.max - now.value;
-        Row* row = addRow(Kind::Spring, articulation, loops, spring.of.a, spring.of.b, now.along, 1);
+        Row* row = addRow(Kind::Spring, articulation, loops, spring.of, now.along, 1);
         if (!row) continue;
         // F = k (x0 - x) + d (v0 - v) at the end of the step.
         const double scale = spring.drive.acceleration ? row->yield : 1;
@@ -218,7 +224,7 @@ void Rows::gather(Articulation& articulation, const Loops& loops, const Coordina
     gatherSprings(articulation, loops, q, dt);
     for (const DryFriction& friction : mechanism_.frictions) {
         const Reading now = read(articulation, friction.of, q);
-        Row* row = addRow(Kind::DryFriction, articulation, loops, friction.of.a, friction.of.b, now.along, 1);
+        Row* row = addRow(Kind::DryFriction, articulation, loops, friction.of, now.along, 1);
         if (!row) continue;
         row->high = friction.force * dt;
         row->low = -row->high;
