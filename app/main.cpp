@@ -14,8 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
-#include "app/display.h"
 #include "app/results.h"
+#include "app/screen.h"
 #include "app/window.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
@@ -244,6 +244,14 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
+std::optional<double> metresOf(std::string_view unit) {
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"m", 1.0}};
+    for (const auto& [name, metres] : kUnits)
+        if (name == unit) return metres;
+    return std::nullopt;
+}
+
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
@@ -255,6 +263,13 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
     addFile(*convert, "--path", options.path,
             "The finger that shows the scene, kept in .glb and .zip: CSV with the header t,x,y,z");
     addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
+    addWord(*convert, "--unit", "mm|cm|in|m", "What one unit of IN is, where the file does not say",
+            [&](std::string_view word) { return (options.unit = metresOf(word)).has_value(); });
+    addWord(*convert, "--up", "y|z", "Which axis of IN points up, where it is not y",
+            [&](std::string_view word) {
+                options.zUp = word == "z";
+                return word == "y" || word == "z";
+            });
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
         "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl.");
@@ -270,15 +285,60 @@ struct Request {
     ConvertOptions convert;
     PlayOptions play;
     SimulateOptions simulate;
-    std::filesystem::path scene;
+    CheckOptions check;
+    FeelOptions feel;
+    std::vector<std::filesystem::path> scenes; ///< of info
+    std::filesystem::path bundle;
     std::string device;
     bool json = false;
     std::optional<std::string> makers;
 };
 
-void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
-    addFile(*program.add_subcommand(name, help), "SCENE", request.scene, "Any file that the program opens")
-        ->required();
+/// As many files as a person names.
+void addScenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "SCENE",
+            [&scenes](const std::vector<std::string>& names) {
+                for (const std::string& name : names) {
+                    if (name.empty()) throw CLI::ValidationError("SCENE", kEmptyName);
+                    scenes.emplace_back(name);
+                }
+            },
+            "Files that the program opens, one or more")
+        ->required()
+        ->expected(1, -1);
+}
+
+void addInfo(CLI::App& program, Request& request) {
+    CLI::App* info = program.add_subcommand(
+        "info", "Objects, surfaces, triangles, mesh health, every parameter, what the reader found");
+    addScenes(*info, request.scenes);
+    info->add_flag("--json", request.json, "As one JSON object; of several files as an array of them");
+}
+
+void addCheck(CLI::App& program, CheckOptions& options) {
+    CLI::App* check =
+        program.add_subcommand("check", "Every finding with its remedy; exit 1 when there are errors");
+    addScenes(*check, options.scenes);
+    check->add_flag("--json", options.json, "As one JSON object");
+    check->add_flag("--strict", options.strict, "A warning is an error as well");
+}
+
+void addVerify(CLI::App& program, Request& request) {
+    CLI::App* verify = program.add_subcommand(
+        "verify", "Replay the finger of a bundle and compare what it feels; exit 1 when anything differs");
+    addFile(*verify, "BUNDLE", request.bundle, "A .zip that was exported")->required();
+    verify->add_flag("--json", request.json, "As one JSON object");
+}
+
+void addFeel(CLI::App& program, FeelOptions& options) {
+    CLI::App* feel =
+        program.add_subcommand("feel", "Give a model, exported again elsewhere, the feel that it had");
+    addFile(*feel, "FROM", options.from, "The scene with the feel")->required();
+    addFile(*feel, "ONTO", options.onto, "The model, any file that the program opens")->required();
+    addFile(*feel, "OUT", options.out, "The result, a .glb; it may be FROM or ONTO")->required();
+    feel->footer("Surfaces find each other by name; what finds no partner goes to standard error.");
 }
 
 void addDevices(CLI::App& program, Request& request) {
@@ -296,15 +356,18 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("convert")) return runConvert(request.convert);
     if (program.got_subcommand("simulate")) return runSimulate(request.simulate);
     if (program.got_subcommand("play")) return runPlay(request.play);
-    if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
-    if (program.got_subcommand("check")) return runCheck(request.scene);
+    if (program.got_subcommand("info")) return runInfo(request.scenes, request.json);
+    if (program.got_subcommand("check")) return runCheck(request.check);
+    if (program.got_subcommand("verify")) return runVerify(request.bundle, request.json);
+    if (program.got_subcommand("feel")) return runFeel(request.feel);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
     return runDevices(request.makers, request.json);
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 8> verbs{"touch", "simulate", "convert", "play",
-                                                    "info",  "check",    "devices", "device-server"};
+    constexpr std::array<std::string_view, 10> verbs{"touch",   "simulate",     "convert", "play",
+                                                     "info",    "check",        "verify",  "feel",
+                                                     "devices", "device-server"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -315,9 +378,11 @@ int runVerb(int argc, char** argv) {
     addConvert(program, request.convert);
     addSimulate(program, request.simulate);
     addPlay(program, request.play);
-    addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
-    program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
-    addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
+    addInfo(program, request);
+    addCheck(program, request.check);
+    addVerify(program, request);
+    addFeel(program, request.feel);
+    program.set_version_flag("--version", "tactum " TACTUM_VERSION);
     addDevices(program, request);
     program.add_subcommand("serve", "A device and a scene for programs elsewhere, without a window");
     program.require_subcommand(0, 1);
@@ -331,6 +396,9 @@ int runVerb(int argc, char** argv) {
         const std::string verb = argc > 1 && isVerb(argv[1]) ? argv[1] + std::string(" ") : "";
         return fail(sentence + "; see tactum " + verb + "--help", kUsage);
     }
+    if (request.touch.picture) // before the work, not after it
+        if (const auto screen = reachScreen(argv); !screen)
+            return fail(screen.error().text, int(screen.error().kind));
     const Result<int> code = run(program, request);
     if (!code) return fail(code.error().text, int(code.error().kind));
     std::cout.flush();
@@ -371,8 +439,8 @@ int runProgram(int argc, char** argv) {
     std::error_code unknown; // then the reader says more
     if (scene && std::filesystem::status(*scene, unknown).type() == std::filesystem::file_type::not_found)
         return failMissing(*scene);
-    if (const auto display = checkDisplay(); !display)
-        return fail(display.error().text, int(display.error().kind));
+    if (const auto screen = reachScreen(argv); !screen)
+        return fail(screen.error().text, int(screen.error().kind));
     return runWindow(argc, argv, scene);
 }
 
