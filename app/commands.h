@@ -60,12 +60,20 @@ struct ConvertOptions {
     std::filesystem::path in, out;
     std::optional<std::filesystem::path> report; ///< what was kept, degraded and lost, as JSON
     std::optional<double> fitDiagonal;           ///< m
+    std::optional<double> unit;                  ///< m that one unit of the input is
+    bool zUp = false;                            ///< the input's z points up
     std::optional<std::filesystem::path> path;   ///< the finger that shows the scene, CSV
 };
 
-struct ThumbnailOptions {
-    std::filesystem::path bundle, out; ///< out: PNG
-    int size = 256;                    ///< pixels of the longer side
+/// A feel for a model that was changed elsewhere.
+struct FeelOptions {
+    std::filesystem::path from, onto, out;
+};
+
+struct CheckOptions {
+    std::vector<std::filesystem::path> scenes;
+    bool json = false;
+    bool strict = false; ///< a warning is an error
 };
 
 /// Replays a finger path through hapticStep, one update a row, and writes what it gave.
@@ -74,14 +82,16 @@ Result<int> runTouch(const TouchOptions& options);
 Result<int> runSimulate(const SimulateOptions& options);
 /// Steps through a recording again; 1 when anything differs.
 Result<int> runPlay(const PlayOptions& options);
-/// Objects, surfaces, triangles, mesh health and every parameter with its unit.
-Result<int> runInfo(const std::filesystem::path& scene, bool json);
+/// Objects, surfaces, triangles, mesh health, every parameter with its unit, and what the reader found.
+Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json);
 /// From any format that is read to any that is written, by the endings; says what is lost on the way.
 Result<int> runConvert(const ConvertOptions& options);
 /// Every finding with object, sentence and remedy; 1 when there are errors.
-Result<int> runCheck(const std::filesystem::path& scene);
-/// The picture that lies in a bundle, as a file manager shows it.
-Result<int> runThumbnail(const ThumbnailOptions& options);
+Result<int> runCheck(const CheckOptions& options);
+/// Whether a bundle feels as its files say; 1 when anything differs.
+Result<int> runVerify(const std::filesystem::path& bundle, bool json);
+/// Gives a model the feel of a scene, by the names of surfaces.
+Result<int> runFeel(const FeelOptions& options);
 /// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
 Result<int> runDevices(const std::optional<std::string>& makers, bool json);
 /// Drives a device for another process of this program, which started this one (device/remote).

@@ -11,6 +11,7 @@
 #include "core/files/save_scene.h"
 #include "core/files/x3d/write_x3d.h"
 #include "core/import/import_scene.h"
+#include "core/scene/placing.h"
 
 namespace tactum {
 
@@ -30,7 +31,13 @@ Result<void> writeGlb(const Scene& scene, const ConvertOptions& options, std::ve
 }
 
 Result<void> writeBundle(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
-    return saveBundle(scene, options.out, {}, 0);
+    const auto touches = saveTouchedBundle(scene, options.out, {}, 0);
+    if (!touches) return tl::unexpected<Error>(touches.error());
+    if (!*touches)
+        std::cerr
+            << "warning: the finger path of the bundle touches nothing, so that its forces show nothing; "
+               "give it another one with --path\n";
+    return {};
 }
 
 /// The images and the device lie beside the scene, which names them.
@@ -112,8 +119,13 @@ Result<int> runConvert(const ConvertOptions& options) {
     auto loaded = importScene(options.in);
     if (!loaded) return tl::unexpected(loaded.error());
     Scene& scene = loaded->scene;
-    if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal);
-    if (options.path) {
+    if (options.unit) scaleScene(scene, *options.unit, Vec3::Zero());
+    if (options.zUp && !turnUpright(scene))
+        return tl::unexpected(
+            Error{Error::Kind::Usage, "--up: " + options.in.string() +
+                                          " has bodies, which stand as their gravity is; leave it out"});
+    if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal); // the finger of the scene as well
+    if (options.path) { // one that is given is where the result is, as it is for `touch`
         auto finger = readFingerPath(*options.path);
         if (!finger) return tl::unexpected(finger.error());
         scene.finger = std::make_shared<const std::vector<FingerPoint>>(std::move(*finger));
@@ -121,8 +133,8 @@ Result<int> runConvert(const ConvertOptions& options) {
     std::vector<Loss> losses = lossesOf(scene, writer->target);
     if (const auto written = writer->write(scene, options, losses); !written)
         return tl::unexpected(written.error());
-    for (const Finding& finding : loaded->findings)
-        std::cerr << lineOf(finding) << '\n';
+    for (const std::string& line : linesOf(loaded->findings))
+        std::cerr << line << '\n';
     sayLosses(losses);
     if (options.report)
         if (const auto written = writeFile(*options.report, reportJson(losses)); !written)

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/results.h"
 #include "core/base/numbers.h"
+#include "core/files/source.h"
 #include "core/import/import_scene.h"
 #include "core/scene/describe.h"
 
@@ -206,14 +208,27 @@ void printInfo(const SceneDescription& scene) {
 
 } // namespace
 
-Result<int> runInfo(const std::filesystem::path& scene, bool json) {
-    const auto loaded = importScene(scene);
-    if (!loaded) return tl::unexpected(loaded.error());
-    const SceneDescription description = describe(loaded->scene);
-    if (json)
-        std::cout << sceneJson(description).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else
+Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json) {
+    Json all = Json::array();
+    for (const std::filesystem::path& scene : scenes) {
+        const auto loaded = importScene(scene);
+        if (!loaded) return tl::unexpected(loaded.error());
+        const SceneDescription description = describe(loaded->scene);
+        if (json) {
+            all.push_back(sceneJson(description));
+            all.back()["findings"] = findingsJson(loaded->findings);
+            if (scenes.size() > 1) all.back()["file"] = shownPath(scene);
+            continue;
+        }
+        if (scenes.size() > 1) std::cout << shownPath(scene) << ":\n";
         printInfo(description);
+        for (const std::string& line : linesOf(loaded->findings))
+            std::cout << line << '\n';
+    }
+    if (json)
+        std::cout
+            << (scenes.size() > 1 ? all : all.front()).dump(2, ' ', false, Json::error_handler_t::replace)
+            << '\n';
     return 0;
 }
 

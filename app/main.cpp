@@ -14,9 +14,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands.h"
-#include "app/display.h"
 #include "app/manual.h"
 #include "app/results.h"
+#include "app/screen.h"
 #include "app/window.h"
 #include "core/base/child_program.h"
 #include "core/base/numbers.h"
@@ -164,13 +164,16 @@ inline constexpr Parameter kSeconds{"seconds", "Seconds", "s", 0, 1e5, 1, 1, 3, 
 inline constexpr Parameter kRate{"rate", "Rate", "Hz", 1, 1e6, 100, 2000, 0, "Steps a second, at least."};
 inline constexpr Parameter kEvery{"every", "Every", "s", 1e-6, 1e5, 0.01, 0.01, 3, "Time between two rows."};
 
+/// Of a point, a force or an acceleration, SI: nothing that anybody means is beyond it.
+constexpr double kLargestNumber = 1e9;
+
 /// As many numbers as there are, with commas between them.
 void readNumbers(const char* name, std::string_view text, std::span<double> numbers) {
     std::size_t count = 0;
     for (std::string_view rest = text; !rest.empty() || count == 0; ++count) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
         const auto number = parseNumber(rest.substr(0, comma));
-        if (!number || count == numbers.size())
+        if (!number || std::abs(*number) > kLargestNumber || count == numbers.size())
             throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
                                                  std::to_string(numbers.size()) +
                                                  " numbers with commas between them");
@@ -180,6 +183,7 @@ void readNumbers(const char* name, std::string_view text, std::span<double> numb
             break;
         }
         rest.remove_prefix(comma + 1);
+        if (rest.empty()) count = numbers.size(); // a comma at the end
     }
     if (count != numbers.size())
         throw CLI::ValidationError(name, "'" + std::string(text) + "' is not " +
@@ -202,6 +206,8 @@ void addSimulate(CLI::App& program, SimulateOptions& options) {
                 for (const std::string& text : texts) {
                     std::array<double, 8> n{};
                     readNumbers("--push", text, n);
+                    if (!(n[0] < n[1]))
+                        throw CLI::ValidationError("--push", "'" + text + "' ends before it begins");
                     options.pushes.push_back({n[0], n[1], Vec3(n[2], n[3], n[4]), Vec3(n[5], n[6], n[7])});
                 }
             },
@@ -240,6 +246,14 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
+std::optional<double> metresOf(std::string_view unit) {
+    constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"m", 1.0}};
+    for (const auto& [name, metres] : kUnits)
+        if (name == unit) return metres;
+    return std::nullopt;
+}
+
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
@@ -252,6 +266,13 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
     addFile(*convert, "--path", options.path,
             "The finger that shows the scene, kept in .glb and in bundles: CSV with the header t,x,y,z");
     addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
+    addWord(*convert, "--unit", "mm|cm|in|m", "What one unit of IN is, where the file does not say",
+            [&](std::string_view word) { return (options.unit = metresOf(word)).has_value(); });
+    addWord(*convert, "--up", "y|z", "Which axis of IN points up, where it is not y",
+            [&](std::string_view word) {
+                options.zUp = word == "z";
+                return word == "y" || word == "z";
+            });
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
         "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl.");
@@ -267,17 +288,61 @@ struct Request {
     ConvertOptions convert;
     PlayOptions play;
     SimulateOptions simulate;
-    std::filesystem::path scene;
+    CheckOptions check;
+    FeelOptions feel;
+    std::vector<std::filesystem::path> scenes; ///< of info
+    std::filesystem::path bundle;
     std::string device;
     bool json = false;
     std::optional<std::string> makers;
     std::string manual;
-    ThumbnailOptions thumbnail;
 };
 
-void addSceneVerb(CLI::App& program, const char* name, const char* help, Request& request) {
-    addFile(*program.add_subcommand(name, help), "SCENE", request.scene, "Any file that the program opens")
-        ->required();
+/// As many files as a person names.
+void addScenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "SCENE",
+            [&scenes](const std::vector<std::string>& names) {
+                for (const std::string& name : names) {
+                    if (name.empty()) throw CLI::ValidationError("SCENE", kEmptyName);
+                    scenes.emplace_back(name);
+                }
+            },
+            "Files that the program opens, one or more")
+        ->required()
+        ->expected(1, -1);
+}
+
+void addInfo(CLI::App& program, Request& request) {
+    CLI::App* info = program.add_subcommand(
+        "info", "Objects, surfaces, triangles, mesh health, every parameter, what the reader found");
+    addScenes(*info, request.scenes);
+    info->add_flag("--json", request.json, "As one JSON object; of several files as an array of them");
+}
+
+void addCheck(CLI::App& program, CheckOptions& options) {
+    CLI::App* check =
+        program.add_subcommand("check", "Every finding with its remedy; exit 1 when there are errors");
+    addScenes(*check, options.scenes);
+    check->add_flag("--json", options.json, "As one JSON object");
+    check->add_flag("--strict", options.strict, "A warning is an error as well");
+}
+
+void addVerify(CLI::App& program, Request& request) {
+    CLI::App* verify = program.add_subcommand(
+        "verify", "Replay the finger of a bundle and compare what it feels; exit 1 when anything differs");
+    addFile(*verify, "BUNDLE", request.bundle, "A .tactum or .zip that was exported")->required();
+    verify->add_flag("--json", request.json, "As one JSON object");
+}
+
+void addFeel(CLI::App& program, FeelOptions& options) {
+    CLI::App* feel =
+        program.add_subcommand("feel", "Give a model, exported again elsewhere, the feel that it had");
+    addFile(*feel, "FROM", options.from, "The scene with the feel")->required();
+    addFile(*feel, "ONTO", options.onto, "The model, any file that the program opens")->required();
+    addFile(*feel, "OUT", options.out, "The result, a .glb; it may be FROM or ONTO")->required();
+    feel->footer("Surfaces find each other by name; what finds no partner goes to standard error.");
 }
 
 void addDevices(CLI::App& program, Request& request) {
@@ -288,19 +353,6 @@ void addDevices(CLI::App& program, Request& request) {
     devices->add_option("--makers", request.makers)->group("");
     CLI::App* server = program.add_subcommand("device-server", "Drive a device for another process");
     server->group("")->add_option("ID", request.device)->required();
-}
-
-inline constexpr Parameter kThumbnailSize{
-    "size", "Size", "pixels", 16, 1024, 16, 256, 0, "Of the longer side."};
-
-/// For file managers; not listed.
-void addThumbnail(CLI::App& program, ThumbnailOptions& options) {
-    CLI::App* thumbnail = program.add_subcommand("thumbnail", "The picture in a bundle");
-    thumbnail->group("");
-    addFile(*thumbnail, "BUNDLE", options.bundle, "Ends in .tactum or .zip")->required();
-    addFile(*thumbnail, "OUT", options.out, "PNG")->required();
-    addNumber(*thumbnail, kThumbnailSize, [&](double value) { options.size = int(value); });
-    thumbnail->final_callback([&] { checkOutputs({options.bundle}, {options.out}); });
 }
 
 /// What an installation brings beside the program; not listed.
@@ -323,18 +375,19 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("convert")) return runConvert(request.convert);
     if (program.got_subcommand("simulate")) return runSimulate(request.simulate);
     if (program.got_subcommand("play")) return runPlay(request.play);
-    if (program.got_subcommand("info")) return runInfo(request.scene, request.json);
-    if (program.got_subcommand("check")) return runCheck(request.scene);
-    if (program.got_subcommand("thumbnail")) return runThumbnail(request.thumbnail);
+    if (program.got_subcommand("info")) return runInfo(request.scenes, request.json);
+    if (program.got_subcommand("check")) return runCheck(request.check);
+    if (program.got_subcommand("verify")) return runVerify(request.bundle, request.json);
+    if (program.got_subcommand("feel")) return runFeel(request.feel);
     if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
     return runDevices(request.makers, request.json);
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 10> verbs{"touch",  "simulate", "convert", "play",
-                                                     "info",   "check",    "devices", "device-server",
-                                                     "manual", "thumbnail"};
+    constexpr std::array<std::string_view, 11> verbs{"touch",   "simulate",      "convert", "play",
+                                                     "info",    "check",         "verify",  "feel",
+                                                     "devices", "device-server", "manual"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -345,13 +398,14 @@ int runVerb(int argc, char** argv) {
     addConvert(program, request.convert);
     addSimulate(program, request.simulate);
     addPlay(program, request.play);
-    addSceneVerb(program, "info", "Objects, surfaces, triangles, mesh health, every parameter", request);
-    program.get_subcommand("info")->add_flag("--json", request.json, "As one JSON object");
-    addSceneVerb(program, "check", "Every finding with its remedy; exit 1 when there are errors", request);
+    addInfo(program, request);
+    addCheck(program, request.check);
+    addVerify(program, request);
+    addFeel(program, request.feel);
+    program.set_version_flag("--version", "tactum " TACTUM_VERSION);
     addDevices(program, request);
     program.add_subcommand("serve", "A device and a scene for programs elsewhere, without a window");
     addManual(program, request);
-    addThumbnail(program, request.thumbnail);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);
@@ -363,6 +417,9 @@ int runVerb(int argc, char** argv) {
         const std::string verb = argc > 1 && isVerb(argv[1]) ? argv[1] + std::string(" ") : "";
         return fail(sentence + "; see tactum " + verb + "--help", kUsage);
     }
+    if (request.touch.picture) // before the work, not after it
+        if (const auto screen = reachScreen(argv); !screen)
+            return fail(screen.error().text, int(screen.error().kind));
     const Result<int> code = run(program, request);
     if (!code) return fail(code.error().text, int(code.error().kind));
     std::cout.flush();
@@ -403,8 +460,8 @@ int runProgram(int argc, char** argv) {
     std::error_code unknown; // then the reader says more
     if (scene && std::filesystem::status(*scene, unknown).type() == std::filesystem::file_type::not_found)
         return failMissing(*scene);
-    if (const auto display = checkDisplay(); !display)
-        return fail(display.error().text, int(display.error().kind));
+    if (const auto screen = reachScreen(argv); !screen)
+        return fail(screen.error().text, int(screen.error().kind));
     return runWindow(argc, argv, scene);
 }
 

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <fstream>
 
+#include <unistd.h>
+
 #include "app/results.h"
 #include "core/base/atomic_file.h"
 
@@ -68,15 +70,75 @@ Result<void> checkFiles(const ConvertOptions& options, const std::vector<OutFile
     return {};
 }
 
+/// What stood in the places of an export, to be put back when one of its files cannot be written.
+class OldFiles {
+public:
+    OldFiles() = default;
+    OldFiles(const OldFiles&) = delete;
+    OldFiles& operator=(const OldFiles&) = delete;
+    ~OldFiles() {
+        std::error_code fault;
+        for (auto old = olds_.rbegin(); old != olds_.rend(); ++old) {
+            if (old->keep.empty())
+                fs::remove(old->place, fault);
+            else
+                fs::rename(old->keep, old->place, fault);
+        }
+        for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder)
+            fs::remove(*folder, fault); // only when nothing is in it
+    }
+
+    void willMake(const fs::path& folder) {
+        std::error_code fault;
+        if (fs::create_directory(folder, fault)) folders_.push_back(folder);
+    }
+    /// A second name for what is there, which needs no space; a copy where the disk knows no second names.
+    Result<void> willReplace(const fs::path& file) {
+        std::error_code fault;
+        if (fs::is_directory(file, fault)) return {}; // whoever writes it says why not
+        const bool isThere = fs::exists(file, fault);
+        Old old{isThere ? fs::canonical(file, fault) : file, {}};
+        if (isThere) {
+            old.keep = old.place.parent_path() /
+                       (".tactum-old-" + std::to_string(getpid()) + "-" + std::to_string(olds_.size()));
+            fs::remove(old.keep, fault);
+            fs::create_hard_link(old.place, old.keep, fault);
+            if (fault) fs::copy_file(old.place, old.keep, fault);
+            if (fault)
+                return machineError(file.string() + ": cannot be kept while the export is written (" +
+                                    fault.message() + "); check the folder and the free space");
+        }
+        olds_.push_back(std::move(old));
+        return {};
+    }
+    /// Everything is written.
+    void forget() {
+        std::error_code fault;
+        for (const Old& old : olds_)
+            if (!old.keep.empty()) fs::remove(old.keep, fault);
+        olds_.clear();
+        folders_.clear();
+    }
+
+private:
+    struct Old {
+        fs::path place, keep; ///< `keep` is empty when nothing was there
+    };
+    std::vector<Old> olds_;
+    std::vector<fs::path> folders_;
+};
+
 } // namespace
 
 Result<void> writeAll(const ConvertOptions& options, const std::vector<OutFile>& files) {
     if (const auto apart = checkFiles(options, files); !apart) return apart;
+    OldFiles olds;
     for (const OutFile& file : files) {
-        std::error_code fault;
-        if (file.path.has_parent_path()) fs::create_directory(file.path.parent_path(), fault);
+        if (file.path.has_parent_path()) olds.willMake(file.path.parent_path());
+        if (const auto kept = olds.willReplace(file.path); !kept) return kept;
         if (const auto written = writeFileAtomically(file.path, file.bytes, 0); !written) return written;
     }
+    olds.forget();
     return {};
 }
 

@@ -1,8 +1,12 @@
 #include "app/results.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iostream>
+#include <map>
+
+#include <nlohmann/json.hpp>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -38,6 +42,16 @@ const char* nameOf(Finding::Severity severity) {
         break;
     }
     return "error";
+}
+
+/// What a finding says, whatever the object and the numbers are.
+std::string kindOf(const Finding& finding) {
+    std::string kind = nameOf(finding.severity) + (": " + finding.sentence + ";" + finding.remedy);
+    const auto isOfNumber = [](unsigned char c) { return std::isdigit(c) || c == '.'; };
+    std::ranges::replace_if(kind, isOfNumber, '#');
+    kind.erase(std::unique(kind.begin(), kind.end(), [](char a, char b) { return a == '#' && b == '#'; }),
+               kind.end());
+    return kind;
 }
 
 /// Where a name leads. A pipe has none: it is called as the person calls it.
@@ -78,6 +92,33 @@ std::string lineOf(const Finding& finding) {
     line += finding.sentence;
     if (!finding.remedy.empty()) line += "; " + finding.remedy;
     return line;
+}
+
+std::vector<std::string> linesOf(const std::vector<Finding>& findings) {
+    constexpr std::size_t kMany = 3;
+    std::map<std::string, std::size_t> counts, said;
+    for (const Finding& finding : findings)
+        ++counts[kindOf(finding)];
+    std::vector<std::string> lines;
+    for (const Finding& finding : findings) {
+        const std::string kind = kindOf(finding);
+        const std::size_t count = counts[kind];
+        if (said[kind]++ > 0 && count > kMany) continue;
+        lines.push_back(lineOf(finding));
+        if (count > kMany)
+            lines.back() += " (and " + std::to_string(count - 1) + " more like it; --json has each)";
+    }
+    return lines;
+}
+
+nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings) {
+    auto json = nlohmann::ordered_json::array();
+    for (const Finding& finding : findings)
+        json.push_back({{"severity", nameOf(finding.severity)},
+                        {"object", finding.object},
+                        {"sentence", finding.sentence},
+                        {"remedy", finding.remedy}});
+    return json;
 }
 
 std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::path>& inputs,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/base/result.h"
 #include "core/haptics/replay.h"
 #include "core/scene/findings.h"
@@ -18,6 +20,11 @@ std::string touchCsv(const TouchTrace& rows);
 bool isStandardOutput(const std::optional<std::filesystem::path>& file);
 /// One line: "warning: lid: 3 faces left out; export it again".
 std::string lineOf(const Finding& finding);
+/// The same for all of them; what is said of more than three objects is said of the first, and the others are
+/// counted.
+std::vector<std::string> linesOf(const std::vector<Finding>& findings);
+/// An array of objects with severity, object, sentence and remedy.
+nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
 
 /// Nothing, or the output that is also an input or an earlier output; a result that replaced one of them
 /// would be work lost.

@@ -2,13 +2,13 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/results.h"
+#include "app/simulated_forces.h"
 #include "core/base/numbers.h"
 #include "core/dynamics/dynamics.h"
 #include "core/dynamics/mechanism_build.h"
@@ -18,69 +18,8 @@ namespace tactum {
 
 namespace {
 
-/// A push of the command line, at a material point that is known once its time has come.
-class Pushes {
-public:
-    Pushes(const std::vector<PushOption>& given, const Mechanism& mechanism, const Mechanics& mechanics)
-        : given_(given), mechanism_(mechanism), mechanics_(mechanics), places_(given.size()) {}
-
-    /// Those that act in a step from `time` on.
-    const std::vector<AppliedForce>& at(double time, double dt, Dynamics& dynamics,
-                                        const DynamicState& state) {
-        acting_.clear();
-        for (std::size_t i = 0; i < given_.size(); ++i) {
-            // A step belongs to the push that holds its middle.
-            const double middle = time + 0.5 * dt;
-            if (middle < given_[i].from || middle >= given_[i].to) continue;
-            if (!places_[i].found) places_[i] = find(given_[i], dynamics, state);
-            if (places_[i].found) acting_.push_back({places_[i].place, given_[i].force});
-        }
-        return acting_;
-    }
-    /// Those that met no body.
-    std::size_t missed() const {
-        return std::size_t(
-            std::ranges::count_if(places_, [](const Found& one) { return one.looked && !one.found; }));
-    }
-
-private:
-    struct Found {
-        bool looked = false, found = false;
-        Place place;
-    };
-
-    /// The body whose collider, or else whose centre, is nearest to the point.
-    Found find(const PushOption& push, Dynamics& dynamics, const DynamicState& state) {
-        std::vector<BodyState> bodies(mechanism_.bodies.size());
-        dynamics.describe(state, Vec3::Zero(), bodies);
-        Found found{true, false, {}};
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const Place& place = mechanism_.places[i];
-            if (place.link < 0) continue;
-            double distance = (bodies[i].centre - push.point).norm() + kBesideColliders;
-            for (const Collider& collider : mechanics_.colliders)
-                if (collider.body == mechanism_.bodies[i].id)
-                    distance = std::min(
-                        distance, distanceTo(collider.shape,
-                                             (bodies[i].pose * collider.pose).applyInverse(push.point)));
-            if (distance >= nearest) continue;
-            nearest = distance;
-            found.found = true;
-            found.place = {place.link,
-                           place.pose * Pose{Quat::Identity(), bodies[i].pose.applyInverse(push.point)}};
-        }
-        return found;
-    }
-
-    static constexpr double kBesideColliders = 1e3; ///< m: a body without colliders comes after all others
-
-    const std::vector<PushOption>& given_;
-    const Mechanism& mechanism_;
-    const Mechanics& mechanics_;
-    std::vector<Found> places_;
-    std::vector<AppliedForce> acting_;
-};
+/// Rows and steps that a person can mean: a row is some 200 bytes.
+constexpr double kMostRows = 1e7, kMostSteps = 1e9;
 
 /// In quotes where a comma or a quote is in it.
 std::string csvField(const std::string& text) {
@@ -170,19 +109,30 @@ Result<int> runSimulate(const SimulateOptions& options) {
     // Output steps of whole steps: a step is never longer than asked for.
     const auto perOutput =
         std::max<long long>(1, std::llround(std::ceil(options.every * options.rate - 1e-9)));
-    const auto outputs = std::llround(options.seconds / options.every);
+    const auto outputs = std::llround(std::floor(options.seconds / options.every + 1e-9));
+    if (double(outputs) * double(bodies.size()) > kMostRows ||
+        double(outputs) * double(perOutput) > kMostSteps)
+        return inputError("--seconds: that would be more than 1e7 rows or 1e9 steps; ask for less time, a "
+                          "longer --every or a lower --rate");
     const double dt = options.every / double(perOutput);
     Pushes pushes(options.pushes, *mechanism, mechanics);
+    KeyedBodies keyed(loaded->scene, *mechanism);
+    keyed.start(state);
     std::vector<std::int64_t> times;
     times.reserve(std::size_t(outputs * perOutput));
     writeRows(0);
     for (long long output = 1; output <= outputs; ++output) {
         for (long long i = 0; i < perOutput; ++i) {
             const double time = (double(output - 1) + double(i) / double(perOutput)) * options.every;
-            const auto& forces = pushes.at(time, dt, dynamics, state);
-            const std::int64_t begin = nanoseconds();
-            dynamics.step(state, gravity, forces, dt);
-            times.push_back(nanoseconds() - begin);
+            for (double gone = 0; gone < dt;) {
+                const double part = pushes.untilChange(time + gone, dt - gone);
+                const auto& forces = pushes.at(time + gone, part, dynamics, state);
+                keyed.lead(time + gone, part, state);
+                const std::int64_t begin = nanoseconds();
+                dynamics.step(state, gravity, forces, part);
+                times.push_back(nanoseconds() - begin);
+                gone = part == dt - gone ? dt : gone + part;
+            }
         }
         writeRows(double(output) * options.every);
     }

@@ -1,10 +1,11 @@
+#include <algorithm>
 #include <chrono>
+#include <iostream>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include "app/commands.h"
-#include "app/display.h"
 #include "app/picture.h"
 #include "app/results.h"
 #include "core/files/read_finger_path.h"
@@ -81,8 +82,6 @@ Result<void> writeResults(const TouchOptions& options, const Scene& scene, const
 } // namespace
 
 Result<int> runTouch(const TouchOptions& options) {
-    if (options.picture) // before the work, not after it
-        if (const auto display = checkDisplay(); !display) return tl::unexpected(display.error());
     const auto path = readFingerPath(options.path);
     if (!path) return tl::unexpected(path.error());
     const auto loading = Clock::now();
@@ -95,6 +94,8 @@ Result<int> runTouch(const TouchOptions& options) {
     if (!world) return tl::unexpected(world.error());
     const double build = secondsSince(building);
     const TouchTrace rows = replay(**world, *path);
+    if (std::ranges::none_of(rows, [](const TouchRow& row) { return row.contacts > 0; }))
+        std::cerr << "note: the finger path touches nothing; is it in metres, and where the scene is?\n";
     const std::string summary = summaryOfTouch(**world, rows, load, build).dump();
     if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
         return tl::unexpected(written.error());

@@ -38,6 +38,7 @@ DeviceSettings rememberedSettings(const QString& deviceId) {
                           .bump = stored.value(QStringLiteral("bump")).toBool()};
     if (!checkWorkspace(settings.workspace)) settings.workspace = {};
     settings.stopButton = stored.value(QStringLiteral("stop")).toUInt();
+    settings.grasped = stored.value(QStringLiteral("grasped")).toBool();
     return settings;
 }
 
@@ -56,6 +57,7 @@ void rememberSettings(const QString& deviceId, const DeviceSettings& settings) {
     stored.setValue(QStringLiteral("clutch"), workspace.clutch);
     stored.setValue(QStringLiteral("bump"), workspace.bump);
     stored.setValue(QStringLiteral("stop"), settings.stopButton);
+    stored.setValue(QStringLiteral("grasped"), settings.grasped);
 }
 
 AxisMap withAxis(AxisMap axes, std::size_t which, int axis) {

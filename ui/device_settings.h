@@ -25,6 +25,7 @@ inline constexpr Parameter kWorkspaceScale{
 struct DeviceSettings {
     Workspace workspace;
     std::uint32_t stopButton = 0; ///< as in StopSwitch
+    bool grasped = false;         ///< as in Engine::setGrasped()
 
     bool operator==(const DeviceSettings&) const = default;
 };

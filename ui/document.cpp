@@ -272,11 +272,16 @@ void Document::removeObject(ObjectId id) {
                 {SceneChange::What::Objects});
 }
 
-void Document::editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture) {
+void Document::editScene(const QString& text, SceneChange::What what,
+                         const std::function<void(Scene&)>& change, Gesture gesture) {
     Scene value = scene_;
     change(value);
     edit<Scene>(
-        text, [](Scene& scene) { return &scene; }, std::move(value), {SceneChange::What::Bodies}, gesture);
+        text, [](Scene& scene) { return &scene; }, std::move(value), {what}, gesture);
+}
+
+void Document::editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture) {
+    editScene(text, SceneChange::What::Bodies, change, gesture);
 }
 
 void Document::replaceScene(const QString& text, const Scene& scene) {

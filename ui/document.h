@@ -121,6 +121,9 @@ public:
     void setVisible(ObjectId id, bool visible);
     void showAll();
     void removeObject(ObjectId id);
+    /// Anything of the scene, in one step of the history.
+    void editScene(const QString& text, SceneChange::What what, const std::function<void(Scene&)>& change,
+                   Gesture gesture = 0);
     /// Bodies and joints, by the functions of core/scene/bodies.h, in one step of the history.
     void editBodies(const QString& text, const std::function<void(Scene&)>& change, Gesture gesture = 0);
     /// Another state of the scene in place of this one, as one step of the history.

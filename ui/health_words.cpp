@@ -19,6 +19,8 @@ QString wordsOf(CeilingReason reason) {
         return QObject::tr("limited by the damping of the surface");
     case CeilingReason::Resolution:
         return QObject::tr("limited by the resolution of the device");
+    case CeilingReason::Hand:
+        return QObject::tr("limited by what a hand bears");
     case CeilingReason::Maker:
         break;
     }
@@ -42,6 +44,8 @@ CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device) {
         return {servo.stiffnessScale * now.value, QObject::tr("limited by an oscillation that was seen")};
     if (now.reason != CeilingReason::SurfaceDamping && now.value < kLateServo * promised.value)
         return {now.value, QObject::tr("limited by a servo that comes late")};
+    if (servo.doubted)
+        return {now.value, QObject::tr("the grip seems lighter than chosen under Device > Live")};
     return {now.value, wordsOf(now.reason)};
 }
 

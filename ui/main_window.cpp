@@ -13,6 +13,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/arrange_tool.h"
 #include "ui/comparison.h"
 #include "ui/device_link.h"
 #include "ui/guard_watch.h"
@@ -57,6 +58,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
       view_(new SceneView), selecting_(new SelectTool(document, *view_, this)), selectStrip_(new ToolStrip),
+      arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
       painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
       centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
       status_(new StatusStrip), hint_(new TouchHint(view_)),
@@ -70,6 +72,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
+    addPlaceDock();
     addCompareDock();
     addPresetDock();
     addDeviceDock();
@@ -82,6 +85,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connectSelecting();
+    connectArranging();
     connectSurfaces();
     connectPainting();
     connectLayers();
@@ -114,6 +118,7 @@ QWidget* MainWindow::makeCentre() {
     column->addWidget(recoveryBar_);
     column->addWidget(notice_);
     column->addWidget(selectStrip_);
+    column->addWidget(arrangeStrip_);
     column->addWidget(paintStrip_);
     column->addWidget(centre_, 1);
     column->addWidget(playbackBar_);

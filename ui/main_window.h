@@ -25,6 +25,7 @@ class QStackedWidget;
 
 namespace tactum {
 
+class ArrangeTool;
 class Comparison;
 class DeviceCatalogue;
 class DeviceLink;
@@ -96,6 +97,7 @@ private:
     void connectView();
     void connectDevice();
     void connectMotion();
+    void showColliders();
     void connectDocument();
     void connectProblems();
     void showPlace(ObjectId id, const Problem& problem);
@@ -114,6 +116,10 @@ private:
     void connectSelecting();
     void fillSelectStrip();
     void showSelection();
+    // Of moving, turning and scaling: main_window_arranging.cpp.
+    void addPlaceDock();
+    void connectArranging();
+    void fillArrangeStrip();
     // Of surfaces and their normals: main_window_surfaces.cpp.
     void connectSurfaces();
     void setShading(const QString& text, const std::function<void(Shading&)>& change);
@@ -213,6 +219,8 @@ private:
     SceneView* view_;
     SelectTool* selecting_;
     ToolStrip* selectStrip_;
+    ArrangeTool* arranging_;
+    ToolStrip* arrangeStrip_;
     PaintTool* painting_;
     ToolStrip* paintStrip_;
     NoticeBar* notice_;

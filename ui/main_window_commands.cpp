@@ -62,14 +62,14 @@ void MainWindow::makeToolBar() {
     bar->setMovable(false);
     bar->setIconSize({24, 24});
     for (const char* id :
-         {"open", "", "undo", "redo", "", "touch", "select", "paint", "", "fit", "view-front", "view-right",
-          "view-top", "view-isometric", "", "overlay", "", "armed"}) {
+         {"open", "", "undo", "redo", "", "touch", "select", "paint", "arrange", "", "fit", "view-front",
+          "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"}) {
         if (*id)
             bar->addAction(&actions_[id]);
         else
             bar->addSeparator();
     }
-    for (const char* id : {"open", "touch", "select", "paint", "armed"})
+    for (const char* id : {"open", "touch", "select", "paint", "arrange", "armed"})
         static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
             ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
@@ -163,11 +163,12 @@ void MainWindow::connectEdit() {
 void MainWindow::connectView() {
     connectTheme();
     auto* tools = new QActionGroup(this);
-    for (const char* id : {"touch", "select", "paint"})
+    for (const char* id : {"touch", "select", "paint", "arrange"})
         tools->addAction(&actions_[id]);
     connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
     connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
     connect(&actions_["paint"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Paint); });
+    connect(&actions_["arrange"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Arrange); });
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
     connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
         hint_->hide();
@@ -228,11 +229,16 @@ void MainWindow::connectMotion() {
         run.setChecked(false);
         engine_.stepBodies();
     });
+    connect(&actions_["colliders"], &QAction::toggled, this, &MainWindow::showColliders);
+    connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
+        if (change.takesTime()) showColliders();
+    });
     connect(&actions_["motion-reset"], &QAction::triggered, this, [this] { engine_.beginBodies(); });
     using Hold = BodyPanel::Hold;
     for (const auto& [id, hold] : {std::pair{"body-loose", Hold::Loose},
                                    {"body-hinge", Hold::Hinge},
                                    {"body-slider", Hold::Slider},
+                                   {"body-path", Hold::Path},
                                    {"body-still", Hold::Still}})
         connect(&actions_[id], &QAction::triggered, this, [this, chosen = hold] {
             docks_.body->hold(chosen);
@@ -243,12 +249,21 @@ void MainWindow::connectMotion() {
     connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
     connect(docks_.body, &BodyPanel::marked, this, [this] {
         view_->setJoint(docks_.body->mark());
+        view_->setPath(docks_.body->path());
         view_->setMass(docks_.body->mass());
     });
     const auto gesture = std::make_shared<Gesture>(0);
     connect(view_, &SceneView::jointGrabbed, this, [gesture] { *gesture = newGesture(); });
     connect(view_, &SceneView::jointDragged, this,
             [this, gesture](const JointMark& mark) { docks_.body->setMark(mark, *gesture); });
+    connect(view_, &SceneView::pathGrabbed, this, [gesture] { *gesture = newGesture(); });
+    connect(view_, &SceneView::pathDragged, this,
+            [this, gesture](const std::vector<Vec3>& points) { docks_.body->setPath(points, *gesture); });
+}
+
+void MainWindow::showColliders() {
+    view_->setColliders(actions_["colliders"].isChecked() ? colliderMarks(document_.scene())
+                                                          : std::vector<ColliderMark>());
 }
 
 void MainWindow::connectDocument() {

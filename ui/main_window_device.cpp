@@ -97,6 +97,11 @@ void MainWindow::connectDevices() {
         next.workspace.clutch &= ~button; // a button does one thing
         setDeviceSettings(next);
     });
+    connect(&devicePanel_->live(), &DeviceLive::graspChosen, this, [this](bool grasped) {
+        DeviceSettings next = deviceSettings_;
+        next.grasped = grasped;
+        setDeviceSettings(next);
+    });
     WorkspaceFields& workspace = devicePanel_->workspace();
     connect(&workspace, &WorkspaceFields::edited, this, &MainWindow::setWorkspace);
     connect(&workspace, &WorkspaceFields::centrePressed, this, [this] { centreWorkspace(false); });
@@ -140,12 +145,14 @@ void MainWindow::setDeviceSettings(const DeviceSettings& settings) {
     if (const auto possible = engine_.setWorkspace(settings.workspace); !possible)
         notice_->showError(QString::fromStdString(possible.error().text));
     link_->stop().buttons = settings.stopButton;
+    engine_.setGrasped(settings.grasped);
     if (link_->connected()) rememberSettings(link_->current(), settings);
     showDeviceSettings();
 }
 
 void MainWindow::showDeviceSettings() {
     const DeviceInfo& device = engine_.device();
+    devicePanel_->live().setGrasped(deviceSettings_.grasped, link_->connected());
     devicePanel_->live().setStopButton(deviceSettings_.stopButton, device.buttons, link_->connected());
     devicePanel_->workspace().show(deviceSettings_.workspace, device.buttons, device.workspaceRadius,
                                    link_->connected());

@@ -11,6 +11,7 @@
 #include <QStandardPaths>
 
 #include "core/recording/recording_file.h"
+#include "ui/arrange_tool.h"
 #include "ui/ask_where.h"
 #include "ui/device_link.h"
 #include "ui/guard_watch.h"
@@ -34,9 +35,9 @@ constexpr double kSlice = 0.016;  // s
 
 /// What would change the document, the hand or the forces.
 constexpr const char* kLiveActions[] = {
-    "touch",         "select",       "hide",       "show-all",       "remove",        "armed",  "stop",
-    "restart-proxy", "undo",         "redo",       "record-stroke",  "take-stroke",   "mark-a", "swap-ab",
-    "compare-now",   "trial-spring", "trial-wall", "trial-friction", "workspace-axes"};
+    "touch",         "select",       "hide",       "show-all",       "remove",         "armed",  "stop",
+    "restart-proxy", "undo",         "redo",       "record-stroke",  "take-stroke",    "mark-a", "swap-ab",
+    "compare-now",   "trial-spring", "trial-wall", "trial-friction", "workspace-axes", "arrange"};
 
 QString ending() {
     return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
@@ -120,11 +121,16 @@ void MainWindow::setLive(bool live) {
         followComparison();
         showDeviceCommands();
     }
-    for (const char* name :
-         {"dock-outliner", "dock-problems", "dock-inspector", "dock-history", "dock-compare", "dock-device"})
+    for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history",
+                             "dock-compare", "dock-device", "dock-place"})
         if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
     hand_->setSuspended(!live);
-    view_->setTool(live && actions_["touch"].isChecked() ? ViewTool::Touch : ViewTool::Select);
+    const auto on = [&](const char* tool) { return live && actions_[tool].isChecked(); };
+    view_->setTool(on("touch")     ? ViewTool::Touch
+                   : on("paint")   ? ViewTool::Paint
+                   : on("arrange") ? ViewTool::Arrange
+                                   : ViewTool::Select);
+    arranging_->setActive(on("arrange"));
 }
 
 void MainWindow::beginPlayback() {

@@ -3,6 +3,8 @@
 
 #include <QActionGroup>
 
+#include "ui/arrange_tool.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/tool_strip.h"
@@ -57,7 +59,9 @@ void MainWindow::connectSelecting() {
     // A recording shows surfaces of another scene.
     connect(view_, &SceneView::picked, this, [this](const std::optional<PickHit>& hit, auto modifiers) {
         if (playback_->active()) return;
+        if (hit && docks_.body->picksPath()) return docks_.body->addPathPoint(hit->point);
         if (actions_["select"].isChecked()) return selecting_->take(hit, modifiers);
+        if (actions_["arrange"].isChecked()) return arranging_->choose(hit, modifiers);
         if (actions_["paint"].isChecked()) return; // beside the model: what is selected stays to be painted
         document_.select(hit ? std::optional(hit->surface) : std::nullopt);
     });

@@ -44,7 +44,7 @@ Result<void> checked(const ZipEntry& file, const Json& manifest) {
 } // namespace
 
 std::string packBundle(std::span<const ZipEntry> files) {
-    Json manifest{{"format", kFormat}, {"version", std::to_string(kMajor) + ".0"}, {"files", Json::array()}};
+    Json manifest{{"format", kFormat}, {"version", std::to_string(kMajor) + ".1"}, {"files", Json::array()}};
     for (const ZipEntry& file : files)
         manifest["files"].push_back(
             {{"name", file.name}, {"bytes", file.bytes.size()}, {"sha256", sha256(file.bytes)}});

@@ -18,9 +18,10 @@ inline constexpr const char* kScene = "scene.glb";
 inline constexpr const char* kX3d = "scene.x3d";
 inline constexpr const char* kDevice = "deviceinfo.x3d";
 inline constexpr const char* kFinger = "finger.csv"; ///< t,x,y,z: s and m
-inline constexpr const char* kForces = "forces.csv"; ///< t,x,y,z: s and N, what it must feel then
+inline constexpr const char* kForces = "forces.csv"; ///< s, m and N: what it must feel then
 inline constexpr const char* kPreview = "preview.png";
 inline constexpr const char* kReport = "report.md";
+inline constexpr const char* kReadme = "README.md";
 } // namespace bundle_name
 
 /// The zip of these files with a manifest before them. The same files give the same bytes. Thread: any but

@@ -32,6 +32,15 @@ bool isControl(std::string_view character) {
     return first < 0x20 || first == 0x7F || (first == 0xC2 && std::uint8_t(character[1]) < 0xA0);
 }
 
+/// Characters that turn the direction of the text around them: "cod\u202Egpj.exe" looks like another name.
+bool turnsDirection(std::string_view character) {
+    if (character.size() == 2) return character == "\u061C";
+    if (character.size() != 3 || character[0] != '\xE2') return false;
+    const auto last = std::uint8_t(character[2]);
+    return (character[1] == '\x80' && ((last >= 0xAA && last <= 0xAE) || last == 0x8E || last == 0x8F)) ||
+           (character[1] == '\x81' && last >= 0xA6 && last <= 0xA9);
+}
+
 template <class T> bool parseWhole(std::string_view token, T& value) {
     if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
     const char* end = token.data() + token.size();
@@ -47,7 +56,8 @@ std::string printable(std::string_view text, std::size_t limit) {
         const std::size_t length = utf8Length(text);
         const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
         if (result.size() + character.size() > limit) return result + "...";
-        result += length == 0 || isControl(character) ? "?" : character;
+        const bool hidden = length == 0 || isControl(character) || turnsDirection(character);
+        result += hidden ? "?" : character;
         text.remove_prefix(character.size());
     }
     return result;

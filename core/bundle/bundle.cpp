@@ -9,6 +9,9 @@
 #include "core/archive/bundle_files.h"
 #include "core/base/atomic_file.h"
 #include "core/base/numbers.h"
+#include "core/bundle/bundle_bytes.h"
+#include "core/bundle/bundle_readme.h"
+#include "core/bundle/forces_csv.h"
 #include "core/bundle/preview.h"
 #include "core/bundle/sample_stroke.h"
 #include "core/files/gltf/write_gltf.h"
@@ -24,19 +27,9 @@
 namespace tactum {
 namespace {
 
-/// What each point of a path must feel, as rows of forces.csv.
-std::vector<FingerPoint> forcesOf(const World& world, const std::vector<FingerPoint>& finger) {
-    std::vector<FingerPoint> forces;
-    for (const TouchRow& row : replay(world, finger))
-        forces.push_back({row.t, row.force});
-    return forces;
-}
-
 /// How the limit in deviceinfo.x3d, which is no value of the scene, compares with what the path needs.
-Loss forceLimitOf(const std::vector<FingerPoint>& forces) {
-    double most = 0;
-    for (const FingerPoint& force : forces)
-        most = std::max(most, force.position.norm());
+Loss forceLimitOf(const TouchTrace& rows) {
+    const double most = largestForceOf(rows);
     const auto newtons = [](double force) {
         std::string text;
         appendNumber(text, std::round(100 * force) / 100);
@@ -51,21 +44,14 @@ Loss forceLimitOf(const std::vector<FingerPoint>& forces) {
             sentence + ": raise forceLimit for a device that can give it"};
 }
 
-std::vector<Loss> reportOf(const Scene& scene, const X3dExport& x3d, const std::vector<FingerPoint>& forces) {
+std::vector<Loss> reportOf(const Scene& scene, const X3dExport& x3d, const TouchTrace& rows) {
     std::vector<Loss> losses;
     for (const ExportTarget target : {ExportTarget::Glb, ExportTarget::Mpeg, ExportTarget::KhrPhysics})
         for (Loss& loss : lossesOf(scene, target))
             losses.push_back(std::move(loss));
     losses.insert(losses.end(), x3d.losses.begin(), x3d.losses.end());
-    losses.push_back(forceLimitOf(forces));
+    losses.push_back(forceLimitOf(rows));
     return losses;
-}
-
-Result<std::string> readWhole(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string bytes(std::istreambuf_iterator<char>(in), {});
-    if (!in.good() && !in.eof()) return machineError(file.string() + ": cannot be read; check its rights");
-    return bytes;
 }
 
 /// The version of a bundle that a later program wrote, or of its scene; whatever else is there may be
@@ -73,7 +59,7 @@ Result<std::string> readWhole(const std::filesystem::path& file) {
 std::optional<std::string> laterFormatOf(const std::filesystem::path& file) {
     std::error_code fault;
     if (!std::filesystem::is_regular_file(file, fault)) return std::nullopt;
-    const auto bytes = readWhole(file);
+    const auto bytes = bundleBytes(file);
     if (!bytes) return std::nullopt;
     if (const auto later = laterBundle(*bytes)) return later;
     const auto files = BundleFiles::open(*bytes);
@@ -82,7 +68,20 @@ std::optional<std::string> laterFormatOf(const std::filesystem::path& file) {
 
 } // namespace
 
+Result<std::string> bundleBytes(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes(std::istreambuf_iterator<char>(in), {});
+    if (!in.good() && !in.eof()) return machineError(file.string() + ": cannot be read; check its rights");
+    return bytes;
+}
+
 Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
+    auto made = makeBundle(scene, progress);
+    if (!made) return tl::unexpected<Error>(made.error());
+    return std::move(made->bytes);
+}
+
+Result<MadeBundle> makeBundle(const Scene& scene, const Progress& progress) {
     const auto reached = [&](double part) {
         if (progress.report) progress.report(part);
         return !progress.isCancelled();
@@ -97,34 +96,44 @@ Result<std::string> bundleOf(const Scene& scene, const Progress& progress) {
     if (!written) return tl::unexpected<Error>(written.error());
     X3dExport& x3d = *written;
     const std::vector<FingerPoint> finger = scene.finger ? *scene.finger : sampleStroke(**world);
-    const std::vector<FingerPoint> forces = forcesOf(**world, finger);
+    const TouchTrace rows = replay(**world, finger);
     std::vector<ZipEntry> files{{bundle_name::kScene, std::move(*glb)},
                                 {bundle_name::kFinger, fingerCsv(finger)},
-                                {bundle_name::kForces, fingerCsv(forces)},
+                                {bundle_name::kForces, forcesCsv(rows)},
                                 {bundle_name::kPreview, previewOf(scene)},
-                                {bundle_name::kReport, reportMarkdown(reportOf(scene, x3d, forces))},
+                                {bundle_name::kReport, reportMarkdown(reportOf(scene, x3d, rows))},
+                                {bundle_name::kReadme, bundleReadme(scene, rows)},
                                 {bundle_name::kX3d, std::move(x3d.scene)},
                                 {bundle_name::kDevice, std::move(x3d.device)}};
     for (X3dImage& image : x3d.images)
         files.push_back({std::move(image.name), std::move(image.bytes)});
     if (!reached(0.9)) return cancelledError();
-    return packBundle(files);
+    return MadeBundle{packBundle(files), touchesAnything(rows)};
 }
 
-Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
-                        int backups) {
+Result<bool> saveTouchedBundle(const Scene& scene, const std::filesystem::path& file,
+                               const Progress& progress, int backups) {
     try {
         if (const auto later = laterFormatOf(file))
             return inputError(shownPath(file) + ": holds a bundle of a later Tactum (version " + *later +
                               " of the format), which would be lost; choose another name");
-        const auto bundle = bundleOf(scene, partOf(progress, 0, 0.95));
+        const auto bundle = makeBundle(scene, partOf(progress, 0, 0.95));
         if (!bundle) return tl::unexpected<Error>(bundle.error());
         if (progress.isCancelled()) return cancelledError();
-        return writeFileAtomically(file, *bundle, backups);
+        if (const auto written = writeFileAtomically(file, bundle->bytes, backups); !written)
+            return tl::unexpected<Error>(written.error());
+        return bundle->touches;
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(file) +
                             ": not enough memory to export the scene; close other programs");
     }
+}
+
+Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
+                        int backups) {
+    const auto saved = saveTouchedBundle(scene, file, progress, backups);
+    if (!saved) return tl::unexpected<Error>(saved.error());
+    return {};
 }
 
 Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
@@ -134,7 +143,7 @@ Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, c
 Result<Bundle> openBundle(const std::filesystem::path& file) {
     auto loaded = loadScene(file);
     if (!loaded) return tl::unexpected<Error>(loaded.error());
-    const auto bytes = readWhole(file);
+    const auto bytes = bundleBytes(file);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     const auto files = BundleFiles::open(*bytes);
     if (!files) return inputError(file.string() + ": " + files.error().text);
@@ -142,11 +151,11 @@ Result<Bundle> openBundle(const std::filesystem::path& file) {
     bundle.scene = std::move(loaded->scene);
     auto finger = readFingerPath(files->file(bundle_name::kFinger), file / bundle_name::kFinger);
     if (!finger) return tl::unexpected<Error>(finger.error());
-    const auto forces = readFingerPath(files->file(bundle_name::kForces), file / bundle_name::kForces);
+    const auto forces = readForces(files->file(bundle_name::kForces), file / bundle_name::kForces);
     if (!forces) return tl::unexpected<Error>(forces.error());
     bundle.finger = std::move(*finger);
-    for (const FingerPoint& force : *forces)
-        bundle.forces.push_back(force.position);
+    for (const FeltRow& row : forces->rows)
+        bundle.forces.push_back(row.force);
     if (bundle.forces.size() != bundle.finger.size())
         return inputError(file.string() +
                           ": its forces.csv has other rows than finger.csv; export the bundle again");

@@ -151,8 +151,8 @@ public:
         : tree_(tree), leafSpheres_(leafSpheres), soup_(soup), origin_(origin) {
         // The binary tree's leaves hold more than half of what fits on average.
         leaves.reserve(leafSpheres.size() / 4);
-        nodes.reserve(leafSpheres.size() / 16);
-        ranges.reserve(leafSpheres.size() / 16);
+        nodes.reserve(leafSpheres.size() / 12);
+        ranges.reserve(leafSpheres.size() / 12);
     }
 
     std::vector<SphereTree::Node> nodes;
@@ -319,8 +319,6 @@ SphereTree::SphereTree(const TriangleSoup& soup) {
     Flattener(soup, leafSpheres, origin_).flatten(folder.nodes, folder.ranges);
     nodes_ = std::move(folder.nodes);
     leaves_ = std::move(folder.leaves);
-    nodes_.shrink_to_fit();
-    leaves_.shrink_to_fit();
 }
 
 std::vector<BoundingSphere> SphereTree::spheresAt(int depth) const {

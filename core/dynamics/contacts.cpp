@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace tactum {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = 4096;
+/// Of all bodies together: eight for each of as many colliders as there can be.
+constexpr std::size_t kMostPlaces = 65536;
 /// Places that are nearer than this, m, are looked at whatever the speed.
 constexpr double kNear = 1e-4;
 /// A place is the same as one of the last step within this, m.
@@ -80,15 +82,20 @@ void Contacts::touch(const Articulation& articulation, int a, int b, double dt) 
     }
 }
 
-/// What the places of the last step pushed, for those that are still there.
+/// What the places of the last step pushed, for those that are still there. Both are in order.
 void Contacts::remember() noexcept {
-    for (Touching& place : now_)
-        for (Touching& old : before_)
-            if (old.a == place.a && old.b == place.b && (old.onA - place.onA).squaredNorm() < kSame * kSame) {
-                place.force = old.force;
-                old.a = -1; // taken
-                break;
-            }
+    const auto pairOf = [](const Touching& one) { return std::pair{one.a, one.b}; };
+    auto first = before_.begin();
+    for (Touching& place : now_) {
+        while (first != before_.end() && pairOf(*first) < pairOf(place))
+            ++first;
+        for (auto old = first; old != before_.end() && pairOf(*old) == pairOf(place); ++old) {
+            if (old->place < 0 || (old->onA - place.onA).squaredNorm() >= kSame * kSame) continue;
+            place.force = old->force;
+            old->place = -1; // taken
+            break;
+        }
+    }
 }
 
 // The order of the boxes is forgotten too: of two with the same x it would decide.

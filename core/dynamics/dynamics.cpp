@@ -9,6 +9,28 @@ namespace {
 
 /// A limit that is met ends a part of the step; after so many the rest is one part.
 constexpr int kMostEvents = 4;
+/// How much the slopes in the middle of a step may differ, as a part of what they differ from the first.
+constexpr double kRough = 0.04;
+/// By no more than this, m/s or rad/s and as a part of the speed, they never matter.
+constexpr double kSmooth = 1e-9;
+/// What is rough is gone in at most so many parts.
+constexpr int kFinest = 8;
+
+/// Whether a part of a step is too long for what happens in it, as a whip's crack is. Both slopes in its
+/// middle are of one time, the second found with the help of the first: |k3 - k2| / |k2 - k1| grows with how
+/// fast slopes change there (E. Hairer, S. Norsett and G. Wanner, Solving Ordinary Differential Equations I,
+/// II.4).
+bool isRough(const std::array<Coordinates, 4>& slopes, const Coordinates& v, double dt) noexcept {
+    const double first = (slopes[1] - slopes[0]).squaredNorm();
+    const double second = (slopes[2] - slopes[1]).squaredNorm();
+    return second > kRough * kRough * first && dt * dt * second > kSmooth * kSmooth * (1 + v.squaredNorm());
+}
+
+/// Beyond what numbers hold: it stands still where it was, and goes on from there.
+void standStill(DynamicState& state, const DynamicState& before) noexcept {
+    state = before;
+    state.v.setZero();
+}
 
 } // namespace
 
@@ -30,7 +52,7 @@ Dynamics::Dynamics(std::shared_ptr<const Mechanism> mechanism)
         a_[i] = v_[i] = Coordinates::Zero(m.vs);
         qRate_[i] = Coordinates::Zero(m.qs);
     }
-    before_ = startState(); // its memory, before the first step
+    before_ = looked_ = startState(); // its memory, before the first step
     springInertia_.assign(m.springs.size(), 1);
     weighs_ = std::ranges::any_of(m.springs, [](const Spring& spring) { return spring.drive.acceleration; });
 }
@@ -61,6 +83,13 @@ Dynamics::Stretch Dynamics::stretchOf(const Spring& spring, const Coordinates& q
     return now;
 }
 
+double Dynamics::forceOf(std::size_t spring, const Stretch& now) const noexcept {
+    const JointDrive& drive = mechanism_->springs[spring].drive;
+    return springInertia_[spring] *
+           std::clamp(drive.stiffness * (now.rest - now.value) + drive.damping * (drive.velocity - now.rate),
+                      -drive.maxForce, drive.maxForce);
+}
+
 void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept {
     springs_ = along_;
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
@@ -68,10 +97,7 @@ void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt)
         if (rows_.springIsRow(i, dt)) continue;
         const Stretch now = stretchOf(spring, q, v);
         if (!now.acts) continue;
-        const JointDrive& drive = spring.drive;
-        const double force = springInertia_[i] * std::clamp(drive.stiffness * (now.rest - now.value) +
-                                                                drive.damping * (drive.velocity - now.rate),
-                                                            -drive.maxForce, drive.maxForce);
+        const double force = forceOf(i, now);
         if (spring.of.link >= 0)
             springs_[mechanism_->links[std::size_t(spring.of.link)].v] += spring.of.sense * force;
         else
@@ -128,23 +154,34 @@ void Dynamics::normalise(Coordinates& q) const noexcept {
         if (link.kind == LinkKind::Ball) q.segment<4>(link.q).normalize();
 }
 
-// The first of the four slopes of v is known: it was needed for what is not smooth.
+// The first of the four slopes of v is known: it was needed for what is not smooth. Where the slopes change
+// too much the way is gone in halves, quarters or eighths.
 void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept {
-    constexpr std::array<double, 3> way{0.5, 0.5, 1};
-    v_[0] = state.v;
-    ratesOf(state.q, state.v, qRate_[0]);
-    for (std::size_t i = 1; i < 4; ++i) {
-        const double h = way[i - 1] * dt;
+    double part = dt;
+    const auto slope = [&](std::size_t i, double h) {
         q_ = state.q + h * qRate_[i - 1];
         v_[i] = state.v + h * a_[i - 1];
         ratesOf(q_, v_[i], qRate_[i]);
         evaluate(q_, v_[i], around, a_[i]);
+    };
+    const auto goHalfWay = [&] {
+        slope(1, 0.5 * part);
+        slope(2, 0.5 * part);
+    };
+    for (int left = 1, all = 1; left > 0;) {
+        v_[0] = state.v;
+        ratesOf(state.q, state.v, qRate_[0]);
+        for (goHalfWay(); all < kFinest && isRough(a_, state.v, part); goHalfWay()) {
+            part *= 0.5;
+            left *= 2, all *= 2;
+        }
+        slope(3, part);
+        state.q += part / 6 * (qRate_[0] + 2 * qRate_[1] + 2 * qRate_[2] + qRate_[3]);
+        state.v += part / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
+        if (!state.q.allFinite() || !state.v.allFinite()) return standStill(state, before_);
+        normalise(state.q);
+        if (--left > 0) evaluate(state.q, state.v, around, a_[0]);
     }
-    state.q += dt / 6 * (qRate_[0] + 2 * qRate_[1] + 2 * qRate_[2] + qRate_[3]);
-    state.v += dt / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
-    if (state.q.allFinite() && state.v.allFinite()) return normalise(state.q);
-    state = before_; // beyond what numbers hold: it stands still, and goes on from there
-    state.v.setZero();
 }
 
 void Dynamics::weighSprings(const DynamicState& state) noexcept {
@@ -267,6 +304,23 @@ double Dynamics::springEnergy(const DynamicState& state) noexcept {
         const double held = drive.spacing > 0 ? drive.energyAt(now.value) : 0.5 * off * off;
         if (now.acts) sum += springInertia_[i] * drive.stiffness * held;
     }
+    return sum;
+}
+
+double Dynamics::jointForce(const DynamicState& state, const Vec3& gravity,
+                            std::span<const AppliedForce> forces, double dt, int link) noexcept {
+    looked_ = state;
+    rows_.forget();
+    findHeldForces(looked_, {gravity, forces, dt}, true);
+    double sum = rows_.forceAlong(link, dt);
+    articulation_.place(state.q, state.v);
+    for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+        const Spring& spring = mechanism_->springs[i];
+        if (spring.of.link != link || rows_.springIsRow(i, dt)) continue;
+        if (const Stretch now = stretchOf(spring, state.q, state.v); now.acts)
+            sum += spring.of.sense * forceOf(i, now);
+    }
+    rows_.forget();
     return sum;
 }
 

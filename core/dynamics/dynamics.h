@@ -73,6 +73,10 @@ public:
     void describe(const DynamicState& state, const Vec3& gravity, std::span<BodyState> bodies) noexcept;
     /// What the springs hold: J. Of dampers and motors nothing.
     double springEnergy(const DynamicState& state) noexcept;
+    /// What a joint does along the one coordinate of a link, in a step of dt from a state: its springs,
+    /// detents, dampers, motors, dry friction and stops together, N or N m. Thread: real time.
+    double jointForce(const DynamicState& state, const Vec3& gravity, std::span<const AppliedForce> forces,
+                      double dt, int link) noexcept;
     /// The largest gap of a loop in a state, m or rad.
     double loopGap(const DynamicState& state) noexcept;
     /// Joint accelerations in a state: M^-1 (Gamma - b - g) of (22), with the loops closed.
@@ -95,6 +99,7 @@ private:
     };
 
     Stretch stretchOf(const Spring& spring, const Coordinates& q, const Coordinates& v) const noexcept;
+    double forceOf(std::size_t spring, const Stretch& now) const noexcept;
     void addForce(const AppliedForce& force) noexcept;
     void addAir(double dt) noexcept;
     void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
@@ -114,7 +119,7 @@ private:
     Coordinates springs_;
     std::array<Coordinates, 4> a_, qRate_, v_;
     Coordinates q_, free_;
-    DynamicState before_;
+    DynamicState before_, looked_;
     std::vector<double> springInertia_; ///< of springs in accelerations; 1 for the others
     bool weighs_ = false;               ///< there is one in accelerations
 };

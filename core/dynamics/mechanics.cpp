@@ -11,6 +11,8 @@ Pose scaled(Pose pose, double factor) {
     return pose;
 }
 
+} // namespace
+
 ColliderShape scaled(ColliderShape shape, double factor) {
     shape.size *= factor;
     shape.radius *= factor;
@@ -24,8 +26,7 @@ ColliderShape scaled(ColliderShape shape, double factor) {
     return shape;
 }
 
-/// Lengths of the linear ones.
-void scale(Joint& joint, double factor) {
+void scaleLengths(Joint& joint, double factor) {
     joint.frameA = scaled(joint.frameA, factor);
     joint.frameB = scaled(joint.frameB, factor);
     for (Vec3& point : joint.path.points)
@@ -43,8 +44,6 @@ void scale(Joint& joint, double factor) {
         }
 }
 
-} // namespace
-
 Mechanics scaled(Mechanics mechanics, double factor, const Vec3& about) {
     for (RigidBody& body : mechanics.bodies) {
         body.pose.translation = factor * (body.pose.translation - about);
@@ -56,7 +55,7 @@ Mechanics scaled(Mechanics mechanics, double factor, const Vec3& about) {
         // What is fixed to the world moves as the bodies do.
         if (joint.a == kWorldBody) joint.frameA.translation -= about;
         if (joint.b == kWorldBody) joint.frameB.translation -= about;
-        scale(joint, factor);
+        scaleLengths(joint, factor);
     }
     for (Collider& collider : mechanics.colliders) {
         if (collider.body == kWorldBody) collider.pose.translation -= about;

@@ -25,6 +25,11 @@ struct Mechanics {
     bool operator==(const Mechanics&) const = default;
 };
 
+/// With every length multiplied: of a shape, and of a joint its frames, its path, and what is linear of its
+/// limits and drives.
+ColliderShape scaled(ColliderShape shape, double factor);
+void scaleLengths(Joint& joint, double factor);
+
 /// The same with `about` moved to the origin and then every length multiplied; masses, forces,
 /// stiffnesses and the density of the air stay. Thread: any but real time.
 Mechanics scaled(Mechanics mechanics, double factor, const Vec3& about);

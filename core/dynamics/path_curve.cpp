@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/dynamics/path_places.h"
+
 namespace tactum {
 
 namespace {
@@ -222,6 +224,19 @@ double PathCurve::nearest(const Pose& to) const {
         if (cost(found) < cost(best)) best = found;
     }
     return closed_ ? best - all * std::floor(best / all) : best;
+}
+
+std::vector<Pose> placesAlong(const JointPath& path, int parts) {
+    std::vector<Pose> places;
+    const auto curve = PathCurve::through(path);
+    for (int i = 0; curve && i <= parts; ++i)
+        places.push_back(curve->at(curve->length() * i / parts).pose);
+    return places;
+}
+
+std::optional<Pose> nearestOn(const JointPath& path, const Pose& to) {
+    const auto curve = PathCurve::through(path);
+    return curve ? std::optional(curve->at(curve->nearest(to)).pose) : std::nullopt;
 }
 
 } // namespace tactum

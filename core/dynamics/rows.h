@@ -28,6 +28,10 @@ public:
     /// do to the acceleration.
     void solve(const Coordinates& v, double dt, Coordinates& along, Coordinates& acceleration) noexcept;
 
+    /// What springs, dry friction and limits among the rows do along the coordinate of a link, N or N m;
+    /// after solve().
+    double forceAlong(int link, double dt) const noexcept;
+
     /// At what part of a step bodies meet that do not touch yet, 1 for none.
     double firstTouch(double dt) const noexcept;
     /// At what part of the step a limit that was not reached is passed, 1 for none. The articulation knows
@@ -64,6 +68,8 @@ private:
         double friction = 0; ///< of a Contact
         double bounce = 0;   ///< of a Contact, for what approaches faster than
         double falls = 0;    ///< m/s
+        int link = -1;       ///< whose coordinate it is along, if it is along one
+        double sense = 1;    ///< in which of the two ways
         bool isPlace() const { return kind == Kind::Limit || kind == Kind::Contact; }
     };
     struct Reading {
@@ -78,6 +84,8 @@ private:
 
     Reading read(const Articulation& articulation, const Coordinate& of, const Coordinates& q) const noexcept;
     Row* addRow(Kind kind, Articulation& articulation, const Loops& loops, const Place& a, const Place& b,
+                const Wrench& along, double sense) noexcept;
+    Row* addRow(Kind kind, Articulation& articulation, const Loops& loops, const Coordinate& of,
                 const Wrench& along, double sense) noexcept;
     double addSide(Side& side, int linkA, int linkB, Articulation& articulation, const Loops& loops,
                    const Wrench& along, double sense) noexcept;

@@ -30,6 +30,20 @@ void appendReport(std::vector<Finding>& findings, const std::string& object, con
 
 } // namespace
 
+void demandBounded(const Source& source, std::size_t meshes, std::uint64_t triangles) {
+    if (meshes > kMaxShownMeshes)
+        source.fail("shows " + std::to_string(meshes) + " meshes with all its copies, and at most " +
+                    std::to_string(kMaxShownMeshes) + " are read; join them, or export fewer copies");
+    if (triangles > kMaxShownTriangles)
+        source.fail("has more than 67 million triangles with all its copies; split or simplify it");
+}
+
+std::string complaintOfCorners(std::size_t corners) {
+    if (corners <= kMaxCorners) return {};
+    return "a face has more than " + std::to_string(kMaxCorners) +
+           " corners; cut it in the modelling program";
+}
+
 void addObject(LoadedScene& loaded, std::string name, const BuildReport& report, TriangleSoup soup,
                std::vector<Surface> surfaces, const Progress& progress) {
     if (soup.triangles.empty()) return;

@@ -3,23 +3,32 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/files/beside.h"
 #include "core/files/guarded.h"
 #include "core/files/readers.h"
 #include "core/geometry/mesh_health.h"
+#include "core/scene/value_checks.h"
 
 namespace tactum {
 namespace {
 
 constexpr std::uint64_t kLargestFile = std::uint64_t(8) << 30;
 
+/// What a format names beside itself: nothing, pictures, materials and pictures, or pictures and buffers,
+/// which have many endings.
+enum class Beside { Nothing, Pictures, Materials, Buffers };
+
 struct Format {
     std::string_view ending;
     LoadedScene (*read)(const Source&, const Progress&);
+    Beside beside;
 };
-constexpr Format kFormats[] = {{"obj", readObj},    {"ply", readPly},       {"stl", readStl},
-                               {"off", readOff},    {"gltf", readGltf},     {"glb", readGltf},
-                               {"x3d", readX3d},    {"3ds", readAssimp},    {"fbx", readAssimp},
-                               {"dae", readAssimp}, {"tactum", readBundle}, {"zip", readBundle}};
+constexpr Format kFormats[] = {{"obj", readObj, Beside::Materials},     {"ply", readPly, Beside::Nothing},
+                               {"stl", readStl, Beside::Nothing},       {"off", readOff, Beside::Nothing},
+                               {"gltf", readGltf, Beside::Buffers},     {"glb", readGltf, Beside::Buffers},
+                               {"x3d", readX3d, Beside::Pictures},      {"3ds", readAssimp, Beside::Pictures},
+                               {"fbx", readAssimp, Beside::Pictures},   {"dae", readAssimp, Beside::Pictures},
+                               {"tactum", readBundle, Beside::Nothing}, {"zip", readBundle, Beside::Nothing}};
 
 const Format* formatOf(const std::filesystem::path& file) {
     const std::string ending = lowerCase(file.extension().string());
@@ -62,6 +71,19 @@ void refuseDisguises(const Source& source, bool mayBeZip) {
             source.fail(disguise.sentence);
 }
 
+/// One unit of these is whatever it was in the program that wrote the file. Said only where it cannot be a
+/// metre.
+void sayOddSize(LoadedScene& loaded, const Format& format) {
+    constexpr double kLargest = 5; // m: nothing that a hand reaches is larger
+    constexpr std::string_view kWithoutUnit[] = {"obj", "ply", "stl", "off"};
+    if (std::ranges::find(kWithoutUnit, format.ending) == std::end(kWithoutUnit)) return;
+    const double across = boundsOf(loaded.scene).diagonal();
+    if (!(across > kLargest)) return;
+    loaded.findings.push_back(
+        {Finding::Severity::Note, "", "has no unit: taken as metres; " + withUnit(across, "m") + " across",
+         "in millimetres it would be " + withUnit(across / 1000, "m") + ": tactum convert --unit mm"});
+}
+
 LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
     const Format* format = formatOf(file);
@@ -70,6 +92,7 @@ LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
     if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");
+    sayOddSize(loaded, *format);
     if (progress.report) progress.report(1.0);
     return loaded;
 }
@@ -83,6 +106,17 @@ const std::vector<std::string>& readableEndings() {
             all.emplace_back(format.ending);
         return all;
     }();
+    return endings;
+}
+
+std::vector<std::string_view> endingsBeside(const std::filesystem::path& file) {
+    const Format* format = formatOf(file);
+    if (!format || format->beside == Beside::Nothing) return {};
+    std::vector<std::string_view> endings{"png", "jpg", "jpeg", "tif", "tiff"};
+    if (format->beside == Beside::Materials) endings.push_back("mtl");
+    if (format->beside == Beside::Buffers)
+        for (const std::string_view buffer : {"bin", "buf", "buffer", "dat", "data", "glbin", "webp", "ktx2"})
+            endings.push_back(buffer);
     return endings;
 }
 

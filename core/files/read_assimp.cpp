@@ -103,6 +103,7 @@ public:
         if (!scene_ || !scene_->mRootNode)
             source_.fail("cannot be read: " + printable(importer_.GetErrorString(), 300) +
                          "; the file may be damaged: export it again, or as glTF");
+        demandBounded();
         walk();
         sayWhatIsLeftOut();
         if (!hasUnit()) loaded_.findings.push_back(unitGuess(loaded_.scene));
@@ -133,6 +134,22 @@ private:
         if (ending_ == "fbx")
             return unit() != 1 || source_.bytes().find("UnitScaleFactor") != std::string_view::npos;
         return ending_ == "dae" && source_.bytes().find("meter=") != std::string_view::npos;
+    }
+
+    /// One mesh may stand under any number of nodes.
+    void demandBounded() const {
+        std::size_t shown = 0;
+        std::uint64_t faces = 0;
+        std::vector<const aiNode*> open{scene_->mRootNode};
+        while (!open.empty()) {
+            const aiNode& node = *open.back();
+            open.pop_back();
+            shown += node.mNumMeshes > 0;
+            for (unsigned i = 0; i < node.mNumMeshes; ++i)
+                faces += scene_->mMeshes[node.mMeshes[i]]->mNumFaces;
+            open.insert(open.end(), node.mChildren, node.mChildren + node.mNumChildren);
+        }
+        tactum::demandBounded(source_, shown, faces);
     }
 
     struct Step {

@@ -23,6 +23,15 @@ LoadedScene readAssimp(const Source& source, const Progress& progress); ///< 3ds
 void addObject(LoadedScene& loaded, std::string name, const BuildReport& report, TriangleSoup soup,
                std::vector<Surface> surfaces, const Progress& progress);
 
+/// What a file may show before anything of it is built: a few lines can ask for any number of copies.
+inline constexpr std::size_t kMaxShownMeshes = 30'000;
+inline constexpr std::uint64_t kMaxShownTriangles = std::uint64_t(1) << 26;
+inline constexpr std::size_t kMaxCorners = 100'000; ///< of one face
+/// Throws ReadFault where there is more.
+void demandBounded(const Source& source, std::size_t meshes, std::uint64_t triangles);
+/// For a face as a sentence of its own; empty when it is fine.
+std::string complaintOfCorners(std::size_t corners);
+
 /// A surface with the initial material.
 Surface namedSurface(std::string name);
 /// The name for an object that has none: that of the file without its ending.

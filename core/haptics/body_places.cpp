@@ -1,14 +1,47 @@
 #include "core/haptics/body_places.h"
 
+#include <algorithm>
+
 namespace tactum {
+namespace {
+
+/// What the finger does to the bodies: the opposite of what it feels, as far as the hand gets it.
+FingerPushes pushesOf(const HapticOutput& touch, const BodiesState& state, const std::vector<int>& driven,
+                      double forceScale) {
+    FingerPushes pushes;
+    const int count = std::clamp(touch.contacts, 0, int(touch.contact.size()));
+    double total = 0;
+    Vec3 rest = touch.force;
+    for (int i = 0; i < count; ++i) {
+        const ContactReport& contact = touch.contact[std::size_t(i)];
+        total += contact.normalForce;
+        rest -= contact.normalForce * contact.normal;
+    }
+    const double felt = touch.force.norm(), given = state.coupling.force;
+    const double part = forceScale * (felt > given ? given / felt : 1);
+    for (int i = 0; i < count; ++i) {
+        const ContactReport& contact = touch.contact[std::size_t(i)];
+        if (!(contact.normalForce > 0) || contact.body >= driven.size() || driven[contact.body] < 0) continue;
+        AppliedForce force;
+        force.force_W = -part * (contact.normalForce * contact.normal + contact.normalForce / total * rest);
+        force.start_W = contact.point;
+        pushes.push({std::uint32_t(driven[contact.body]), force});
+    }
+    return pushes;
+}
+
+} // namespace
 
 BodyPlaces::BodyPlaces(const World* world) {
     if (!world || !world->moving) return;
     const MovingBodies& loops = *world->moving;
-    bodies_ = std::make_unique<MovingBodies>(loops.mechanism(), loops.gravity());
+    bodies_ = std::make_unique<MovingBodies>(loops.mechanism(), loops.gravity(), loops.scale());
     for (const MovingBodies::Driven& driven : loops.driven())
         bodies_->add(driven);
     places_.resize(loops.driven().size());
+    driven_.assign(world->bodies.size(), -1);
+    for (const Mover& mover : world->movers)
+        driven_[mover.body] = mover.driven;
     for (const Mover& mover : world->movers)
         if (mover.driven >= 0)
             places_[std::size_t(mover.driven)] = {world->bodies[mover.body].object, mover.rest};
@@ -23,11 +56,12 @@ std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
     return places_;
 }
 
-std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body) {
+std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body,
+                                                 const HapticOutput& touch) {
     if (!bodies_) return std::nullopt;
     BodiesState seen = state;
     bodies_->begin(seen);
-    return bodies_->readingOf(body);
+    return bodies_->readingOf(body, pushesOf(touch, state, driven_, bodies_->scale().force));
 }
 
 } // namespace tactum

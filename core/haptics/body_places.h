@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/haptics/haptic_step.h"
 #include "core/haptics/world.h"
 
 namespace tactum {
@@ -22,12 +23,14 @@ public:
 
     /// Until the next call. A state of other bodies shows them where they begin.
     std::span<const PlacedObject> at(const BodiesState& state);
-    /// Nothing for what no force moves.
-    std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body);
+    /// While the finger touches as it is told. Nothing for what no force moves.
+    std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body,
+                                         const HapticOutput& touch = {});
 
 private:
     std::unique_ptr<MovingBodies> bodies_;
     std::vector<PlacedObject> places_;
+    std::vector<int> driven_; ///< Mover::driven by the index of World::bodies; -1: no force moves it
 };
 
 } // namespace tactum

@@ -11,6 +11,9 @@ namespace tactum {
 
 namespace {
 
+/// A step as the loops take it, to see in it what a joint does, s.
+constexpr double kLook = 5e-4;
+
 /// FNV-1a over words.
 class Key {
 public:
@@ -129,7 +132,7 @@ void MovingBodies::begin(BodiesState& state) noexcept {
         motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
 }
 
-std::optional<BodyReading> MovingBodies::readingOf(BodyId body) {
+std::optional<BodyReading> MovingBodies::readingOf(BodyId body, const FingerPushes& pushes) {
     const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
     if (found == mechanism_->bodies.end()) return std::nullopt;
     const std::size_t index = std::size_t(found - mechanism_->bodies.begin());
@@ -143,6 +146,10 @@ std::optional<BodyReading> MovingBodies::readingOf(BodyId body) {
     reading.turns = link.kind == LinkKind::Turn;
     reading.slides = !reading.turns;
     reading.value = now_.q[link.q], reading.rate = now_.v[link.v];
+    forces_.clear();
+    for (const FingerPush& push : pushes.all())
+        addForce(push.force, int(push.obstacle));
+    reading.force = dynamics_.jointForce(now_, gravity_, forces_.all(), kLook, place);
     return reading;
 }
 

@@ -54,7 +54,8 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
 struct BodyReading {
     bool turns = false, slides = false; ///< it has a joint of one freedom: an angle or a way; else neither
     double value = 0, rate = 0;         ///< of that joint: rad, rad/s or m, m/s
-    double kinetic = 0, potential = 0;  ///< J; of gravity, 0 at the origin
+    double force = 0; ///< what it does along that: springs, motor, friction and stops, N m or N
+    double kinetic = 0, potential = 0; ///< J; of gravity, 0 at the origin
 };
 
 /// Steps the bodies of one World; its memory is what it steps in. Thread: one at a time; all but making it
@@ -93,8 +94,9 @@ public:
         advance(state, dt);
     }
     void forget() noexcept { dynamics_.forget(); }
-    /// As in the last begin() or step(). Nothing for what stands still. Thread: any but real time.
-    std::optional<BodyReading> readingOf(BodyId body);
+    /// As in the last begin() or step(), while the finger pushes; of its pushes the obstacle is
+    /// Mover::driven here. Nothing for what stands still. Thread: any but real time.
+    std::optional<BodyReading> readingOf(BodyId body, const FingerPushes& pushes = {});
 
 private:
     void addForce(AppliedForce force, int driven) noexcept;

@@ -112,6 +112,17 @@ std::uint64_t sizeOf(const std::filesystem::path& file) {
     return fault ? 0 : size;
 }
 
+/// What has neither large files beside it nor is packed needs no more than twelve times itself and a little.
+ImportLimits limitsOf(const std::filesystem::path& file) {
+    constexpr std::uint64_t kLittle = std::uint64_t(2) << 30;
+    const std::uint64_t size = sizeOf(file);
+    ImportLimits limits = limitsFor(size);
+    const std::string ending = lowerCase(file.extension().string());
+    const bool holdsMore = ending == ".gltf" || ending == ".glb" || ending == ".zip" || ending == ".obj";
+    if (!holdsMore) limits.memory = std::max(kLittle, std::min(limits.memory, kLittle + 12 * size));
+    return limits;
+}
+
 } // namespace
 
 ImportLimits limitsFor(std::uint64_t fileBytes) {
@@ -131,7 +142,7 @@ std::filesystem::path importWorker() {
 Result<LoadedScene> importScene(const std::filesystem::path& file, const Progress& progress,
                                 const ImportOptions& options) {
     assertNotRealtime();
-    const ImportLimits limits = options.limits ? *options.limits : limitsFor(sizeOf(file));
+    const ImportLimits limits = options.limits ? *options.limits : limitsOf(file);
     const auto worker = options.worker.empty() ? importWorker() : options.worker;
     try {
         auto process = WorkerProcess::start(worker, file, limits);

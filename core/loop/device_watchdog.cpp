@@ -1,5 +1,6 @@
 #include "core/loop/device_watchdog.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -9,6 +10,8 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,6 +39,25 @@ void standApart() {
     mlockall(MCL_CURRENT | MCL_ONFAULT);
 }
 
+bool isOfTheNetwork(int descriptor) noexcept {
+    int domain = 0;
+    socklen_t size = sizeof domain;
+    return getsockopt(descriptor, SOL_SOCKET, SO_DOMAIN, &domain, &size) == 0 &&
+           (domain == AF_INET || domain == AF_INET6);
+}
+
+/// What the program has open stays open here when it dies: a port of its server would be taken, and who reads
+/// its output would wait for more. Neither is ever the way to a device.
+void closeOthers(int lifeline) noexcept {
+    constexpr int kMost = 65536;
+    const int end = int(std::min<long>(sysconf(_SC_OPEN_MAX), kMost));
+    for (int descriptor = 0; descriptor < end; ++descriptor) {
+        struct stat is {};
+        if (descriptor == lifeline || fstat(descriptor, &is) != 0) continue;
+        if (S_ISFIFO(is.st_mode) || isOfTheNetwork(descriptor)) close(descriptor);
+    }
+}
+
 /// Whether the program said farewell; nothing when there was no news before the next look.
 enum class News { None, Farewell, Death };
 News listen(int lifeline) noexcept {
@@ -48,6 +70,7 @@ News listen(int lifeline) noexcept {
 }
 
 [[noreturn]] void watch(int lifeline, DeviceWatchdog::Shared& shared, HapticDevice& device) noexcept {
+    closeOthers(lifeline);
     standApart();
     std::uint64_t last = 0;
     std::int64_t since = monotonicNanoseconds();

@@ -64,6 +64,7 @@ Tick Metronome::wakeUp(std::int64_t due, bool sleeping, bool framed) noexcept {
     tick.missed = late > period_;
     tick.woke = woke;
     tick.asleep = sleeping;
+    tick.framed = framed;
     scheduled_ = tick.missed || framed ? woke : due;
     last_ = woke;
     return tick;

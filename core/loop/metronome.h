@@ -20,6 +20,7 @@ struct Tick {
     bool missed = false;   ///< more than one period late
     std::int64_t woke = 0; ///< ns of CLOCK_MONOTONIC
     bool asleep = false;   ///< before it was due: the work of before did not make it late
+    bool framed = false;   ///< it is a device's frame, and not one of the loop's own clock
 };
 
 /// Sleeps to absolute times, so that errors do not add up, and never spins: a loop that cannot keep its

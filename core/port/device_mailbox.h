@@ -30,6 +30,12 @@ public:
     // The servo's side.
 
     void command(const Vec3& force, std::int64_t now) noexcept { commands_.write({force, now}); }
+    /// The command that answers the newest reading: awaitAnswer() wakes.
+    void answer(const Vec3& force, std::int64_t now) noexcept {
+        command(force, now);
+        answers_.fetch_add(1, std::memory_order_release);
+        wakeAll(answers_);
+    }
     /// Not valid when there is none that is young enough.
     DeviceSample newest(std::int64_t now) noexcept {
         const Reading& last = readings_.read();
@@ -55,10 +61,14 @@ public:
         return partLeft(now - last.at) * last.force;
     }
     void measured(const DeviceSample& sample, std::int64_t now) noexcept {
+        answered_ = answers_.load(std::memory_order_acquire);
         readings_.write({sample, now});
         count_.fetch_add(1, std::memory_order_release);
         wakeAll(count_);
     }
+    /// Until an answer comes after the newest measured(), or until a moment in ns. One that belongs to the
+    /// reading before and is late counts, once. Thread: the driver's, outside every RealtimeScope.
+    void awaitAnswer(std::int64_t until) noexcept { waitForChange(answers_, answered_, until); }
 
 private:
     struct Command {
@@ -74,6 +84,8 @@ private:
     std::atomic<std::int64_t> stopped_{0};
     FutexWord count_{0};      ///< of readings
     std::uint32_t known_ = 0; ///< of them, to awaitReading()
+    FutexWord answers_{0};
+    std::uint32_t answered_ = 0; ///< of them, when the newest reading came
 };
 
 } // namespace tactum

@@ -76,7 +76,7 @@ public:
     /// that run freely cost a tick of delay. Thread: servo, outside every RealtimeScope.
     virtual bool awaitFrame(std::int64_t) noexcept { return false; }
     /// The command that the next exchange() will send, as soon as it is known: for whoever hands it on to
-    /// another loop, which would else get it a tick later. Thread: servo, real time.
+    /// another loop, which would else get it a tick later. Once for each reading. Thread: servo, real time.
     virtual void announce(const DeviceCommand&) noexcept {}
     /// Brings the device to zero force by the shortest way, because the program is dying or stands still.
     /// Thread: any, also a signal handler and a forked child, also while exchange() runs: only what is

@@ -31,7 +31,7 @@ public:
     void close() override { device_->close(); }
     std::string trouble() const override { return device_->trouble(); }
     void announce(const DeviceCommand& command) noexcept override {
-        if (!stop_->pressed.load(std::memory_order_relaxed)) device_->announce(command);
+        device_->announce(stop_->pressed.load(std::memory_order_relaxed) ? DeviceCommand{} : command);
     }
     bool awaitFrame(std::int64_t until) noexcept override { return device_->awaitFrame(until); }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {

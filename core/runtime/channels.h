@@ -79,6 +79,7 @@ struct Channels {
     std::atomic<bool> fading{false};          ///< when it is not armed: gently
     std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
+    std::atomic<bool> grasped{false};         ///< the person says that the whole hand holds the device
     std::atomic<double> pace{1};              ///< HapticInput::pace
     std::atomic<bool> stop{false};
 };

@@ -29,7 +29,7 @@ std::string notePriority(int refusal, int unlocked) {
            "/etc/security/limits.d/tactum.conf, then log in again.";
 }
 
-/// Scenes that were felt are remembered for a minute, but of no more edits than this.
+/// Past scenes are remembered for a minute, but of no more edits than this.
 constexpr std::size_t kMaxScenes = 8192;
 constexpr double kSlowestPublish = 2; ///< s, from publish() to the first step in the World, and some more
 
@@ -68,8 +68,8 @@ private:
     DeviceInfo info_;
 };
 
-struct FeltScene {
-    double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is felt still
+struct PastScene {
+    double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is the present one
     RecordedScene recorded;
 };
 
@@ -83,13 +83,14 @@ struct Engine::Impl {
     std::vector<std::shared_ptr<const World>> kept;
     std::uint64_t publishedAfter = 0; ///< updates
     DeviceWatchdog watchdog;
-    std::deque<FeltScene> felt; ///< of the last minute, oldest first
+    std::deque<PastScene> past; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
     /// By the device's name: who pulls a hot device out and puts it back has a hot device.
     std::map<std::string, LeftHeat> heat;
     LeftHeat motors; ///< of the device; the servo's while it runs
     Workspace workspace;
     bool deadMan = false;
+    bool grasped = false;
     double pace = 1;
     bool running = false;
     bool realtime = false;
@@ -116,8 +117,9 @@ void Engine::Impl::freshChannels() {
     motors = heat[info.name];
     askForButton();
     channels->pace.store(pace, std::memory_order_relaxed);
+    channels->grasped.store(grasped, std::memory_order_relaxed);
     proxyBeats = servoBeats = {};
-    felt.clear();
+    past.clear();
     if (!kept.empty()) remember(*kept.back());
 }
 
@@ -129,11 +131,11 @@ void Engine::Impl::askForButton() {
 
 void Engine::Impl::remember(const World& world) {
     const double now = channels->recorder.now();
-    if (!felt.empty()) felt.back().until = now;
-    felt.push_back({0, {numbersOf(world), world.scene}});
-    while (felt.size() > 1 &&
-           (felt.front().until < now - kRecorded - kSlowestPublish || felt.size() > kMaxScenes))
-        felt.pop_front();
+    if (!past.empty()) past.back().until = now;
+    past.push_back({0, {numbersOf(world), world.scene}});
+    while (past.size() > 1 &&
+           (past.front().until < now - kRecorded - kSlowestPublish || past.size() > kMaxScenes))
+        past.pop_front();
 }
 
 Result<void> Engine::Impl::startLoops() {
@@ -244,9 +246,10 @@ void Engine::abandon() {
     fresh->heat = impl_->heat;
     fresh->workspace = impl_->workspace;
     fresh->deadMan = impl_->deadMan;
+    fresh->grasped = impl_->grasped;
     fresh->pace = impl_->pace;
     fresh->channels = impl_->channels; // with the last minute
-    fresh->felt = impl_->felt;
+    fresh->past = impl_->past;
     static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
     abandoned.push_back(std::exchange(impl_, std::move(fresh)));
 }
@@ -255,6 +258,7 @@ Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
     (void)stop(); // whom it concerns stops it first
     impl_->device = std::move(device);
     impl_->info = impl_->device->info();
+    impl_->grasped = false;
     impl_->freshChannels();
     return start();
 }
@@ -325,6 +329,11 @@ void Engine::push(const Vec3& force) {
 }
 
 /// A full queue holds the same order already.
+void Engine::setGrasped(bool on) {
+    impl_->grasped = on;
+    impl_->channels->grasped.store(on, std::memory_order_relaxed);
+}
+
 void Engine::restartProxy() {
     impl_->channels->commands.push({EngineCommand::Kind::RestartProxy});
 }
@@ -380,8 +389,8 @@ RecordedRun Engine::recorded() const {
     assertNotRealtime();
     RecordedRun run = impl_->channels->recorder.copy();
     run.device = impl_->info;
-    for (const FeltScene& felt : impl_->felt)
-        if (!run.sceneOf(felt.recorded.numbers.revision)) run.scenes.push_back(felt.recorded);
+    for (const PastScene& past : impl_->past)
+        if (!run.sceneOf(past.recorded.numbers.revision)) run.scenes.push_back(past.recorded);
     trim(run);
     return run;
 }

@@ -68,6 +68,9 @@ public:
     /// Adds a force to what the finger feels, N, world frame, from the next tick on: under the device's
     /// limit, the gate and kOutsidePower. Said again within kOutsidePatience, or it fades.
     void push(const Vec3& force);
+    /// Whether the whole hand holds the device and not two fingers, as the person says: it bears stiffer
+    /// surfaces, from the next contact on. Stays so through stop() and start(), not with another device.
+    void setGrasped(bool on);
     /// Puts the proxy onto the finger: a new model, a jump of the hand.
     void restartProxy();
     /// How fast the bodies' time goes, from 0 (they stand still) to 1. Stays so through stop() and start().

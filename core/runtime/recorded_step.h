@@ -62,7 +62,8 @@ struct ServoRow {
         Clutched = 128,
         Stopped = 256,
         Fading = 512,
-        kAllFlags = 1023
+        Grasped = 1024,
+        kAllFlags = 2047
     };
 
     double time = 0, dt = 0;
@@ -121,6 +122,7 @@ inline ServoOutput stepFrom(const ServoRow& row, ServoState& state, const LocalC
                                  .fading = is(ServoRow::Fading),
                                  .deadMan = row.deadMan,
                                  .overrideCeiling = is(ServoRow::Override),
+                                 .grasped = is(ServoRow::Grasped),
                                  .period = row.period};
     const DeviceSample sample{.position = vectorOf(row.position),
                               .velocity = vectorOf(row.velocity),

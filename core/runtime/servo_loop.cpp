@@ -57,7 +57,8 @@ ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, con
                      flag(sample.stopped, ServoRow::Stopped) |
                      flag(channels.armed.load(std::memory_order_relaxed), ServoRow::Armed) |
                      flag(channels.fading.load(std::memory_order_relaxed), ServoRow::Fading) |
-                     flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override)};
+                     flag(channels.overrideCeiling.load(std::memory_order_relaxed), ServoRow::Override) |
+                     flag(channels.grasped.load(std::memory_order_relaxed), ServoRow::Grasped)};
 }
 
 ServoOutput stepServo(Servo& servo, const DeviceSample& sample, const Tick& tick) noexcept {

@@ -17,7 +17,7 @@ void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState
     countPause(state, telemetry);
     if (output.finger.valid) telemetry.finger = output.finger.position;
     telemetry.force = output.frame.turned(output.force);
-    telemetry.handle = state.check.believed().position;
+    telemetry.handle_D = state.check.believed().position;
     telemetry.buttons = state.check.believed().buttons;
     telemetry.frame = output.frame;
     telemetry.ticks = state.ticks;
@@ -31,6 +31,10 @@ void note(ServoTelemetry& telemetry, const ServoOutput& output, const ServoState
     telemetry.heat = state.heat.heat();
     telemetry.energy = state.passivity.energy();
     telemetry.passivityDamping = state.passivity.lastDamping();
+    const double rendered = state.previous.touching ? state.transition.rendered().stiffness : 0;
+    telemetry.rendered = state.gate.gain() * rendered / output.frame.scale;
+    telemetry.grasped = state.schedule.grasping();
+    telemetry.doubted = state.schedule.doubted();
     telemetry.ceiling = state.schedule.ceiling();
     telemetry.ceiling.value /= output.frame.scale;
     telemetry.ceiling.damping /= output.frame.scale;

@@ -7,11 +7,11 @@
 namespace tactum {
 
 struct ServoTelemetry {
-    Vec3 finger = Vec3::Zero(); ///< world, m
-    Vec3 force = Vec3::Zero();  ///< N, after the limiter: what the device was sent, in the world's frame
-    Vec3 handle = Vec3::Zero(); ///< frame D, m: where the device is
-    DeviceFrame frame;          ///< of the device in the scene, as clutch and bump have moved it
-    std::uint32_t buttons = 0;  ///< that are held
+    Vec3 finger = Vec3::Zero();   ///< world, m
+    Vec3 force = Vec3::Zero();    ///< N, after the limiter: what the device was sent, in the world's frame
+    Vec3 handle_D = Vec3::Zero(); ///< m: where the device is
+    DeviceFrame frame;            ///< of the device in the scene, as clutch and bump have moved it
+    std::uint32_t buttons = 0;    ///< that are held
     std::uint64_t ticks = 0;
     double rate = 0;                 ///< Hz, over the last half second
     double jitterMicros = 0;         ///< largest deviation of a period from its nominal length over it
@@ -30,6 +30,9 @@ struct ServoTelemetry {
     double heat = 0;                                  ///< of the motors: 1 is as warm as they may be for ever
     double energy = 0;                                ///< J that the surface gave beyond what it took
     double passivityDamping = 0;                      ///< N s/m, that takes it back
+    double rendered = 0;      ///< N/m, of what is touched, in the scene's measure; 0: nothing is
+    bool grasped = false;     ///< the whole hand is believed to hold the device
+    bool doubted = false;     ///< the person says that it does, and is not believed any more
     StiffnessCeiling ceiling; ///< of surfaces in the scene: of the hand's measure, less the workspace's scale
 };
 

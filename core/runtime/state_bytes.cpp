@@ -59,7 +59,7 @@ void fields(auto& visit, MaybeConst<SimState> auto& state) {
 }
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
-          loop.makersCeiling, loop.surfaceDamping);
+          loop.makersCeiling, loop.handsCeiling, loop.surfaceDamping);
 }
 void fields(auto& visit, MaybeConst<ForceLimiter> auto& limiter) {
     visit(limiter.maxForce, limiter.clamped, limiter.notFinite);
@@ -90,7 +90,7 @@ namespace {
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
 static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 64 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2376);
+static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2400);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);

@@ -43,7 +43,7 @@ struct TransitionBounds {
 /// the finger, without force, and come back as well. A late model that finds the finger deep in something is
 /// met as a restart is. A body that moves by itself goes on as fast as it does, and what it thereby does on
 /// the hand is no change. Where the proxy fell from one side of the finger to another, the new surroundings
-/// begin with no more push than there was along theirs, and come back as well. World frame, SI. Thread: real
+/// begin with no more push than there was along theirs, and come back as well. Frame D, SI. Thread: real
 /// time.
 class ContactTransition {
 public:

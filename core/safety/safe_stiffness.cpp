@@ -38,6 +38,7 @@ StiffnessCeiling safeStiffness(const LoopFigures& loop) noexcept {
               CeilingReason::SurfaceDamping);
     if (loop.dryFriction > 0 && loop.resolution > 0)
         lower(kOfTheCount * 2 * loop.dryFriction / loop.resolution, CeilingReason::Resolution);
+    if (loop.handsCeiling > 0) lower(loop.handsCeiling, CeilingReason::Hand);
     if (loop.makersCeiling > 0) lower(loop.makersCeiling, CeilingReason::Maker);
     return ceiling;
 }

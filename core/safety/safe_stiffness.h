@@ -14,6 +14,7 @@ struct LoopFigures {
     double dryFriction = 0;    ///< N
     double resolution = 0;     ///< m, of the encoders; 0: none
     double makersCeiling = 0;  ///< N/m; 0: not known
+    double handsCeiling = 0;   ///< N/m, what this hand bears whatever it damps; 0: not known
     double surfaceDamping = 0; ///< N s/m, of the surface that is rendered
 };
 
@@ -26,7 +27,7 @@ inline double lateness(const LoopFigures& loop) noexcept {
     return 0.5 * loop.period + loop.delay + loop.amplifierLag;
 }
 
-enum class CeilingReason : std::uint8_t { Damping, SurfaceDamping, Resolution, Maker };
+enum class CeilingReason : std::uint8_t { Damping, SurfaceDamping, Resolution, Hand, Maker };
 
 struct StiffnessCeiling {
     double value = 0; ///< N/m

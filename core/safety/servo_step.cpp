@@ -33,6 +33,7 @@ StiffnessBounds ceilingOf(ServoState& state, const Previous& previous, const Ser
          .late = input.late,
          .period = settings.period,
          .overrideCeiling = settings.overrideCeiling,
+         .grasped = settings.grasped,
          .stiffness = model_D.stiffness,
          .damping = model_D.damping,
          .rendered = state.transition.rendered().stiffness,

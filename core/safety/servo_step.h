@@ -33,6 +33,7 @@ struct ServoSettings {
     bool fading = false;          ///< forces off, gently (kFadeAway)
     std::uint32_t deadMan = 0;    ///< buttons of which one must be held, and was let go before; 0: none
     bool overrideCeiling = false; ///< the person knows better than safeStiffness(); from the next contact on
+    bool grasped = false;         ///< the person says that the whole hand holds the device; likewise
     double period = 0;            ///< s, measured, where it is worse than the nominal one; else 0
 };
 

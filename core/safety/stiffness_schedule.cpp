@@ -15,6 +15,12 @@ constexpr double kFade = 0.05, kRecovery = 2, kSoften = 0.0125;
 constexpr double kMinScale = 1.0 / 32;
 /// So many late ticks in a row are no accident: the loop is slower than it should be.
 constexpr int kLateTicks = 5;
+/// A whole hand damps so many times as much as a light pinch. Unit of the second: N/m; beyond it taps in a
+/// grasp were taken for swings, on devices that damping alone would let be stiffer (docs/stability.md).
+constexpr double kGrasp = 1.7, kGraspCeiling = 1850;
+/// What is softened below this part of its stiffness is a doubt of the grasp; so many end it, and one is
+/// forgotten in this time. Unit: s.
+constexpr double kSoftened = 0.9, kMostDoubts = 2.5, kForgiven = 120;
 
 } // namespace
 
@@ -41,15 +47,32 @@ void StiffnessSchedule::scaleBy(const ScheduleInput& tick) noexcept {
     goal_ = std::max(kMinScale, 0.5 * goal_);
 }
 
+void StiffnessSchedule::trust(const ScheduleInput& tick, bool loaded) noexcept {
+    const bool softened = goal_ < kSoftened;
+    doubts_ = tick.grasped ? std::max(0.0, doubts_ - tick.dt / kForgiven) : 0;
+    if (grasping_ && softened && !softened_) doubts_ += 1;
+    softened_ = softened;
+    doubted_ = tick.grasped && (doubted_ || doubts_ > kMostDoubts);
+    grasping_ = tick.grasped && !doubted_ && (grasping_ || !loaded);
+}
+
+/// What a device bears without a grasp it bears with it.
+void StiffnessSchedule::grasp(LoopFigures& loop) const noexcept {
+    loop.handsCeiling = std::max(safeStiffness(loop).value, kGraspCeiling);
+    loop.damping += (kGrasp - 1) * pinch_;
+}
+
 StiffnessBounds StiffnessSchedule::operator()(const ScheduleInput& tick) noexcept {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     scaleBy(tick);
     const bool loaded = tick.load > 0 && tick.pushing;
     keepTime(tick, loaded ? editRate(tick.rendered) * tick.dt / tick.load : 1);
     overriding_ = tick.overrideCeiling && (overriding_ || !loaded);
+    trust(tick, loaded);
 
     LoopFigures loop = loop_;
     loop.period = period_;
+    if (grasping_) grasp(loop);
     const double undamped = safeStiffness(loop).value;
     loop.surfaceDamping = tick.damping;
     ceiling_ = safeStiffness(loop);

@@ -23,6 +23,7 @@ struct ScheduleInput {
     bool late = false;                 ///< the tick came more than one period late
     double period = 0;                 ///< s, measured over a longer time; 0: nothing is known
     bool overrideCeiling = false;      ///< the person knows better
+    bool grasped = false;              ///< the person says that the whole hand holds the device
     double stiffness = 0, damping = 0; ///< of the surface as authored, in the hand's measure
     double rendered = 0;               ///< N/m, at the last tick
     double load = 0;        ///< N, that the spring pushed with at the last tick; 0: nothing was touched
@@ -33,12 +34,14 @@ struct ScheduleInput {
 /// Three things lower the stiffness, and none of them under load by a step: a loop that is slower than its
 /// nominal period, a limit cycle (half of what is left, within kFade), and a surface that gives energy (the
 /// same, for as long as it does). What was lowered comes back while nothing is touched: a spring that
-/// stiffens under load gives energy. A person who knows better is obeyed from the next contact on. Thread:
-/// real time.
+/// stiffens under load gives energy. A person who knows better is obeyed from the next contact on. So is one
+/// who grasps the device: the hand damps more than the light pinch that the device's figures count on. A
+/// grasp that is none shows, because what it touches is softened; after three such contacts within minutes it
+/// is no longer believed, until the person says it anew. Thread: real time.
 class StiffnessSchedule {
 public:
     explicit StiffnessSchedule(const DeviceInfo& device) noexcept
-        : loop_(loopFigures(device)), period_(loop_.period) {}
+        : loop_(loopFigures(device)), pinch_(device.handDamping), period_(loop_.period) {}
 
     StiffnessBounds operator()(const ScheduleInput& tick) noexcept;
 
@@ -51,19 +54,25 @@ public:
     double period() const noexcept { return period_; }                    ///< s, that the ceiling is for
     double lateness() const noexcept { return tactum::lateness(loop_); }  ///< s, at the nominal period
     bool overriding() const noexcept { return overriding_; }              ///< the person's word is in force
+    bool grasping() const noexcept { return grasping_; }                  ///< the hand is believed to grasp
+    bool doubted() const noexcept { return doubted_; }                    ///< it says so, and is not believed
     void forgetSwings() noexcept { oscillation_.forget(); } ///< the swing that goes on begins anew
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
         visit(self.loop_, self.period_, self.lateFor_, self.lateTicks_, self.scale_, self.goal_,
-              self.oscillation_, self.oscillations_, self.ceiling_, self.overriding_);
+              self.oscillation_, self.oscillations_, self.ceiling_, self.overriding_, self.pinch_,
+              self.grasping_, self.doubted_, self.softened_, self.doubts_);
     }
 
 private:
     void keepTime(const ScheduleInput& tick, double change) noexcept;
     void scaleBy(const ScheduleInput& tick) noexcept;
+    void trust(const ScheduleInput& tick, bool loaded) noexcept;
+    void grasp(LoopFigures& loop) const noexcept;
 
     LoopFigures loop_;   ///< of the device; the period is the nominal one
+    double pinch_;       ///< N s/m, of the hand in it
     double period_;      ///< s
     double lateFor_ = 0; ///< s, that the late ticks took which follow each other now
     int lateTicks_ = 0;
@@ -72,6 +81,8 @@ private:
     std::uint64_t oscillations_ = 0;
     StiffnessCeiling ceiling_;
     bool overriding_ = false;
+    bool grasping_ = false, doubted_ = false, softened_ = false;
+    double doubts_ = 0; ///< contacts that were softened while the hand was believed to grasp, some forgotten
 };
 
 } // namespace tactum

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/dynamics/path_places.h"
 #include "core/dynamics/weigh.h"
 #include "core/scene/convex_parts.h"
 
@@ -220,6 +221,7 @@ bool isLock(const JointLimit& limit, bool angular, AxisSet axes) {
 
 /// The two locks of a hinge or a slider come first, as jointFrom() puts them.
 std::optional<AxisKind> kindOf(const Joint& joint) {
+    if (joint.path.isThere()) return AxisKind::Path;
     if (joint.limits.size() < 2) return std::nullopt;
     const auto locks = [&](AxisSet linear, AxisSet angular) {
         const auto has = [&](bool isAngular, AxisSet axes) {
@@ -231,6 +233,24 @@ std::optional<AxisKind> kindOf(const Joint& joint) {
     if (locks(kAllAxes, 6)) return AxisKind::Hinge;
     if (locks(6, kAllAxes)) return AxisKind::Slider;
     return std::nullopt;
+}
+
+JointPath seenFrom(JointPath path, const Pose& pose) {
+    for (Vec3& point : path.points)
+        point = pose.apply(point);
+    for (Vec3& up : path.ups)
+        up = pose.rotate(up);
+    return path;
+}
+
+/// On a curve that is given in the world: the body stays where it is, and rides where that is nearest.
+void putOnPath(Joint& joint, const AxisJoint& axis, const Scene& scene, BodyId body) {
+    const Pose place = poseOf(scene, body);
+    joint.name = "path";
+    joint.frameA = poseOf(scene, axis.to).inverse();
+    joint.path = axis.path;
+    joint.limits.clear();
+    if (const auto on = nearestOn(axis.path, {place.rotation, axis.at})) joint.frameB = place.inverse() * *on;
 }
 
 /// The end of the joints for one that there is not.
@@ -248,6 +268,7 @@ Joint jointFrom(const AxisJoint& axis, const Scene& scene, BodyId body) {
     joint.frameB = poseOf(scene, body).inverse() * at;
     joint.limits = {{false, AxisSet(angular ? kAllAxes : 6), 0, 0},
                     {true, AxisSet(angular ? 6 : kAllAxes), 0, 0}};
+    if (axis.kind == AxisKind::Path) putOnPath(joint, axis, scene, body);
     if (axis.low > -kUnbounded || axis.high < kUnbounded)
         joint.limits.push_back({angular, 1, axis.low, axis.high});
     if (axis.stiffness > 0 || axis.damping > 0)
@@ -370,6 +391,10 @@ std::optional<AxisJoint> axisJointOf(const Scene& scene, BodyId body, std::size_
     axis.kind = *kind, axis.to = joint.a;
     const Pose at = poseOf(scene, joint.a) * joint.frameA;
     axis.at = at.translation, axis.axis = at.rotation * Vec3::UnitX();
+    if (*kind == AxisKind::Path) {
+        axis.path = seenFrom(joint.path, at);
+        axis.at = (poseOf(scene, body) * joint.frameB).translation;
+    }
     for (const JointLimit& limit : joint.limits)
         if (!limit.isLock() && limit.angular == angular && limit.axes == 1)
             axis.low = limit.min, axis.high = limit.max;
@@ -393,11 +418,14 @@ void setLoose(Scene& scene, BodyId body) {
 
 void setAxisJoint(Scene& scene, BodyId body, const AxisJoint& axis, std::size_t which) {
     if (!findBody(scene, body) || axis.to == body) return;
+    if (axis.kind == AxisKind::Path && !nearestOn(axis.path, {})) return;
     auto& joints = scene.mechanics.joints;
     Joint made = jointFrom(axis, scene, body);
     const auto held = jointAt(joints, body, which);
     if (held == joints.end()) return joints.push_back(std::move(made));
-    made.name = held->name == "hinge" || held->name == "slider" ? made.name : held->name;
+    const bool named = held->name != "hinge" && held->name != "slider" && held->name != "path";
+    if (named) made.name = held->name;
+    if (made.path.isThere() && held->path.isThere()) made.frameB = held->frameB;
     made.collide = held->collide;
     *held = std::move(made);
 }
@@ -405,45 +433,6 @@ void setAxisJoint(Scene& scene, BodyId body, const AxisJoint& axis, std::size_t 
 void removeJoint(Scene& scene, BodyId body, std::size_t which) {
     auto& joints = scene.mechanics.joints;
     if (const auto found = jointAt(joints, body, which); found != joints.end()) joints.erase(found);
-}
-
-AxisJoint guessedJoint(const Scene& scene, BodyId body, AxisKind kind) {
-    AxisJoint guess;
-    guess.kind = kind;
-    const auto object = std::ranges::find(scene.objects, body, &SceneObject::body);
-    if (object == scene.objects.end() || !isSolid(*object)) return guess;
-    const Bounds box = tactum::boundsOf(*object->geometry); // its own frame
-    const Vec3 size = box.high - box.low;
-    int longest = 0;
-    size.maxCoeff(&longest);
-    guess.at = object->pose.apply(box.centre());
-    guess.axis = object->pose.rotate(Vec3::Unit(longest));
-    guess.damping = kind == AxisKind::Hinge ? kTurnDamping.initial : kSlideDamping.initial;
-    if (kind == AxisKind::Slider) return guess;
-    const auto away = [&](const Vec3& p_B) {
-        double nearest = kUnbounded;
-        for (const Collider& collider : scene.mechanics.colliders)
-            if (collider.body != body) {
-                const Pose pose = poseOf(scene, collider.body) * collider.pose;
-                nearest =
-                    std::min(nearest, distanceTo(collider.shape, pose.applyInverse(object->pose.apply(p_B))));
-            }
-        return nearest;
-    };
-    double best = kUnbounded;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int corner = 0; corner < 4; ++corner) {
-            Vec3 p = box.centre();
-            p[(axis + 1) % 3] = (corner & 1 ? box.high : box.low)[(axis + 1) % 3];
-            p[(axis + 2) % 3] = (corner & 2 ? box.high : box.low)[(axis + 2) % 3];
-            // Of two as near the longer one: a tenth of the box counts as much as all of its length.
-            const double cost = away(p) - 0.1 * size[axis];
-            if (cost >= best) continue;
-            best = cost;
-            guess.at = object->pose.apply(p);
-            guess.axis = object->pose.rotate(Vec3::Unit(axis));
-        }
-    return guess;
 }
 
 } // namespace tactum

@@ -33,14 +33,16 @@ struct BodyField {
 inline constexpr std::array<BodyField, 2> kBodyFields{
     {{&kBodyMass, &RigidBody::mass}, {&kGravityFactor, &RigidBody::gravityFactor}}};
 
-enum class AxisKind : std::uint8_t { Hinge, Slider };
+enum class AxisKind : std::uint8_t { Hinge, Slider, Path };
 
-/// A joint that leaves one axis free, as most are that people make. Angles in rad and N m, ways in m and N.
+/// A joint that leaves one axis free, as most are that people make, or the way along a curve. Angles in rad
+/// and N m, ways in m and N.
 struct AxisJoint {
     AxisKind kind = AxisKind::Hinge;
     BodyId to = kWorldBody;    ///< the body that it is fixed to
     Vec3 at = Vec3::Zero();    ///< m, world frame
-    Vec3 axis = Vec3::UnitY(); ///< unit length, world frame
+    Vec3 axis = Vec3::UnitY(); ///< unit length, world frame; of a path none
+    JointPath path;            ///< of a path, at the time 0 in the world frame; `at` is where it is ridden on
     double low = -kUnbounded, high = kUnbounded;
     double stiffness = 0, rest = 0; ///< of its spring
     double damping = 0;
@@ -58,6 +60,7 @@ struct AxisField {
 
     /// A stop at the end of its range is none.
     bool isStop() const { return value == &AxisJoint::low || value == &AxisJoint::high; }
+    const Parameter& of(AxisKind kind) const { return kind == AxisKind::Hinge ? *hinge : *slider; }
     double endless() const { return value == &AxisJoint::low ? -kUnbounded : kUnbounded; }
 };
 extern const std::array<AxisField, 10> kAxisFields;
@@ -87,14 +90,17 @@ void setMass(RigidBody& body, double mass);
 std::size_t jointsOf(const Scene& scene, BodyId body);
 /// One of them, where it is of this kind.
 std::optional<AxisJoint> axisJointOf(const Scene& scene, BodyId body, std::size_t which = 0);
-/// In place of one of them, or one more behind them; nothing for a body that there is not.
+/// In place of one of them, or one more behind them; nothing for a body that there is not, nor of a path that
+/// is no curve. What rides on a path stays where it is on the new one.
 void setAxisJoint(Scene& scene, BodyId body, const AxisJoint& joint, std::size_t which = 0);
 void removeJoint(Scene& scene, BodyId body, std::size_t which);
 /// A body without joints.
 void setLoose(Scene& scene, BodyId body);
 
-/// A joint as the form of a body suggests it. A hinge lies along that edge of its box that is nearest to what
-/// does not move with it, the longer one of two; a slider goes along its longest side.
+/// Joints as the form of a body suggests them, the likeliest first; at least one. A hinge is the axis of what
+/// is round, else that edge of its box that is nearest to what does not move with it, the longer one of two;
+/// a slider goes where nothing is in its way, the longer side of two, and a path begins as such a line.
+std::vector<AxisJoint> guessedJoints(const Scene& scene, BodyId body, AxisKind kind);
 AxisJoint guessedJoint(const Scene& scene, BodyId body, AxisKind kind);
 
 } // namespace tactum

@@ -1,5 +1,7 @@
 #include "core/scene/scene.h"
 
+#include "core/scene/placing.h"
+
 #include <algorithm>
 
 #include "core/motion/motion_build.h"
@@ -57,17 +59,7 @@ std::size_t triangleCount(const Scene& scene) {
 void fitDiagonal(Scene& scene, double diagonal) {
     const Bounds box = boundsOf(scene);
     if (!(box.diagonal() > 0)) return;
-    const double scale = diagonal / box.diagonal();
-    scene.mechanics = tactum::scaled(std::move(scene.mechanics), scale, box.centre());
-    for (auto& object : scene.objects) {
-        auto scaled = std::make_shared<TriangleSoup>(*object.geometry);
-        for (Vec3& p : scaled->positions)
-            p *= scale;
-        object.geometry = std::move(scaled);
-        object.pose.translation = scale * (object.pose.translation - box.centre());
-        if (object.motion)
-            object.motion = std::make_shared<const Motion>(tactum::scaled(*object.motion, scale));
-    }
+    scaleScene(scene, diagonal / box.diagonal(), box.centre());
 }
 
 } // namespace tactum

@@ -62,7 +62,7 @@ public:
         return true;
     }
     void announce(const DeviceCommand& command) noexcept override {
-        process_.block()->mailbox.command(command.force, monotonicNanoseconds());
+        process_.block()->mailbox.answer(command.force, monotonicNanoseconds());
     }
     void emergencyStop() noexcept override { process_.block()->mailbox.stop(monotonicNanoseconds()); }
 

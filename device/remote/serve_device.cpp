@@ -25,9 +25,10 @@ using wire::Kind;
 using wire::News;
 using wire::Packet;
 
-constexpr int kPriority = 80;     ///< as the servo's
-constexpr int kServerMoment = 20; ///< ms between two looks at the device's trouble
-constexpr int kFarewells = 3;     ///< exchanges with zero, the last acts
+constexpr int kPriority = 80;       ///< as the servo's
+constexpr int kServerMoment = 20;   ///< ms between two looks at the device's trouble
+constexpr int kFarewells = 3;       ///< exchanges with zero, the last acts
+constexpr double kAnswerPart = 0.6; ///< of a period, for the answer to a frame
 constexpr std::size_t kSignalStack = 64 * 1024;
 
 /// Whom the handler of a crash stops.
@@ -85,6 +86,7 @@ private:
     Result<void> prepare(const Packet& request);
     Result<void> open();
     Result<void> startLoop();
+    void handOn(ForceLimiter& limiter, std::int64_t until) noexcept;
     void loop() noexcept;
     void endLoop();
     void tellTrouble();
@@ -101,7 +103,13 @@ private:
     std::string trouble_;
 };
 
-// The loop: no step of it waits for anything but its clock and its device.
+// The loop: no step of it waits for anything but its clock, its device and, for so long, the servo's answer.
+
+/// A device that makes its frames itself takes the answer to this one with the next, if it is there by then.
+void Server::handOn(ForceLimiter& limiter, std::int64_t until) noexcept {
+    block_.mailbox.awaitAnswer(until);
+    device_.announce({limiter(block_.mailbox.force(monotonicNanoseconds()))});
+}
 
 void Server::loop() noexcept {
     static std::array<char, kSignalStack> second;
@@ -109,14 +117,16 @@ void Server::loop() noexcept {
     const DeviceInfo info = device_.info();
     ForceLimiter limiter{.maxForce = info.maxForce};
     Metronome metronome(info.rate);
+    const auto patience = std::int64_t(kAnswerPart * 1e9 * metronome.period());
     while (!stop_.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait(device_);
         const Vec3 force = limiter(block_.mailbox.force(monotonicNanoseconds()));
         const DeviceSample sample = device_.exchange({force}, tick.elapsed);
         watchdog_.beat();
         const std::int64_t now = monotonicNanoseconds();
-        block_.mailbox.measured(sample, now);
+        block_.mailbox.measured(sample, tick.framed && sample.at ? sample.at : now);
         block_.lastTick.store(now, std::memory_order_relaxed);
+        if (tick.framed) handOn(limiter, now + patience);
     }
     watchdog_.rest();
     for (int i = 0; i < kFarewells; ++i)

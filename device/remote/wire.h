@@ -17,7 +17,7 @@ namespace tactum::wire {
 
 /// The descriptors that a server inherits: the socket of packets, and after it the memory of the block.
 inline constexpr int kTalk = 3, kBlock = 4;
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 
 using Text = std::array<char, 512>;
 

@@ -67,7 +67,6 @@ class Haply final : public HapticDevice {
 public:
     Haply(std::string id, DeviceInfo profile) : id_(std::move(id)), info_(std::move(profile)) {
         info_.real = true;
-        info_.delay += 1;
         if (info_.name.empty()) info_.name = "Inverse3";
         limiter_.maxForce = info_.maxForce;
     }
@@ -89,7 +88,7 @@ public:
         return true;
     }
     void announce(const DeviceCommand& command) noexcept override {
-        mailbox_->command(command.force, monotonicNanoseconds());
+        mailbox_->answer(command.force, monotonicNanoseconds());
     }
     void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 

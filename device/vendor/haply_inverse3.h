@@ -13,8 +13,7 @@ namespace tactum {
 /// is none. Waits for some tenths of a second at most. Thread: any but real time.
 std::vector<DeviceListing> listHaply();
 
-/// The device with such an id. `profile`: its figures. A thread talks to the service, so its delay is a tick
-/// more than the profile's. Error: no such id. Thread: any but real time.
+/// The device with such an id. `profile`: its figures. Error: no such id. Thread: any but real time.
 Result<std::unique_ptr<HapticDevice>> makeHaply(const std::string& id, DeviceInfo profile);
 
 } // namespace tactum

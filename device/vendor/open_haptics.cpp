@@ -82,7 +82,7 @@ public:
         return true;
     }
     void announce(const DeviceCommand& command) noexcept override {
-        mailbox_->command(command.force, monotonicNanoseconds());
+        mailbox_->answer(command.force, monotonicNanoseconds());
     }
     void emergencyStop() noexcept override { mailbox_->stop(monotonicNanoseconds()); }
 
@@ -233,11 +233,10 @@ double OpenHaptics::ask(hd::Parameter parameter) const {
     return value;
 }
 
-/// The scheduler talks to the device: a tick more.
+// The answer to a frame goes out with the next one, as in a loop of our own: no tick more than the profile's.
 void OpenHaptics::take(const DeviceInfo& figures) {
     info_ = figures;
     info_.real = true;
-    info_.delay += 1;
 }
 
 Result<void> OpenHaptics::askItself() {

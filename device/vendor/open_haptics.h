@@ -14,8 +14,7 @@ namespace tactum {
 std::vector<DeviceListing> listOpenHaptics();
 
 /// The device with such an id, "openhaptics:default" the maker's default. Of its `figures`
-/// the limits are lowered to what the device says of itself. Only one at a time. The maker's scheduler talks
-/// to the device, so its delay is a tick more than the profile's. Error: no such id.
+/// the limits are lowered to what the device says of itself. Only one at a time. Error: no such id.
 /// Thread: any but real time.
 Result<std::unique_ptr<HapticDevice>> makeOpenHaptics(const std::string& id, FiguresOf figures);
 

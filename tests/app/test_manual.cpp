@@ -1,7 +1,6 @@
 // What the program says of itself for man and for shells: made from the table of --help, so that it cannot
 // leave anything out. The judges are roff and the shells themselves.
 
-#include <QImage>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
@@ -14,7 +13,8 @@ namespace test_manual {
 
 using namespace test_program;
 
-const QStringList kVerbs{"touch", "convert", "simulate", "play", "info", "check", "devices"};
+const QStringList kVerbs{"touch", "convert", "simulate", "play",   "info",
+                         "check", "verify",  "feel",     "devices"};
 
 QByteArray manualAs(const QString& form) {
     return runTactum({"manual", form}).out;
@@ -61,7 +61,7 @@ private slots:
 
     void whatIsForTheProgramItselfIsNotTold() {
         for (const QString& form : {"man", "bash", "zsh", "fish"})
-            for (const QByteArray& word : {"device\\-server", "device-server", "makers", "thumbnail"})
+            for (const QByteArray& word : {"device\\-server", "device-server", "makers"})
                 COMPARE_LACKS(manualAs(form), word);
     }
 
@@ -90,18 +90,6 @@ private slots:
         const Ended ended = runTactum({"manual", "html"});
         QCOMPARE(ended.code, 2);
         COMPARE_CONTAINS(oneLine(ended.error), QByteArray("'html' is none of man|bash|zsh|fish"));
-    }
-
-    /// The picture in a bundle keeps its shape; what is no bundle gives one line and no file.
-    void aBundleHasAThumbnail() {
-        const QString bundle = file("plate.tactum"), small = file("small.png");
-        QCOMPARE(runTactum({"convert", plate(), bundle}).code, 0);
-        QCOMPARE(runTactum({"thumbnail", bundle, small, "--size", "128"}).code, 0);
-        QCOMPARE(QImage(small).size(), QSize(128, 96)); // of 640 x 480
-        const Ended ended = runTactum({"thumbnail", plate(), file("no.png")});
-        QCOMPARE(ended.code, 1);
-        QVERIFY2(!oneLine(ended.error).isEmpty(), ended.error);
-        QVERIFY(!QFile::exists(file("no.png")));
     }
 };
 

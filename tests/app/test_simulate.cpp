@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include "tests/app/keyed_pusher.h"
 #include "tests/app/program.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -105,6 +106,45 @@ private slots:
         COMPARE_NEAR(rows[1][Wx], 0.1 * 3 * 0.1 / 1, 2e-5, "rad/s");
     }
 
+    // Its ends fall between two steps: the bodies get all of its impulse and no more.
+    void aPushBetweenStepsIsWhole() {
+        const QString scene = write("push.gltf", gltf(kBall));
+        const Ended run =
+            runTactum({"simulate", scene, "--seconds", "0.1", "--gravity", "0,0,0", "--push",
+                       "0.0301,0.0302,1,2,3,0,0,3", "--rate", "100", "--every", "0.1", "--out", "-"});
+        COMPARE_NEAR(rowsOf(run.out)[1][Vz], 3 * 0.0001 / 0.5, 1e-12, "m/s");
+        COMPARE_NEAR(rowsOf(run.out)[1][Z], 3 + 3 * 0.0001 / 0.5 * (0.1 - 0.03015), 1e-12, "m");
+    }
+
+    // An animation leads a body, whose box meets a loose one.
+    void aBodyOnKeysPushesWhatItMeets() {
+        const Ended run = runTactum({"simulate", write("keys.gltf", keyedPusher()), "--seconds", "1.5",
+                                     "--gravity", "0,0,0", "--every", "0.1", "--out", "-"});
+        QCOMPARE(run.code, 0);
+        for (const StateRow& row : rowsOf(run.out)) {
+            if (row.body == "pusher") {
+                COMPARE_NEAR(row[X], -1 + row.t, 1e-6, "m"); // the file is in single precision
+                COMPARE_NEAR(row[Vx], 1, 1e-6, "m/s");
+            } else { // they touch once the pusher has come 0.8 m
+                COMPARE_NEAR(row[X], std::max(0.0, row.t - 0.8), 1e-4, "m");
+                COMPARE_NEAR(row[Qw], 1, 1e-6, "");
+            }
+        }
+    }
+
+    void rowsEndWithTheTime() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended run = runTactum({"simulate", scene, "--seconds", "1", "--every", "0.6", "--out", "-"});
+        QCOMPARE(rowsOf(run.out).size(), 2); // at 0 and 0.6, and none after the end
+    }
+
+    void noMoreRowsThanAMachineHolds() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended run = runTactum({"simulate", scene, "--seconds", "1e5", "--rate", "1e6"});
+        QCOMPARE(run.code, 1);
+        COMPARE_CONTAINS(oneLine(run.error), QByteArray("--seconds: that would be more"));
+    }
+
     void theSameBits() {
         const QString scene = write("fall.gltf", gltf(kBall));
         const QStringList arguments{"simulate",        scene,   "--seconds", "0.3", "--push",
@@ -118,6 +158,14 @@ private slots:
         QTest::newRow("no time") << QStringList{} << QByteArray("--seconds");
         QTest::newRow("a push of seven")
             << QStringList{"--seconds", "1", "--push", "0,1,2,3,4,5,6"} << QByteArray("is not 8 numbers");
+        QTest::newRow("a push with a comma too many")
+            << QStringList{"--seconds", "1", "--push", "0,1,2,3,4,5,6,7,"} << QByteArray("is not 8 numbers");
+        QTest::newRow("a push that ends before it begins")
+            << QStringList{"--seconds", "1", "--push", "1,0,2,3,4,5,6,7"}
+            << QByteArray("ends before it begins");
+        QTest::newRow("a push beyond all forces")
+            << QStringList{"--seconds", "1", "--push", "0,1,0,5,0,1e300,0,0"}
+            << QByteArray("is not 8 numbers");
         QTest::newRow("gravity") << QStringList{"--seconds", "1", "--gravity", "0,x,1"}
                                  << QByteArray("is not 3 numbers");
         QTest::newRow("rate") << QStringList{"--seconds", "1", "--rate", "0"}

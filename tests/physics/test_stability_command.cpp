@@ -10,6 +10,7 @@
 #include "tests/physics/hand_script.h"
 #include "tests/physics/servo.h"
 #include "tests/support/compare.h"
+#include "tests/support/hand.h"
 #include "tests/support/repeats.h"
 #include "tests/support/test_program.h"
 
@@ -24,14 +25,59 @@ constexpr double kMaxChange = 0.3; ///< of the limit, that a tick may change the
 
 /// A finger on a wall that is as stiff as the device bears.
 struct OnTheWall {
-    OnTheWall(const Connected& device, const HandProfile& hand, int axes)
+    OnTheWall(const Connected& device, const HandProfile& hand, int axes, int later = 0)
         : model(wall(5000)), servo(connectedInfo(device), model),
-          loop(benchOf(device, hand), servo.control(), axes) {}
+          loop(late(benchOf(device, hand), later), servo.control(), axes) {
+        servo.settings.grasped = hand.gripDamping >= kGrasp.gripDamping;
+    }
+    static Bench late(Bench bench, int later) {
+        bench.timing.delay += later;
+        return bench;
+    }
 
     GivenModel model;
     Servo servo;
     ClosedLoop loop;
 };
+
+/// What minutes on the wall came to.
+struct Minutes {
+    double given = 0;    ///< J a contact, most
+    double softest = 1;  ///< stiffness scale
+    double stiffest = 0; ///< N/m, rendered
+    double touching = 0; ///< s
+    double softer = 0;   ///< s, of it with less than 0.99 of the stiffest
+    int doubted = 0;     ///< 1: the grasp was not believed any more
+    std::uint64_t faults = 0, oscillations = 0;
+    bool sound = true; ///< finite and within the limit
+};
+
+/// Taps, strokes and holds.
+Minutes spend(const Servo& servo, ClosedLoop& loop, double seconds, std::uint64_t seed) {
+    HandScript script(seed, 0, 0.25);
+    loop.plant.place({0, 0, 0.01});
+    loop.warmUp();
+    Minutes spent;
+    double before = 0;
+    loop.run(seconds, [&](ClosedLoop& now) {
+        now.plant.setGoal(script.goal(1e-3));
+        if (now.command.isZero(0)) before = now.plant.given();
+        spent.given = std::max(spent.given, now.plant.given() - before);
+        spent.softest = std::min(spent.softest, servo.state.schedule.scale());
+        if (!now.command.isZero(0)) {
+            const double stiffness = servo.state.transition.rendered().stiffness;
+            spent.stiffest = std::max(spent.stiffest, stiffness);
+            spent.touching += 1e-3;
+            spent.softer += stiffness < 0.99 * spent.stiffest ? 1e-3 : 0;
+        }
+        spent.sound = spent.sound && now.command.allFinite() &&
+                      now.command.norm() <= now.bench().device.maxForce * (1 + 1e-12);
+    });
+    spent.doubted = servo.state.schedule.doubted();
+    spent.faults = servo.state.gate.faults();
+    spent.oscillations = servo.state.schedule.oscillations();
+    return spent;
+}
 
 /// What the command does from tick to tick.
 struct Leaving {
@@ -56,7 +102,7 @@ private:
 
 void addDevices() {
     for (int i = 0; i < int(kConnected.size()); ++i)
-        QTest::newRow(kConnected[std::size_t(i)].plant.name) << i;
+        QTest::newRow(kConnected[std::size_t(i)].key.data()) << i;
 }
 
 } // namespace
@@ -70,7 +116,7 @@ private slots:
         QTest::addColumn<double>("flip");
         for (int i = 0; i < int(kConnected.size()); ++i)
             for (const double flip : {0.2e-3, 0.5e-3, 1e-3})
-                QTest::addRow("%s, %g mm", kConnected[std::size_t(i)].plant.name, 1e3 * flip) << i << flip;
+                QTest::addRow("%s, %g mm", kConnected[std::size_t(i)].key.data(), 1e3 * flip) << i << flip;
     }
 
     /// Bad cable or bad interpolation: every other reading is off.
@@ -101,7 +147,8 @@ private slots:
         qInfo("%.2f N a tick, %.2f unexplained, %d of 2000 above %.2f, fault %d", leaving.change,
               leaving.unexplained, leaving.large, kMaxChange * limit, int(on.servo.state.gate.inhibit()));
         QCOMPARE(leaving.large, 0);
-        QCOMPARE_LE(leaving.unexplained, 0.05 * limit);
+        // What added damping goes by at most, and what a surface does that is softened for the swing.
+        QCOMPARE_LE(leaving.unexplained, 0.05 * limit + 1e-3 * kSurfaceRate);
     }
 
     void tenMinutesAreCalm_data() {
@@ -109,13 +156,13 @@ private slots:
         addDevices();
     }
 
-    /// Strokes, taps and holds with edits between 300 N/m and more than the device bears: no tick that the
-    /// finger does not explain, no softened contact, no fault. Clamped rigidly, which is no hand, it may be
-    /// softened.
+    /// Strokes, taps and holds with edits between 300 N/m and more than the device bears, and the wall moved
+    /// up and down by millimetres: no tick that the finger does not explain, no softened contact, no fault.
+    /// Clamped rigidly, which is no hand, it may be softened.
     void tenMinutesAreCalm() {
         QFETCH(int, device);
         const Connected& connected = kConnected[std::size_t(device)];
-        const double limit = connected.plant.maxForce;
+        const double limit = connectedInfo(connected).maxForce;
         for (const HandProfile& hand : {kPinch, kGrasp, kFirm, kRigid}) {
             OnTheWall on(connected, hand, 3);
             HandScript script(std::uint64_t(70 + device), 0, 0.25);
@@ -132,7 +179,11 @@ private slots:
                 sound = sound && now.command.allFinite() && now.command.norm() <= limit * (1 + 1e-12);
                 if (now.time < next) return;
                 next += uniform(random, 1, 5);
-                on.model.model.stiffness = uniform(random, 300, 5000);
+                if (random() % 2)
+                    on.model.model.stiffness = uniform(random, 300, 5000);
+                else
+                    on.model.model.proxy.z() = uniform(random, -3e-3, 3e-3);
+                on.model.model.restarts += random() % 4 == 0;
                 ++on.model.model.revision;
             });
             qInfo("%s: softest %.3f, %.2f N a tick beyond the finger's way", hand.name, softest,
@@ -143,6 +194,64 @@ private slots:
             QCOMPARE(on.servo.state.schedule.oscillations(), 0u);
             if (!hand.rigid) QCOMPARE_GE(softest, 0.9);
         }
+    }
+
+    void aGraspThatIsNoneIsBorne_data() {
+        QTest::addColumn<int>("device");
+        addDevices();
+    }
+
+    /// The person said grasp and holds the device with two fingers, or the device is a tick later than it
+    /// says: surfaces may be softened, and no more.
+    void aGraspThatIsNoneIsBorne() {
+        QFETCH(int, device);
+        const Connected& connected = kConnected[std::size_t(device)];
+        for (const int later : {0, 1})
+            for (const bool grasped : {true, false})
+                for (const HandProfile& hand : {kPinch, kGrasp}) {
+                    OnTheWall on(connected, hand, 3, later);
+                    on.servo.settings.grasped = grasped;
+                    const Minutes spent = spend(on.servo, on.loop, longOnly(120), std::uint64_t(device));
+                    qInfo("%s said %s, %d late: up to %.0f N/m, %.2f mJ a contact, softest %.2f, %d swings, "
+                          "doubted %d",
+                          hand.name, grasped ? "grasp" : "pinch", later, spent.stiffest, 1e3 * spent.given,
+                          spent.softest, int(spent.oscillations), spent.doubted);
+                    QVERIFY(spent.sound);
+                    QCOMPARE(spent.faults, 0u);
+                    QCOMPARE_LE(spent.given, 10e-3);
+                }
+    }
+
+    void twentyFourThousandPolygonsAreStiff_data() {
+        QTest::addColumn<int>("device");
+        for (const int i : {0, 1})
+            QTest::newRow(kConnected[std::size_t(i)].key.data()) << i;
+    }
+
+    /// As the paper had them (section 9): 1800 N/m, here in a grasp, with the delay that the device has.
+    void twentyFourThousandPolygonsAreStiff() {
+        QFETCH(int, device);
+        const Connected& connected = kConnected[std::size_t(device)];
+        constexpr double kRadius = 1e-3, kPaper = 1800; // m, N/m
+        Material material = rough(0.3, 0.2);
+        material.stiffness = kPaper;
+        const Soup soup = heightField(0.06, 110, [](double x, double y) {
+            return 3e-3 * std::sin(80 * x) * std::cos(70 * y) - kRadius;
+        });
+        QCOMPARE_GT(soup->triangles.size(), 24'000u);
+        Proxy proxy(compile(sceneOf(soup, material, kRadius)).value(), 2000);
+        Servo servo(connectedInfo(connected), proxy);
+        servo.settings.grasped = true;
+        ClosedLoop loop(benchOf(connected, kGrasp), servo.control(), 3);
+        const Minutes spent = spend(servo, loop, longOnly(120), 5);
+        qInfo("%.0f N/m, %.2f mJ a contact, softest %.2f, %.2f s of %.1f softer", spent.stiffest,
+              1e3 * spent.given, spent.softest, spent.softer, spent.touching);
+        QCOMPARE_GT(spent.touching, longOnly(60));
+        QVERIFY(spent.sound);
+        QCOMPARE(spent.faults, 0u);
+        QCOMPARE(spent.oscillations, 0u);
+        COMPARE_NEAR(spent.stiffest, kPaper, 1e-6, "N/m");
+        QCOMPARE_LE(spent.softer, 0.01 * spent.touching);
     }
 
     void tapsAndStrokesDoNotKick_data() {
@@ -182,7 +291,7 @@ private slots:
         qInfo("%.2f N a tick, %.2f unexplained, %.2f N sideways, %.2f mJ a contact", leaving.change,
               leaving.unexplained, leaving.sideways, 1e3 * given);
         QCOMPARE_LE(leaving.sideways, 1e-9);
-        QCOMPARE_LE(leaving.unexplained, 0.055 * connected.plant.maxForce);
+        QCOMPARE_LE(leaving.unexplained, 0.055 * connectedInfo(connected).maxForce);
         QCOMPARE_LE(given, 2e-3); // strokes of up to 1 m/s; the damping across all of the way gave as much
     }
 };

@@ -132,6 +132,24 @@ private slots:
         QCOMPARE(on.servo.state.gate.faults(), 0u);
     }
 
+    /// Of a finger that touched nothing: the first push of what was moved over it, and no throw.
+    void whatComesIsFeltSoon() {
+        for (const double by : {1.5e-3, 3e-3, 10e-3}) {
+            Pressing on(0);
+            QCOMPARE(on.pressed, 0.0);
+            const double begun = on.loop.time;
+            on.edit(by);
+            double felt = 1e9, speed = 0;
+            on.loop.run(1, [&](const ClosedLoop& now) {
+                if (now.command.z() > 0.05) felt = std::min(felt, now.time - begun);
+                speed = std::max(speed, now.plant.velocity().norm());
+            });
+            qInfo("%g mm: after %.1f ms, %.3f m/s", 1e3 * by, 1e3 * felt, speed);
+            QCOMPARE_LE(felt, 0.15);
+            QCOMPARE_LE(speed, 0.05);
+        }
+    }
+
     void aDraggedBodyPushesOn_data() {
         QTest::addColumn<Vec3>("way");
         QTest::newRow("up") << Vec3(0, 0, 0.01);

@@ -4,12 +4,14 @@
 #include <array>
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "core/dynamics/path_places.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
@@ -29,12 +31,7 @@ QString textOf(std::string_view view) {
     return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
-QLabel* dimmedLine(const QString& text) {
-    auto* label = new QLabel(text);
-    label->setProperty("dimmed", true);
-    label->setWordWrap(true);
-    return label;
-}
+constexpr double kSamePlace = 1e-9; // m
 
 /// Buttons of which one is down, each with its number.
 struct NamedButton {
@@ -65,7 +62,9 @@ BodyPanel::Hold holdOf(const Scene& scene, BodyId body, std::size_t which) {
     if (body == kWorldBody) return BodyPanel::Hold::Still;
     const auto joint = axisJointOf(scene, body, which);
     if (!joint) return BodyPanel::Hold::Loose;
-    return joint->kind == AxisKind::Hinge ? BodyPanel::Hold::Hinge : BodyPanel::Hold::Slider;
+    return joint->kind == AxisKind::Hinge    ? BodyPanel::Hold::Hinge
+           : joint->kind == AxisKind::Slider ? BodyPanel::Hold::Slider
+                                             : BodyPanel::Hold::Path;
 }
 
 /// Down is the one along which the axis lies; none for any other direction.
@@ -87,7 +86,7 @@ BodyPanel::BodyPanel(Document& document, QWidget* parent) : QWidget(parent), doc
     others_->setObjectName(QStringLiteral("other-joints"));
     world_ = new WorldFields(document_);
     for (QWidget* each : std::initializer_list<QWidget*>{heading_, hint_, makeHoldRow(), makeBodyRows(),
-                                                         others_, makeJointRows(), world_})
+                                                         makeColliderRow(), others_, makeJointRows(), world_})
         sections->addWidget(each);
     sections->addStretch();
     columnIn(this, 0)->addWidget(scrolled(page));
@@ -100,7 +99,8 @@ QWidget* BodyPanel::makeHoldRow() {
     holdRow_ = buttonRow(*hold_, {{tr("Still"), tr("It stands still."), "hold-still"},
                                   {tr("Loose"), tr("It falls, lies, and is pushed."), "hold-loose"},
                                   {tr("Hinge"), tr("It turns about one axis."), "hold-hinge"},
-                                  {tr("Slider"), tr("It slides along one axis."), "hold-slider"}});
+                                  {tr("Slider"), tr("It slides along one axis."), "hold-slider"},
+                                  {tr("Path"), tr("It rides on a curve."), "hold-path"}});
     connect(hold_, &QButtonGroup::idClicked, this, [this](int id) { hold(Hold(id)); });
     return holdRow_;
 }
@@ -142,11 +142,17 @@ QWidget* BodyPanel::makeAxisRow() {
     auto* guess = new QToolButton;
     guess->setText(tr("Guess"));
     guess->setObjectName(QStringLiteral("axis-guess"));
-    guess->setToolTip(tr("Axis and place as the form of the object suggests them"));
+    guess->setToolTip(
+        tr("Axis and place as the form of the object suggests them; again: the next likely ones"));
     connect(guess, &QToolButton::clicked, this, [this] {
         editJoint(tr("Axis"), 0, [this](AxisJoint& joint) {
-            const AxisJoint guessed = guessedJoint(document_.scene(), body(), joint.kind);
-            joint.axis = guessed.axis, joint.at = guessed.at;
+            // The likeliest; from that one the next.
+            const auto guesses = guessedJoints(document_.scene(), body(), joint.kind);
+            const auto now = std::ranges::find_if(guesses, [&](const AxisJoint& each) {
+                return each.axis.isApprox(joint.axis) && (each.at - joint.at).norm() < kSamePlace;
+            });
+            const AxisJoint& next = now == guesses.end() || now + 1 == guesses.end() ? guesses[0] : now[1];
+            joint.axis = next.axis, joint.at = next.at;
         });
     });
     row->layout()->addWidget(guess);
@@ -166,8 +172,12 @@ QWidget* BodyPanel::makeJointRows() {
     });
     fixed->addWidget(to_, 1);
     rows->addLayout(fixed);
-    rows->addWidget(new QLabel(tr("Axis")));
-    rows->addWidget(makeAxisRow());
+    rows->addWidget(makePathRow());
+    lineRows_ = new QWidget;
+    rows->addWidget(lineRows_);
+    auto* line = columnIn(lineRows_, kRhythm);
+    line->addWidget(new QLabel(tr("Axis")));
+    line->addWidget(makeAxisRow());
     for (int i = 0; i < 3; ++i) {
         auto* row = new ParameterField(kPlace[std::size_t(i)]);
         row->setCompact();
@@ -176,7 +186,7 @@ QWidget* BodyPanel::makeJointRows() {
                       [&](AxisJoint& joint) { joint.at[i] = kPlace[std::size_t(i)].clamped(value); });
         });
         places_.push_back(row);
-        rows->addWidget(row);
+        line->addWidget(row);
     }
     addAxisFields(AxisKind::Hinge, jointRows_);
     addAxisFields(AxisKind::Slider, jointRows_);
@@ -224,7 +234,7 @@ void BodyPanel::addJoint() {
 /// A value at the end of its range is a stop that there is not.
 void BodyPanel::addAxisFields(AxisKind kind, QWidget* rows) {
     for (const AxisField& field : kAxisFields) {
-        const Parameter& parameter = kind == AxisKind::Hinge ? *field.hinge : *field.slider;
+        const Parameter& parameter = field.of(kind);
         auto* row = new ParameterField(parameter);
         connect(
             row, &ParameterField::edited, this, [this, &field, &parameter](double value, Gesture gesture) {
@@ -254,17 +264,19 @@ void BodyPanel::hold(Hold hold) {
     if (chosen->motion)
         return emit failed(tr("%1 moves by its keys; it cannot be pushed.").arg(textOf(chosen->name)));
     const QString texts[] = {tr("%1 stands still"), tr("%1 is loose"), tr("%1 on a hinge"),
-                             tr("%1 on a slider")};
+                             tr("%1 on a slider"), tr("%1 on a path")};
     if (holdOf(document_.scene(), chosen->body, which_) != hold)
-        document_.editBodies(texts[int(hold)].arg(textOf(chosen->name)), [hold, which = which_,
-                                                                          id = chosen->id](Scene& scene) {
-            BodyId held = scene.find(id)->body;
-            if (hold == Hold::Still) return makeStill(scene, held);
-            if (held == kWorldBody) held = makeBody(scene, id);
-            if (hold == Hold::Loose) return setLoose(scene, held);
-            const AxisKind kind = hold == Hold::Hinge ? AxisKind::Hinge : AxisKind::Slider;
-            setAxisJoint(scene, held, guessedJoint(scene, held, kind), which);
-        });
+        document_.editBodies(texts[int(hold)].arg(textOf(chosen->name)),
+                             [hold, which = which_, id = chosen->id](Scene& scene) {
+                                 BodyId held = scene.find(id)->body;
+                                 if (hold == Hold::Still) return makeStill(scene, held);
+                                 if (held == kWorldBody) held = makeBody(scene, id);
+                                 if (hold == Hold::Loose) return setLoose(scene, held);
+                                 const AxisKind kind = hold == Hold::Hinge    ? AxisKind::Hinge
+                                                       : hold == Hold::Slider ? AxisKind::Slider
+                                                                              : AxisKind::Path;
+                                 setAxisJoint(scene, held, guessedJoint(scene, held, kind), which);
+                             });
     refresh();
 }
 
@@ -273,16 +285,23 @@ void BodyPanel::editJoint(const QString& what, Gesture gesture,
     auto joint = axisJointOf(document_.scene(), body(), which_);
     if (!joint) return;
     change(*joint);
+    if (joint->kind == AxisKind::Path && placesAlong(joint->path, 1).empty())
+        return refuse(tr("No smooth curve goes through these points; move them farther apart."));
     document_.editBodies(
         tr("%1 of %2").arg(what, heading_->text()),
         [&, id = body()](Scene& scene) { setAxisJoint(scene, id, *joint, which_); }, gesture);
     refresh(); // what was typed may have been brought into range
 }
 
+void BodyPanel::refuse(const QString& sentence) {
+    refresh(); // what was typed or clicked is not so
+    emit failed(sentence);
+}
+
 std::optional<JointMark> BodyPanel::mark() const {
     const SceneObject* chosen = object();
     const auto joint = axisJointOf(document_.scene(), body(), which_);
-    if (!isVisible() || !chosen || !joint) return std::nullopt;
+    if (!isVisible() || !chosen || !joint || joint->kind == AxisKind::Path) return std::nullopt;
     const Vec3 middle = chosen->pose.apply(tactum::boundsOf(*chosen->geometry).centre());
     return JointMark{joint->kind == AxisKind::Hinge,
                      joint->at,
@@ -310,6 +329,7 @@ void BodyPanel::setMark(const JointMark& mark, Gesture gesture) {
 
 void BodyPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    refreshForm(object());
     emit marked();
 }
 
@@ -332,6 +352,7 @@ void BodyPanel::refresh() {
     const auto joint = found ? axisJointOf(document_.scene(), found->id, which_) : std::nullopt;
     if (chosen) hold_->button(int(holdOf(document_.scene(), chosen->body, which_)))->setChecked(true);
     bodyRows_->setVisible(found);
+    refreshForm(chosen);
     jointRows_->setVisible(joint.has_value());
     others_->setVisible(found && !joint && joints > 0);
     others_->setText(
@@ -348,10 +369,18 @@ void BodyPanel::refreshJoint(const AxisJoint& joint) {
     joints_->clear();
     for (std::size_t i = 0; i < jointsOf(document_.scene(), body()); ++i) {
         const auto each = axisJointOf(document_.scene(), body(), i);
-        const QString kind = !each ? tr("other") : each->kind == AxisKind::Hinge ? tr("hinge") : tr("slider");
+        const QString kind = !each                            ? tr("other")
+                             : each->kind == AxisKind::Hinge  ? tr("hinge")
+                             : each->kind == AxisKind::Slider ? tr("slider")
+                                                              : tr("path");
         joints_->addItem(QStringLiteral("%1: %2").arg(i + 1).arg(kind));
     }
     joints_->setCurrentIndex(int(which_));
+    const bool rides = joint.kind == AxisKind::Path;
+    lineRows_->setVisible(!rides);
+    pathRow_->setVisible(rides);
+    closed_->setChecked(rides && joint.path.closed);
+    if (!rides) pick_->setChecked(false);
     const int along = axisAlong(joint.axis);
     axis_->setExclusive(along >= 0);
     for (QAbstractButton* button : axis_->buttons())
@@ -359,8 +388,8 @@ void BodyPanel::refreshJoint(const AxisJoint& joint) {
     for (int i = 0; i < 3; ++i)
         places_[std::size_t(i)]->setValue(joint.at[i]);
     for (const AxisRow& each : axisRows_) {
-        const Parameter& parameter = each.kind == AxisKind::Hinge ? *each.field->hinge : *each.field->slider;
-        each.row->setVisible(each.kind == joint.kind);
+        const Parameter& parameter = each.field->of(each.kind);
+        each.row->setVisible((each.kind == AxisKind::Hinge) == (joint.kind == AxisKind::Hinge));
         each.row->setValue(std::clamp(joint.*each.field->value, parameter.minimum, parameter.maximum));
     }
 }

@@ -1,6 +1,7 @@
 // How panels stack what they hold.
 #pragma once
 
+#include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -14,6 +15,14 @@ inline QVBoxLayout* columnIn(QWidget* of, int spacing) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(spacing);
     return layout;
+}
+
+/// Words that are no heading and no value.
+inline QLabel* dimmedLine(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("dimmed", true);
+    label->setWordWrap(true);
+    return label;
 }
 
 /// A page of a dock that is scrolled up and down, and wide enough for a field with its unit.

@@ -38,6 +38,7 @@ QString rateText(double rate, double nominal) {
 DeviceLive::DeviceLive(QWidget* parent)
     : QWidget(parent), picture_(new WorkspacePicture), force_(new ForceMeter), heatBar_(new LevelBar),
       lamps_(new ButtonLamps), lampWord_(new QLabel(tr("Buttons"))), trouble_(new QLabel),
+      grip_(new ChoiceBox("device-grip", tr("How you hold the handle"), {})),
       stop_(new ChoiceBox("device-stop-button", tr("Button that ends all force"), {})) {
     columnIn(this, kRhythm);
     layout()->addWidget(picture_);
@@ -57,10 +58,9 @@ DeviceLive::DeviceLive(QWidget* parent)
     lamps->addWidget(lampWord_, 1);
     lamps->addWidget(lamps_);
     static_cast<QVBoxLayout*>(layout())->addLayout(lamps);
-    auto* label = new QLabel(tr("This button ends all force"));
-    label->setBuddy(stop_);
-    layout()->addWidget(label);
-    layout()->addWidget(stop_);
+    grip_->addItems({tr("Lightly, with the fingers"), tr("With the whole hand")});
+    addChoice(tr("How you hold it"), grip_);
+    addChoice(tr("This button ends all force"), stop_);
     trouble_->setObjectName(QStringLiteral("device-trouble"));
     trouble_->setProperty("limit", true);
     trouble_->setWordWrap(true);
@@ -68,6 +68,14 @@ DeviceLive::DeviceLive(QWidget* parent)
     static_cast<QVBoxLayout*>(layout())->addStretch();
     connect(stop_, &QComboBox::activated, this,
             [this](int row) { emit stopButtonChosen(row > 0 ? std::uint32_t(1) << (row - 1) : 0); });
+    connect(grip_, &QComboBox::activated, this, [this](int row) { emit graspChosen(row == 1); });
+}
+
+void DeviceLive::addChoice(const QString& words, QComboBox* box) {
+    auto* label = new QLabel(words);
+    label->setBuddy(box);
+    layout()->addWidget(label);
+    layout()->addWidget(box);
 }
 
 QLabel* DeviceLive::addRow(const QString& word, const char* name, const QString& meaning) {
@@ -89,17 +97,29 @@ QLabel* DeviceLive::addRow(const QString& word, const char* name, const QString&
 void DeviceLive::display(const Engine& engine) {
     const ServoTelemetry& servo = engine.servo();
     const DeviceInfo& device = engine.device();
-    picture_->setHandle(servo.handle, device.workspaceRadius);
+    picture_->setHandle(servo.handle_D, device.workspaceRadius);
     force_->setForce(servo.force.norm(), std::max(0.1, device.maxForce));
     lamps_->setButtons(device.buttons, servo.buttons);
     if (frames_++ % kFramesPerFigure) return;
-    position_->setText(millimetres(servo.handle));
+    position_->setText(millimetres(servo.handle_D));
     rate_->setText(rateText(servo.rate, device.rate));
     heat_->setText(tr("%1 % warm").arg(numberText(100 * servo.heat, 0)));
     heatBar_->setLevel(servo.heat, kWarmMotors, 1, tr("%1 %").arg(numberText(100 * kWarmMotors, 0)));
     const QString trouble = QString::fromStdString(engine.trouble());
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
+}
+
+void DeviceLive::setGrasped(bool grasped, bool possible) {
+    const QSignalBlocker quiet(grip_);
+    grip_->setCurrentIndex(grasped ? 1 : 0);
+    grip_->setEnabled(possible);
+    grip_->setToolTip(
+        possible
+            ? tr("A whole hand calms the device, so that surfaces may be up to 1.7 times as stiff. Held more "
+                 "loosely than said they may shake: after three times the light grip is assumed again, "
+                 "until you choose anew. It is remembered for this device.")
+            : tr("Nobody holds a simulated hand."));
 }
 
 void DeviceLive::setStopButton(std::uint32_t button, int count, bool possible) {

@@ -24,11 +24,15 @@ public:
     void display(const Engine& engine);
     /// Which of `count` buttons ends all force, as a bit; 0: none. `possible`: the device can be stopped so.
     void setStopButton(std::uint32_t button, int count, bool possible);
+    /// Whether the whole hand holds it. `possible`: a hand holds it at all.
+    void setGrasped(bool grasped, bool possible);
 
 signals:
     void stopButtonChosen(std::uint32_t button);
+    void graspChosen(bool grasped);
 
 private:
+    void addChoice(const QString& words, QComboBox* box);
     QLabel* addRow(const QString& word, const char* name, const QString& meaning);
 
     WorkspacePicture* picture_;
@@ -38,7 +42,7 @@ private:
     ButtonLamps* lamps_;
     QLabel* lampWord_;
     QLabel* trouble_;
-    QComboBox* stop_;
+    QComboBox *grip_, *stop_;
     int frames_ = 0;
 };
 

@@ -97,7 +97,7 @@ void DevicePanel::showPage(Page page) {
 }
 
 void DevicePanel::display(const Engine& engine) {
-    workspace_->follow(engine.servo().handle);
+    workspace_->follow(engine.servo().handle_D);
     if (visibleRegion().isEmpty()) return; // behind another tab, for instance
     showState(engine);
     if (live_->isVisible()) live_->display(engine);

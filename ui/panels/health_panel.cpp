@@ -116,8 +116,8 @@ void HealthPanel::addLoops() {
                        "Fewer: the scene is heavy. The force stays smooth; details come later."));
     late_ = sentence(
         QStringLiteral("health-late"),
-        tr("Ticks that came more than a period late. The machine's are those in which even an idle thread of "
-           "higher priority was late: no program can help it. Our own are worth a report."));
+        tr("Ticks that came more than a period late. The machine's are those in which the loop itself had "
+           "hardly worked: no program can help it. Our own are worth a report."));
     fidelity_ = sentence(
         QStringLiteral("health-fidelity"),
         tr("When the proxy loop cannot keep up, textures are left out first, then force shading, then all "
@@ -178,6 +178,8 @@ void HealthPanel::addStiffness() {
     reason_ = sentence(QStringLiteral("health-reason"), meaning);
     stiffest_ = figure(QStringLiteral("health-stiffest"),
                        tr("The stiffest visible surface of the scene, the bar; the mark is the ceiling."));
+    rendered_ = figure(QStringLiteral("health-rendered"),
+                       tr("The stiffness that the hand gets of what it touches now."));
     stiffnessBar_ = new LevelBar;
     stiffnessBar_->setToolTip(stiffest_->toolTip());
     override_ = new QCheckBox(tr("Render above the ceiling\nat my own risk"));
@@ -188,6 +190,7 @@ void HealthPanel::addStiffness() {
     rows->addWidget(reason_);
     addRow(rows, tr("Stiffest"), stiffest_);
     rows->addWidget(stiffnessBar_);
+    addRow(rows, tr("Rendered now"), rendered_);
     rows->addWidget(override_);
     rows->addStretch();
     connect(override_, &QCheckBox::clicked, this, [this](bool on) {
@@ -258,6 +261,7 @@ void HealthPanel::displayEnergy(const ServoTelemetry& servo) {
     damping_->setText(tr("%1 N s/m").arg(numberText(servo.passivityDamping, 1)));
     setAlarming(damping_, servo.passivityDamping > 0);
     heat_->setText(tr("%1 % warm").arg(numberText(100 * servo.heat, 0)));
+    rendered_->setText(servo.rendered > 0 ? tr("%1 N/m").arg(numberText(servo.rendered, 0)) : tr("nothing"));
     heatBar_->setLevel(servo.heat, kWarmMotors, 1, tr("%1 %").arg(numberText(100 * kWarmMotors, 0)));
 }
 

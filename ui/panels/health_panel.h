@@ -65,7 +65,7 @@ private:
     PeriodChart* periods_;
     QLabel *energy_, *damping_, *heat_;
     LevelBar *energyBar_, *heatBar_;
-    QLabel *ceiling_, *reason_, *stiffest_;
+    QLabel *ceiling_, *reason_, *stiffest_, *rendered_;
     LevelBar* stiffnessBar_;
     QCheckBox* override_;
     EventList* events_;

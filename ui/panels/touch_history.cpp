@@ -46,6 +46,7 @@ void TouchHistory::add(const std::vector<TracePoint>& points, const TouchFrame& 
         s.proxyRate = frame.proxyRate;
         (frame.body.turns ? s.jointAngle : s.jointWay) = frame.body.value;
         (frame.body.turns ? s.jointTurning : s.jointSpeed) = frame.body.rate;
+        (frame.body.turns ? s.jointTorque : s.jointForce) = frame.body.force;
         s.kinetic = frame.body.kinetic;
         s.potential = frame.body.potential;
         s.slipping = s.touching && slips(s);
@@ -85,7 +86,8 @@ std::string csvOf(const TouchHistory& history, double from) {
                       "force x (N),force y (N),force z (N),force (N),normal force (N),tangential force (N),"
                       "friction ratio,static friction,dynamic friction,proxy lag (m),energy (J),"
                       "servo rate (Hz),proxy rate (Hz),joint angle (rad),joint way (m),"
-                      "joint turning (rad/s),joint speed (m/s),kinetic energy (J),potential energy (J),"
+                      "joint turning (rad/s),joint speed (m/s),joint torque (N m),joint force (N),kinetic "
+                      "energy (J),potential energy (J),"
                       "touching,slipping\n";
     const auto& samples = history.samples();
     auto row = std::ranges::lower_bound(samples, from, {}, &TouchSample::t);
@@ -94,11 +96,11 @@ std::string csvOf(const TouchHistory& history, double from) {
         const TouchSample& s = *row;
         appendNumber(csv, s.t - begin);
         for (const double value :
-             {s.finger.x(), s.finger.y(),   s.finger.z(), s.proxy.x(),      s.proxy.y(),
-              s.proxy.z(),  s.force.x(),    s.force.y(),  s.force.z(),      s.magnitude,
-              s.normal,     s.tangential,   s.ratio,      s.staticFriction, s.dynamicFriction,
-              s.lag,        s.energy,       s.servoRate,  s.proxyRate,      s.jointAngle,
-              s.jointWay,   s.jointTurning, s.jointSpeed, s.kinetic,        s.potential}) {
+             {s.finger.x(), s.finger.y(),     s.finger.z(),      s.proxy.x(),    s.proxy.y(),  s.proxy.z(),
+              s.force.x(),  s.force.y(),      s.force.z(),       s.magnitude,    s.normal,     s.tangential,
+              s.ratio,      s.staticFriction, s.dynamicFriction, s.lag,          s.energy,     s.servoRate,
+              s.proxyRate,  s.jointAngle,     s.jointWay,        s.jointTurning, s.jointSpeed, s.jointTorque,
+              s.jointForce, s.kinetic,        s.potential}) {
             csv += ',';
             appendNumber(csv, value);
         }

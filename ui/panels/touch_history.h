@@ -21,8 +21,9 @@ struct TouchSample {
     double lag = 0;                                   ///< m, from the finger to the proxy
     double energy = 0;                                ///< J, made by the surface: see Passivity
     double servoRate = 0, proxyRate = 0;              ///< Hz
-    // Of the selected body, once a frame: rad or m and their rates, J.
+    // Of the selected body, once a frame: rad or m and their rates, N m or N, J.
     double jointAngle = 0, jointWay = 0, jointTurning = 0, jointSpeed = 0;
+    double jointTorque = 0, jointForce = 0;
     double kinetic = 0, potential = 0;
     bool touching = false, slipping = false;
 };

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include <QLineF>
 #include <QPainter>
 
 namespace tactum {
 namespace {
 
 constexpr double kJointArm = 84, kLeastArc = 34; // pixels
-constexpr double kJointNear = 9;                 // pixels from which a handle is grabbed
 constexpr double kFirstTurn = 0.5;               // rad, where a stop that there is not yet stands
 constexpr double kSnap = 3 * std::numbers::pi / 180;
 constexpr double kHalfTurn = std::numbers::pi;
@@ -64,29 +62,24 @@ Vec3 snapped(const Vec3& axis) {
 } // namespace
 
 std::optional<QPointF> JointGizmo::placeOf(JointHandle handle, const ViewCamera& camera) const {
-    if (!mark_) return std::nullopt;
-    if (handle == JointHandle::Place) return camera.project(mark_->at);
+    if (!shown_) return std::nullopt;
+    if (handle == JointHandle::Place) return camera.project(shown_->at);
     if (handle == JointHandle::Tip)
-        return camera.project(mark_->at + kJointArm * camera.pixelSize(mark_->at) * mark_->axis);
-    return camera.project(placeAlong(*mark_, shownAt(*mark_, handle, camera), camera));
+        return camera.project(shown_->at + kJointArm * camera.pixelSize(shown_->at) * shown_->axis);
+    return camera.project(placeAlong(*shown_, shownAt(*shown_, handle, camera), camera));
 }
 
-std::optional<JointHandle> JointGizmo::at(QPointF cursor, const ViewCamera& camera) const {
+JointGizmo::Shapes JointGizmo::shapes(const ViewCamera& camera) const {
+    Shapes all;
     for (const JointHandle handle :
          {JointHandle::Low, JointHandle::High, JointHandle::Tip, JointHandle::Place})
-        if (const auto place = placeOf(handle, camera);
-            place && QLineF(*place, cursor).length() <= kJointNear)
-            return handle;
-    return std::nullopt;
-}
-
-void JointGizmo::grab(JointHandle handle, QPointF cursor) {
-    if (mark_) held_ = Grip{handle, cursor, *mark_};
+        all.push_back({handle, {placeOf(handle, camera), {}, {}}});
+    return all;
 }
 
 JointMark JointGizmo::dragged(QPointF cursor, const ViewCamera& camera) const {
-    if (!held_) return mark_.value_or(JointMark{});
-    JointMark next = held_->mark;
+    if (!held_) return shown_.value_or(JointMark{});
+    JointMark next = held_->value;
     if (held_->handle == JointHandle::Place) {
         next.at += camera.dragVector(next.at, cursor - held_->from);
         return next;
@@ -108,10 +101,10 @@ JointMark JointGizmo::dragged(QPointF cursor, const ViewCamera& camera) const {
 }
 
 void JointGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme& theme, QPointF cursor) const {
-    if (!mark_) return;
+    if (!shown_) return;
     const auto place = placeOf(JointHandle::Place, camera), tip = placeOf(JointHandle::Tip, camera);
     if (!place || !tip) return;
-    const auto under = held_ ? std::optional(held_->handle) : at(cursor, camera);
+    const auto under = lit(cursor, camera);
     const auto colour = [&](JointHandle handle, const QColor& plain) {
         return under == handle ? theme.accent : plain;
     };
@@ -121,11 +114,11 @@ void JointGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme& 
     painter.drawLine(*place - (*tip - *place), *place);
     painter.setPen(QPen(colour(JointHandle::Tip, theme.text), 2.4, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(*place, *tip);
-    const double low = shownAt(*mark_, JointHandle::Low, camera),
-                 high = shownAt(*mark_, JointHandle::High, camera);
+    const double low = shownAt(*shown_, JointHandle::Low, camera),
+                 high = shownAt(*shown_, JointHandle::High, camera);
     QPolygonF way;
     for (int i = 0; i <= kArcParts; ++i)
-        if (const auto seen = camera.project(placeAlong(*mark_, low + (high - low) * i / kArcParts, camera)))
+        if (const auto seen = camera.project(placeAlong(*shown_, low + (high - low) * i / kArcParts, camera)))
             way << *seen;
     painter.setPen(QPen(theme.accent, 2));
     painter.drawPolyline(way);
@@ -135,7 +128,7 @@ void JointGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme& 
         const auto seen = placeOf(handle, camera);
         if (!seen) continue;
         const bool there =
-            handle == JointHandle::Low ? mark_->hasLow : handle != JointHandle::High || mark_->hasHigh;
+            handle == JointHandle::Low ? shown_->hasLow : handle != JointHandle::High || shown_->hasHigh;
         painter.setBrush(there ? QBrush(colour(handle, theme.text)) : QBrush(Qt::NoBrush));
         if (!there) painter.setPen(QPen(colour(handle, theme.text), 1.4));
         if (handle == JointHandle::Place)

@@ -3,10 +3,7 @@
 
 #include <optional>
 
-#include <QPointF>
-
-#include "ui/theme.h"
-#include "ui/view/view_camera.h"
+#include "ui/view/handles.h"
 
 class QPainter;
 
@@ -28,34 +25,19 @@ enum class JointHandle { Place, Tip, Low, High };
 
 /// The line is the axis; its square moves it, its tip turns it, which snaps to the axes of the world within
 /// three degrees. The arc, or the bar along the line, goes from stop to stop; its ends move these. Knows no
-/// widget; pixels are logical. Thread: ui.
-class JointGizmo {
+/// widget. Thread: ui.
+class JointGizmo : public HandlesOf<JointHandle, JointMark> {
 public:
-    /// Nothing: nothing is drawn and nothing can be grabbed.
-    void show(const std::optional<JointMark>& mark) { mark_ = mark; }
-    const std::optional<JointMark>& mark() const { return mark_; }
+    const std::optional<JointMark>& mark() const { return shown(); }
 
-    std::optional<JointHandle> at(QPointF cursor, const ViewCamera& camera) const;
     /// Nothing for a handle behind the eye. A stop that there is not stands where one would begin.
     std::optional<QPointF> placeOf(JointHandle handle, const ViewCamera& camera) const;
-
-    void grab(JointHandle handle, QPointF cursor);
     /// The joint where the cursor leads it. Stops stay on their sides of 0.
     JointMark dragged(QPointF cursor, const ViewCamera& camera) const;
-    void letGo() { held_.reset(); }
-    bool held() const { return held_.has_value(); }
-
     void draw(QPainter& painter, const ViewCamera& camera, const Theme& theme, QPointF cursor) const;
 
 private:
-    struct Grip {
-        JointHandle handle;
-        QPointF from;
-        JointMark mark; ///< when it was taken
-    };
-
-    std::optional<JointMark> mark_;
-    std::optional<Grip> held_;
+    Shapes shapes(const ViewCamera& camera) const override;
 };
 
 } // namespace tactum

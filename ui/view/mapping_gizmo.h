@@ -2,14 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
-
-#include <QPointF>
-#include <QPolygonF>
 
 #include "core/surface/texture_layer.h"
-#include "ui/theme.h"
-#include "ui/view/view_camera.h"
+#include "ui/view/handles.h"
 
 class QPainter;
 
@@ -31,36 +26,19 @@ struct MappingFrame {
 enum class MappingHandle { Size, Radius, Move, MoveX, MoveY, MoveZ, TurnX, TurnY, TurnZ };
 
 /// Arrows move, rings turn, the square at the corner of a repeat scales it, the dot on the circle sets the
-/// radius. As large on the screen from any distance. Knows no widget; pixels are logical. Thread: ui.
-class MappingGizmo {
+/// radius. As large on the screen from any distance. Knows no widget. Thread: ui.
+class MappingGizmo : public HandlesOf<MappingHandle, MappingFrame> {
 public:
-    /// Nothing: nothing is drawn and nothing can be grabbed. A drag goes on from where it began.
-    void show(const std::optional<MappingFrame>& frame) { frame_ = frame; }
-    const std::optional<MappingFrame>& frame() const { return frame_; }
+    const std::optional<MappingFrame>& frame() const { return shown(); }
 
-    /// What lies under the cursor.
-    std::optional<MappingHandle> at(QPointF cursor, const ViewCamera& camera) const;
     /// Where on the screen a handle can be grabbed; nothing for one that is not there or behind the eye.
     std::optional<QPointF> placeOf(MappingHandle handle, const ViewCamera& camera) const;
-
-    void grab(MappingHandle handle, QPointF cursor);
     /// The frame where the cursor leads it.
     MappingFrame dragged(QPointF cursor, const ViewCamera& camera) const;
-    void letGo() { held_.reset(); }
-    bool held() const { return held_.has_value(); }
-
     void draw(QPainter& painter, const ViewCamera& camera, const Theme& theme, QPointF cursor) const;
 
 private:
-    struct Grip {
-        MappingHandle handle;
-        QPointF from;
-        MappingFrame frame; ///< when it was taken
-    };
-    std::vector<MappingHandle> handles() const;
-
-    std::optional<MappingFrame> frame_;
-    std::optional<Grip> held_;
+    Shapes shapes(const ViewCamera& camera) const override;
 };
 
 } // namespace tactum

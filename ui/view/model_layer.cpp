@@ -337,6 +337,11 @@ vtkMatrix4x4* ModelLayer::matrixOf(ObjectId object) const {
     return model->second->matrix;
 }
 
+std::optional<Pose> ModelLayer::placeOf(ObjectId object) const {
+    if (!matrixOf(object)) return std::nullopt;
+    return poseOf(*models_.at(object));
+}
+
 bool ModelLayer::takeFinished() {
     bool any = false;
     for (auto& [id, model] : models_) {

@@ -67,6 +67,8 @@ public:
     std::vector<vtkSmartPointer<vtkActor>> actorsOf(const std::vector<SurfaceRef>& surfaces) const;
     /// X_WB of an object where it is now; null when it is hidden or unknown.
     vtkMatrix4x4* matrixOf(ObjectId object) const;
+    /// The same; nothing where there is no matrix.
+    std::optional<Pose> placeOf(ObjectId object) const;
 
 private:
     struct Part {

@@ -230,10 +230,44 @@ void SceneView::setJoint(const std::optional<JointMark>& mark) {
     changed();
 }
 
+void SceneView::setPath(const std::optional<PathMark>& mark) {
+    if (impl_->path.mark() == mark) return;
+    impl_->path.show(mark);
+    changed();
+}
+
+const PathGizmo& SceneView::path() const {
+    return impl_->path;
+}
+
+void SceneView::setArranging(const std::optional<Pose>& frame) {
+    if (impl_->arranging.shown() == frame) return;
+    impl_->arranging.show(frame);
+    changed();
+}
+
+const ArrangeGizmo& SceneView::arranging() const {
+    return impl_->arranging;
+}
+
+void SceneView::dropHandles() {
+    if (impl_->drag == ViewDrag::Handles) impl_->letGo();
+}
+
 void SceneView::setMass(const std::optional<MassMark>& mark) {
     if (impl_->mass == mark) return;
     impl_->mass = mark;
     changed();
+}
+
+void SceneView::setColliders(std::vector<ColliderMark> marks) {
+    if (impl_->colliders == marks) return;
+    impl_->colliders = std::move(marks);
+    changed();
+}
+
+const std::vector<ColliderMark>& SceneView::colliders() const {
+    return impl_->colliders;
 }
 
 const std::optional<MassMark>& SceneView::mass() const {
@@ -336,9 +370,14 @@ void SceneView::paintOver() {
         painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
     }
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
+    drawColliders(
+        painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,
+        impl_->theme());
     impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     if (impl_->mass) drawMass(painter, *impl_->mass, impl_->camera, impl_->theme());
     impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
+    impl_->path.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
+    impl_->arranging.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt, impl_->arranged);
     impl_->felt.drawLegends(painter, size(), impl_->theme());
     if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
 }

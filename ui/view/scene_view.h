@@ -15,11 +15,14 @@
 #include "core/runtime/channels.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
+#include "ui/view/arrange_gizmo.h"
+#include "ui/view/collider_marks.h"
 #include "ui/view/felt_options.h"
 #include "ui/view/joint_gizmo.h"
 #include "ui/view/mapping_gizmo.h"
 #include "ui/view/mass_mark.h"
 #include "ui/view/painted_picture.h"
+#include "ui/view/path_gizmo.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/vtk_widget.h"
 
@@ -27,8 +30,9 @@ class QMimeData;
 
 namespace tactum {
 
-/// What the left mouse button does on the model: touch it with the finger, select its surfaces, or paint.
-enum class ViewTool { Touch, Select, Paint };
+/// What the left mouse button does on the model: touch it with the finger, select its surfaces, paint, or
+/// select objects and arrange them by their handles.
+enum class ViewTool { Touch, Select, Paint, Arrange };
 
 /// What a stroke of the brush does next: the pointer comes down, goes on over the model, leaves it, goes up,
 /// or the stroke is given up.
@@ -48,7 +52,10 @@ enum class StandardView { Front, Right, Top, Isometric };
 /// Touch tool: a press on the model brings the finger there and into the surface a little, and dragging
 /// strokes it along; a press on the finger itself drags it in the camera's plane. Wheel or Ctrl + vertical
 /// drag move it along the view; G lets it follow the mouse until a click or Esc. Arrow keys and Page Up and
-/// Page Down nudge it. Thread: ui.
+/// Page Down nudge it.
+/// Arrange tool: G, R and S take hold of the selected objects, which follow the mouse until a click or Enter;
+/// X, Y and Z keep them to an axis, Ctrl snaps, Shift is fine; Esc and the right button give it up. Thread:
+/// ui.
 class SceneView : public VtkWidget {
     Q_OBJECT
 public:
@@ -90,11 +97,22 @@ public:
     /// The free axis of a joint, with handles to drag; nothing: none. World frame, at the time 0.
     void setJoint(const std::optional<JointMark>& mark);
     const JointGizmo& joint() const;
+    /// The curve of a path joint, with points to drag; nothing: none. World frame, at the time 0.
+    void setPath(const std::optional<PathMark>& mark);
+    const PathGizmo& path() const;
+    /// The handles that move, turn and scale: X_W of their pivot and axes; nothing: none.
+    void setArranging(const std::optional<Pose>& frame);
+    const ArrangeGizmo& arranging() const;
+    /// Ends the drag of any handle where it is.
+    void dropHandles();
     /// How a body of the shown World moves; nothing for what stands still.
-    std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body);
+    std::optional<BodyReading> readingOf(const ProxyTelemetry& proxy, BodyId body);
     /// Where the mass of a body is; nothing: none.
     void setMass(const std::optional<MassMark>& mark);
     const std::optional<MassMark>& mass() const;
+    /// As what bodies meet each other; none: nothing is drawn.
+    void setColliders(std::vector<ColliderMark> marks);
+    const std::vector<ColliderMark>& colliders() const;
     /// The surface under a place of the view, in logical pixels, which is lit up as under the mouse; for what
     /// is dragged over the view from elsewhere.
     std::optional<PickHit> light(QPointF place);
@@ -154,10 +172,21 @@ signals:
     /// Likewise of the joint.
     void jointGrabbed();
     void jointDragged(const tactum::JointMark& mark);
+    /// Likewise of the points of a path.
+    void pathGrabbed();
+    void pathDragged(const std::vector<tactum::Vec3>& points);
+    /// Likewise of the handles that arrange; all of what the drag comes to, from where it began. Given up, it
+    /// comes to nothing.
+    void arrangeGrabbed();
+    void arrangeDragged(const tactum::Arrangement& by);
+    void arrangeEnded();
+    /// G, R or S without anything that could be arranged.
+    void arrangeAsked();
     /// G with the select tool: the mapping is to be moved, or has been.
     void mappingAsked();
 
 protected:
+    bool event(QEvent* event) override;
     void prepareFrame() override;
     void paintOver() override;
     void mousePressEvent(QMouseEvent* event) override;

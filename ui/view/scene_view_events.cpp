@@ -22,16 +22,12 @@ constexpr double kStrokePixels = 6, kMaxEventPlaces = 32;
 /// Added in linear light to the surface under the cursor.
 const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
 
-double length(QPointF p) {
-    return std::hypot(p.x(), p.y());
-}
-
 } // namespace
 
 bool SceneView::Impl::isNearFinger(QPointF cursor) const {
     if (!showsTouch()) return false;
     const auto seen = camera.project(touch->finger);
-    return seen && length(*seen - cursor) <= kGrabPixels;
+    return seen && lengthOf(*seen - cursor) <= kGrabPixels;
 }
 
 std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patience patience) const {
@@ -41,19 +37,7 @@ std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patien
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     drag = std::exchange(boxNext, false) ? ViewDrag::Box : ViewDrag::Orbit;
     if (drag == ViewDrag::Box || alt) return;
-    if (const auto handle = mapping.at(cursor, camera)) {
-        drag = ViewDrag::Mapping;
-        mapping.grab(*handle, cursor);
-        emit view.mappingGrabbed();
-        return;
-    }
-    if (const auto handle = joint.at(cursor, camera)) {
-        drag = ViewDrag::Joint;
-        joint.grab(*handle, cursor);
-        emit view.jointGrabbed();
-        return;
-    }
-    if (tool == ViewTool::Select) return;
+    if (takeHandles(cursor) || tool == ViewTool::Select || tool == ViewTool::Arrange) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
     if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
@@ -61,7 +45,7 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
 
 void SceneView::Impl::strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     const double places =
-        std::clamp(std::ceil(length(cursor - cursorAt) / kStrokePixels), 1.0, kMaxEventPlaces);
+        std::clamp(std::ceil(lengthOf(cursor - cursorAt) / kStrokePixels), 1.0, kMaxEventPlaces);
     for (double i = 1; i <= places; ++i) {
         brushAt = pick(cursorAt + i / places * (cursor - cursorAt), ScenePicker::Patience::Wait);
         emit view.stroked(brushAt ? StrokeStep::Move : StrokeStep::Lift, brushAt, modifiers);
@@ -92,8 +76,11 @@ void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
 
 void SceneView::Impl::letGo() {
     drag = ViewDrag::None;
-    mapping.letGo();
-    joint.letGo();
+    const bool arranges = std::exchange(taken, nullptr) == &arranging;
+    for (ViewHandles* each : handles)
+        each->letGo();
+    arranged.reset();
+    if (arranges) emit view.arrangeEnded();
     if (hand.grip() == Grip::None) return;
     hand.end();
     emit view.handGrabbed(false);
@@ -108,8 +95,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
     if (drag == ViewDrag::Orbit) camera.orbit(step);
     if (drag == ViewDrag::Pan) camera.pan(step);
-    if (drag == ViewDrag::Mapping) emit view.mappingDragged(mapping.dragged(cursor, camera));
-    if (drag == ViewDrag::Joint) emit view.jointDragged(joint.dragged(cursor, camera));
+    if (drag == ViewDrag::Handles) leadHandles(cursor, modifiers);
     if (hand.grip() == Grip::None) return view.changed();
     std::optional<Vec3> touched;
     if (hand.grip() == Grip::Stroke)
@@ -145,7 +131,8 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
         view.changed();
     }
     showCursor(cursor);
-    if (mapping.frame() || joint.mark()) view.changed(); // the handle under the mouse is lit
+    // The handle under the mouse is lit.
+    if (std::ranges::any_of(handles, &ViewHandles::shows)) view.changed();
 }
 
 void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
@@ -173,11 +160,13 @@ void SceneView::Impl::refreshHover() {
 void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
     if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
-    if (drag == ViewDrag::Mapping || mapping.at(cursor, camera)) return view.setCursor(Qt::SizeAllCursor);
-    if (drag == ViewDrag::Joint || joint.at(cursor, camera)) return view.setCursor(Qt::SizeAllCursor);
+    const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera); };
+    if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))
+        return view.setCursor(Qt::SizeAllCursor);
     if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
-    view.setCursor(tool == ViewTool::Select ? Qt::PointingHandCursor : Qt::CrossCursor);
+    const bool chooses = tool == ViewTool::Select || tool == ViewTool::Arrange;
+    view.setCursor(chooses ? Qt::PointingHandCursor : Qt::CrossCursor);
 }
 
 void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
@@ -191,7 +180,11 @@ void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
 }
 
 bool SceneView::Impl::handKey(int key, QPointF cursor) {
-    if (key == Qt::Key_Escape && drag == ViewDrag::Paint) {
+    if (arrangeKey(key)) {
+        view.changed();
+    } else if (key == Qt::Key_Escape && drag == ViewDrag::Handles) {
+        giveUpHandles();
+    } else if (key == Qt::Key_Escape && drag == ViewDrag::Paint) {
         endStroke(StrokeStep::Cancel);
     } else if (key == Qt::Key_Escape && (boxNext || drag == ViewDrag::Box)) {
         boxNext = false;
@@ -265,6 +258,10 @@ bool SceneView::Impl::nudgeKey(int key, double scale) {
 void SceneView::mousePressEvent(QMouseEvent* event) {
     impl_->flight.stop();
     const QPointF cursor = event->position();
+    if (impl_->drag == ViewDrag::Handles) { // that follow the pointer without a button, or a second button
+        if (event->button() != Qt::LeftButton) return impl_->giveUpHandles();
+        return impl_->letGo();
+    }
     impl_->pressedAt = impl_->cursorAt = cursor;
     impl_->moved = false;
     if (impl_->hand.grip() == Grip::Follow) {
@@ -285,7 +282,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF cursor = event->position();
-    if (length(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
+    if (lengthOf(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
     if (impl_->drag != ViewDrag::None || impl_->hand.grip() == Grip::Follow)
         impl_->dragTo(cursor, event->modifiers());
     else

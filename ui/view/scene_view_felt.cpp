@@ -29,8 +29,8 @@ void SceneView::setWorld(std::shared_ptr<const World> world) {
     changed();
 }
 
-std::optional<BodyReading> SceneView::readingOf(const BodiesState& state, BodyId body) {
-    return body == kWorldBody ? std::nullopt : impl_->bodies.readingOf(state, body);
+std::optional<BodyReading> SceneView::readingOf(const ProxyTelemetry& proxy, BodyId body) {
+    return body == kWorldBody ? std::nullopt : impl_->bodies.readingOf(proxy.bodies, body, proxy.output);
 }
 
 void SceneView::addTrail(std::span<const TracePoint> points, const HapticOutput& touch) {

@@ -19,7 +19,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Mapping, Joint };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Handles };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -39,6 +39,13 @@ struct SceneView::Impl {
     void pressLeft(QPointF cursor, bool alt);
     void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
     void release(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    /// Takes the handle under the cursor, if there is one.
+    bool takeHandles(QPointF cursor);
+    void grabbed(ViewHandles& which);
+    void leadHandles(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    void giveUpHandles();
+    bool holdsArranging() const { return drag == ViewDrag::Handles && taken == &arranging; }
+    bool arrangeKey(int key);
     void endBox(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Everything on the way of the pointer from where it was.
@@ -65,9 +72,15 @@ struct SceneView::Impl {
     FaceLayer faces;
     PaintLayer paint;
     MarkLayer marks;
+    ArrangeGizmo arranging;
     MappingGizmo mapping;
     JointGizmo joint;
+    PathGizmo path;
+    std::array<ViewHandles*, 4> handles{&arranging, &mapping, &joint, &path}; ///< in the order they are taken
+    ViewHandles* taken = nullptr;                                             ///< by the drag Handles
+    std::optional<Arrangement> arranged;                                      ///< of the drag
     std::optional<MassMark> mass;
+    std::vector<ColliderMark> colliders;
     TouchOverlay overlay;
     FeltView felt;
     std::shared_ptr<const World> world; ///< that the bodies below are of

@@ -5,7 +5,8 @@
 namespace tactum {
 namespace {
 
-constexpr std::size_t kDeepestJson = 128;
+constexpr std::size_t kDeepestJson = 128, kMostNodes = 100'000;
+
 std::uint32_t word(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 4; i-- > 0;)
@@ -30,10 +31,21 @@ void demandShallow(const Source& source, std::string_view json) {
     }
 }
 
+/// Each one costs what a hundred triangles do, and is looked at by everything that follows.
+void demandFewNodes(const Source& source, const Json& json) {
+    const auto nodes = json.find("nodes");
+    if (nodes == json.end() || !nodes->is_array() || nodes->size() <= kMostNodes) return;
+    source.fail("has " + std::to_string(nodes->size()) + " nodes, and at most " + std::to_string(kMostNodes) +
+                " are read; join meshes, and leave out nodes that show nothing");
+}
+
 Json parseJson(const Source& source, std::string_view text) {
     demandShallow(source, text);
     try {
-        if (Json json = Json::parse(text); json.is_object()) return json;
+        if (Json json = Json::parse(text); json.is_object()) {
+            demandFewNodes(source, json);
+            return json;
+        }
     } catch (const Json::parse_error& mistake) {
         if (text.data() == source.bytes().data()) // in a part of a binary file lines say nothing
             source.failAtLine(source.lineAt(text.data() + std::min(mistake.byte, text.size())),

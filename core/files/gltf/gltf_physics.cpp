@@ -10,6 +10,7 @@
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/geometry/soup_builder.h"
 #include "core/scene/world_fields.h"
 
 namespace tactum {
@@ -20,6 +21,23 @@ using Severity = Finding::Severity;
 using Affine = Eigen::Affine3d;
 
 constexpr std::size_t kMostLooks = std::size_t(1) << 20;
+
+/// What a number of a motion may be. 0 is always one of them.
+struct Range {
+    double least, most; ///< of its size
+    bool negative;
+    const char* words;
+};
+constexpr Range kMassRange{1e-15, 1e12, false, "0 or from 1e-15 to 1e12 kg"};
+constexpr Range kMomentRange{1e-30, 1e18, false, "three times 0 or from 1e-30 to 1e18 kg m^2"};
+constexpr Range kPlaceRange{0, 1e6, true, "three numbers up to 1e6 m"};
+constexpr Range kSpeedRange{0, 1e9, true, "three numbers up to 1e9 m/s or rad/s"};
+constexpr Range kFactorRange{0, 1e6, true, "a number up to 1e6"};
+
+bool isIn(const Range& range, double value) {
+    if (value < 0 && !range.negative) return false;
+    return value == 0 || (std::abs(value) >= range.least && std::abs(value) <= range.most);
+}
 
 std::optional<double> numberIn(const Json& holder, const char* key) {
     const Json* found = member(holder, key);
@@ -120,6 +138,9 @@ private:
         return body ? body->pose : Pose{};
     }
 
+    template <int N>
+    std::optional<Eigen::Matrix<double, N, 1>> valueIn(const Json& motion, const char* key,
+                                                       const Range& range, const std::string& body);
     void visit(int node, const Spot& parent, BodyId body, std::uint32_t part);
     Spot spotOf(int node, const Spot& parent, BodyId body);
     void numberParts();
@@ -194,18 +215,33 @@ void PhysicsReader::visit(int node, const Spot& parent, BodyId body, std::uint32
         visit(child, spots_[node], body, part);
 }
 
+/// What is no such number is said, and is as if it were not there.
+template <int N>
+std::optional<Eigen::Matrix<double, N, 1>>
+PhysicsReader::valueIn(const Json& motion, const char* key, const Range& range, const std::string& body) {
+    const Json* found = member(motion, key);
+    if (!found) return std::nullopt;
+    const auto value = vectorOf<N>(N == 1 ? Json::array({*found}) : *found);
+    if (value && std::ranges::all_of(*value, [&](double one) { return isIn(range, one); })) return value;
+    warn(body, std::string("has a motion whose ") + key + " is not " + range.words,
+         "it is as if it were not there; correct it");
+    return std::nullopt;
+}
+
 void PhysicsReader::addBody(int node, const Json& motion) {
     const Spot& spot = spots_[node];
     RigidBody body;
     body.id = BodyId(made_.mechanics.bodies.size() + 1);
     body.name = printable(nameOf(node), kLongestName);
-    body.pose = spot.pose;
-    body.kinematic = flagIn(motion, "isKinematic") || motions_.moves(node);
-    body.gravityFactor = numberIn(motion, "gravityFactor").value_or(1);
-    // Of the node's frame; m/s, whatever its scale. In ours the exact one of the world stands beside it.
     const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
+    body.pose = ours ? exactPose(*ours, spot.pose).value_or(spot.pose) : spot.pose;
+    body.kinematic = flagIn(motion, "isKinematic") || motions_.moves(node);
+    if (const auto factor = valueIn<1>(motion, "gravityFactor", kFactorRange, body.name))
+        body.gravityFactor = factor->x();
+    // Of the node's frame; m/s, whatever its scale. In ours the exact one of the world stands beside it.
     const auto along = [&](const char* key, const char* exactKey) {
-        const Vec3 turned = spot.pose.rotation * vectorIn<3>(motion, key).value_or(Vec3::Zero());
+        const Vec3 turned =
+            spot.pose.rotation * valueIn<3>(motion, key, kSpeedRange, body.name).value_or(Vec3::Zero());
         const auto exact = ours ? vectorIn<3>(*ours, exactKey) : std::nullopt;
         return exact && (*exact - turned).norm() <= 1e-9 * turned.norm() ? *exact : turned;
     };
@@ -251,7 +287,10 @@ std::optional<ColliderShape> PhysicsReader::implicitShape(const Json& json, cons
     const bool usable = round ? shape.radius >= 0 && shape.radiusBottom >= 0 &&
                                     shape.radius + shape.radiusBottom > 0 && shape.height > 0
                               : shape.kind == ShapeKind::Plane || shape.size.minCoeff() > 0;
-    return usable ? std::optional(shape) : std::nullopt;
+    const bool bounded = isCoordinate(shape.radius) && isCoordinate(shape.radiusBottom) &&
+                         isCoordinate(shape.height) &&
+                         (shape.kind == ShapeKind::Plane || isCoordinate(shape.size.maxCoeff()));
+    return usable && bounded ? std::optional(shape) : std::nullopt;
 }
 
 void PhysicsReader::addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to) {
@@ -358,15 +397,15 @@ void PhysicsReader::fillMasses() {
         for (const Collider& collider : made_.mechanics.colliders)
             if (collider.body == body.id)
                 shapes = together(shapes, placed(massOf(collider.shape), collider.pose));
-        const auto mass = numberIn(motion, "mass");
-        weigh(body, shapes, std::max(0.0, mass.value_or(shapes.volume > 0 ? kDensity * shapes.volume : 1)));
-        if (const auto centre = vectorIn<3>(motion, "centerOfMass"))
+        const auto mass = valueIn<1>(motion, "mass", kMassRange, body.name);
+        weigh(body, shapes, mass ? mass->x() : shapes.volume > 0 ? kDensity * shapes.volume : 1);
+        if (const auto centre = valueIn<3>(motion, "centerOfMass", kPlaceRange, body.name))
             body.centre = spots_[nodeOf_[body.id]].stretch * *centre;
-        const auto inertia = vectorIn<3>(motion, "inertiaDiagonal");
+        const auto inertia = valueIn<3>(motion, "inertiaDiagonal", kMomentRange, body.name);
         if (!inertia) continue;
-        body.inertia = inertia->cwiseMax(0);
+        body.inertia = *inertia;
         const auto turn = vectorIn<4>(motion, "inertiaOrientation");
-        body.inertiaFrame = turn && turn->norm() > 1e-6 ? unitLength(Quat(*turn)) : Quat::Identity();
+        body.inertiaFrame = turn && isUsable(*turn) ? unitLength(Quat(*turn)) : Quat::Identity();
     }
 }
 
@@ -392,8 +431,10 @@ void PhysicsReader::addLimits(const Json& description, Joint& joint) {
         limit.max = numberIn(json, "max").value_or(kUnbounded);
         limit.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(kUnbounded));
         limit.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
-        if (limit.axes == 0 || limit.min > limit.max)
-            warn(joint.name, "has a limit without axes, or whose minimum is above its maximum",
+        const bool isDistance = (limit.axes & (limit.axes - 1)) != 0; // or an angle from none to pi
+        if (limit.axes == 0 || limit.min > limit.max || (isDistance && limit.max < 0))
+            warn(joint.name,
+                 "has a limit without axes, or whose minimum is above its maximum, or its distance below 0",
                  "left out; correct it");
         else
             joint.limits.push_back(limit);

@@ -247,6 +247,11 @@ Json poseJson(const Pose& pose) {
     return {{"translation", vectorJson(pose.translation)}, {"rotation", quaternionJson(pose.rotation)}};
 }
 
+Json nodePoseJson(const Pose& pose) {
+    const bool fits = pose.rotation.coeffs().cwiseAbs().maxCoeff() <= 1;
+    return poseJson(fits ? pose : Pose{pose.rotation.normalized(), pose.translation});
+}
+
 std::optional<Pose> exactPose(const Json& ours, const Pose& near) {
     constexpr double kSame = 1e-6;
     const Json* json = member(ours, "pose");

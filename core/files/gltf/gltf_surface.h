@@ -77,6 +77,8 @@ void readSurfaceJson(const Json& extension, const ReadShared& shared, Surface& s
 
 /// Translation and rotation under the keys of a glTF node; nothing for what is not there.
 Json poseJson(const Pose& pose);
+/// The same as the standard bounds it: no number of a rotation is above 1, not by the last bit.
+Json nodePoseJson(const Pose& pose);
 /// The member "pose" of an extension of ours, which says exactly what the product of transforms comes near;
 /// nothing where it is missing, or not that of the nodes any more.
 std::optional<Pose> exactPose(const Json& ours, const Pose& near);

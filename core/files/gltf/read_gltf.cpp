@@ -107,6 +107,34 @@ void noteStretchedRotations(const tinygltf::Model& model, std::vector<Finding>& 
              "brought to unit length; re-export the file"});
 }
 
+/// As many as the accessors speak of: whether they are there is seen when they are read.
+std::uint64_t trianglesOf(const tinygltf::Model& model, const std::vector<PlacedMesh>& placed) {
+    std::uint64_t bytes = 0; // more elements than bytes are a lie, which the reading finds
+    for (const tinygltf::Buffer& buffer : model.buffers)
+        bytes += buffer.data.size();
+    const auto countOf = [&](int accessor) -> std::uint64_t {
+        if (accessor < 0 || std::size_t(accessor) >= model.accessors.size()) return 0;
+        const std::uint64_t count = model.accessors[std::size_t(accessor)].count;
+        return count <= bytes ? count : 0;
+    };
+    std::vector<std::uint64_t> ofMesh;
+    for (const tinygltf::Mesh& mesh : model.meshes) {
+        ofMesh.push_back(0);
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            const auto positions = primitive.attributes.find("POSITION");
+            const bool indexed = primitive.indices >= 0;
+            if (positions == primitive.attributes.end()) continue;
+            const std::uint64_t count = countOf(indexed ? primitive.indices : positions->second);
+            const bool triangles = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+            ofMesh.back() += std::min(count / (triangles ? 3 : 1), kMaxShownTriangles + 1);
+        }
+    }
+    std::uint64_t all = 0;
+    for (const PlacedMesh& each : placed)
+        all += ofMesh[std::size_t(each.mesh)];
+    return all;
+}
+
 LoadedScene GltfReader::read() {
     demandOurVersion();
     readRoot();
@@ -115,6 +143,7 @@ LoadedScene GltfReader::read() {
     loaded_.findings.insert(loaded_.findings.end(), motions.findings().begin(), motions.findings().end());
     noteStretchedRotations(model_, loaded_.findings);
     const std::vector<PlacedMesh> all = placedMeshes(source_, model_, motions);
+    demandBounded(source_, all.size(), trianglesOf(model_, all));
     readMechanics(motions);
     for (const PlacedMesh& placed : all)
         objectNodes_.push_back(placed.node);

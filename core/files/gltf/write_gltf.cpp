@@ -269,18 +269,20 @@ int GltfWriter::place(Json node, const SceneObject& object) {
 int GltfWriter::addNode(const SceneObject& object) {
     const RigidBody* body = bodyOf(object.body);
     const Pose pose = body ? body->pose.inverse() * object.pose : object.pose;
+    const Json standing = nodePoseJson(pose);
+    const bool isExact = !body && standing == poseJson(pose);
     const Json ours{{"visible", object.visible},
                     {"motion", nullptr},
-                    {"pose", body ? poseJson(object.pose) : Json(nullptr)}};
+                    {"pose", isExact ? Json(nullptr) : poseJson(object.pose)}};
     Json node = overlaid(object.kept, {{"name", object.name}, {"extensions", {{kExtension, ours}}}});
     if (object.motion) node["extensions"][kExtension]["motion"] = motionJson(*object.motion);
     if (object.geometry && !object.geometry->triangles.empty()) node["mesh"] = addMesh(object);
     if (!object.motion) {
-        node.update(poseJson(pose));
+        node.update(standing);
         return nodes_.emplace_back(place(std::move(node), object));
     }
     const int moving = nodes_.emplace_back(place(std::move(node), object));
-    Json rest = poseJson(pose);
+    Json rest = standing;
     rest["name"] = object.name + " at rest";
     rest["children"] = {moving};
     addAnimation(data_, *object.motion, moving, object.name);

@@ -140,10 +140,11 @@ const PhysicsWriter::Thing* PhysicsWriter::thingOf(BodyId body, std::uint32_t pa
 Json PhysicsWriter::partNode(const char* role, const std::string& name, const Pose& pose, BodyId body,
                              std::uint32_t part) const {
     const Thing* thing = thingOf(body, part);
-    Json node = poseJson(thing ? thing->pose.inverse() * pose : pose);
+    Json node = nodePoseJson(thing ? thing->pose.inverse() * pose : pose);
+    const bool isExact = !thing && node == poseJson(pose);
     node["name"] = name;
     node["extensions"][kExtension]["role"] = role;
-    if (thing) node["extensions"][kExtension]["pose"] = poseJson(pose);
+    if (!isExact) node["extensions"][kExtension]["pose"] = poseJson(pose);
     return node;
 }
 

@@ -208,7 +208,8 @@ void ObjReader::readElement(std::string_view word, Fields fields) {
 void ObjReader::readFace(Fields fields) {
     corners_.clear();
     for (PolygonCorner corner; nextCorner(fields, corner);)
-        corners_.push_back(corner);
+        if (corners_.push_back(corner); corners_.size() > kMaxCorners)
+            fail(complaintOfCorners(corners_.size()));
     draft().builder.add(corners_, surface());
 }
 

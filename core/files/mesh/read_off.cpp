@@ -115,6 +115,7 @@ void OffReader::readVertex() {
 void OffReader::readFace(SoupBuilder& builder) {
     Fields fields = nextLine("its last face");
     const std::size_t size = count(fields, "corners of a face");
+    if (size > kMaxCorners) fail(complaintOfCorners(size));
     corners_.clear();
     for (std::size_t i = 0; i < size; ++i) {
         std::int64_t vertex = 0;

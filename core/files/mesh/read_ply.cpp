@@ -244,6 +244,7 @@ template <class Cursor> void PlyReader<Cursor>::readFaces(const PlyElement& elem
         corners_.clear();
         for (std::int64_t i = 0; i < count; ++i)
             corners_.push_back(corner(cursor_.integer(type)));
+        if (corners_.size() > kMaxCorners) cursor_.fail(complaintOfCorners(corners_.size()));
         builder_.add(corners_, 0);
     });
 }

@@ -1,5 +1,5 @@
 // X3D in its XML form, with H3D's haptic nodes. Every Shape is an object in the world's frame. The unit of
-// X3D is the metre, its y axis points up.
+// X3D is the metre unless its head says another one, its y axis points up.
 #include <map>
 
 #include "core/base/text.h"
@@ -26,7 +26,9 @@ public:
           surfaces_(document_, source, loaded_.findings) {}
 
     LoadedScene read() {
-        visit(document_.scene(), {}, 0);
+        Place root;
+        root.toWorld.scale(unit());
+        visit(document_.scene(), root, 0);
         if (const auto radius = surfaces_.proxyRadius()) loaded_.scene.proxyRadius = *radius;
         sayWhatIsLeftOut();
         return std::move(loaded_);
@@ -39,6 +41,19 @@ private:
         std::string name;
         bool isNamedByUs = false; ///< by our metadata, which no DEF below it overrules
     };
+
+    /// Of the file's lengths, in metres: <unit category="length" conversionFactor="0.001"/> in its head.
+    double unit() {
+        double factor = 1;
+        for (const X3dNode unit : document_.all({"unit"})) {
+            const std::string_view category = unit.attribute("category").value();
+            if (category == "length") factor = document_.number(unit, "conversionFactor", 1);
+            if (category == "angle" && document_.number(unit, "conversionFactor", 1) != 1)
+                document_.fail(unit, "gives angles in another unit than radian; export it in radian");
+            if (!(factor > 0)) document_.fail(unit, "has a length of nothing; export it again");
+        }
+        return factor;
+    }
 
     static Place namedPlace(X3dNode node, const Place& parent) {
         Place place = parent;

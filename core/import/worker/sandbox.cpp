@@ -1,6 +1,7 @@
 // Landlock for the files, seccomp for everything else that a system call can do.
 #include "core/import/worker/sandbox.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -15,12 +16,15 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "core/base/text.h"
+#include "core/files/beside.h"
+
 namespace tactum {
 namespace {
 
 // --- Landlock: which files -------------------------------------------------------------------------------
 
-constexpr std::uint64_t kReading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t kReading = LANDLOCK_ACCESS_FS_READ_FILE;
 
 /// All that this kernel can forbid, by the version of its interface: 13 rights, and those that came later.
 std::uint64_t rightsOf(long version) {
@@ -39,6 +43,34 @@ void allow(int rules, const std::filesystem::path& place, std::uint64_t rights) 
     close(opened);
 }
 
+/// What the file may name, and no more of the folder, which may be the person's home. Hidden folders and
+/// links are none of its business.
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file) {
+    constexpr int kDeepest = 3, kMostLooks = 20000;
+    constexpr std::size_t kMostFiles = 4000;
+    const std::vector<std::string_view> endings = endingsBeside(file);
+    std::vector<std::filesystem::path> found;
+    if (endings.empty()) return found;
+    std::error_code fault;
+    using Walk = std::filesystem::recursive_directory_iterator;
+    int looks = 0;
+    for (Walk at(file.has_parent_path() ? file.parent_path() : ".",
+                 std::filesystem::directory_options::skip_permission_denied, fault);
+         !fault && at != Walk() && found.size() < kMostFiles && ++looks < kMostLooks; at.increment(fault)) {
+        std::error_code unknown;
+        const auto kind = at->symlink_status(unknown).type();
+        const std::string name = at->path().filename().string(),
+                          ending = lowerCase(at->path().extension().string());
+        if (kind == std::filesystem::file_type::directory &&
+            (name.starts_with('.') || at.depth() >= kDeepest))
+            at.disable_recursion_pending();
+        if (kind == std::filesystem::file_type::regular && ending.size() > 1 &&
+            std::ranges::find(endings, std::string_view(ending).substr(1)) != endings.end())
+            found.push_back(at->path());
+    }
+    return found;
+}
+
 bool allowOnly(const std::filesystem::path& file) {
     const long version =
         syscall(SYS_landlock_create_ruleset, nullptr, std::size_t(0), LANDLOCK_CREATE_RULESET_VERSION);
@@ -47,8 +79,9 @@ bool allowOnly(const std::filesystem::path& file) {
     attributes.handled_access_fs = rightsOf(version);
     const int rules = int(syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes, 0));
     if (rules < 0) return false;
-    allow(rules, file.has_parent_path() ? file.parent_path() : ".", kReading);
-    allow(rules, file, LANDLOCK_ACCESS_FS_READ_FILE); // it may be a link that leads out of the folder
+    allow(rules, file, kReading); // it may be a link that leads out of the folder
+    for (const std::filesystem::path& beside : filesBeside(file))
+        allow(rules, beside, kReading);
     const bool done = syscall(SYS_landlock_restrict_self, rules, 0) == 0;
     close(rules);
     return done;

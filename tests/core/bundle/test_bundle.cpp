@@ -146,7 +146,7 @@ private slots:
         VERIFY_RESULT(files);
         for (const char* name :
              {bundle_name::kScene, bundle_name::kX3d, bundle_name::kDevice, bundle_name::kFinger,
-              bundle_name::kForces, bundle_name::kPreview, bundle_name::kReport})
+              bundle_name::kForces, bundle_name::kPreview, bundle_name::kReport, bundle_name::kReadme})
             QVERIFY2(!files->file(name).empty(), name);
         const auto zip = readZip(bytesOf(plate()));
         for (std::size_t i = 1; i < zip->size(); ++i) {
@@ -198,7 +198,7 @@ private slots:
         QFETCH(bool, replaced);
         auto zip = readZip(bytesOf(plate()));
         std::string& manifest = zip->front().bytes;
-        manifest.replace(manifest.find("\"1.0\""), 5, version.toStdString());
+        manifest.replace(manifest.find("\"1.1\""), 5, version.toStdString());
         zip->push_back({"later.bin", "what this version does not know"});
         const std::string before = writeZip(*zip);
         const auto file = write(before);

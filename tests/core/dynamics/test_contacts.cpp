@@ -4,6 +4,7 @@
 // body (sliding, rolling, bouncing, what momentum and restitution leave); with another friction, restitution
 // or slope the numbers are others, which the data rows try.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -88,6 +89,7 @@ private slots:
     void newtonsCradleHandsItOn();
     void aPushedBoxThatSticksDoesNotCreep();
     void tenBoxesStandOnEachOther();
+    void elevenHundredBoxesLieOnTheirFloor();
     void aLidLiesOnAPot();
     void dominoesFallInTurn();
     void everyPairOfShapesHolds_data();
@@ -232,6 +234,20 @@ void ContactsTest::tenBoxesStandOnEachOther() {
     run.run(4, 1e-3);
     COMPARE_NEAR(run.bodies()[9].centre, top, 2e-5, "m");
     COMPARE_NEAR(top.y(), 0.475, 1e-4, "m");
+}
+
+// 4,400 places: whoever had none of them would fall through.
+void ContactsTest::elevenHundredBoxesLieOnTheirFloor() {
+    World world;
+    world.addStill(floorShape());
+    for (int i = 0; i < 1100; ++i)
+        world.add(box({0.1, 0.1, 0.1}), at(0.2 * (i % 100), 0.05, 0.2 * (i / 100)), 0.3);
+    Running run(world.mechanics);
+    run.run(0.02, 1e-3);
+    double lowest = 1;
+    for (const BodyState& body : run.bodies())
+        lowest = std::min(lowest, body.centre.y());
+    COMPARE_NEAR(lowest, 0.05, 1e-5, "m");
 }
 
 void ContactsTest::aLidLiesOnAPot() {

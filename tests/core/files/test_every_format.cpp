@@ -65,6 +65,23 @@ class TestEveryFormat : public QObject {
     Q_OBJECT
 
 private slots:
+    void aFaceOfTooManyCornersIsRefused() {
+        std::string ring = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf", off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n200000";
+        std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                          "property float z\nelement face 1\nproperty list int int vertex_indices\n"
+                          "end_header\n0 0 0\n1 0 0\n0 1 0\n200000";
+        for (int i = 0; i < 200'000; ++i) {
+            ring += " " + std::to_string(i % 3 + 1);
+            off += " " + std::to_string(i % 3);
+            ply += " " + std::to_string(i % 3);
+        }
+        for (const auto& [name, content] : {std::pair{"a.obj", ring}, {"a.off", off}, {"a.ply", ply}}) {
+            const auto loaded = folder_.load(name, content + "\n");
+            QVERIFY2(!loaded, name);
+            COMPARE_CONTAINS(loaded.error().text, "a face has more than 100000 corners; cut it");
+        }
+    }
+
     void noFaceOfARandomSoupIsLost() {
         for (unsigned seed = 0; seed < 40; ++seed) {
             const TriangleSoup soup = randomSoup(seed);

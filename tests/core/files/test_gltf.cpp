@@ -49,6 +49,31 @@ class TestGltf : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Refused by counting, before anything of it is built: each of these asks for minutes of work.
+    void whatAsksForTooMuchIsRefusedAtOnce() {
+        TriangleSoup soup;
+        soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        for (int i = 0; i < 3000; ++i)
+            soup.triangles.push_back({0, 1, 2});
+        const auto refusal = [&](int nodes, const Json& node) {
+            Json json = Json::parse(asGltf(soup));
+            json["nodes"] = Json::array();
+            json["scenes"] = {{{"nodes", Json::array()}}};
+            json["scene"] = 0;
+            for (int i = 0; i < nodes; ++i) {
+                json["nodes"].push_back(node);
+                json["scenes"][0]["nodes"].push_back(i);
+            }
+            const auto loaded = folder_.load("many.gltf", json.dump());
+            return loaded ? std::string("read") : loaded.error().text;
+        };
+        COMPARE_CONTAINS(refusal(100'001, {{"name", "n"}}), "has 100001 nodes, and at most 100000 are read");
+        COMPARE_CONTAINS(refusal(30'001, {{"mesh", 0}}), "shows 30001 meshes with all its copies");
+        COMPARE_CONTAINS(refusal(25'000, {{"mesh", 0}}),
+                         "more than 67 million triangles with all its copies");
+        QCOMPARE(refusal(20, {{"mesh", 0}}), std::string("read"));
+    }
+
     void rigidTransformsBecomeThePose() {
         const Scene scene =
             read(withNodes(R"([{"name":"arm","translation":[1,2,3],"children":[1]},)"

@@ -220,6 +220,83 @@ private slots:
         COMPARE_CONTAINS(all, "without a usable shape");
     }
 
+    void whatNoBodyHasIsSaid_data() {
+        QTest::addColumn<QByteArray>("key");
+        QTest::addColumn<QByteArray>("value");
+        QTest::newRow("negative mass") << QByteArray("mass") << QByteArray("-1");
+        QTest::newRow("a mass whose inverse is endless") << QByteArray("mass") << QByteArray("1e-320");
+        QTest::newRow("a mass that is a word") << QByteArray("mass") << QByteArray("\"heavy\"");
+        QTest::newRow("negative moment") << QByteArray("inertiaDiagonal") << QByteArray("[1,-1,1]");
+        QTest::newRow("two moments") << QByteArray("inertiaDiagonal") << QByteArray("[1,1]");
+        QTest::newRow("speed") << QByteArray("linearVelocity") << QByteArray("[1e300,0,0]");
+        QTest::newRow("spin") << QByteArray("angularVelocity") << QByteArray("[0,1e300,0]");
+        QTest::newRow("weight") << QByteArray("gravityFactor") << QByteArray("1e308");
+        QTest::newRow("centre") << QByteArray("centerOfMass") << QByteArray("[1e300,0,0]");
+    }
+    // As if it were not there, and not as a body that nothing moves.
+    void whatNoBodyHasIsSaid() {
+        QFETCH(QByteArray, key);
+        QFETCH(QByteArray, value);
+        const auto fileOf = [](const std::string& motion) {
+            return gltf("[" +
+                            node(R"("name":"b")",
+                                 R"("motion":{)" + motion + R"(},"collider":{"geometry":{"shape":0}})") +
+                            "]",
+                        "", R"({"type":"sphere","sphere":{"radius":1}})");
+        };
+        const auto loaded =
+            folder_.load("a.gltf", fileOf("\"" + key.toStdString() + "\":" + value.toStdString()));
+        VERIFY_RESULT(loaded);
+        QCOMPARE(loaded->findings.size(), std::size_t(1));
+        COMPARE_CONTAINS(loaded->findings[0].sentence, "has a motion whose " + key.toStdString());
+        QCOMPARE(loaded->scene.mechanics == mechanicsOf(fileOf("")), true);
+    }
+
+    void anAxisOfAnyLengthIsNoFault() {
+        const Mechanics read = mechanicsOf(gltf("[" +
+                                                node("", R"("motion":{"mass":1,"inertiaDiagonal":[1,2,3],)"
+                                                         R"("inertiaOrientation":[1e300,0,0,1]})") +
+                                                "]"));
+        QCOMPARE(read.bodies[0].inertiaFrame.coeffs() == Quat::Identity().coeffs(), true);
+    }
+
+    // The standard bounds each number of a rotation; a product of two unit ones may be above 1 by its last
+    // bit.
+    void noRotationIsBeyondOne() {
+        Scene scene;
+        RigidBody body;
+        body.id = 1;
+        body.pose.rotation = Quat(0.10691156063850737, 0.703054022889365, -0.0, 0.703054022889365);
+        scene.mechanics.bodies.push_back(body);
+        TriangleSoup triangle;
+        triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        triangle.triangles = {{0, 1, 2}};
+        triangle.surfaceOf = {0};
+        const auto soup = std::make_shared<const TriangleSoup>(triangle);
+        for (const double more : {0.0, 4e-16}) {
+            SceneObject object = bodyOf("on it", soup);
+            object.body = more == 0 ? 1 : kWorldBody;
+            object.pose.rotation = more == 0 ? body.pose.rotation : Quat(1 + more, 0, 0, 0);
+            scene.add(object);
+        }
+        const std::string glb = glbOf(scene).value();
+        std::uint32_t length = 0;
+        std::memcpy(&length, glb.data() + 12, 4);
+        const Json root = Json::parse(glb.substr(20, length));
+        int rotations = 0;
+        for (const Json& one : root["nodes"])
+            if (one.contains("rotation"))
+                for (const Json& number : one["rotation"]) {
+                    QCOMPARE_LE(std::abs(number.get<double>()), 1.0);
+                    ++rotations;
+                }
+        QCOMPARE(rotations, 12);
+        const auto again = folder_.load("a.glb", glb);
+        VERIFY_RESULT(again);
+        QCOMPARE(again->scene.objects[0].pose == scene.objects[0].pose, true); // to the bit
+        QCOMPARE(again->scene.objects[1].pose == scene.objects[1].pose, true);
+    }
+
     // Written, read, and written again. The oracle is the scene itself, of every value that there is
     // (random_mechanics.h); with one of them taken out of the writer it is found missing.
     void aFileOfOursGivesAllOfItBack() {

@@ -50,6 +50,17 @@ class TestX3d : public QObject {
     Q_OBJECT
 
 private slots:
+    void lengthsAreInTheUnitOfTheHead() {
+        std::string text =
+            shape("", "<IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 100 0 0 0 50 0'/>"
+                      "</IndexedFaceSet>");
+        const std::size_t at = text.find("<Scene");
+        QCOMPARE_NE(at, std::string::npos);
+        text.insert(at, "<head><unit category='length' name='millimetre' conversionFactor='0.001'/></head>");
+        const auto loaded = load(text);
+        COMPARE_NEAR(boundsOf(loaded.scene).high, Vec3(0.1, 0.05, 0), 1e-12, "m");
+    }
+
     void facesAreCutAlongTheirOutline() {
         // An L of area 3, with a texture coordinate for each corner and a normal for the face.
         const auto loaded =

@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include "core/haptics/body_places.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
 #include "tests/support/soups.h"
@@ -90,6 +91,7 @@ private slots:
     void aFreeBodyBouncesOffAFingerThatGoesOn();
     void aPushBesideTheCentreTurns();
     void aDoorStaysWhereItsSpringHoldsIt();
+    void aJointTellsWhatItDoes();
     void frictionTakesASlideAlong_data();
     void frictionTakesASlideAlong();
     void whatSlipsIsDraggedByCoulombsForce();
@@ -175,6 +177,46 @@ void MovedByHandTest::aDoorStaysWhereItsSpringHoldsIt() {
     COMPARE_NEAR(torque, spring * angle, 1e-4 * torque, "N m");
     // Along its way: (z0 - tip) of the finger's spring is what the door leaves.
     COMPARE_NEAR(hand.output().force.norm(), 800 * (hand.output().proxy - hand.finger()).norm(), 1e-9, "N");
+}
+
+// Under a finger at rest what a joint does is the opposite of what the finger does along it: by its spring,
+// at its stop, by its dry friction.
+void MovedByHandTest::aJointTellsWhatItDoes() {
+    const double x = 0.04, press = 800 * 0.002;
+    const auto told = [&](Pushed& door) {
+        Hand hand = door.hand();
+        hand.to({x, 0, 2 * kRadius});
+        hand.go({x, 0, kRadius - 0.002}, 0.01);
+        for (int i = 0; i < 6000; ++i)
+            hand.to(hand.finger());
+        const Vec3 arm = hand.output().contact[0].point;
+        BodyPlaces places(&hand.world());
+        const auto reading = places.readingOf(hand.state.bodies, 1, hand.output());
+        return std::pair(reading.value(), arm.cross(-hand.output().force).y());
+    };
+    Pushed sprung(0.3, material(800));
+    sprung.hold(0, 2).drives.push_back({.angular = true, .axis = 1, .stiffness = 2, .damping = 0.1});
+    const auto [spring, push] = told(sprung);
+    QVERIFY(spring.turns);
+    QCOMPARE_GT(std::abs(push), 0.01);
+    COMPARE_NEAR(spring.force, -push, 1e-4 * std::abs(push), "N m");
+    COMPARE_NEAR(spring.force, -2 * spring.value, 1e-4 * std::abs(push), "N m");
+    Pushed stopped(0.3, material(800));
+    stopped.hold(0, 2).limits.push_back({true, 2, -1, 0});
+    const auto [stop, heavy] = told(stopped);
+    COMPARE_NEAR(std::abs(heavy), x * press, 0.02 * x * press, "N m");
+    COMPARE_NEAR(stop.force, -heavy, 1e-3 * std::abs(heavy), "N m");
+    Pushed dry(0.3, material(800));
+    dry.hold(0, 2).frictions.push_back({true, 1, 1});
+    const auto [friction, held] = told(dry);
+    COMPARE_NEAR(std::abs(held), x * press, 0.02 * x * press, "N m");
+    COMPARE_NEAR(friction.force, -held, 1e-3 * std::abs(held), "N m");
+    Pushed sliding(0.3, material(800));
+    sliding.hold(4, 0).drives.push_back({.axis = 2, .stiffness = 1000, .damping = 10});
+    const auto slide = told(sliding).first;
+    QVERIFY(slide.slides);
+    COMPARE_NEAR(slide.force, -1000 * slide.value, 1e-9, "N");
+    QCOMPARE_GT(slide.force, 0.5);
 }
 
 void MovedByHandTest::frictionTakesASlideAlong_data() {

@@ -1,6 +1,7 @@
 // What the import process cannot do any more: tried in a child that has entered the sandbox.
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include <fcntl.h>
@@ -56,6 +57,33 @@ private slots:
         int status = 0;
         waitpid(child, &status, 0);
         if (status != 0) QSKIP("this kernel lacks a protection: the import says so to the person");
+    }
+
+    /// The folder may be the person's home.
+    void readsOfTheFolderOnlyWhatTheFormatNames() {
+        const auto notes = folder_.write("notes.txt", "private"), key = folder_.path() / ".keys";
+        std::filesystem::create_directories(key);
+        std::ofstream(key / "id.png") << "private";
+        std::filesystem::create_directories(folder_.path() / "maps");
+        std::ofstream(folder_.path() / "maps" / "grain.PNG") << "a picture";
+        std::filesystem::create_symlink(outside_, folder_.path() / "link.png");
+        const auto reads = [&](const char* model, const std::filesystem::path& other) {
+            const auto file = folder_.write(model, "x");
+            return succeeds(file, [&] { return opens(file, O_RDONLY); }) &&
+                   succeeds(file, [&] { return opens(other, O_RDONLY); });
+        };
+        for (const char* model : {"a.stl", "a.ply", "a.off", "a.zip", "a.fbx", "a.obj", "a.gltf", "a.x3d"}) {
+            QVERIFY2(!reads(model, notes), model);
+            QVERIFY2(!reads(model, key / "id.png"), model);
+            QVERIFY2(!reads(model, folder_.path() / "link.png"), model);
+            QVERIFY2(!succeeds(folder_.path() / model,
+                               [&] { return opens(folder_.path(), O_RDONLY | O_DIRECTORY); }),
+                     model);
+        }
+        for (const char* model : {"a.fbx", "a.obj", "a.gltf", "a.x3d", "a.dae", "a.3ds"})
+            QVERIFY2(reads(model, folder_.path() / "maps" / "grain.PNG"), model);
+        for (const char* model : {"a.stl", "a.ply", "a.off", "a.zip"})
+            QVERIFY2(!reads(model, folder_.path() / "maps" / "grain.PNG"), model);
     }
 
     void readsTheFileAndItsFolder() {

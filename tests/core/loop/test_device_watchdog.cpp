@@ -6,6 +6,7 @@
 #include <new>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -103,6 +104,28 @@ private slots:
             QCOMPARE(descriptors(), before);
         }
         QCOMPARE(device.stops(), 0); // a farewell is no death
+    }
+
+    /// A port that the child held would be taken for as long as it lives, and a pipe would never end.
+    void itHoldsNoPortAndNoPipe() {
+        const int listening = socket(AF_INET, SOCK_STREAM, 0);
+        QCOMPARE(listen(listening, 1), 0); // at any port that is free
+        int pipe[2];
+        QCOMPARE(::pipe(pipe), 0);
+        CountedDevice device;
+        DeviceWatchdog watchdog;
+        VERIFY_RESULT(watchdog.start(device));
+        wait(watchdog, 3); // it closes them before it looks
+        const std::filesystem::path open = "/proc/" + std::to_string(ownChildren().front()) + "/fd";
+        int pipes = 0;
+        for (const int descriptor : {listening, pipe[0], pipe[1]})
+            QVERIFY(!std::filesystem::is_symlink(open / std::to_string(descriptor)));
+        for (const auto& entry : std::filesystem::directory_iterator(open))
+            pipes += std::filesystem::read_symlink(entry).string().starts_with("pipe:");
+        QCOMPARE_EQ(pipes, 1); // its lifeline
+        watchdog.stop();
+        for (const int descriptor : {listening, pipe[0], pipe[1]})
+            close(descriptor);
     }
 
     void startingAnewEndsTheOneBefore() {

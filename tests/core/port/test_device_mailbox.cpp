@@ -88,6 +88,25 @@ private slots:
         QCOMPARE(late[kTicks / 2], 1);
     }
 
+    /// What answers the newest reading ends the wait; what was there before it does not; the moment does.
+    void whoAwaitsAnAnswerIsWoken() {
+        DeviceMailbox box;
+        constexpr std::int64_t kLong = 60'000 * kMillisecond;
+        box.answer(kForce, kNow);
+        box.measured(kReading, kNow);
+        box.command(2 * kForce, kNow); // the last one once more: no answer
+        const std::int64_t begun = monotonicNanoseconds();
+        box.awaitAnswer(begun + 5 * kMillisecond);
+        QCOMPARE_GE(monotonicNanoseconds() - begun, 5 * kMillisecond);
+        std::thread servo([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            box.answer(3 * kForce, kNow + 1);
+        });
+        box.awaitAnswer(monotonicNanoseconds() + kLong);
+        COMPARE_NEAR(box.force(kNow + 2), 3 * kForce, 1e-12, "N");
+        servo.join();
+    }
+
     void aReadingThatWasNoneStaysNone() {
         DeviceMailbox box;
         DeviceSample none = kReading;

@@ -405,7 +405,7 @@ private slots:
         QVERIFY(eventually([&] { return plate.polled().proxy().updates > 10; }));
         plate.probe->height = 0.5 * (kRadius - kDepth - 0.02);
         QVERIFY(plate.pushesWith(500 * kDepth));
-        QCOMPARE(plate.polled().servo().handle.z(), plate.probe->height.load());
+        QCOMPARE(plate.polled().servo().handle_D.z(), plate.probe->height.load());
         COMPARE_NEAR(plate.engine.servo().finger.z(), kRadius - kDepth, 1e-12, "m");
         // Elsewhere: the proxy begins at the finger, and nothing is touched.
         VERIFY_RESULT(plate.engine.setWorkspace({.scale = 2, .offset = {0, 0, 0.04}}));

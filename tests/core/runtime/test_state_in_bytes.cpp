@@ -114,7 +114,7 @@ private slots:
         bit = 1;
         for (const auto flag : {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh,
                                 ServoRow::Armed, ServoRow::Override, ServoRow::Unguarded, ServoRow::Clutched,
-                                ServoRow::Stopped, ServoRow::Fading}) {
+                                ServoRow::Stopped, ServoRow::Fading, ServoRow::Grasped}) {
             QCOMPARE(std::uint32_t(flag), bit);
             bit *= 2;
         }

@@ -97,6 +97,71 @@ private slots:
         QCOMPARE(schedule.oscillations(), 0u);
     }
 
+    /// The whole hand bears more, from the next contact on; that it lets go is believed at once.
+    void aGraspIsBelievedFromTheNextContactOn() {
+        DeviceInfo device;
+        device.handDamping = 1;
+        const double pinch = safeStiffness(loopFigures(device)).value;
+        StiffnessSchedule schedule(device);
+        DeviceSample seen;
+        ScheduleInput input{
+            .seen = seen, .grasped = true, .stiffness = 1e6, .rendered = 500, .load = 1, .pushing = true};
+        COMPARE_NEAR(schedule(input).stiffness, pinch, 1e-9, "N/m");
+        input.load = 0;
+        COMPARE_NEAR(schedule(input).stiffness, 1.7 * pinch, 1e-9, "N/m");
+        input.load = 1;
+        COMPARE_NEAR(schedule(input).stiffness, 1.7 * pinch, 1e-9, "N/m");
+        QVERIFY(schedule.grasping());
+        input.grasped = false;
+        COMPARE_NEAR(schedule(input).stiffness, pinch, 1e-9, "N/m");
+    }
+
+    /// More than taps in a grasp bear it gives to nobody, and takes nothing from whom damping alone lets be
+    /// stiffer.
+    void aGraspHasACeilingOfItsOwn() {
+        DeviceSample seen;
+        for (const double damping : {0.0, 1.0, 2.0}) {
+            DeviceInfo device;
+            device.damping = damping;
+            const double pinch = safeStiffness(loopFigures(device)).value;
+            StiffnessSchedule schedule(device);
+            const double grasp = schedule({.seen = seen, .grasped = true, .stiffness = 1e6}).stiffness;
+            COMPARE_NEAR(grasp, std::max(pinch, 1850.0), 1e-9, "N/m");
+        }
+    }
+
+    /// Two softened contacts are an accident, the third within minutes is none; half an hour apart they are.
+    void aGraspThatIsNoneIsDoubted() {
+        DeviceSample seen;
+        for (const double apart : {10.0, 600.0}) {
+            StiffnessSchedule schedule(DeviceInfo{});
+            const auto go = [&](double seconds, double load, bool overspent, bool grasped = true) {
+                for (double time = 0; time < seconds; time += kTick)
+                    schedule({.seen = seen,
+                              .grasped = grasped,
+                              .stiffness = 1e6,
+                              .rendered = 500,
+                              .load = load,
+                              .pushing = true,
+                              .overspent = overspent});
+            };
+            go(1, 0, false);
+            for (int contact = 1; contact <= 3; ++contact) {
+                QVERIFY(schedule.grasping());
+                go(0.01, 1, true);
+                go(0.01, 1, false);
+                go(apart, 0, false);
+            }
+            QCOMPARE(schedule.grasping(), apart > 60);
+            QCOMPARE(schedule.doubted(), apart < 60);
+            go(600, 0, false); // time alone does not bring it back
+            QCOMPARE(schedule.doubted(), apart < 60);
+            go(0.01, 0, false, false); // the person chooses anew
+            go(0.01, 0, false);
+            QVERIFY(schedule.grasping());
+        }
+    }
+
     /// A force that grows, turns around, weakens; and what explains it.
     void suddenIsWhatNothingExplains() {
         const Vec3 up(0, 0, 1), aside(1, 0, 0);

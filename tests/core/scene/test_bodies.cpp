@@ -7,9 +7,11 @@
 
 #include "core/dynamics/dynamics.h"
 #include "core/dynamics/mechanism_build.h"
+#include "core/dynamics/path_places.h"
 #include "core/scene/bodies.h"
 #include "core/scene/convex_parts.h"
 #include "core/scene/light_bodies.h"
+#include "tests/core/scene/things.h"
 #include "tests/support/compare.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
@@ -18,55 +20,6 @@ namespace test_bodies {
 
 using namespace tactum;
 using namespace tactum::test;
-
-namespace {
-
-TriangleSoup box(const Vec3& size, const Vec3& at = Vec3::Zero()) {
-    TriangleSoup soup;
-    for (unsigned i = 0; i < 8; ++i)
-        soup.positions.push_back(at +
-                                 size.cwiseProduct(Vec3(i & 1, i >> 1 & 1, i >> 2) - Vec3::Constant(0.5)));
-    for (const auto& side : {std::array<Index, 4>{0, 4, 6, 2},
-                             {1, 3, 7, 5},
-                             {0, 1, 5, 4},
-                             {2, 6, 7, 3},
-                             {0, 2, 3, 1},
-                             {4, 5, 7, 6}}) {
-        soup.triangles.push_back({side[0], side[1], side[2]});
-        soup.triangles.push_back({side[0], side[2], side[3]});
-    }
-    soup.surfaceOf.assign(12, 0);
-    return soup;
-}
-
-TriangleSoup both(TriangleSoup a, const TriangleSoup& b) {
-    const Index first = Index(a.positions.size());
-    a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-    for (const auto& t : b.triangles)
-        a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    a.surfaceOf.assign(a.triangles.size(), 0);
-    return a;
-}
-
-ObjectId add(Scene& scene, const std::string& name, TriangleSoup soup, const Pose& pose = {}) {
-    SceneObject object;
-    object.name = name, object.pose = pose;
-    object.geometry = std::make_shared<const TriangleSoup>(std::move(soup));
-    object.surfaces.resize(1);
-    return scene.add(std::move(object)).id;
-}
-
-/// A post, and a door of 80 x 130 x 8 mm to its right.
-struct Doorway {
-    Scene scene;
-    ObjectId post, door;
-    Doorway() {
-        post = add(scene, "post", box({0.01, 0.2, 0.02}), {Quat::Identity(), {-0.046, 0, 0}});
-        door = add(scene, "door", box({0.08, 0.13, 0.008}));
-    }
-};
-
-} // namespace
 
 class TestBodies : public QObject {
     Q_OBJECT
@@ -164,6 +117,54 @@ private slots:
                         field.hinge->allows(field.hinge->initial) &&
                         field.slider->allows(field.slider->initial));
         }
+    }
+
+    // It stays where it is, rides along the points, keeps its numbers, and refuses what is no curve.
+    void aBodyRidesOnAPath() {
+        Scene scene;
+        const Pose at{Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized())), {0.1, 0.2, 0.3}};
+        const ObjectId id = add(scene, "car", box({0.04, 0.02, 0.02}, {0.01, 0, 0}), at);
+        const BodyId body = makeBody(scene, id);
+        AxisJoint axis = guessedJoint(scene, body, AxisKind::Path);
+        QCOMPARE(axis.path.points.size(), std::size_t(3));
+        COMPARE_NEAR(axis.path.points[1], at.apply({0.01, 0, 0}), 1e-12, "m");
+        axis.path.points[2] += Vec3(0.01, 0.03, -0.02);
+        axis.friction = 0.25, axis.high = 0.1, axis.stiffness = 3, axis.rest = 0.02;
+        setAxisJoint(scene, body, axis);
+        const auto startOf = [&] {
+            const auto mechanism = std::make_shared<const Mechanism>(
+                compileMechanism(scene.mechanics.bodies, scene.mechanics.joints).value());
+            Dynamics dynamics(mechanism);
+            Pose pose;
+            dynamics.posesOf(dynamics.startState(), {&pose, 1});
+            return pose;
+        };
+        COMPARE_NEAR(startOf().translation, at.translation, 1e-9, "m");
+        COMPARE_NEAR(std::abs(startOf().rotation.dot(at.rotation)), 1, 1e-9, "");
+        const AxisJoint read = axisJointOf(scene, body).value();
+        QVERIFY(read.kind == AxisKind::Path);
+        for (std::size_t i = 0; i < 3; ++i)
+            COMPARE_NEAR(read.path.points[i], axis.path.points[i], 1e-12, "m");
+        for (const AxisField& field : kAxisFields)
+            QVERIFY(read.*field.value == axis.*field.value ||
+                    std::abs(read.*field.value - axis.*field.value) < 1e-12);
+        AxisJoint higher = read; // the whole curve goes up, and what rides on it with it
+        for (Vec3& point : higher.path.points)
+            point.y() += 0.05;
+        setAxisJoint(scene, body, higher);
+        const Vec3 rides = startOf().apply(scene.mechanics.joints[0].frameB.translation);
+        double away = 1;
+        for (const Pose& place : placesAlong(higher.path, 2000))
+            away = std::min(away, (place.translation - rides).norm());
+        COMPARE_NEAR(away, 0, 1e-4, "m");
+        QCOMPARE_GT(rides.y(), at.apply({0.01, 0, 0}).y() + 0.02);
+        const Scene before = scene;
+        AxisJoint none = read;
+        none.path.points.resize(1);
+        setAxisJoint(scene, body, none);
+        none.path.points = {{0, 0, 0}, {0, 0, 0}, {0.1, 0, 0}};
+        setAxisJoint(scene, body, none);
+        QVERIFY(scene == before);
     }
 
     // A loose box yields along each side's middle like its mass; at 2 kHz 800 N/m push k / (16 * 2000)^2 =

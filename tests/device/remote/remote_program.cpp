@@ -15,8 +15,9 @@ int serve(Served& served, const char* way) {
     if (std::strcmp(way, "unknown") == 0)
         return refuseToServe({Error::Kind::Input, "There is no such device."}, kServeDescriptor);
     served.server = getpid();
-    ServedDevice device(served, way);
-    const int code = serveDevice(device, kServeDescriptor);
+    const auto device = std::strcmp(way, "framed") == 0 ? std::make_unique<FramedDevice>(served, way)
+                                                        : std::make_unique<ServedDevice>(served, way);
+    const int code = serveDevice(*device, kServeDescriptor);
     served.ended = true;
     return code;
 }

@@ -1,7 +1,9 @@
 // A device for a process of its own, whose motors and behaviour lie in memory that the test shares.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -27,6 +29,7 @@ struct Served {
     std::atomic<int> zeros{0}, zerosAtClose{0}; ///< commands of zero in a row, the last ones
     std::atomic<int> between{0};                ///< commands of less than the 2 N that tests push with
     std::atomic<bool> ended{false};             ///< serveDevice() came back
+    std::array<std::atomic<int>, 4> late{};     ///< frames, by how many frames old the answered reading was
 
     void command(double z) noexcept {
         if (z != 0) zeroAt = 0;
@@ -47,7 +50,7 @@ inline Served* mapServed(const char* file) {
 /// Forces that make its driver fail, along x.
 inline constexpr double kCrash = 1, kAbort = 2, kOverflow = 3, kHang = 4;
 
-class ServedDevice final : public HapticDevice {
+class ServedDevice : public HapticDevice {
 public:
     ServedDevice(Served& served, std::string way) : served_(served), way_(std::move(way)) {}
 
@@ -101,6 +104,9 @@ public:
         ++served_.stops;
     }
 
+protected:
+    Served& served_;
+
 private:
     static int overflow(int depth) {
         volatile char room[4096] = {};
@@ -115,8 +121,63 @@ private:
             pause();
     }
 
-    Served& served_;
     std::string way_;
+};
+
+/// A device whose frames come from a scheduler of its maker's, 500 a second. Each reading has a number, x, in
+/// tenths; a servo that sends it back as the force tells how old the reading is that a frame answers.
+class FramedDevice final : public ServedDevice {
+public:
+    using ServedDevice::ServedDevice;
+    ~FramedDevice() override { end(); }
+
+    Result<void> open() override {
+        stop_ = false;
+        scheduler_ = std::thread([this] {
+            for (auto due = std::chrono::steady_clock::now(); !stop_; std::this_thread::sleep_until(due)) {
+                frame();
+                due += std::chrono::milliseconds(2);
+            }
+        });
+        return ServedDevice::open();
+    }
+    void close() override {
+        end();
+        ServedDevice::close();
+    }
+    DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
+        const std::int64_t now = monotonicNanoseconds();
+        box_.command(command.force, now);
+        return box_.newest(now);
+    }
+    bool awaitFrame(std::int64_t until) noexcept override {
+        box_.awaitReading(until);
+        return true;
+    }
+    void announce(const DeviceCommand& command) noexcept override {
+        box_.answer(command.force, monotonicNanoseconds());
+    }
+
+private:
+    static constexpr int kNumbers = 64;
+
+    void frame() noexcept {
+        const std::int64_t now = monotonicNanoseconds();
+        const int answered = int(std::lround(10 * box_.force(now).z()));
+        number_ = (number_ + 1) % kNumbers;
+        const std::size_t age = std::size_t(number_ - answered + kNumbers) % kNumbers;
+        if (answered > 0) ++served_.late[std::min(age, served_.late.size() - 1)];
+        box_.measured({.position = {0.1 * number_, 0, 0}, .valid = true}, now);
+    }
+    void end() {
+        stop_ = true;
+        if (scheduler_.joinable()) scheduler_.join();
+    }
+
+    DeviceMailbox box_;
+    std::thread scheduler_;
+    std::atomic<bool> stop_{false};
+    int number_ = 0;
 };
 
 } // namespace tactum::test

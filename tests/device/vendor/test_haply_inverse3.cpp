@@ -60,7 +60,7 @@ private slots:
         COMPARE_NEAR(hand.last.velocity, Vec3(0, 0, -0.5), 1e-12, "m/s");
         QCOMPARE(hand.last.buttons, 2u);
         QVERIFY(device->trouble().empty());
-        QCOMPARE(device->info().delay, 2.0);
+        QCOMPARE(device->info().delay, 1.0);
         QCOMPARE(service_->greetings.load(), 1); // only with the first message
     }
 

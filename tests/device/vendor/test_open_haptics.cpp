@@ -114,7 +114,7 @@ private slots:
         const auto device = opened();
         QCOMPARE(device->info().maxForce, 3.0);
         QCOMPARE(device->info().maxStiffness, 1000.0);
-        QCOMPARE(device->info().delay, 2.0); // two threads: a tick more
+        QCOMPARE(device->info().delay, 1.0); // the scheduler's frames wake the servo
         QVERIFY(device->info().real);
     }
 

@@ -119,6 +119,7 @@ private slots:
         COMPARE_SHOWN(shownIn(page), "live-none");
         page.display(loops.engine);
         page.setStopButton(0b10, 3, true);
+        page.setGrasped(true, true);
         COMPARE_SHOWN(shownIn(page), "live");
         QSignalSpy chosen(&page, &DeviceLive::stopButtonChosen);
         auto& list = part<QComboBox>(page, "device-stop-button");
@@ -127,9 +128,16 @@ private slots:
         QCOMPARE(chosen.size(), 4);
         for (int row = 0; row < 4; ++row)
             QCOMPARE(chosen[row][0].toUInt(), row == 0 ? 0u : 1u << (row - 1));
+        QSignalSpy grip(&page, &DeviceLive::graspChosen);
+        emit part<QComboBox>(page, "device-grip").activated(0);
+        emit part<QComboBox>(page, "device-grip").activated(1);
+        QCOMPARE(grip.size(), 2);
+        QVERIFY(!grip[0][0].toBool() && grip[1][0].toBool());
+        page.setGrasped(false, true);
         page.setStopButton(0, 0, true);
         COMPARE_SHOWN(shownIn(page), "live-no-button");
         page.setStopButton(0, 2, false);
+        page.setGrasped(false, false);
         COMPARE_SHOWN(shownIn(page), "live-simulated");
         QCOMPARE(chosen.size(), 4); // shown without telling anybody
     }

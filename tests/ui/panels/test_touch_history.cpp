@@ -88,11 +88,12 @@ private slots:
             "force x (N),force y (N),force z (N),force (N),normal force (N),tangential force (N),"
             "friction ratio,static friction,dynamic friction,proxy lag (m),energy (J),"
             "servo rate (Hz),proxy rate (Hz),joint angle (rad),joint way (m),joint turning (rad/s),"
-            "joint speed (m/s),kinetic energy (J),potential energy (J),touching,slipping\n"
+            "joint speed (m/s),joint torque (N m),joint force (N),kinetic energy (J),potential energy "
+            "(J),touching,slipping\n"
             "0,0,-0.001,0,0,0,0,0.5,2,0,2.0615528128088303,2,0.5,0.25,0.8,0.5,0.001,-5e-04,0,2000,"
-            "0,0,0,0,0,0,1,0\n"
+            "0,0,0,0,0,0,0,0,1,0\n"
             "0.25,0,-0.001,0,0,0,0,0.75,2,0,2.1360009363293826,2,0.75,0.375,0.8,0.5,0.001,-0.00075,4,2000,"
-            "0,0,0,0,0,0,1,0\n";
+            "0,0,0,0,0,0,0,0,1,0\n";
         QCOMPARE_EQ(csv, expected);
         QCOMPARE(QString::fromStdString(csvOf(historyOf(points), 0.6)).count('\n'), 2);
     }

@@ -160,8 +160,8 @@ private slots:
         }
         QCOMPARE(gizmo.at(*gizmo.placeOf(Move, c), c), std::optional(Move));
         QCOMPARE(gizmo.at(*gizmo.placeOf(Size, c), c), std::optional(Size));
-        QCOMPARE(gizmo.at(*gizmo.placeOf(MoveY, c) + QPointF(7, 0), c), std::optional(MoveY));
-        QVERIFY(gizmo.at(*gizmo.placeOf(MoveY, c) + QPointF(0, -9), c) != std::optional(MoveY));
+        QCOMPARE(gizmo.at(*gizmo.placeOf(MoveY, c) + QPointF(8, 0), c), std::optional(MoveY));
+        QVERIFY(gizmo.at(*gizmo.placeOf(MoveY, c) + QPointF(0, -10), c) != std::optional(MoveY));
         QVERIFY(!gizmo.at({5, 5}, c));
         // Along an arrow, from a fifth of it on.
         const MappingFrame frame = *gizmo.frame();

@@ -297,6 +297,12 @@ void takeBodies(const QDir& folder, const QString& scenes, QSize size) {
     dock->raise();
     program.frames(30);
     save(program, folder, QStringLiteral("body.png"));
+    program.command("motion-run").setChecked(false);
+    program.command("arrange").trigger();
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-place"))->raise();
+    program.frames(30);
+    save(program, folder, QStringLiteral("arranging.png"));
+    program.command("touch").trigger();
     if (!program.open(scenes + QStringLiteral("moving/marionette.glb"))) qFatal("no marionette");
     QPoint at = program.centre();
     program.press(at);

@@ -1,5 +1,6 @@
 // Bodies and joints made in the window with real events: a crank with its rod and piston out of bare meshes.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QTest>
 #include <QToolButton>
@@ -151,6 +152,38 @@ private slots:
         COMPARE_NEAR((peg - pin).norm(), 0.07, 1e-6, "m");
         COMPARE_NEAR(pin.y(), 0, 1e-6, "m");
 
+        // Without weight it stands; the hand presses on the peg from above and turns the wheel, and the
+        // piston is drawn along by its rod.
+        program.command("select-none").trigger();
+        program.type(QStringLiteral("gravity-y"), QStringLiteral("0"));
+        QVERIFY(test::waitFor([&] { return program.caughtUp(); }));
+        program.command("motion-reset").trigger();
+        program.command("view-top").trigger();
+        program.command("touch").trigger();
+        QVERIFY(program.fullForce());
+        const auto pegAt = [&] { return poseOf("wheel").apply({-0.03, 0, 0.009}); };
+        program.frames(10);
+        COMPARE_NEAR(pegAt().y(), 0, 1e-6, "m");
+        const SceneView& view = program.window->view();
+        const QPoint pegSeen = view.camera().project({-0.03, 0.004, 0.032}).value().toPoint();
+        double strongest = 0;
+        program.press(pegSeen);
+        QVERIFY(test::waitFor([&] {
+            program.frames(1);
+            strongest = std::max(strongest, program.engine.servo().force.norm());
+            return pegAt().y() < -1e-3;
+        }));
+        QCOMPARE_GT(strongest, 1e-3);
+        QCOMPARE_LE(strongest, program.engine.device().maxForce * (1 + 1e-9));
+        const double shallow = pegAt().y();
+        program.wheel(pegSeen, 8); // deeper
+        QVERIFY(test::waitFor([&] { return pegAt().y() < shallow - 2e-3; }));
+        keep(program, "pushed");
+        const Vec3 pushed = pegAt(), drawn = poseOf("piston").apply({0.04, 0, 0.009});
+        COMPARE_NEAR((pushed - drawn).norm(), 0.07, 1e-6, "m");
+        COMPARE_NEAR(drawn.y(), 0, 1e-6, "m");
+        program.release(pegSeen);
+
         while (program.document.history().canUndo())
             program.command("undo").trigger();
         QVERIFY(glbOf(program.document.scene()).value() == before);
@@ -210,6 +243,93 @@ private slots:
         QCOMPARE(program.document.scene().mechanics.gravity.y(), -1.62);
         program.command("undo").trigger();
         QCOMPARE(program.document.scene().mechanics.gravity.y(), -kEarthGravity);
+    }
+
+    // A path: its points are dragged, made by dragging between them, and picked on the model.
+    void aPathIsDraggedAndPicked() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        program.command("view-front").trigger();
+        const std::string before = glbOf(program.document.scene()).value();
+        choose(program, QStringLiteral("piston"));
+        program.command("body-path").trigger();
+        const SceneView& view = program.window->view();
+        QVERIFY(view.path().mark());
+        const auto jointNow = [&] {
+            const Scene& scene = program.document.scene();
+            return axisJointOf(scene, scene.mechanics.bodies[0].id).value();
+        };
+        QCOMPARE(jointNow().path.points.size(), std::size_t(3));
+        const auto drag = [&](int handle, QPoint by) {
+            const QPoint from = view.path().placeOf(handle, view.camera()).value().toPoint();
+            program.press(from);
+            program.moveTo(from + by / 2);
+            program.moveTo(from + by);
+            program.release(from + by);
+        };
+        int steps = program.document.history().count();
+        const Vec3 end = jointNow().path.points[2];
+        const double pixel = view.camera().pixelSize(end);
+        drag(2, {10, -60});
+        QCOMPARE(program.document.history().count(), ++steps);
+        COMPARE_NEAR(jointNow().path.points[2], Vec3(end + pixel * Vec3(10, 60, 0)), 2 * pixel, "m");
+        drag(3, {0, 40}); // between the first two
+        QCOMPARE(program.document.history().count(), ++steps);
+        QCOMPARE(jointNow().path.points.size(), std::size_t(4));
+        push(program, "path-fewer");
+        QCOMPARE(jointNow().path.points.size(), std::size_t(3));
+        drag(1, {0, 150});
+        program.window->findChild<QCheckBox*>(QStringLiteral("path-closed"))->click();
+        QVERIFY(jointNow().path.closed);
+        keep(program, "path");
+        program.command("touch").trigger();
+        program.command("motion-run").setChecked(false);
+        program.command("motion-reset").trigger();
+        push(program, "path-pick");
+        for (const Vec3& place : {Vec3(-0.08, -0.055, 0.03), {0.08, -0.055, 0.03}, {-0.07, 0.02, 0.004}}) {
+            const QPoint at = view.camera().project(place).value().toPoint();
+            program.press(at);
+            program.release(at);
+        }
+        const JointPath picked = jointNow().path;
+        QCOMPARE(picked.points.size(), std::size_t(3));
+        COMPARE_NEAR(picked.points[1], Vec3(0.08, -0.055, 0.03), 1e-3, "m");
+        push(program, "path-pick");
+        while (program.document.history().canUndo())
+            program.command("undo").trigger();
+        QVERIFY(glbOf(program.document.scene()).value() == before);
+    }
+
+    // As what others meet it: drawn on request, changed by the list, undone, saved.
+    void collidersAreSeenAndChanged() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        choose(program, QStringLiteral("piston"));
+        program.command("body-loose").trigger();
+        const SceneView& view = program.window->view();
+        QVERIFY(view.colliders().empty());
+        program.command("colliders").trigger();
+        const Scene& scene = program.document.scene();
+        QCOMPARE(view.colliders().size(), scene.mechanics.colliders.size());
+        auto* form = program.window->findChild<QComboBox*>(QStringLiteral("collider-form"));
+        QVERIFY(form && form->isVisible());
+        QCOMPARE(form->currentText(), QStringLiteral("One hull"));
+        const std::string before = glbOf(scene).value();
+        form->setFocus();
+        while (form->currentText() != QStringLiteral("Cylinder"))
+            QTest::keyClick(form, Qt::Key_Down);
+        const BodyId body = scene.mechanics.bodies[0].id;
+        const auto shape = std::ranges::find(scene.mechanics.colliders, body, &Collider::body)->shape;
+        QVERIFY(shape.kind == ShapeKind::Cylinder);
+        keep(program, "colliders");
+        const std::string changed = glbOf(scene).value();
+        QVERIFY(changed != before);
+        // Each of the keys was a step; every form has been the body's.
+        while (glbOf(scene).value() != before)
+            program.command("undo").trigger();
+        QCOMPARE(form->currentText(), QStringLiteral("One hull"));
+        program.command("colliders").trigger();
+        QVERIFY(view.colliders().empty());
     }
 
     // Numbers by the fields; what is out of range is brought into it, and a stop at its end is none.

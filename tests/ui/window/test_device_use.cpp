@@ -35,6 +35,7 @@ private slots:
     void liveFiguresFollowTheDevice();
     void aButtonEndsAllForce();
     void aButtonDoesOneThing();
+    void theGripIsChosenAndRemembered();
     void theScaleIsTypedAndRemembered();
     void noImpossibleMappingCanBeChosen();
     void motionsSetTheAxes();
@@ -121,6 +122,24 @@ void TestDeviceUse::aButtonDoesOneThing() {
     QCOMPARE(desk.engine().workspace().clutch, 0u);
     QCOMPARE(desk.link().stop().buttons.load(), 1u);
     QCOMPARE(static_cast<QComboBox&>(desk.widget("workspace-clutch")).currentIndex(), 0);
+}
+
+void TestDeviceUse::theGripIsChosenAndRemembered() {
+    Desk desk;
+    QVERIFY(desk.connectIt());
+    desk.page(DevicePanel::Page::Live);
+    QVERIFY(!rememberedSettings(kFake).grasped);
+    desk.pick("device-grip", 1);
+    QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), desk.engine().servo().grasped), kPatience);
+    QVERIFY(rememberedSettings(kFake).grasped);
+    // The simulated hand keeps none of it.
+    desk.program.command("device-disconnect").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), !desk.engine().servo().grasped), kPatience);
+    QVERIFY(!desk.widget("device-grip").isEnabled());
+    QVERIFY(desk.connectIt());
+    QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), desk.engine().servo().grasped), kPatience);
+    desk.pick("device-grip", 0);
+    QTRY_VERIFY_WITH_TIMEOUT((desk.engine().poll(), !desk.engine().servo().grasped), kPatience);
 }
 
 void TestDeviceUse::theScaleIsTypedAndRemembered() {

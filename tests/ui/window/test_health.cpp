@@ -268,6 +268,10 @@ void TestHealth::whatLimitsTheStiffnessIsSaid() {
     servo.stiffnessScale = 1;
     servo.ceiling = {100, CeilingReason::Maker};
     COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("maker"));
+    servo.ceiling = {100, CeilingReason::Hand};
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("hand bears"));
+    servo.doubted = true;
+    COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("lighter than chosen"));
     device.maxStiffness = 0;
     device.dryFriction = 1e-6;
     device.positionResolution = 1e-6;

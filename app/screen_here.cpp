@@ -1,0 +1,11 @@
+// The program with a screen.
+#include "app/display.h"
+#include "app/screen.h"
+
+namespace tactum {
+
+Result<void> reachScreen(char**) {
+    return checkDisplay();
+}
+
+} // namespace tactum

@@ -1,0 +1,47 @@
+#include "core/scene/placing.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/motion/motion_build.h"
+
+namespace tactum {
+namespace {
+
+/// The finger with every point where `place` puts it.
+template <class Place> void moveFinger(Scene& scene, Place place) {
+    if (!scene.finger) return;
+    auto finger = std::make_shared<std::vector<FingerPoint>>(*scene.finger);
+    for (FingerPoint& point : *finger)
+        point.position = place(point.position);
+    scene.finger = std::move(finger);
+}
+
+} // namespace
+
+void scaleScene(Scene& scene, double factor, const Vec3& about) {
+    scene.mechanics = scaled(std::move(scene.mechanics), factor, about);
+    for (SceneObject& object : scene.objects) {
+        auto larger = std::make_shared<TriangleSoup>(*object.geometry);
+        for (Vec3& p : larger->positions)
+            p *= factor;
+        object.geometry = std::move(larger);
+        object.pose.translation = factor * (object.pose.translation - about);
+        if (object.motion) object.motion = std::make_shared<const Motion>(scaled(*object.motion, factor));
+    }
+    moveFinger(scene, [&](const Vec3& p) { return Vec3(factor * (p - about)); });
+}
+
+bool turnUpright(Scene& scene) {
+    if (!scene.mechanics.bodies.empty()) return false;
+    const Quat turn(std::sqrt(0.5), -std::sqrt(0.5), 0, 0); // a quarter around x
+    const auto turned = [](const Vec3& p) { return Vec3(p.x(), p.z(), -p.y()); };
+    for (SceneObject& object : scene.objects) {
+        object.pose.rotation = (turn * object.pose.rotation).normalized();
+        object.pose.translation = turned(object.pose.translation);
+    }
+    moveFinger(scene, turned);
+    return true;
+}
+
+} // namespace tactum

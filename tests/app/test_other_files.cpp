@@ -1,0 +1,254 @@
+// Verbs about other people's files: verify, feel, check and info over several files; what a terminal may get.
+#include <cmath>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+#include <QTest>
+
+#include "tests/app/program.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_other_files {
+
+using namespace test_program;
+
+namespace {
+
+QByteArray bytesOf(const QString& file) {
+    QFile in(file);
+    return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+}
+
+QJsonObject objectOf(const QByteArray& json) {
+    return QJsonDocument::fromJson(json).object();
+}
+
+} // namespace
+
+class TestOtherFiles : public QObject, private WorkFolder {
+    Q_OBJECT
+
+    /// A plate of 0.2 m whose material is called `material`; its object as the file is.
+    QString model(const QString& name, const QByteArray& material) const {
+        return write(name, "usemtl " + material +
+                               "\nv -0.1 0 -0.1\nv -0.1 0 0.1\nv 0.1 0 0.1\nv 0.1 0 -0.1\nf 1 2 3 4\n");
+    }
+
+private slots:
+    void aBundleIsVerified() {
+        QCOMPARE(runTactum({"convert", model("plate.obj", "clay"), file("plate.zip")}).code, 0);
+        const Ended whole = runTactum({"verify", file("plate.zip")});
+        QVERIFY2(whole.code == 0, whole.error);
+        COMPARE_CONTAINS(whole.out, "4001 steps");
+        COMPARE_CONTAINS(whole.out, "as the scene feels");
+        const QJsonObject json = objectOf(runTactum({"verify", file("plate.zip"), "--json"}).out);
+        QCOMPARE(json["true"].toBool(), true);
+        QCOMPARE_GT(json["largest_force_N"].toDouble(), 0.1);
+        QByteArray bytes = bytesOf(file("plate.zip"));
+        bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 1);
+        const Ended changed = runTactum({"verify", write("changed.zip", bytes)});
+        QCOMPARE(changed.code, 1);
+        QVERIFY2(!oneLine(changed.error).isEmpty(), changed.error);
+        QCOMPARE(runTactum({"verify", model("plate.obj", "clay")}).code, 1);
+    }
+
+    /// Another hand: plain Python that knows the bundle's page alone. Frictionless, holding and sliding; one
+    /// triangle, for the edge between two is met as a new contact.
+    void aReaderInPythonGetsTheSameForces() {
+        if (QStandardPaths::findExecutable(QStringLiteral("python3")).isEmpty()) QSKIP("there is no python3");
+        const QString floor = write("floor.obj", "usemtl clay\nv -1 0 -1\nv -1 0 3\nv 3 0 -1\nf 1 2 3\n");
+        QByteArray path = "t,x,y,z\n";
+        for (int i = 0; i <= 2000; ++i) {
+            const double t = i * 1e-3;
+            for (const double x : {t, 0.02 * std::sin(3 * t), 0.004 * std::cos(5 * t) - 0.001})
+                path += QByteArray::number(x, 'g', 17) + ',';
+            path += QByteArray::number(0.03 * std::cos(2 * t), 'g', 17) + '\n';
+        }
+        write("sine.csv", path);
+        QCOMPARE(runTactum({"convert", floor, file("smooth.glb")}).code, 0);
+        const QByteArray smooth = bytesOf(file("smooth.glb"));
+        for (const auto& [held, sliding] : {std::pair{"0.0", "0.0"}, {"0.5", "0.5"}, {"0.6", "0.3"}}) {
+            QByteArray rough = smooth; // of the same length
+            rough.replace("\"staticFriction\":0.0", QByteArray("\"staticFriction\":") + held);
+            rough.replace("\"dynamicFriction\":0.0", QByteArray("\"dynamicFriction\":") + sliding);
+            QCOMPARE(runTactum({"convert", write("rough.glb", rough), file("rough.zip"), "--path",
+                                file("sine.csv")})
+                         .code,
+                     0);
+            QProcess reader;
+            reader.start("python3", {TACTUM_ROOT "/docs/examples/read_bundle.py", file("rough.zip")});
+            QVERIFY(reader.waitForFinished(60000));
+            const QByteArray said = reader.readAllStandardOutput() + reader.readAllStandardError();
+            QVERIFY2(reader.exitCode() == 0, said);
+            COMPARE_CONTAINS(said, "largest force "); // of several newtons
+        }
+    }
+
+    void aFingerThatTouchesNothingIsSaid() {
+        const QString plate = model("plate.obj", "clay");
+        const QString far = write("far.csv", "t,x,y,z\n0,9,9,9\n0.001,9,9,9\n");
+        const Ended bundle = runTactum({"convert", plate, file("far.zip"), "--path", far});
+        QCOMPARE(bundle.code, 0);
+        COMPARE_CONTAINS(bundle.error, "touches nothing");
+        COMPARE_CONTAINS(runTactum({"touch", plate, "--path", far}).error, "touches nothing");
+        COMPARE_CONTAINS(runTactum({"verify", file("far.zip")}).out, "touches nothing");
+        COMPARE_LACKS(runTactum({"convert", plate, file("near.zip")}).error, "touches nothing");
+    }
+
+    /// The scene of the issue: what was a press along y was 6e-14 N of it after scaling.
+    void scalingKeepsWhatTheFingerShows() {
+        const QString ladder = QStringLiteral(TACTUM_ROOT "/resources/scenes/stiffness-ladder.glb");
+        QCOMPARE(runTactum({"convert", ladder, file("large.zip"), "--fit-diagonal", "1.0"}).code, 0);
+        QCOMPARE(runTactum({"convert", ladder, file("own.zip")}).code, 0);
+        const auto most = [&](const QString& bundle) {
+            return objectOf(runTactum({"verify", file(bundle), "--json"}).out)["largest_force_N"].toDouble();
+        };
+        QCOMPARE_GT(most("own.zip"), 1);
+        QCOMPARE_GT(most("large.zip"), most("own.zip")); // deeper, for it is larger
+    }
+
+    void theFeelIsCarriedOntoAnotherModel() {
+        QCOMPARE(runTactum({"convert", model("old.obj", "clay"), file("old.glb")}).code, 0);
+        QByteArray glb = bytesOf(file("old.glb")); // of the same length, in the extension and the extras
+        glb.replace("800.0", "123.0");
+        write("felt.glb", glb);
+        const Ended carried =
+            runTactum({"feel", file("felt.glb"), model("new.obj", "clay"), file("out.glb")});
+        QVERIFY2(carried.code == 0, carried.error);
+        COMPARE_CONTAINS(carried.out, "1 surface as in");
+        COMPARE_CONTAINS(runTactum({"info", file("out.glb")}).out, "stiffness 123 N/m");
+        const Ended nobody = runTactum({"feel", file("felt.glb"),
+                                        write("two.obj", "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                                                         "usemtl b\nf 3 2 1\n"),
+                                        file("none.glb")});
+        QCOMPARE(nobody.code, 1);
+        QVERIFY(!QFile::exists(file("none.glb")));
+        QCOMPARE(runTactum({"feel", file("felt.glb"), file("new.obj"), file("out.obj")}).code, 2);
+    }
+
+    void checkCountsAndJudges() {
+        const QString plate = model("plate.obj", "clay");
+        QByteArray many;
+        for (int i = 0; i < 40; ++i)
+            many += "g part" + QByteArray::number(i) +
+                    "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf -3 -2 -1\n"; // each face twice
+        const QString doubled = write("doubled.obj", many);
+        QCOMPARE(runTactum({"check", plate}).code, 0);
+        QCOMPARE(runTactum({"check", doubled}).code, 0);
+        QCOMPARE(runTactum({"check", doubled, "--strict"}).code, 1);
+        const Ended both = runTactum({"check", plate, doubled});
+        for (const QByteArray& line : both.out.trimmed().split('\n'))
+            QVERIFY2(line.contains("plate.obj: ") || line.contains("doubled.obj: "), line);
+        COMPARE_CONTAINS(both.out, "(and 39 more like it; --json has each)");
+        QCOMPARE_LT(both.out.count('\n'), 15);
+        const QJsonObject json = objectOf(runTactum({"check", plate, doubled, "--json"}).out);
+        QCOMPARE(json["version"].toInt(), 1);
+        const QJsonArray files = json["files"].toArray();
+        QCOMPARE(files.size(), 2);
+        QCOMPARE_GE(files[1].toObject()["warnings"].toInt(), 40);
+        const QJsonObject finding = files[1].toObject()["findings"].toArray().at(0).toObject();
+        for (const char* key : {"severity", "object", "sentence", "remedy"})
+            QVERIFY2(finding.contains(key), key);
+    }
+
+    void infoTellsWhatTheReaderFound() {
+        const QString plate = write("plate.obj", "v 0 0 0\nv 100 0 0\nv 0 0 100\nf 1 2 3\n");
+        COMPARE_CONTAINS(runTactum({"info", plate}).out, "note: has no unit: taken as metres; 141");
+        QVERIFY(!objectOf(runTactum({"info", plate, "--json"}).out)["findings"].toArray().isEmpty());
+        const Ended two = runTactum({"info", plate, model("second.obj", "clay"), "--json"});
+        const QJsonArray all = QJsonDocument::fromJson(two.out).array();
+        QCOMPARE(all.size(), 2);
+        COMPARE_CONTAINS(all[1].toObject()["file"].toString(), "second.obj");
+    }
+
+    /// "cod" and "gpj.exe", turned round: a terminal would show another name.
+    void namesDoNotTurnTheTerminal() {
+        const QByteArray name = "cod\u202Egpj\u2066x\u200F";
+        const QString evil = model("evil.obj", name);
+        for (const QStringList& verb :
+             {QStringList{"info", evil}, {"info", evil, "--json"}, {"check", evil}}) {
+            const Ended ended = runTactum(verb);
+            for (const char* turn : {"\u202E", "\u2066", "\u200F"})
+                QVERIFY2(!ended.out.contains(turn), ended.out);
+        }
+        COMPARE_CONTAINS(runTactum({"info", evil}).out, "cod?gpj?x?");
+    }
+
+    /// All files of an export or none: the main one cannot be written, for a folder has its name.
+    void anExportThatFailsLeavesWhatWasThere() {
+        const QString plate = model("plate.obj", "clay");
+        QDir().mkpath(file("a.obj"));
+        write("a.mtl", "the old materials");
+        QCOMPARE(runTactum({"convert", plate, file("a.obj")}).code, 3);
+        QCOMPARE(bytesOf(file("a.mtl")), QByteArray("the old materials"));
+        QDir().mkpath(file("b.x3d"));
+        QCOMPARE(runTactum({"convert", plate, file("b.x3d")}).code, 3);
+        QVERIFY(!QFile::exists(file("b-deviceinfo.x3d"))); // nothing was there before
+        const QStringList left = QDir(folder.path()).entryList({".tactum*"}, QDir::Files | QDir::Hidden);
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(' ')));
+        QCOMPARE(runTactum({"convert", plate, file("c.obj")}).code, 0);
+        QVERIFY(QFile::exists(file("c.mtl")));
+        QCOMPARE(runTactum({"convert", plate, file("c.obj")}).code, 0); // over itself
+        QVERIFY(QDir(folder.path()).entryList({".tactum*"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    /// A box of 100, 50 and 20 mm that stands on z.
+    void unitAndUpAreSaidAndApplied() {
+        const QString box =
+            write("box.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 100 0 0\n"
+                             "vertex 100 50 20\nendloop\nendfacet\nendsolid a\n");
+        COMPARE_CONTAINS(runTactum({"check", box}).out, "in millimetres it would be 0.113");
+        const auto high = [&](const QStringList& options) {
+            const Ended ended = runTactum(QStringList{"convert", box, file("out.glb")} + options);
+            const QJsonObject scene = objectOf(runTactum({"info", file("out.glb"), "--json"}).out);
+            const QJsonObject bounds = scene["bounds_m"].toObject();
+            QList<double> box{double(ended.code)};
+            for (const char* end : {"low", "high"})
+                for (const QJsonValue& value : bounds[end].toArray())
+                    box << value.toDouble();
+            return box;
+        };
+        const auto compare = [](const QList<double>& now, const QList<double>& wanted) {
+            QCOMPARE(now.size(), wanted.size());
+            for (int i = 0; i < now.size(); ++i)
+                COMPARE_NEAR(now[i], wanted[i], 1e-7, "m");
+        };
+        compare(high({"--unit", "mm"}), {0, 0, 0, 0, 0.1, 0.05, 0.02});
+        compare(high({"--unit", "in"}), {0, 0, 0, 0, 2.54, 1.27, 0.508});
+        compare(high({"--unit", "mm", "--up", "z"}), {0, 0, 0, -0.05, 0.1, 0.02, 0});
+        compare(high({"--up", "y"}), {0, 0, 0, 0, 100, 50, 20});
+        QCOMPARE(runTactum({"convert", box, file("out.glb"), "--unit", "ell"}).code, 2);
+    }
+
+    void theVersionIsALine() {
+        const Ended version = runTactum({"--version"});
+        QCOMPARE(version.code, 0);
+        COMPARE_BEGINS(version.out, "tactum 0.");
+        QCOMPARE(version.out.count('\n'), 1);
+    }
+
+    /// What takes most of the time in which a verb starts.
+    void aVerbLoadsNoWindow() {
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("LD_TRACE_LOADED_OBJECTS", "1");
+        program.setProcessEnvironment(environment);
+        program.start(TACTUM_PROGRAM, {"--help"});
+        QVERIFY(program.waitForFinished(60000));
+        const QByteArray libraries = program.readAllStandardOutput();
+        COMPARE_CONTAINS(libraries, "libc.so");
+        for (const char* heavy : {"libQt", "libvtk", "libGL"})
+            QVERIFY2(!libraries.contains(heavy), libraries);
+    }
+};
+
+TACTUM_TEST(TestOtherFiles)
+
+} // namespace test_other_files
+
+#include "test_other_files.moc"
