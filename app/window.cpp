@@ -22,7 +22,8 @@ namespace {
 QStringList sampleScenes() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& folder :
-         {program + QStringLiteral("/../share/tactum"), QStringLiteral(TACTUM_RESOURCES)}) {
+         {program + QStringLiteral("/../share/tactum"), program + QStringLiteral("/../../share/tactum"),
+          QStringLiteral(TACTUM_RESOURCES)}) {
         const QStringList samples = samplesIn(folder + QStringLiteral("/scenes"));
         if (!samples.isEmpty()) return samples;
     }

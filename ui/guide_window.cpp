@@ -34,7 +34,8 @@ public:
 QString guidePage() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& docs :
-         {program + QStringLiteral("/../share/tactum/docs"), QStringLiteral(TACTUM_DOCS)})
+         {program + QStringLiteral("/../share/tactum/docs"),
+          program + QStringLiteral("/../../share/tactum/docs"), QStringLiteral(TACTUM_DOCS)})
         if (const QFileInfo page(docs + QStringLiteral("/guide/README.md")); page.exists())
             return page.canonicalFilePath();
     return {};

@@ -21,7 +21,8 @@ QString quoted(QString path) {
 QString udevRule() {
     const QString program = QCoreApplication::applicationDirPath();
     for (const QString& folder :
-         {program + QStringLiteral("/../share/tactum"), QStringLiteral(TACTUM_RESOURCES)})
+         {program + QStringLiteral("/../share/tactum"), program + QStringLiteral("/../../share/tactum"),
+          QStringLiteral(TACTUM_RESOURCES)})
         if (const QFileInfo rule(folder + QStringLiteral("/udev/70-tactum.rules")); rule.exists())
             return rule.canonicalFilePath();
     return {};
