@@ -17,7 +17,7 @@ namespace tactum::wire {
 
 /// The descriptors that a server inherits: the socket of packets, and after it the memory of the block.
 inline constexpr int kTalk = 3, kBlock = 4;
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 
 using Text = std::array<char, 512>;
 
@@ -27,7 +27,7 @@ struct Block {
     std::uint32_t version = kVersion;
     pid_t program = 0;
     DeviceMailbox mailbox;
-    TripleBuffer<Text> trouble;            ///< of the device, in its own words
+    TripleBuffer<Text> trouble, caution;   ///< of the device, in its own words
     std::atomic<std::int64_t> lastTick{0}; ///< of the server's loop, monotonicNanoseconds()
 };
 static_assert(std::atomic<std::int64_t>::is_always_lock_free &&
