@@ -95,7 +95,8 @@ public:
     RecordedRun recorded() const;
 
     const DeviceInfo& device() const;
-    /// True when both loops have a real-time priority, not necessarily the one they ask for, and locked memory.
+    /// True when both loops have a real-time priority, not necessarily the one they ask for, and locked
+    /// memory.
     bool hasRealtimePriority() const;
     /// One sentence about priority for the status bar: what was granted, or why not and what helps.
     const std::string& priorityNote() const;
