@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -20,8 +21,19 @@ using Json = nlohmann::json;
 constexpr int kVersion = 1;
 constexpr std::array<std::string_view, 7> kMembers{"format",  "version",           "name",   "note",
                                                    "buttons", "measures_velocity", "figures"};
-constexpr std::string_view kTorque = "counts_per_newton_metre";
-constexpr double kMinCounts = 1e3, kMaxCounts = 1e5;
+
+/// What only some driver knows of.
+struct DriverSetting {
+    std::string_view key;
+    double DeviceProfile::*value;
+    double least, most;
+};
+constexpr DriverSetting kDriverSettings[] = {
+    {"counts_per_newton_metre", &DeviceProfile::countsPerTorque, 1e3, 1e5},
+    {"commands_on_the_way", &DeviceProfile::commandsOnWay, 1, 4},
+    {"reset_pause_s", &DeviceProfile::resetPause, 0, 1},
+    {"longest_unheard_s", &DeviceProfile::longestUnheard, 0.005, 0.2},
+};
 
 tl::unexpected<Error> wrong(const std::filesystem::path& file, const std::string& what) {
     return inputError(file.string() + ": " + what);
@@ -33,16 +45,24 @@ double DeviceInfo::*figureOf(std::string_view key) {
     return found == std::end(kDeviceFigures) ? nullptr : found->value;
 }
 
+std::string numberOf(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
+}
+
 /// What is wrong with it; empty when nothing is.
 std::string take(const std::string& key, const Json& figure, DeviceProfile& profile) {
     double DeviceInfo::*const value = figureOf(key);
-    const bool torque = key == kTorque;
-    if (!value && !torque) return "\"" + key + "\" is no figure of a device; docs/devices.md lists them";
+    const auto* const setting = std::ranges::find(kDriverSettings, key, &DriverSetting::key);
+    const bool ofDriver = setting != std::end(kDriverSettings);
+    if (!value && !ofDriver) return "\"" + key + "\" is no figure of a device; docs/devices.md lists them";
     const Json& number = figure.is_object() && figure.contains("value") ? figure["value"] : figure;
     if (!number.is_number()) return "\"" + key + "\" must be a number, or have a number as its value";
-    (torque ? profile.countsPerTorque : profile.info.*value) = number.get<double>();
-    if (torque && !(profile.countsPerTorque >= kMinCounts && profile.countsPerTorque <= kMaxCounts))
-        return "\"" + key + "\" must be from 1000 to 100000";
+    const double said = number.get<double>();
+    if (ofDriver && !(said >= setting->least && said <= setting->most))
+        return "\"" + key + "\" must be from " + numberOf(setting->least) + " to " + numberOf(setting->most);
+    (ofDriver ? profile.*setting->value : profile.info.*value) = said;
     return {};
 }
 

@@ -14,6 +14,11 @@ struct DeviceProfile {
     std::string key;            ///< name of its file without the ending: "falcon"
     DeviceInfo info;            ///< a real device
     double countsPerTorque = 0; ///< motor command for 1 N m, where the driver asks for it; else 0
+    // Of the Falcon's driver, what no device could be asked yet (docs/falcon.md); the defaults are the
+    // careful ones.
+    double commandsOnWay = 1;     ///< before their reports have come
+    double resetPause = 0.01;     ///< s, between the edges that reset its processor
+    double longestUnheard = 0.03; ///< s without a command handed over, and the line counts as broken
 };
 
 /// What the text says over what is in `profile`; a figure that it does not name stays. `file` is for

@@ -57,8 +57,12 @@ Result<std::string> supplyFalcon(const std::filesystem::path& file) {
 constexpr std::array<UsbFamily, 2> kUsbFamilies{{
     {"falcon", kFalconUsb, "Novint Falcon",
      [](const UsbPlace& place, const DeviceProfile& profile) -> std::unique_ptr<HapticDevice> {
-         return std::make_unique<Falcon>(
-             place, profile.info, FalconSettings{.firmware = {}, .countsPerTorque = profile.countsPerTorque});
+         return std::make_unique<Falcon>(place, profile.info,
+                                         FalconSettings{.firmware = {},
+                                                        .countsPerTorque = profile.countsPerTorque,
+                                                        .commandsOnWay = int(profile.commandsOnWay),
+                                                        .resetPause = profile.resetPause,
+                                                        .longestUnheard = profile.longestUnheard});
      },
      lackOfFalcon, supplyFalcon},
     {"wooden-haptics", kWoodenHapticsId, "WoodenHaptics",

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <future>
 #include <sched.h>
 #include <sys/mman.h>
 #include <thread>
@@ -22,17 +23,24 @@ constexpr std::size_t kPage = 4096;
         stack[at] = 0;
 }
 
-using Body = std::function<void()>;
+/// What a thread begins with. It outlives start(): the thread has it.
+struct Beginning {
+    std::function<void()> body;
+    Urgency urgency;
+    std::promise<Urgency> granted;
+};
 
-void* run(void* body) {
+void* run(void* beginning) {
     touchStack();
-    const std::unique_ptr<Body> own(static_cast<Body*>(body)); // an abandoned thread outlives its handle
-    (*own)();
+    const std::unique_ptr<Beginning> own(static_cast<Beginning*>(beginning));
+    hasten(own->urgency);
+    own->granted.set_value(own->urgency);
+    own->body();
     return nullptr;
 }
 
 /// Begins with its priority, so that the body can rely on it.
-int create(pthread_t& thread, int priority, Body* body) {
+int create(pthread_t& thread, int priority, Beginning* beginning) {
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     sched_param parameters{};
@@ -42,8 +50,21 @@ int create(pthread_t& thread, int priority, Body* body) {
         pthread_attr_setschedpolicy(&attributes, SCHED_FIFO);
         pthread_attr_setschedparam(&attributes, &parameters);
     }
-    const int failure = pthread_create(&thread, &attributes, run, body);
+    const int failure = pthread_create(&thread, &attributes, run, beginning);
     pthread_attr_destroy(&attributes);
+    return failure;
+}
+
+/// errno of the last rung.
+int climb(pthread_t& thread, Beginning& beginning) {
+    Urgency& urgency = beginning.urgency;
+    int failure = 0;
+    for (const int rung : rungsOf(urgency.asked, allowedPriority())) {
+        urgency.priority = rung;
+        failure = create(thread, rung, &beginning);
+        if (!failure) break;
+        if (rung == urgency.asked) urgency.refusal = failure;
+    }
     return failure;
 }
 
@@ -51,13 +72,15 @@ int create(pthread_t& thread, int priority, Body* body) {
 
 Result<void> RealtimeThread::start(const char* name, int priority, std::function<void()> body) {
     join();
-    auto own = std::make_unique<Body>(std::move(body));
-    refusal_ = create(thread_, priority, own.get());
-    const int failure = refusal_ ? create(thread_, 0, own.get()) : 0; // an ordinary thread then
-    if (failure)
+    auto own = std::make_unique<Beginning>();
+    own->body = std::move(body);
+    own->urgency.asked = priority;
+    std::future<Urgency> granted = own->granted.get_future();
+    if (const int failure = climb(thread_, *own); failure)
         return machineError(std::string("Cannot start the thread ") + name + ": " + std::strerror(failure) +
                             "; close other programs and try again.");
     own.release(); // the thread has it
+    urgency_ = granted.get();
     running_ = true;
     pthread_setname_np(thread_, name);
     return {};

@@ -6,12 +6,13 @@
 #include <pthread.h>
 
 #include "core/base/result.h"
+#include "core/loop/urgency.h"
 
 namespace tactum {
 
-/// A thread under SCHED_FIFO where that is allowed, an ordinary one where it is not. Its stack is touched
-/// before the body runs, so that the body meets no page fault there.
-/// Thread of every member: any one, not real time.
+/// A thread under SCHED_FIFO with the priority that is asked for, with as much as the account is allowed, or
+/// an ordinary one that is hastened (urgency.h). Its stack is touched before the body runs, so that the body
+/// meets no page fault there. Thread of every member: any one, not real time.
 class RealtimeThread {
 public:
     RealtimeThread() = default;
@@ -29,13 +30,13 @@ public:
     /// Never waits for this body again. What the body touches must live for as long as it.
     void abandon();
 
-    /// errno of the refusal of SCHED_FIFO; 0 when it was granted.
-    int refusal() const { return refusal_; }
+    /// What start() was granted.
+    const Urgency& urgency() const { return urgency_; }
 
 private:
     pthread_t thread_{};
     bool running_ = false;
-    int refusal_ = 0;
+    Urgency urgency_;
 };
 
 /// Keeps the pages that the process has now in memory; returns errno, 0 for success.

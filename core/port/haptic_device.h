@@ -67,6 +67,9 @@ public:
     /// Why readings do not come or cannot be used, with what to do; empty while all is well.
     /// Thread: any but real time, also while exchange() runs.
     virtual std::string trouble() const { return {}; }
+    /// What of its own safety this device lacks while it is open, with what to do; empty when nothing.
+    /// Thread: as trouble().
+    virtual std::string caution() const { return {}; }
     /// Sends the command and returns the newest reading. `dt` is the time since the last exchange, in s.
     /// Thread: servo, real time: no allocation, lock or wait but those of the device's own transfer, which
     /// for USB are libusb's (docs/decisions/usb.md).

@@ -30,6 +30,7 @@ public:
     Result<void> open() override { return device_->open(); }
     void close() override { device_->close(); }
     std::string trouble() const override { return device_->trouble(); }
+    std::string caution() const override { return device_->caution(); }
     void announce(const DeviceCommand& command) noexcept override {
         device_->announce(stop_->pressed.load(std::memory_order_relaxed) ? DeviceCommand{} : command);
     }

@@ -21,12 +21,9 @@ constexpr int kServoPriority = 80, kProxyPriority = 70;
 /// Of a servo tick, what an update may take before something is left out.
 constexpr double kProxyShare = 0.8;
 
-std::string notePriority(int refusal, int unlocked) {
-    if (!refusal && !unlocked) return "Real-time priority and locked memory were granted.";
-    const std::string what = refusal ? "no real-time priority" : "memory that may be swapped out";
-    return "The loops run with " + what + " (" + std::strerror(refusal ? refusal : unlocked) +
-           "): allow it with the lines \"<user> - rtprio 90\" and \"<user> - memlock unlimited\" in "
-           "/etc/security/limits.d/tactum.conf, then log in again.";
+/// The one that was granted less.
+const Urgency& worse(const Urgency& servo, const Urgency& proxy) {
+    return proxy.priority - proxy.asked < servo.priority - servo.asked ? proxy : servo;
 }
 
 /// Past scenes are remembered for a minute, but of no more edits than this.
@@ -85,6 +82,7 @@ struct Engine::Impl {
     DeviceWatchdog watchdog;
     std::deque<PastScene> past; ///< of the last minute, oldest first
     RealtimeThread servoThread, proxyThread;
+    std::optional<AwakeProcessors> awake; ///< while a real device is used
     /// By the device's name: who pulls a hot device out and puts it back has a hot device.
     std::map<std::string, LeftHeat> heat;
     LeftHeat motors; ///< of the device; the servo's while it runs
@@ -214,16 +212,17 @@ Result<void> Engine::start() {
     impl_->running = true;
     // After the threads, so that their stacks are among what is locked.
     const int unlocked = lockPresentMemory();
-    const int refusal =
-        impl_->servoThread.refusal() ? impl_->servoThread.refusal() : impl_->proxyThread.refusal();
-    impl_->realtime = !refusal && !unlocked;
-    impl_->priorityNote = notePriority(refusal, unlocked);
+    const Urgency& granted = worse(impl_->servoThread.urgency(), impl_->proxyThread.urgency());
+    impl_->realtime = granted.priority > 0 && !unlocked;
+    impl_->priorityNote = sentenceOf(granted, unlocked);
+    if (impl_->info.real) impl_->awake.emplace();
     return {};
 }
 
 Result<void> Engine::stop() {
     assertNotRealtime();
     if (!impl_->running) return {};
+    impl_->awake.reset();
     const bool ended = impl_->endLoops();
     if (!ended) abandon();
     impl_->running = false;
@@ -265,6 +264,10 @@ Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
 
 std::string Engine::trouble() const {
     return impl_->device->trouble();
+}
+
+std::string Engine::caution() const {
+    return impl_->device->caution();
 }
 
 Result<void> Engine::setWorkspace(const Workspace& workspace) {

@@ -36,6 +36,8 @@ public:
     Result<void> setDevice(std::unique_ptr<HapticDevice> device);
     /// Why the device sends no readings that can be used, with what to do; empty while all is well.
     std::string trouble() const;
+    /// What the device lacks of its own safety, with what to do; empty when nothing.
+    std::string caution() const;
 
     /// Where the device's workspace is in the scene, from the next tick on; the proxy begins at the finger
     /// anew where that moves it. Stays so through stop(), start() and setDevice(). Refuses what cannot be.
@@ -96,7 +98,8 @@ public:
     RecordedRun recorded() const;
 
     const DeviceInfo& device() const;
-    /// True when both loops run under SCHED_FIFO with locked memory.
+    /// True when both loops have a real-time priority, not necessarily the one they ask for, and locked
+    /// memory.
     bool hasRealtimePriority() const;
     /// One sentence about priority for the status bar: what was granted, or why not and what helps.
     const std::string& priorityNote() const;

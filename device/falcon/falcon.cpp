@@ -11,11 +11,7 @@ namespace tactum {
 namespace {
 
 constexpr int kButtons = 4;
-/// A report waits in the chip for up to a millisecond: with a second command on the way the device still
-/// hears one in each. More would only wait in line and come late.
-constexpr int kMaxUnanswered = 2;
-constexpr double kUnheard = 0.01; ///< s, without a command handed over
-constexpr int kMaxFailures = 5;   ///< transfers in a row
+constexpr int kMaxFailures = 5; ///< transfers in a row
 constexpr auto kTick = std::chrono::milliseconds(1);
 
 const char* sentenceOf(FalconTrouble trouble) {
@@ -80,7 +76,7 @@ Result<void> Falcon::prepare(Opening& watcher) {
     close();
     if (link_ && !link_->gone() && isFalconReady(*link_)) return {};
     connect(nullptr);
-    auto ready = prepareFalcon(place_, settings_.firmware, watcher);
+    auto ready = prepareFalcon(place_, settings_.firmware, settings_.resetPause, watcher);
     if (!ready) return tl::unexpected(ready.error());
     connect(std::move(*ready));
     return {};
@@ -156,7 +152,7 @@ DeviceSample Falcon::exchange(const DeviceCommand& wanted, double dt) noexcept {
 
 FalconTrouble Falcon::troubleNow() const noexcept {
     if (link_->gone()) return FalconTrouble::Gone;
-    if (unheard_ > kUnheard || link_->failures() > kMaxFailures) return FalconTrouble::Broken;
+    if (unheard_ > settings_.longestUnheard || link_->failures() > kMaxFailures) return FalconTrouble::Broken;
     return readings_.trouble();
 }
 
@@ -180,12 +176,12 @@ void Falcon::command(const Vec3& force, double dt) noexcept {
     if (readings_.silence() > FalconReadings::kStale) unanswered_ = 0;
     const Mat3* where = readings_.whereToPush();
     const FalconLegs motors =
-        where && unheard_ <= kUnheard
+        where && unheard_ <= settings_.longestUnheard
             ? falconMotors(*where, force,
                            {.countsPerTorque = settings_.countsPerTorque, .maxForce = profile_.maxForce})
             : FalconLegs{};
     const bool urgent = pushing_ && motors == FalconLegs{};
-    if (urgent || unanswered_ < kMaxUnanswered) send(motors);
+    if (urgent || unanswered_ < settings_.commandsOnWay) send(motors);
 }
 
 bool Falcon::send(const FalconLegs& motors) noexcept {

@@ -14,6 +14,11 @@ namespace tactum {
 struct FalconSettings {
     std::filesystem::path firmware; ///< the person's copy; empty: looked for (falcon_firmware.h)
     double countsPerTorque = 10000; ///< motor command for 1 N m at a leg, to be calibrated
+    /// Commands whose reports have not come. A report waits in the chip for up to a millisecond: with two the
+    /// device hears one in each, if its firmware bears that. More would only wait in line and come late.
+    int commandsOnWay = 1;
+    double resetPause = 0.01;     ///< s, between the edges of DTR that reset the processor
+    double longestUnheard = 0.03; ///< s without a command handed over: the line counts as broken
 };
 
 /// Frame D: falcon_kinematics.h. Its motors keep their last torque until told otherwise, as far as is known:

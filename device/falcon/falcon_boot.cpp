@@ -89,12 +89,12 @@ Result<FalconBoot> upload(UsbLink& link, std::span<const std::uint8_t> firmware,
 
 } // namespace
 
-Result<FalconBoot> bootFalcon(UsbLink& link, std::span<const std::uint8_t> firmware, Opening& watcher,
-                              bool cancellable) {
+Result<FalconBoot> bootFalcon(UsbLink& link, std::span<const std::uint8_t> firmware, double resetPause,
+                              Opening& watcher, bool cancellable) {
     assertNotRealtime();
     const Result<void> reset =
         purgeFalcon(link).and_then([&] { return setFalconLine(link, kFalconBootLine); }).and_then([&] {
-            return resetFalcon(link);
+            return resetFalcon(link, resetPause);
         });
     if (!reset) return tl::unexpected(reset.error());
     const auto called = call(link, watcher, cancellable);

@@ -16,9 +16,9 @@ enum class FalconBoot : std::uint8_t {
     Cancelled,
 };
 
-/// One attempt, from the reset to the last byte. `cancellable`: whether the watcher is asked. Errors: the
-/// link's. Thread: any but real time, for some seconds.
-Result<FalconBoot> bootFalcon(UsbLink& link, std::span<const std::uint8_t> firmware, Opening& watcher,
-                              bool cancellable);
+/// One attempt, from the reset to the last byte. `resetPause`: s, resetFalcon()'s. `cancellable`: whether the
+/// watcher is asked. Errors: the link's. Thread: any but real time, for some seconds.
+Result<FalconBoot> bootFalcon(UsbLink& link, std::span<const std::uint8_t> firmware, double resetPause,
+                              Opening& watcher, bool cancellable);
 
 } // namespace tactum

@@ -1,6 +1,7 @@
 #include "device/falcon/falcon_line.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace tactum {
 namespace {
@@ -36,12 +37,12 @@ Result<void> setFalconLine(UsbLink& link, const FalconLine& line) {
     return request(link, {{kTimer, line.timer}, {kRate, line.rate}});
 }
 
-Result<void> resetFalcon(UsbLink& link) {
-    return request(link, {{kFormat, kEightBits},
-                          {kFlow, kNoFlowControl},
-                          {kModem, kRtsLow},
-                          {kModem, kDtrLow},
-                          {kModem, kDtrHigh}});
+Result<void> resetFalcon(UsbLink& link, double pause) {
+    const Result<void> low =
+        request(link, {{kFormat, kEightBits}, {kFlow, kNoFlowControl}, {kModem, kRtsLow}, {kModem, kDtrLow}});
+    if (!low) return low;
+    std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+    return request(link, {{kModem, kDtrHigh}});
 }
 
 Result<void> releaseFalconReset(UsbLink& link) {

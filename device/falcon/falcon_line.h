@@ -29,8 +29,9 @@ inline constexpr FalconLine kFalconRunLine{0x0002, 1};   ///< 1.5 Mbaud
 /// Forgets what is on its way in the chip, both ways.
 Result<void> purgeFalcon(UsbLink& link);
 Result<void> setFalconLine(UsbLink& link, const FalconLine& line);
-/// The edge of DTR from low to high puts the processor back into its boot program.
-Result<void> resetFalcon(UsbLink& link);
+/// The edge of DTR from low to high puts the processor back into its boot program. `pause`: s, that it is
+/// low.
+Result<void> resetFalcon(UsbLink& link, double pause);
 Result<void> releaseFalconReset(UsbLink& link);
 
 /// What the processor said next; empty when nothing came within one packet or `patience`.

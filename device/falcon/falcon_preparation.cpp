@@ -36,8 +36,8 @@ tl::unexpected<Error> failed(const std::string& step, const Error& error) {
 
 class Preparation {
 public:
-    Preparation(UsbPlace& place, Opening& watcher)
-        : place_(place), watcher_(watcher), attended_(!watcher.cancelled()) {}
+    Preparation(UsbPlace& place, double resetPause, Opening& watcher)
+        : place_(place), resetPause_(resetPause), watcher_(watcher), attended_(!watcher.cancelled()) {}
 
     Result<void> find();
     Result<void> load(const std::filesystem::path& firmware);
@@ -52,6 +52,7 @@ private:
     Result<void> waitForHome();
 
     UsbPlace& place_;
+    double resetPause_; ///< s
     Opening& watcher_;
     bool attended_;
     Link link_;
@@ -125,7 +126,7 @@ Result<FalconBoot> Preparation::boot(const FalconFirmware& firmware) {
         if (attempt > 0)
             if (auto connected = connect(); !connected) return tl::unexpected(connected.error());
         watcher_.begin(kFirmware);
-        result = bootFalcon(*link_, firmware.bytes, watcher_, attended_);
+        result = bootFalcon(*link_, firmware.bytes, resetPause_, watcher_, attended_);
         if (result && (*result == FalconBoot::Done || *result == FalconBoot::Cancelled)) return result;
         if (!result && link_->gone()) return result;
         unanswered += result && *result == FalconBoot::NoAnswer;
@@ -174,9 +175,10 @@ bool isFalconReady(UsbLink& link) {
     return false;
 }
 
-Result<Link> prepareFalcon(UsbPlace& place, const std::filesystem::path& firmware, Opening& watcher) {
+Result<Link> prepareFalcon(UsbPlace& place, const std::filesystem::path& firmware, double resetPause,
+                           Opening& watcher) {
     assertNotRealtime();
-    Preparation preparation(place, watcher);
+    Preparation preparation(place, resetPause, watcher);
     const Result<void> ready =
         preparation.find().and_then([&] { return preparation.load(firmware); }).and_then([&] {
             return preparation.home();

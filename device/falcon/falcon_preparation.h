@@ -21,6 +21,6 @@ bool isFalconReady(UsbLink& link);
 /// needs the person fails when the watcher has given up before it began: nobody watches then.
 /// Errors name the step and what to do. Thread: a worker, for as long as the person takes.
 Result<std::unique_ptr<UsbLink>> prepareFalcon(UsbPlace& place, const std::filesystem::path& firmware,
-                                               Opening& watcher);
+                                               double resetPause, Opening& watcher);
 
 } // namespace tactum

@@ -51,6 +51,7 @@ public:
     Result<void> open() override;
     void close() override;
     std::string trouble() const override;
+    std::string caution() const override;
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         const std::int64_t now = monotonicNanoseconds();
         DeviceMailbox& mailbox = process_.block()->mailbox;
@@ -168,6 +169,12 @@ std::string RemoteDevice::trouble() const {
     if (open_ && 1e-9 * double(monotonicNanoseconds() - block.lastTick) > kSilent)
         return "The driver of the device stands still, and its force was taken away: open the device again.";
     return printable(wire::stringOf(block.trouble.read()), kLongestSentence);
+}
+
+std::string RemoteDevice::caution() const {
+    if (!process_.runs()) return {};
+    const std::lock_guard lock(troubleMutex_);
+    return printable(wire::stringOf(process_.block()->caution.read()), kLongestSentence);
 }
 
 } // namespace

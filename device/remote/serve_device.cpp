@@ -89,7 +89,7 @@ private:
     void handOn(ForceLimiter& limiter, std::int64_t until) noexcept;
     void loop() noexcept;
     void endLoop();
-    void tellTrouble();
+    static void tell(TripleBuffer<wire::Text>& where, std::string& told, std::string now);
     bool programDied() const;
 
     HapticDevice& device_;
@@ -100,7 +100,7 @@ private:
     RealtimeThread thread_;
     std::atomic<bool> stop_{false};
     bool runs_ = false;
-    std::string trouble_;
+    std::string trouble_, caution_; ///< as they were told
 };
 
 // The loop: no step of it waits for anything but its clock, its device and, for so long, the servo's answer.
@@ -197,11 +197,10 @@ void Server::answer(const Packet& request) {
     wire::send(talk_, wire::donePacket(result));
 }
 
-void Server::tellTrouble() {
-    std::string now = device_.trouble();
-    if (now == trouble_) return;
-    trouble_ = std::move(now);
-    block_.trouble.write(wire::textOf(trouble_));
+void Server::tell(TripleBuffer<wire::Text>& where, std::string& told, std::string now) {
+    if (now == told) return;
+    told = std::move(now);
+    where.write(wire::textOf(told));
 }
 
 bool Server::programDied() const {
@@ -221,7 +220,8 @@ void Server::serve() {
             if (news == News::Gone) break;
             if (news == News::Packet) answer(packet);
         }
-        tellTrouble();
+        tell(block_.trouble, trouble_, device_.trouble());
+        tell(block_.caution, caution_, device_.caution());
     }
     block_.mailbox.stop(monotonicNanoseconds()); // the next tick commands zero
 }

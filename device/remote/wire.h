@@ -27,7 +27,7 @@ struct Block {
     std::uint32_t version = kVersion;
     pid_t program = 0;
     DeviceMailbox mailbox;
-    TripleBuffer<Text> trouble;            ///< of the device, in its own words
+    TripleBuffer<Text> trouble, caution;   ///< of the device, in its own words
     std::atomic<std::int64_t> lastTick{0}; ///< of the server's loop, monotonicNanoseconds()
 };
 static_assert(std::atomic<std::int64_t>::is_always_lock_free &&

@@ -11,12 +11,16 @@ struct DhdExplained {
     const char* sentence;
 };
 
+constexpr const char* kForcesOff =
+    "The forces of the device are off: press its force button, then arm again.";
+
 constexpr DhdExplained kDhdExplained[] = {
     {kCommunication, "The device does not answer: check its cable and its power, then open it again."},
     {kBusy, "The controller of the device is busy: wait a moment and open it again."},
     {kNoDriver, "There is no right to use the device: install the maker's rule for USB devices, then plug it "
                 "in again."},
     {kNoDevice, "The device is not there: connect it, switch it on and open it again."},
+    {kExpertModeDisabled, "The maker's library keeps the function for experts: install its newest version."},
     {kNotAvailable, "The device cannot do that: install the newest firmware and library of the maker."},
     {kTimeout, "The device answers too late: connect it without a hub, then open it again."},
     {kGeometry, "The device cannot tell where its arms are: calibrate it, then open it again."},
@@ -25,9 +29,32 @@ constexpr DhdExplained kDhdExplained[] = {
                       "it again."},
     {kConfiguration, "The device has no valid configuration: ask its maker."},
     {kRedundantFail, "The device found a fault of its sensors: switch it off and on, then open it again."},
-    {kNotEnabled, "The forces of the device are off: press its force button, then arm again."},
+    {kNotEnabled, kForcesOff},
     {kDeviceInUse, "The device is in use already: close the other program that uses it."},
 };
+
+constexpr const char* kForceOffExplained[] = {
+    kForcesOff,
+    "The force button of the device was pressed, which took its forces away: press it again, then arm again.",
+    "The device was faster than it allows and took its forces away: it gets them back by itself; then arm "
+    "again.",
+    "The device heard no command for 30 ms and took its forces away, for this computer was too busy: it gets "
+    "them back by itself; then arm again.",
+    "Another program took the forces of the device away: end it. The device gets them back by itself; then "
+    "arm "
+    "again.",
+    "The device lost its USB connection and took its forces away: check the cable, then open it again.",
+    "The dead-man switch of the device was let go, which took its forces away: hold it, then arm again.",
+};
+
+/// Those of the robotics library, all or none.
+void findMoving(const SharedLibrary& opened, Api& api) {
+    const bool all = opened.find("drdOpenID", api.openIdToMove) && opened.find("drdClose", api.closeToMove) &&
+                     opened.find("drdIsSupported", api.canMove) &&
+                     opened.find("drdAutoInit", api.moveToCalibrate) &&
+                     opened.find("drdStop", api.stopMoving);
+    if (!all) api.openIdToMove = nullptr;
+}
 
 } // namespace
 
@@ -35,7 +62,7 @@ const LibraryWanted& library() {
     static const LibraryWanted wanted{
         "Force Dimension",
         "TACTUM_LIBDHD",
-        {"libdhd.so", "libdhd.so.3", "libdrd.so", "libdrd.so.3"},
+        {"libdrd.so", "libdrd.so.3", "libdhd.so", "libdhd.so.3"}, // libdrd has all of libdhd, and more
         "install the Force Dimension SDK, which its maker gives away free of charge."};
     return wanted;
 }
@@ -58,6 +85,9 @@ Result<Api> load() {
     opened->need("dhdErrorGetLast", api.errorGetLast);
     if (Result<void> complete = opened->complete(); !complete) return tl::unexpected(complete.error());
     opened->find("dhdSetWatchdog", api.setWatchdog);
+    opened->find("dhdEnableExpertMode", api.enableExpertMode);
+    opened->find("dhdDisableExpertMode", api.disableExpertMode);
+    findMoving(*opened, api);
     return api;
 }
 
@@ -66,6 +96,11 @@ std::string sentenceOf(int error) {
     if (found != std::end(kDhdExplained)) return found->sentence;
     return "The maker's library reports the error " + std::to_string(error) +
            ": open the device again; if it stays, run the maker's own test program.";
+}
+
+std::string sentenceOf(ForceOff cause) {
+    const bool known = cause > kOffNone && cause < int(std::size(kForceOffExplained));
+    return kForceOffExplained[known ? cause : kOffNone];
 }
 
 } // namespace tactum::dhd

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/port/force_limiter.h"
 #include "device/vendor/dhd_api.h"
+#include "device/vendor/dhd_force_output.h"
 
 namespace tactum {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::string_view kDhdPrefix = "forcedimension:";
 constexpr int kMaxDevices = 16;
 constexpr int kDhdMoment = 20;           ///< ms between two looks
+constexpr int kDhdLetGo = 2000;          ///< ms for a person to let go of a device that will move
 constexpr int kDhdQuiet = 500;           ///< exchanges without an error, and the device is believed again
 constexpr unsigned char kWatchdog = 240; ///< times 125 us: 30 ms
 constexpr const char* kDhdLoad = "Load the maker's library";
@@ -55,14 +57,20 @@ public:
     void close() override { shutDown(); }
     std::string trouble() const override {
         const int error = fault_;
-        return error ? dhd::sentenceOf(error) : std::string();
+        return error ? dhd::sentenceOf(error) : forces_.trouble();
+    }
+    std::string caution() const override {
+        const std::lock_guard lock(infoMutex_);
+        return caution_;
     }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override;
 
 private:
     Result<void> connect(Opening& opening);
     Result<void> calibrate(Opening& opening);
+    Result<void> moveToCalibrate(Opening& opening);
     Result<void> asksForCalibration(bool& asks) const;
+    std::string armWatchdog();
     bool send(const Vec3& force_D) noexcept;
     bool read(DeviceSample& sample) noexcept;
     void take(const DeviceInfo& figures);
@@ -76,7 +84,10 @@ private:
     mutable std::mutex infoMutex_;
     FiguresOf figures_;
     DeviceInfo info_;
+    std::string caution_;
     ForceLimiter limiter_;
+    dhd::ForceOutput forces_;
+    bool moves_ = false;    ///< opened by the robotics library, and closed by it
     int quiet_ = kDhdQuiet; ///< exchanges since the last error
     bool open_ = false;
     std::atomic<int> fault_{dhd::kNoError};
@@ -88,10 +99,13 @@ DeviceSample ForceDimension::exchange(const DeviceCommand& command, double) noex
     const bool believed = quiet_ >= kDhdQuiet;
     // Both are tried whatever becomes of the other: zero has to get there.
     const bool sent = send(believed ? limiter_(command.force) : Vec3::Zero());
-    if (read(sample) && sent) {
+    const bool whole = read(sample) && sent;
+    if (!whole) fault_ = lastError();
+    const bool on = forces_.look(api_, char(id_));
+    if (forces_.error() != dhd::kNoError) fault_ = forces_.error();
+    if (whole && on) {
         if (quiet_ < kDhdQuiet && ++quiet_ == kDhdQuiet) fault_ = dhd::kNoError;
     } else {
-        fault_ = lastError();
         quiet_ = 0;
         send(Vec3::Zero());
     }
@@ -136,7 +150,8 @@ Result<void> ForceDimension::connect(Opening& opening) {
     if (!api) return tl::unexpected(api.error());
     api_ = *api;
     opening.begin(kDhdConnect);
-    id_ = api_.openId(index_);
+    moves_ = api_.moves();
+    id_ = moves_ ? api_.openIdToMove(index_) : api_.openId(index_);
     if (id_ < 0) return failure();
     ++inUse;
     fault_ = dhd::kNoError;
@@ -162,31 +177,69 @@ void ForceDimension::take(const DeviceInfo& figures) {
 Result<void> ForceDimension::asksForCalibration(bool& asks) const {
     std::array<int, dhd::kRoomForStatus> status{};
     if (api_.getStatus(status.data(), char(id_)) < dhd::kNoError) return failure();
-    asks = status[dhd::kStatusReset] == 0;
+    asks = status[dhd::kStatusReset] != 0;
     return {};
 }
 
 Result<void> ForceDimension::calibrate(Opening& opening) {
-    constexpr const char* kRequest =
-        "Calibrate the device as its manual says: most do it by themselves after "
-        "they are switched on, some when the handle is led to its rest.";
+    constexpr const char* kRequest = "Lead the handle to its rest and hold it there until the light of the "
+                                     "device stops blinking, as its manual shows.";
     bool asks = false, said = false;
     while (true) {
         if (Result<void> known = asksForCalibration(asks); !known || !asks) return known;
-        if (!said) opening.begin(kDhdCalibrate, kRequest);
-        said = true;
         if (opening.cancelled())
             return machineError(std::string("The device is not calibrated. ") + kRequest);
+        if (!said && moves_ && api_.canMove(char(id_))) {
+            if (Result<void> moved = moveToCalibrate(opening); !moved) return moved;
+        } else if (!said) {
+            opening.begin(kDhdCalibrate, kRequest);
+        }
+        said = true;
         std::this_thread::sleep_for(std::chrono::milliseconds(kDhdMoment));
     }
+}
+
+/// Pushes by itself: only where a person was told so, and had the time to let go.
+Result<void> ForceDimension::moveToCalibrate(Opening& opening) {
+    opening.begin(kDhdCalibrate, "Let go of the handle and keep away from it: the device moves by itself to "
+                                 "calibrate.");
+    for (int waited = 0; waited < kDhdLetGo; waited += kDhdMoment) {
+        if (opening.cancelled()) return machineError("The device is not calibrated: open it again.");
+        opening.progress(double(waited) / kDhdLetGo);
+        std::this_thread::sleep_for(std::chrono::milliseconds(kDhdMoment));
+    }
+    const bool moved = api_.moveToCalibrate(char(id_)) >= dhd::kNoError;
+    const int error = moved ? int(dhd::kNoError) : lastError();
+    api_.stopMoving(false, char(id_));
+    api_.enableForce(dhd::kOff, char(id_));
+    if (!moved) return machineError("The device could not calibrate itself. " + dhd::sentenceOf(error));
+    return {};
+}
+
+/// Its own last line: nobody's signal handler can call this library. What is missing of it, or nothing.
+std::string ForceDimension::armWatchdog() {
+    constexpr const char* kAlone =
+        "The device does not watch whether this computer falls silent and would go "
+        "on pushing then: keep a hand at its force button. ";
+    if (!api_.setWatchdog || !api_.enableExpertMode)
+        return std::string(kAlone) + "The maker's library is older than 3.3.2: install its newest version.";
+    const bool armed =
+        api_.enableExpertMode() >= dhd::kNoError && api_.setWatchdog(kWatchdog, char(id_)) >= dhd::kNoError;
+    const int error = armed ? int(dhd::kNoError) : lastError();
+    if (api_.disableExpertMode) api_.disableExpertMode();
+    return armed ? std::string() : kAlone + dhd::sentenceOf(error);
 }
 
 Result<void> ForceDimension::open() {
     Unattended nobody;
     if (Result<void> prepared = prepare(nobody); !prepared) return prepared;
-    // Its own last line: nobody's signal handler can call this library.
-    if (api_.setWatchdog) api_.setWatchdog(kWatchdog, char(id_));
+    std::string caution = armWatchdog();
+    {
+        const std::lock_guard lock(infoMutex_);
+        caution_ = std::move(caution);
+    }
     if (!send(Vec3::Zero()) || api_.enableForce(dhd::kOn, char(id_)) < dhd::kNoError) return failure();
+    forces_.begin();
     open_ = true;
     return {};
 }
@@ -197,7 +250,7 @@ void ForceDimension::shutDown() {
     send(Vec3::Zero());
     api_.enableForce(dhd::kOff, char(id_));
     api_.stop(char(id_));
-    api_.close(char(id_));
+    moves_ ? api_.closeToMove(char(id_)) : api_.close(char(id_));
     --inUse;
     id_ = -1;
 }

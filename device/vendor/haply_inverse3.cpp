@@ -25,6 +25,9 @@ constexpr int kPort = 10001;
 constexpr int kGreeting = 300;       ///< ms, for the service's first words
 constexpr int kAnswer = 100;         ///< ms, for every other
 constexpr int kHaplyMoment = 20;     ///< ms between two looks at the calibration
+constexpr int kPresetPatience = 25;  ///< looks, for the workspace that was asked for
+constexpr double kFelt = 0.1;        ///< N, that a service has to confirm
+constexpr int kUnconfirmed = 300;    ///< commands in a row, and it is said
 constexpr int kFarewells = 3;        ///< commands of zero, the last words
 constexpr int kPriority = 80;        ///< as the servo's
 constexpr double kHaplySilent = 0.1; ///< s without a reading
@@ -78,6 +81,7 @@ public:
     Result<void> open() override;
     void close() override { shutDown(); }
     std::string trouble() const override;
+    std::string caution() const override;
     DeviceSample exchange(const DeviceCommand& command, double) noexcept override {
         const std::int64_t now = monotonicNanoseconds();
         mailbox_->command(command.force, now);
@@ -94,8 +98,10 @@ public:
 
 private:
     Result<void> connect();
+    Result<void> configure();
     Result<void> calibrate(Opening& opening);
-    bool talk(const Vec3& force, haply::State& state);
+    bool talk(const Vec3& force, haply::State& state, haply::Asking asking = haply::Asking::Nothing);
+    void judgeForce(const Vec3& commanded, const haply::State& state);
     void converse();
     void tick();
     void shutDown();
@@ -111,17 +117,19 @@ private:
     // Of the thread that talks, while it runs.
     std::optional<WebSocket> socket_;
     ForceLimiter limiter_;
-    bool greeted_ = false;
+    haply::Version version_;
+    int unconfirmed_ = 0;
+    std::atomic<bool> refused_{false}; ///< forces are asked for, and the service tells of none
     std::string words_;
 };
 
 /// Says what to push with, and takes in the answer. False: the service or the device is gone.
-bool Haply::talk(const Vec3& force, haply::State& state) {
-    if (!socket_->send(haply::write(id_, force, !greeted_), kAnswer) || !socket_->receive(words_, kAnswer)) {
+bool Haply::talk(const Vec3& force, haply::State& state, haply::Asking asking) {
+    if (!socket_->send(haply::write(id_, force, asking, version_), kAnswer) ||
+        !socket_->receive(words_, kAnswer)) {
         fault_ = kGone;
         return false;
     }
-    greeted_ = true;
     const std::vector<haply::State> states = haply::read(words_);
     const auto mine = std::ranges::find(states, id_, &haply::State::id);
     if (mine == states.end()) {
@@ -134,13 +142,22 @@ bool Haply::talk(const Vec3& force, haply::State& state) {
 
 void Haply::tick() {
     haply::State state;
-    if (!talk(limiter_(mailbox_->force(monotonicNanoseconds())), state)) {
+    const Vec3 force = limiter_(mailbox_->force(monotonicNanoseconds()));
+    if (!talk(force, state)) {
         stop_ = true;
         return;
     }
+    judgeForce(force, state);
     const std::int64_t now = monotonicNanoseconds();
     mailbox_->measured(state.sample, now);
     if (state.sample.valid) lastReading_ = now;
+}
+
+/// A service that does not understand a command answers as if it did.
+void Haply::judgeForce(const Vec3& commanded, const haply::State& state) {
+    if (!state.force || commanded.norm() < kFelt) return;
+    unconfirmed_ = state.force->isZero(0) ? unconfirmed_ + 1 : 0;
+    refused_ = unconfirmed_ > kUnconfirmed;
 }
 
 void Haply::converse() {
@@ -155,15 +172,36 @@ void Haply::converse() {
 }
 
 Result<void> Haply::connect() {
+    version_ = haply::versionOf(httpGet(port(), "/version", kGreeting));
     Result<Greeting> greeting = greet();
     if (!greeting) return tl::unexpected(greeting.error());
     if (std::ranges::find(greeting->devices, id_, &haply::State::id) == greeting->devices.end())
         return machineError("The Inverse Service knows no device " + inQuotes(id_) +
                             ": connect it and switch it on.");
     socket_ = std::move(greeting->socket);
-    greeted_ = false;
     fault_ = nullptr;
-    return {};
+    refused_ = false;
+    unconfirmed_ = 0;
+    return configure();
+}
+
+/// Asks for the workspace and sees that it was taken: elsewhere the handle would be out of reach of the
+/// scene.
+Result<void> Haply::configure() {
+    haply::State state;
+    haply::Asking asking = haply::Asking::Workspace;
+    for (int looks = 0; looks < kPresetPatience; ++looks) {
+        if (!talk(Vec3::Zero(), state, asking)) return machineError(fault_.load());
+        asking = haply::Asking::Configuration;
+        if (state.preset == haply::kPreset) return {};
+        std::this_thread::sleep_for(std::chrono::milliseconds(kHaplyMoment));
+    }
+    // A service that tells of no preset, as those before 3.5, is believed.
+    if (state.preset.empty()) return {};
+    socket_.reset();
+    return machineError("The Inverse Service did not take the workspace " + inQuotes(haply::kPreset) +
+                        " and keeps " + inQuotes(printable(state.preset)) +
+                        ": install its version 3.5, or end the other program that uses the device.");
 }
 
 Result<void> Haply::calibrate(Opening& opening) {
@@ -214,6 +252,13 @@ std::string Haply::trouble() const {
     if (open_ && 1e-9 * double(monotonicNanoseconds() - lastReading_) > kHaplySilent)
         return "The Inverse Service tells no position: see in its own program that the device works.";
     return {};
+}
+
+std::string Haply::caution() const {
+    if (!refused_) return {};
+    return "The Inverse Service takes the forces and tells that it passes none of them on: see in Haply's "
+           "own "
+           "program that forces are not switched off, and install its version 3.5.";
 }
 
 } // namespace

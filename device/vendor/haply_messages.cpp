@@ -1,7 +1,7 @@
 #include "device/vendor/haply_messages.h"
 
 #include <cmath>
-#include <optional>
+#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kFarthest = 10;     ///< m, and beyond it no arm reaches
-constexpr double kFastestSaid = 100; ///< m/s
+constexpr double kFarthest = 10;       ///< m, and beyond it no arm reaches
+constexpr double kFastestSaid = 100;   ///< m/s
+constexpr double kStrongestSaid = 1e3; ///< N
 
 // Theirs: x right, y forward, z up. D: x right, y up, z toward the user.
 Vec3 haplyInD(const Vec3& theirs) {
@@ -67,6 +68,10 @@ State stateOf(const Json& device) {
     state.sample.valid = position.has_value();
     if (position) state.sample.position = haplyInD(*position);
     if (velocity) state.sample.velocity = haplyInD(*velocity);
+    const auto force = vector(member(said, "current_cursor_force"), kStrongestSaid);
+    if (force) state.force = haplyInD(*force);
+    const Json& preset = member(member(device, "config"), "preset");
+    if (preset.is_string()) state.preset = preset.get<std::string>();
     const Json& calibrated = member(member(device, "status"), "calibrated");
     state.calibrated = !calibrated.is_boolean() || calibrated.get<bool>();
     return state;
@@ -88,18 +93,33 @@ std::vector<State> read(std::string_view text) {
     return states;
 }
 
-std::string write(const std::string& id, const Vec3& force_D, bool first) {
+Version versionOf(std::string_view answer) {
+    const Json said = Json::parse(answer, nullptr, false);
+    Version version;
+    for (const char* name : {"git_tag", "project_version"}) {
+        const Json& text = member(said, name);
+        Version found;
+        if (text.is_string() &&
+            std::sscanf(text.get<std::string>().c_str(), "%d.%d", &found.major, &found.minor) == 2)
+            version = found;
+    }
+    return version;
+}
+
+std::string write(const std::string& id, const Vec3& force_D, Asking asking, Version version) {
     const Vec3 force = asHaplys(force_D);
+    const bool newWords = version >= kNewWords;
+    const Json numbers{{"x", force.x()}, {"y", force.y()}, {"z", force.z()}};
     Json device{
         {"device_id", id},
-        {"commands",
-         {{"set_cursor_force", {{"values", {{"x", force.x()}, {"y", force.y()}, {"z", force.z()}}}}}}}};
+        {"commands", {{"set_cursor_force", Json::object({{newWords ? "vector" : "values", numbers}})}}}};
     Json message;
-    if (first) {
-        device["configure"]["preset"] = "arm_front_centered";
+    if (asking == Asking::Workspace) {
+        device["configure"]["preset"] = newWords ? Json::object({{"preset", kPreset}}) : Json(kPreset);
         message["session"]["configure"] = {{"profile", {{"name", "tactum"}}},
                                            {"basis", {{"permutation", "XYZ"}}}};
     }
+    if (asking != Asking::Nothing) message["session"]["force_render_full_state"] = Json::object();
     message["inverse3"] = Json::array({device});
     return message.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

@@ -3,6 +3,8 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 
@@ -15,7 +17,34 @@ using boost::system::error_code;
 
 constexpr std::size_t kLargest = 1 << 20; ///< bytes of one message
 
+net::ip::tcp::endpoint hereAt(int port) {
+    return {net::ip::address_v4::loopback(), static_cast<unsigned short>(port)};
+}
+
 } // namespace
+
+std::string httpGet(int port, const std::string& path, int patience) {
+    namespace http = boost::beast::http;
+    net::io_context context{1};
+    boost::beast::tcp_stream stream(context);
+    boost::beast::flat_buffer buffer;
+    http::request<http::empty_body> request(http::verb::get, path, 11);
+    request.set(http::field::host, "localhost:" + std::to_string(port));
+    request.set(http::field::connection, "close");
+    http::response<http::string_body> response;
+    bool whole = false;
+    stream.expires_after(std::chrono::milliseconds(patience));
+    stream.async_connect(hereAt(port), [&](error_code refused) {
+        if (refused) return;
+        http::async_write(stream, request, [&](error_code unsent, std::size_t) {
+            if (unsent) return;
+            http::async_read(stream, buffer, response,
+                             [&](error_code broken, std::size_t) { whole = !broken; });
+        });
+    });
+    context.run();
+    return whole && response.result() == http::status::ok ? response.body() : std::string();
+}
 
 struct WebSocket::Impl {
     net::io_context context{1};
@@ -47,8 +76,7 @@ WebSocket::~WebSocket() = default;
 Result<WebSocket> WebSocket::connect(int port, int patience) {
     auto impl = std::make_unique<Impl>();
     const auto note = [&fault = impl->fault](error_code code) { fault = code; };
-    const net::ip::tcp::endpoint here(net::ip::address_v4::loopback(), static_cast<unsigned short>(port));
-    impl->stream.next_layer().async_connect(here, note);
+    impl->stream.next_layer().async_connect(hereAt(port), note);
     if (!impl->finish(patience)) return machineError(impl->fault.message());
     error_code ignored;
     impl->stream.next_layer().set_option(net::ip::tcp::no_delay(true), ignored);

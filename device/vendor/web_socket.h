@@ -9,6 +9,10 @@
 
 namespace tactum {
 
+/// What a page of the service at a port of this machine says, `path` "/version" for one; nothing where there
+/// is none within `patience` ms. Thread: any but real time.
+std::string httpGet(int port, const std::string& path, int patience);
+
 /// Thread of its members: any but real time, one at a time.
 class WebSocket {
 public:

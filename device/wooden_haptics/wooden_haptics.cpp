@@ -181,6 +181,7 @@ void WoodenHaptics::close() {
 // ---- The servo's exchange
 
 DeviceSample WoodenHaptics::exchange(const DeviceCommand& wanted, double) noexcept {
+    if (!stopWay_.load(std::memory_order_relaxed)) return {}; // closed
     const bool fresh = readReports();
     judge(fresh);
     const bool usable = heard_ && staleTicks_ < kStaleTicks && trouble_ != Trouble::Restarted;

@@ -105,7 +105,7 @@ inline const std::vector<Library> kLibraries{
       "device/"}},
     {"fcntl.h",
      {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/device_watchdog.cpp",
-      "core/import/", "core/protocol/", "device/", "app/"}},
+      "core/loop/urgency.cpp", "core/import/", "core/protocol/", "device/", "app/"}},
     {"spawn.h", {"core/base/child_program.cpp"}},
     {"linux/", {"core/base/futex.h", "core/import/worker/sandbox.cpp", "device/usb/"}},
 };

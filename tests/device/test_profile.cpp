@@ -56,6 +56,7 @@ private slots:
         QCOMPARE(falcon->info.maxStiffness, 3000.0);
         QCOMPARE(falcon->info.buttons, 4);
         QCOMPARE(falcon->countsPerTorque, 10000.0);
+        QCOMPARE(falcon->commandsOnWay, 1.0); // as libnifalcon
         QCOMPARE(profileOf("touch", {})->countsPerTorque, 0.0);
     }
 
@@ -96,6 +97,9 @@ private slots:
                                        << "whole";
         QTest::newRow("motors that roar")
             << edited(R"("counts_per_newton_metre": 1e6)").c_str() << "from 1000 to 100000";
+        QTest::newRow("many on the way") << edited(R"("commands_on_the_way": 9)").c_str() << "from 1 to 4";
+        QTest::newRow("a long pause") << edited(R"("reset_pause_s": 5)").c_str() << "from 0 to 1";
+        QTest::newRow("no patience") << edited(R"("longest_unheard_s": 0)").c_str() << "from 0.005 to 0.2";
         QTest::newRow("no rate") << edited(R"("rate_Hz": 0)").c_str() << "rate";
         QTest::newRow("figures as a text") << R"({"format": "tactum-device", "figures": "many"})"
                                            << "figures";

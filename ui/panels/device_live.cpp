@@ -105,7 +105,7 @@ void DeviceLive::display(const Engine& engine) {
     rate_->setText(rateText(servo.rate, device.rate));
     heat_->setText(tr("%1 % warm").arg(numberText(100 * servo.heat, 0)));
     heatBar_->setLevel(servo.heat, kWarmMotors, 1, tr("%1 %").arg(numberText(100 * kWarmMotors, 0)));
-    const QString trouble = QString::fromStdString(engine.trouble());
+    const QString trouble = QString::fromStdString(engine.trouble() + ' ' + engine.caution()).trimmed();
     trouble_->setText(trouble);
     trouble_->setVisible(!trouble.isEmpty());
 }

@@ -72,7 +72,9 @@ struct FalconBench {
                 .handDamping = 2};
     }
     std::unique_ptr<Falcon> driver() const {
-        return std::make_unique<Falcon>(place(), profile(), FalconSettings{firmware()});
+        FalconSettings all = settings;
+        all.firmware = firmware();
+        return std::make_unique<Falcon>(place(), profile(), all);
     }
     /// One that is ready to be felt, as it is when it was in use before.
     std::unique_ptr<Falcon> opened() const {
@@ -83,6 +85,7 @@ struct FalconBench {
     }
 
     QTemporaryDir folder;
+    FalconSettings settings;
     int socket;
     std::shared_ptr<EmulatedFalcon> device;
 };

@@ -477,11 +477,19 @@ private slots:
 
     // ---- With things going wrong.
 
-    /// Two commands without an answer, and the next push waits: more would stand in line and come late. The
-    /// zero after a push does not wait; it goes once, and the zeros after it wait again. No time passes for
-    /// the driver, so that no answer seems late to it.
+    void aPushWaitsForAnswersAndTheZeroDoesNot_data() {
+        QTest::addColumn<int>("onWay");
+        QTest::newRow("as libnifalcon") << 1;
+        QTest::newRow("one in each tick") << 2;
+    }
+
+    /// So many commands without an answer, and the next push waits: more would stand in line and come late.
+    /// The zero after a push does not wait; it goes once, and the zeros after it wait again. No time passes
+    /// for the driver, so that no answer seems late to it.
     void aPushWaitsForAnswersAndTheZeroDoesNot() {
+        QFETCH(int, onWay);
         FalconBench bench;
+        bench.settings.commandsOnWay = onWay;
         const auto falcon = bench.opened();
         exchange(*falcon, 50, kPush);
         const auto atOnce = [&](const Vec3& force) {
@@ -495,7 +503,7 @@ private slots:
         QVERIFY(bench.device->motors() != kNoTorque);
         bench.device->setFaults({.silent = true});
         const int pushes = atOnce(kPush);
-        QCOMPARE(pushes - before, 2);
+        QCOMPARE(pushes - before, onWay);
         QCOMPARE(atOnce(kPush) - pushes, 0);
         QVERIFY(bench.device->motors() != kNoTorque);
         QCOMPARE(atOnce(Vec3::Zero()) - pushes, 1);

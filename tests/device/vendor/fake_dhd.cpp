@@ -1,5 +1,16 @@
-// A shared library with the functions of the DHD API that the driver calls: it notes and answers, and moves
-// nothing.
+// A shared library with the functions of the DHD and DRD API that the driver calls: it notes and answers, and
+// moves nothing. Written from the maker's pages, and refuses what they refuse:
+// - Haptic SDK 3.7.0, dhdc.h: names, error and status numbers, causes of FORCE OFF; dhdSetWatchdog stands in
+// its
+//   section "expert SDK".
+// - Haptic SDK 3.16, reference "DHD": the four modes of a device (RESET waits for the calibration, IDLE,
+// FORCE, BRAKE);
+//   functions of the expert section need dhdEnableExpertMode; the watchdog counts in 125 us and disables the
+//   forces; the cause of FORCE OFF is that of the last time, and stays when they are on again.
+// - Robotic SDK 3.16, reference "DRD": drdAutoInit moves a device that drdOpenID opened and leaves its
+// regulation
+//   running; drdStop ends that.
+// That commands succeed while the forces are off is what no page denies.
 #include "tests/device/vendor/fake_dhd.h"
 
 #include <algorithm>
@@ -12,6 +23,8 @@ namespace {
 FakeDhd fake;
 int lastError = 0;
 constexpr char kFirst = 3; ///< ids are not indices
+constexpr int kExpertModeDisabled = 9, kNoDevice = 5;
+bool openedToMove = false;
 
 int fail(int error) {
     lastError = error;
@@ -44,9 +57,10 @@ int dhdGetDeviceCount() {
     return fake.devices;
 }
 int dhdOpenID(char index) {
-    if (index < 0 || index >= fake.devices) return fail(5);
+    if (index < 0 || index >= fake.devices) return fail(kNoDevice);
     if (fake.openError) return fail(fake.openError);
     ++fake.opened;
+    openedToMove = false;
     return kFirst + index;
 }
 int dhdClose(char id) {
@@ -61,14 +75,27 @@ const char* dhdGetSystemName(char) {
     return "omega.3";
 }
 int dhdGetStatus(int* values, char id) {
-    std::fill(values, values + 16, 0);
-    if (++fake.looks == fake.calibrateAt) fake.reset = 1;
-    values[1] = 1;
-    values[3] = fake.reset;
-    return answer(fake.readError, id);
+    std::fill(values, values + 14, 0);
+    if (++fake.looks == fake.calibrateAt) fake.resetMode = false;
+    values[0] = values[1] = values[2] = 1;
+    values[3] = fake.resetMode;
+    values[5] = fake.force;
+    values[6] = !fake.force;
+    if (fake.fillsCause) values[14] = fake.forceOffCause;
+    return answer(fake.readError ? fake.readError : fake.statusError, id);
 }
 int dhdEnableForce(unsigned char on, char id) {
-    fake.force = on == 1;
+    if (fake.sendError == 0) {
+        if (on == 1) {
+            ++fake.enabled;
+            const double now = std::hypot(fake.commanded[0], fake.commanded[1], fake.commanded[2]);
+            fake.enabledWith = std::max(fake.enabledWith.load(), now);
+            fake.silent = 0;
+        } else {
+            fake.takeForces(4);
+        }
+        fake.force = on == 1;
+    }
     return answer(fake.sendError, id);
 }
 int dhdGetPosition(double* x, double* y, double* z, char id) {
@@ -84,10 +111,14 @@ int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double 
     if (!std::isfinite(strength)) ++fake.notFinite;
     fake.strongest = std::max(fake.strongest.load(), strength);
     fake.torque = std::hypot(tx, ty, tz) + std::abs(grip);
+    if (fake.regulating) ++fake.misuses; // two who push
     if (fake.sendError == 0) {
-        fake.motors[0] = fx;
-        fake.motors[1] = fy;
-        fake.motors[2] = fz;
+        const double theirs[] = {fx, fy, fz};
+        for (std::size_t i = 0; i < 3; ++i) {
+            fake.commanded[i] = theirs[i];
+            fake.motors[i] = fake.force ? theirs[i] : 0;
+        }
+        fake.silent = 0;
     }
     return answer(fake.sendError, id);
 }
@@ -97,11 +128,46 @@ unsigned dhdGetButtonMask(char) {
 int dhdErrorGetLast() {
     return lastError;
 }
-#ifdef FAKE_DHD_OLD
-#define dhdSetWatchdog dhdSetWatchdog1 // the library of another time
-#endif
+#ifndef FAKE_DHD_OLD // the library of another time: no watchdog, nothing that moves
+int dhdEnableExpertMode() {
+    fake.expert = true;
+    return 0;
+}
+int dhdDisableExpertMode() {
+    fake.expert = false;
+    return 0;
+}
 int dhdSetWatchdog(unsigned char periods, char id) {
-    fake.watchdog = periods;
+    if (!fake.expert) return fail(kExpertModeDisabled);
+    if (fake.watchdogError == 0) fake.watchdog = periods;
+    return answer(fake.watchdogError, id);
+}
+int drdOpenID(char index) {
+    const int id = dhdOpenID(index);
+    openedToMove = id >= 0;
+    return id;
+}
+int drdClose(char id) {
+    fake.regulating = false;
+    if (!openedToMove) ++fake.misuses;
+    return dhdClose(id);
+}
+bool drdIsSupported(char) {
+    return fake.supported;
+}
+int drdAutoInit(char id) {
+    if (!openedToMove) return fail(kNoDevice);
+    if (fake.moveError) return fail(fake.moveError);
+    ++fake.moved;
+    fake.resetMode = false;
+    fake.regulating = true;
+    fake.force = true;
     return answer(0, id);
 }
+int drdStop(bool keepForce, char id) {
+    fake.regulating = false;
+    if (!keepForce) fake.takeForces(4);
+    return answer(0, id);
+}
+#endif
 }

@@ -6,6 +6,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <nlohmann/json.hpp>
 #include <sys/socket.h>
@@ -16,10 +17,31 @@ namespace {
 namespace net = boost::asio;
 using net::ip::tcp;
 using Json = nlohmann::json;
-using Stream = boost::beast::websocket::stream<tcp::socket>;
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using Stream = websocket::stream<tcp::socket>;
 
-Json vectorOf(const std::array<std::atomic<double>, 3>& values) {
-    return {{"x", values[0].load()}, {"y", values[1].load()}, {"z", values[2].load()}};
+constexpr std::array<double, 3> kCentre{0, -0.12, 0.15}; ///< m, of the workspace as "defaults" counts
+constexpr const char* kNames[] = {"x", "y", "z"};
+constexpr int kNewWords = 5;
+
+Json vectorOf(const std::array<std::atomic<double>, 3>& values, const std::array<double, 3>& offset = {}) {
+    return {{"x", values[0] + offset[0]}, {"y", values[1] + offset[1]}, {"z", values[2] + offset[2]}};
+}
+
+/// Answers a question for a page, and says whether it was one.
+bool answersPage(tcp::socket& socket, const http::request<http::string_body>& request, int minor) {
+    if (websocket::is_upgrade(request)) return false;
+    const bool known = request.target() == "/version";
+    http::response<http::string_body> response(known ? http::status::ok : http::status::not_found, 11);
+    if (known) {
+        const std::string version = "3." + std::to_string(minor) + ".0";
+        response.body() = Json{{"git_tag", version}, {"project_version", version + ".0"}}.dump();
+    }
+    response.prepare_payload();
+    boost::system::error_code ignored;
+    http::write(socket, response, ignored);
+    return true;
 }
 
 } // namespace
@@ -64,15 +86,23 @@ void FakeHaply::setAnswer(std::string text) {
     answer_ = std::move(text);
 }
 
-std::string FakeHaply::tell() const {
+std::string FakeHaply::tell(bool full) const {
     const std::lock_guard lock(mutex_);
     if (!answer_.empty()) return answer_;
     Json message{{"session_id", 7}, {"inverse3", Json::array()}};
-    if (present)
-        message["inverse3"].push_back(
-            {{"device_id", "049D"},
-             {"state", {{"cursor_position", vectorOf(position)}, {"cursor_velocity", vectorOf(velocity)}}},
-             {"status", {{"calibrated", calibrated.load()}}}});
+    if (present) {
+        const std::array<std::atomic<double>, 3> none{};
+        Json device{{"device_id", "049D"},
+                    {"state",
+                     {{"cursor_position", vectorOf(position, centered ? std::array<double, 3>{} : kCentre)},
+                      {"cursor_velocity", vectorOf(velocity)},
+                      {"current_cursor_force", vectorOf(passesForces ? motors : none)}}},
+                    {"status", {{"calibrated", calibrated.load()}}}};
+        if (full)
+            device["config"] = {{"preset", centered ? "arm_front_centered" : "defaults"},
+                                {"filters", {{"force_gate", {{"gain", 0.3}}}}}};
+        message["inverse3"].push_back(device);
+    }
     message["wireless_verse_grip"] = Json::array(
         {{{"device_id", "61548"}, {"state", {{"buttons", {{"a", false}, {"b", button.load()}}}}}}});
     return message.dump();
@@ -85,12 +115,29 @@ void FakeHaply::hear(const std::string& text) {
         return;
     }
     ++heard;
-    if (message.contains("session")) ++greetings;
-    const Json& force = message["inverse3"][0]["commands"]["set_cursor_force"]["values"];
+    const Json session = message.value("session", Json::object());
+    if (session.contains("configure")) ++greetings;
+    asksFull_ = minor >= kNewWords && session.contains("force_render_full_state");
+    const bool newWords = minor >= kNewWords;
+    const Json& device = message["inverse3"][0];
+    if (const Json configure = device.value("configure", Json::object()); configure.contains("preset")) {
+        const Json& preset = configure["preset"];
+        const Json wanted = newWords ? Json{{"preset", "arm_front_centered"}} : Json("arm_front_centered");
+        if (configure.contains("mount") || preset != wanted)
+            ++notUnderstood;
+        else if (!keepsPreset)
+            centered = true;
+    }
+    const Json& force = device["commands"]["set_cursor_force"];
+    const char* const word = newWords ? "vector" : "values";
+    if (!force.is_object() || force.size() != 1 || !force.contains(word)) {
+        ++notUnderstood;
+        return;
+    }
     double square = 0;
-    constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double value = force[kNames[i]].is_number() ? force[kNames[i]].get<double>() : std::nan("");
+        const Json number = force[word].value(kNames[i], Json());
+        const double value = number.is_number() ? number.get<double>() : std::nan("");
         motors[i] = value;
         square += value * value;
     }
@@ -105,16 +152,19 @@ void FakeHaply::serve() {
         impl_->acceptor.accept(stream.next_layer(), fault);
         if (fault) break;
         impl_->setVisitor(stream.next_layer().native_handle());
-        ++visitors;
-        stream.accept(fault);
-        if (!fault && !silent) stream.write(net::buffer(tell()), fault);
         boost::beast::flat_buffer buffer;
+        http::request<http::string_body> request;
+        http::read(stream.next_layer(), buffer, request, fault);
+        if (fault || answersPage(stream.next_layer(), request, minor)) continue;
+        ++visitors;
+        stream.accept(request, fault);
+        if (!fault && !silent) stream.write(net::buffer(tell(true)), fault);
         while (!fault && !impl_->stopped) {
             stream.read(buffer, fault);
             if (fault) break;
             hear(boost::beast::buffers_to_string(buffer.data()));
             buffer.clear();
-            if (!silent) stream.write(net::buffer(tell()), fault);
+            if (!silent) stream.write(net::buffer(tell(asksFull_)), fault);
         }
         impl_->setVisitor(-1);
     }

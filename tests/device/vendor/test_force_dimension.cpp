@@ -208,29 +208,145 @@ private slots:
     }
 
     void calibrationIsAskedForAndWaitedFor() {
-        fake_->reset = 0;
+        fake_->resetMode = true;
+        fake_->supported = false;
         fake_->calibrateAt = 3;
         const auto made = device();
         Watcher watcher;
         VERIFY_RESULT(made->prepare(watcher));
-        QVERIFY(!watcher.request.empty());
+        COMPARE_CONTAINS(watcher.request, "rest");
         QCOMPARE(fake_->looks.load(), 3);
+        QCOMPARE(fake_->moved.load(), 0);
+    }
+
+    void whatDoesNotCalibrateItselfIsMovedOnceThePersonLetGo() {
+        fake_->resetMode = true;
+        const auto made = device();
+        Watcher watcher;
+        VERIFY_RESULT(made->prepare(watcher));
+        COMPARE_CONTAINS(watcher.request, "Let go");
+        QCOMPARE(fake_->moved.load(), 1);
+        QVERIFY(!fake_->regulating);
+        QVERIFY(!fake_->force);
+        QVERIFY2(watcher.parts.size() > 10, "no time to let go");
+        VERIFY_RESULT(made->open());
+        QVERIFY(made->exchange({}, 1e-3).valid);
+    }
+
+    void whoGivesUpWhileItWaitsIsNotPushed() {
+        fake_->resetMode = true;
+        const auto made = device();
+        Watcher watcher;
+        watcher.onRequest = [&](std::string_view) { watcher.givesUp = true; };
+        QVERIFY(!made->prepare(watcher));
+        QCOMPARE(fake_->moved.load(), 0);
+    }
+
+    void whatCannotCalibrateItselfSaysSo() {
+        fake_->resetMode = true;
+        fake_->moveError = 7;
+        const auto made = device();
+        Watcher watcher;
+        const auto prepared = made->prepare(watcher);
+        QVERIFY(!prepared);
+        COMPARE_CONTAINS(prepared.error().text, "could not calibrate itself");
+        QVERIFY(!fake_->regulating);
+        QVERIFY(!fake_->force);
     }
 
     void nobodyAtHandIsNotWaitedFor() {
-        fake_->reset = 0;
+        fake_->resetMode = true;
         const auto result = device()->open();
         QVERIFY(!result);
         COMPARE_CONTAINS(result.error().text, "not calibrated");
         QVERIFY(!fake_->force);
+        QCOMPARE(fake_->moved.load(), 0);
     }
 
     void theDeviceItselfWatchesToo() {
-        opened();
+        const auto device = opened();
         QCOMPARE_GE(fake_->watchdog * 0.125, 10);
-        QCOMPARE_LE(fake_->watchdog * 0.125, 50);      // ms
+        QCOMPARE_LE(fake_->watchdog * 0.125, 50); // ms
+        QVERIFY2(device->caution().empty(), device->caution().c_str());
+        QVERIFY(!fake_->expert); // only for that one call
+        device->exchange({{0, 2, 0}}, 1e-3);
+        QCOMPARE_GT(motors().norm(), 1.9);
+        fake_->standStill(80);
+        COMPARE_NEAR(motors(), Vec3(0, 0, 0), 1e-12, "N");
+    }
+
+    void whatHasNoWatchdogSaysSo() {
+        fake_->watchdogError = 6;
+        const auto device = opened();
+        COMPARE_CONTAINS(device->caution(), "does not watch");
+        COMPARE_CONTAINS(device->caution(), "firmware");
+        device->close();
         qputenv("TACTUM_LIBDHD", TACTUM_FAKE_DHD_OLD); // which has no such function
-        VERIFY_RESULT(device()->open());
+        const auto old = TestForceDimension::device();
+        VERIFY_RESULT(old->open());
+        COMPARE_CONTAINS(old->caution(), "3.3.2");
+    }
+
+    /// The firmware took the forces away, and every call succeeds nonetheless.
+    void forcesThatTheFirmwareTookComeBackWithoutPushing() {
+        const auto device = opened();
+        device->exchange({{0, 2, 0}}, 1e-3);
+        fake_->standStill(80);
+        int without = 0;
+        while (device->exchange({{0, 2, 0}}, 1e-3).valid && without < 1000)
+            ++without;
+        QCOMPARE_LT(without, 50); // "valid", without a force
+        COMPARE_CONTAINS(device->trouble(), "30 ms");
+        QVERIFY(!fake_->force);
+        int waited = 0;
+        while (!device->exchange({{0, 2, 0}}, 1e-3).valid && waited < 10'000)
+            ++waited;
+        QCOMPARE_LT(waited, 2000);
+        QVERIFY(fake_->force);
+        QVERIFY(device->trouble().empty());
+        QCOMPARE(fake_->enabledWith.load(), 0.0); // given back at zero
+        device->exchange({{0, 2, 0}}, 1e-3);
+        COMPARE_NEAR(motors(), Vec3(0, 0, 2), 1e-12, "N");
+    }
+
+    void whatAPersonSwitchedOffStaysOff_data() {
+        QTest::addColumn<int>("cause");
+        QTest::addColumn<bool>("filled");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("button") << 1 << true << "force button of the device was pressed";
+        QTest::newRow("dead man") << 6 << true << "dead-man";
+        QTest::newRow("an old library") << 3 << false << "forces of the device are off";
+    }
+
+    void whatAPersonSwitchedOffStaysOff() {
+        QFETCH(int, cause);
+        QFETCH(bool, filled);
+        QFETCH(QString, word);
+        const auto device = opened();
+        fake_->fillsCause = filled;
+        fake_->takeForces(cause);
+        for (int i = 0; i < 3000; ++i)
+            device->exchange({{0, 2, 0}}, 1e-3);
+        QVERIFY(!device->exchange({{0, 2, 0}}, 1e-3).valid);
+        QVERIFY(!fake_->force);
+        QCOMPARE(fake_->enabled.load(), 1);
+        COMPARE_CONTAINS(device->trouble(), word.toStdString());
+        fake_->force = true; // pressed again
+        int waited = 0;
+        while (!device->exchange({{0, 2, 0}}, 1e-3).valid && waited < 10'000)
+            ++waited;
+        QCOMPARE_GT(waited, 100);
+        QCOMPARE_LT(waited, 1000);
+    }
+
+    void aStatusThatCannotBeReadIsAFault() {
+        const auto device = opened();
+        fake_->statusError = 2;
+        int valid = 0;
+        while (device->exchange({{0, 1, 0}}, 1e-3).valid && valid < 1000)
+            ++valid;
+        QCOMPARE_LT(valid, 50);
+        COMPARE_CONTAINS(device->trouble(), "answer");
     }
 
     void withoutTheLibraryThereIsASentence() {

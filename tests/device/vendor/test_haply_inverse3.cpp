@@ -43,6 +43,7 @@ private slots:
     void cleanup() {
         QCOMPARE(service_->misuses.load(), 0);
         QCOMPARE(service_->notFinite.load(), 0);
+        QCOMPARE(service_->notUnderstood.load(), 0);
         service_.reset();
     }
 
@@ -68,6 +69,53 @@ private slots:
         const auto device = opened();
         Hand hand(*device, {1, 2, 3});
         QVERIFY(hand.until([&] { return (motors() - Vec3(1, -3, 2)).isZero(); }));
+    }
+
+    /// docs.haply.co 3.5: "vector", a preset is an object. Programs for 3.1 say "values" and its bare name.
+    void eachVersionHearsItsOwnWords_data() {
+        QTest::addColumn<int>("minor");
+        QTest::newRow("3.5") << 5;
+        QTest::newRow("3.1") << 1;
+        QTest::newRow("3.9") << 9;
+    }
+
+    void eachVersionHearsItsOwnWords() {
+        QFETCH(int, minor);
+        service_->minor = minor;
+        service_->position[0] = 0.01;
+        const auto device = opened();
+        Hand hand(*device, {1, 2, 3});
+        QVERIFY(hand.until([&] { return (motors() - Vec3(1, -3, 2)).isZero() && hand.last.valid; }));
+        QVERIFY(service_->centered);
+        COMPARE_NEAR(hand.last.position, Vec3(0.01, 0, 0), 1e-12, "m"); // about the origin
+        QVERIFY(device->caution().empty());
+    }
+
+    void whatTheVersionPageSays() {
+        QVERIFY((haply::versionOf(R"({"git_tag":"3.1.1"})") == haply::Version{3, 1}));
+        QVERIFY((haply::versionOf(R"({"project_version":"4.0.0.0"})") == haply::Version{4, 0}));
+        for (const char* nothing : {"", "{", "[]", R"({"git_tag":7})", R"({"git_tag":"main"})"})
+            QVERIFY((haply::versionOf(nothing) == haply::kNewWords));
+    }
+
+    void aWorkspaceThatIsNotTakenIsSaid() {
+        service_->keepsPreset = true;
+        const auto result = device()->open();
+        QVERIFY(!result);
+        COMPARE_CONTAINS(result.error().text, "arm_front_centered");
+        COMPARE_CONTAINS(result.error().text, "defaults");
+        service_->keepsPreset = false;
+        VERIFY_RESULT(device()->open());
+    }
+
+    void forcesThatAreNotPassedOnAreSaid() {
+        service_->passesForces = false;
+        const auto device = opened();
+        Hand hand(*device, {1, 0, 0});
+        QVERIFY(hand.until([&] { return !device->caution().empty(); }));
+        COMPARE_CONTAINS(device->caution(), "switched off");
+        service_->passesForces = true;
+        QVERIFY(hand.until([&] { return device->caution().empty(); }));
     }
 
     void theAxesOfForceAndPositionAgree() {

@@ -1,0 +1,49 @@
+// How early the kernel lets a thread run: what is asked for, what an ordinary account is granted, and in
+// words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tactum {
+
+/// What one thread was granted: the first rung of the ladder that the kernel did not refuse.
+struct Urgency {
+    int asked = 0;      ///< priority, 1 to 99
+    int priority = 0;   ///< under SCHED_FIFO or SCHED_RR; 0: none
+    int refusal = 0;    ///< errno of what was asked for; 0: granted as asked
+    int nice = 0;       ///< where there is no priority; below 0: before ordinary threads
+    bool slice = false; ///< woken at once where an ordinary thread would have to wait (Linux 6.12 and later)
+};
+
+/// The largest priority that a thread of this process may ask for. Raises the soft limit to the hard one.
+/// Thread: any but real time.
+int allowedPriority() noexcept;
+
+/// What is tried one after the other where so much is allowed: as asked, as allowed, 50, 20, and 0, which is
+/// none.
+std::vector<int> rungsOf(int asked, int allowed);
+
+/// Everything that helps without priority: nice as the limit allows, the shortest slice, timers without
+/// slack. None of it is missed where there is priority. Thread: the one that gets it, before its loop.
+void hasten(Urgency& urgency) noexcept;
+
+/// One sentence: what the loops were granted and what helps. `unlocked`: errno of lockPresentMemory().
+std::string sentenceOf(const Urgency& urgency, int unlocked);
+
+/// As long as it lives no processor falls so deep asleep that it wakes late, where the system allows it: to
+/// the administrator, and to whom the rule gives /dev/cpu_dma_latency. Thread: any but real time.
+class AwakeProcessors {
+public:
+    AwakeProcessors();
+    ~AwakeProcessors();
+    AwakeProcessors(const AwakeProcessors&) = delete;
+    AwakeProcessors& operator=(const AwakeProcessors&) = delete;
+
+    bool granted() const { return file_ >= 0; }
+
+private:
+    int file_;
+};
+
+} // namespace tactum
