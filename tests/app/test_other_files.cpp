@@ -207,11 +207,11 @@ private slots:
             const Ended ended = runTactum(QStringList{"convert", box, file("out.glb")} + options);
             const QJsonObject scene = objectOf(runTactum({"info", file("out.glb"), "--json"}).out);
             const QJsonObject bounds = scene["bounds_m"].toObject();
-            QList<double> box{double(ended.code)};
+            QList<double> ends{double(ended.code)};
             for (const char* end : {"low", "high"})
                 for (const QJsonValue& value : bounds[end].toArray())
-                    box << value.toDouble();
-            return box;
+                    ends << value.toDouble();
+            return ends;
         };
         const auto compare = [](const QList<double>& now, const QList<double>& wanted) {
             QCOMPARE(now.size(), wanted.size());

@@ -1,6 +1,7 @@
 // glTF and glb: the node tree, primitives, accessors, and files that lie about them.
 #include <QTest>
 
+#include "core/files/gltf/gltf_file.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
