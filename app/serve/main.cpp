@@ -150,7 +150,11 @@ void addOptions(CLI::App& program, Options& options) {
         ->type_name("N");
     program
         .add_option_function<std::vector<std::string>>(
-            "--make-certificate", [&](const std::vector<std::string>& names) { options.certificate = names; },
+            "--make-certificate",
+            [&](const std::vector<std::string>& names) {
+                options.certificate = names;
+                std::erase(*options.certificate, ""); // what none at all looks like
+            },
             "Makes certificate, key and token for these names and addresses of this machine, and ends")
         ->type_name("NAME")
         ->expected(0, 64);

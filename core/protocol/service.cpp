@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 
 #include "core/haptics/compile.h"
 #include "core/haptics/replay.h"
@@ -16,6 +17,15 @@ namespace {
 const grpc::Status kUnknown{grpc::StatusCode::UNAUTHENTICATED,
                             "this key is of nobody who attends: attend first"};
 
+/// Of a Result: what is too much for the machine is refused and ends nothing else.
+template <class Work> auto withinMemory(Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return machineError("the server has not enough memory for this: send less, or close other programs");
+    }
+}
+
 /// A file or a mesh that comes in; then it is read beside everything else. Deletes itself.
 class UploadCall final : public grpc::ServerBidiReactor<v1::Piece, v1::UploadNews> {
 public:
@@ -26,7 +36,7 @@ public:
 
     void OnReadDone(bool ok) override {
         if (!ok) return end(statusOf(Error{Error::Kind::Input, "the upload ended before it was complete"}));
-        if (auto heard = hear(); !heard) return end(statusOf(heard.error()));
+        if (auto heard = withinMemory([this] { return hear(); }); !heard) return end(statusOf(heard.error()));
         if (ended_) return;
         if (!incoming_.complete()) return StartRead(&piece_);
         const std::lock_guard lock(mutex_);
@@ -83,7 +93,8 @@ private:
         Progress progress;
         progress.cancelled = &cancelled_;
         progress.report = [this](double fraction) { say([&] { news_.set_checked(fraction); }); };
-        auto loaded = cancelled_ ? Result<LoadedScene>(cancelledError()) : incoming_.read(progress);
+        auto loaded = cancelled_ ? Result<LoadedScene>(cancelledError())
+                                 : withinMemory([&] { return incoming_.read(progress); });
         if (!loaded || cancelled_) return end(loaded ? grpc::Status::CANCELLED : statusOf(loaded.error()));
         v1::Uploaded done;
         done.set_triangles(triangleCount(loaded->scene));
@@ -101,10 +112,14 @@ private:
         StartWrite(&news_);
     }
 
+    /// Also from a worker: nothing of this may be touched after Finish(), the mutex neither.
     void end(const grpc::Status& status) {
-        const std::lock_guard lock(mutex_);
-        ended_ = true;
-        finish(status);
+        {
+            const std::lock_guard lock(mutex_);
+            ended_ = true;
+            if (std::exchange(finished_, true)) return;
+        }
+        Finish(status);
     }
     void finish(const grpc::Status& status) {
         if (!std::exchange(finished_, true)) Finish(status);
@@ -160,9 +175,10 @@ private:
         progress.cancelled = &cancelled_;
         // A World of its own: the loops step in the memory of theirs.
         const auto scenery = stage.scenery();
-        const auto world = compile(*scenery.scene, scenery.world.get(), progress);
+        const auto world =
+            withinMemory([&] { return compile(*scenery.scene, scenery.world.get(), progress); });
         if (!world) return Finish(statusOf(world.error()));
-        auto rows = replay(**world, path, progress);
+        auto rows = withinMemory([&] { return replay(**world, path, progress); });
         if (!rows) return Finish(statusOf(rows.error()));
         rows_ = std::move(*rows);
         next();
@@ -226,8 +242,10 @@ grpc::ServerUnaryReactor* HapticsService::Apply(grpc::CallbackServerContext* con
         const ClientId who = stage_.whoHas(request->key());
         if (who == 0) return reactor->Finish(kUnknown);
         const auto uploadOf = [&](std::uint64_t number) { return uploads_.find(who, number); };
-        const auto done = stage_.change(
-            who, request->base(), [&](Scene& scene) { return makeEdits(scene, request->edit(), uploadOf); });
+        const auto done = withinMemory([&] {
+            return stage_.change(who, request->base(),
+                                 [&](Scene& scene) { return makeEdits(scene, request->edit(), uploadOf); });
+        });
         if (!done) return reactor->Finish(statusOf(done.error()));
         reply->set_revision(done->revision);
         reply->set_felt_after(done->feltAfter);

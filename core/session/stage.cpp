@@ -65,7 +65,7 @@ Result<void> Stage::start() {
 }
 
 void Stage::listen(Listener listener) {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(telling_);
     listener_ = std::move(listener);
 }
 
@@ -244,7 +244,6 @@ std::size_t Stage::attending() const {
 void Stage::run() {
     StageState state;
     std::vector<StageEvent> events;
-    Listener listener;
     auto next = std::chrono::steady_clock::now();
     while (true) {
         {
@@ -257,9 +256,9 @@ void Stage::run() {
             if (ending_) return;
             events.clear();
             tick(state, events);
-            listener = listener_;
         }
-        if (listener) listener(state, events);
+        const std::lock_guard lock(telling_);
+        if (listener_) listener_(state, events);
     }
 }
 

@@ -76,6 +76,7 @@ public:
 
     /// Starts the loops, and after them the thread of the stage: forks before it has more than one thread.
     Result<void> start();
+    /// The one before is not called any more when this returns.
     void listen(Listener listener);
 
     // Thread of all below: any but real time, several at once.
@@ -158,7 +159,8 @@ private:
     std::uint32_t buttons_ = 0;
     InhibitReason why_ = InhibitReason::NotArmed;
     bool ending_ = false;
-    Listener listener_; ///< set before the thread starts
+    std::mutex telling_; ///< of the listener, while it is called; taken alone
+    Listener listener_;
     std::thread thread_;
 };
 
