@@ -60,9 +60,9 @@ private slots:
     }
 
     void whatIsForTheProgramItselfIsNotTold() {
-        for (const QString& form : {"man", "bash", "zsh", "fish"})
-            for (const QByteArray& word : {"device\\-server", "device-server", "makers"})
-                COMPARE_LACKS(manualAs(form), word);
+        for (const char* form : {"man", "bash", "zsh", "fish"})
+            for (const char* word : {"device\\-server", "device-server", "makers"})
+                COMPARE_LACKS(manualAs(form), QByteArray(word));
     }
 
     void roffHasNothingToComplainAbout() {
