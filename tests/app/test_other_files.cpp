@@ -135,7 +135,7 @@ private slots:
         const QString plate = model("plate.obj", "clay");
         QByteArray many;
         for (int i = 0; i < 40; ++i)
-            many += "g part" + QByteArray::number(i) +
+            many += "o part" + QByteArray::number(i) +
                     "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf -3 -2 -1\n"; // each face twice
         const QString doubled = write("doubled.obj", many);
         QCOMPARE(runTactum({"check", plate}).code, 0);

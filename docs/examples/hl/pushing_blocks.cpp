@@ -29,6 +29,9 @@ int main(int argc, char** argv) {
     const hl::List floor = box(0.4, 0.02, 0.2), block = box(0.03, 0.03, 0.03);
     hl::proxyRadius(4e-3);
     hl::leadHand(-0.06, 0.016, 0);
+    // Not before the finger is there: what comes to be around it is felt from inside.
+    const auto isThere = [] { return hl::state().finger[0] < -0.05 && hl::state().finger[1] > 0.015; };
+    if (!run(5, [&](double) { return isThere(); })) return ended(false, "the hand did not come");
     hl::beginFrame();
     hl::pushMatrix();
     hl::translate(0, -0.01, 0);

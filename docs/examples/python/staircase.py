@@ -2,6 +2,7 @@
 trials. The observer here is simulated: it presses with the simulated hand, and judges what was felt with an error
 of a few percent. With a device, ask a person instead: that is observer() below. python3 staircase.py [TRIALS]"""
 import sys
+import time
 
 import numpy as np
 import tactum
@@ -16,6 +17,7 @@ def press(haptics, stiffness):
     """Presses the wall and says how stiff it felt, in N/m."""
     haptics.lead_hand((0, 0, 0.01))
     haptics.until(lambda state: state.contacts == 0)
+    time.sleep(0.2)  # what taps thirty times a second is no hand but an oscillation, and is softened as one
     revision = haptics.material(stiffness=stiffness).revision
     haptics.lead_hand((0, 0, -0.004))
     state = haptics.until(lambda s: s.revision == revision and s.contacts and s.gain == 1 and

@@ -52,13 +52,14 @@ class TestX3d : public QObject {
 private slots:
     void lengthsAreInTheUnitOfTheHead() {
         std::string text =
-            shape("", "<IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 100 0 0 0 50 0'/>"
-                      "</IndexedFaceSet>");
+            x3d(shape("", "<IndexedFaceSet coordIndex='0 1 2'><Coordinate point='0 0 0 100 0 0 0 50 0'/>"
+                          "</IndexedFaceSet>"));
         const std::size_t at = text.find("<Scene");
         QCOMPARE_NE(at, std::string::npos);
         text.insert(at, "<head><unit category='length' name='millimetre' conversionFactor='0.001'/></head>");
-        const auto loaded = load(text);
-        COMPARE_NEAR(boundsOf(loaded.scene).high, Vec3(0.1, 0.05, 0), 1e-12, "m");
+        const auto loaded = folder_.load("a.x3d", text);
+        VERIFY_RESULT(loaded);
+        COMPARE_NEAR(boundsOf(loaded->scene).high, Vec3(0.1, 0.05, 0), 1e-12, "m");
     }
 
     void facesAreCutAlongTheirOutline() {

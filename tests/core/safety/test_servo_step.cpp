@@ -125,6 +125,7 @@ private slots:
     /// It comes step by step, is all there, and goes with the force itself.
     void whatOthersAddComesAndGoes() {
         Held held;
+        held.model = wall(800); // which is not touched
         held.rest({0, 0, 0.01});
         held.outside = Vec3(1, 0, 2);
         Vec3 last = Vec3::Zero();
@@ -159,6 +160,7 @@ private slots:
         const double speed = 0.2, most = kOutsidePower / speed;
         for (const double way : {1.0, -1.0}) {
             Held held;
+            held.model = wall(800); // which is not touched
             held.rest({0, 0, 0.1});
             held.outside = Vec3(0, 0, 2);
             for (int i = 0; i < 500; ++i)
