@@ -44,8 +44,9 @@ QByteArray box(const char* name, const Vec3& middle, double half, int& corner) {
 /// Two cubes of 40 mm, 100 mm apart.
 QString writeTwo(const QTemporaryDir& folder) {
     int next = 1;
-    return writeFile(folder, QStringLiteral("two.obj"),
-                     box("left", {-0.05, 0, 0}, 0.02, next) + box("right", {0.05, 0, 0}, 0.02, next));
+    QByteArray text = box("left", {-0.05, 0, 0}, 0.02, next); // one by one: each counts the corners on
+    text += box("right", {0.05, 0, 0}, 0.02, next);
+    return writeFile(folder, QStringLiteral("two.obj"), text);
 }
 
 /// The window with two cubes and the tool that arranges.
