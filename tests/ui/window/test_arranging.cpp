@@ -288,11 +288,11 @@ private slots:
         desk.program.type(QStringLiteral("turn-x"), QStringLiteral("30"));
         COMPARE_NEAR(desk.program.box(QStringLiteral("turn-x")).value(), 30, 1e-9, "degrees");
         COMPARE_NEAR(desk.program.box(QStringLiteral("turn-y")).value(), 90, 1e-9, "degrees");
-        desk.program.type(QStringLiteral("size"), QStringLiteral("55.5"));
+        desk.program.type(QStringLiteral("longest-side"), QStringLiteral("55.5"));
         COMPARE_NEAR(desk.side(1), 0.0555, 1e-12, "m");
         desk.program.type(QStringLiteral("scale"), QStringLiteral("1.5"));
         COMPARE_NEAR(desk.side(1), 0.06, 1e-12, "m");
-        COMPARE_NEAR(desk.program.box(QStringLiteral("size")).value(), 60, 1e-9, "mm");
+        COMPARE_NEAR(desk.program.box(QStringLiteral("longest-side")).value(), 60, 1e-9, "mm");
         desk.keep("place");
         while (desk.program.document.history().canUndo() && glbOf(desk.scene()).value() != before)
             desk.program.command("undo").trigger();
