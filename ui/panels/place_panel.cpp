@@ -30,7 +30,7 @@ constexpr std::array<Parameter, 3> kAngles{{
     {"turn-y", "Turned about y", "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
     {"turn-z", "Turned about z", "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
 }};
-constexpr Parameter kLongestSide{"size",
+constexpr Parameter kLongestSide{"longest-side",
                                  "Longest side",
                                  "m",
                                  1e-4,

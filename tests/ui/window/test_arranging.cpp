@@ -44,8 +44,9 @@ QByteArray box(const char* name, const Vec3& middle, double half, int& corner) {
 /// Two cubes of 40 mm, 100 mm apart.
 QString writeTwo(const QTemporaryDir& folder) {
     int next = 1;
-    return writeFile(folder, QStringLiteral("two.obj"),
-                     box("left", {-0.05, 0, 0}, 0.02, next) + box("right", {0.05, 0, 0}, 0.02, next));
+    QByteArray text = box("left", {-0.05, 0, 0}, 0.02, next); // one by one: each counts the corners on
+    text += box("right", {0.05, 0, 0}, 0.02, next);
+    return writeFile(folder, QStringLiteral("two.obj"), text);
 }
 
 /// The window with two cubes and the tool that arranges.
@@ -287,11 +288,11 @@ private slots:
         desk.program.type(QStringLiteral("turn-x"), QStringLiteral("30"));
         COMPARE_NEAR(desk.program.box(QStringLiteral("turn-x")).value(), 30, 1e-9, "degrees");
         COMPARE_NEAR(desk.program.box(QStringLiteral("turn-y")).value(), 90, 1e-9, "degrees");
-        desk.program.type(QStringLiteral("size"), QStringLiteral("55.5"));
+        desk.program.type(QStringLiteral("longest-side"), QStringLiteral("55.5"));
         COMPARE_NEAR(desk.side(1), 0.0555, 1e-12, "m");
         desk.program.type(QStringLiteral("scale"), QStringLiteral("1.5"));
         COMPARE_NEAR(desk.side(1), 0.06, 1e-12, "m");
-        COMPARE_NEAR(desk.program.box(QStringLiteral("size")).value(), 60, 1e-9, "mm");
+        COMPARE_NEAR(desk.program.box(QStringLiteral("longest-side")).value(), 60, 1e-9, "mm");
         desk.keep("place");
         while (desk.program.document.history().canUndo() && glbOf(desk.scene()).value() != before)
             desk.program.command("undo").trigger();
