@@ -119,8 +119,15 @@ protected:
 
 template <class Handle>
 std::optional<Handle> handleAt(const std::vector<std::pair<Handle, HandleShape>>& shapes, QPointF cursor) {
+    std::optional<Handle> nearest; // dots of two handles may lie side by side
+    double least = kDotNear;
     for (const auto& [handle, shape] : shapes)
-        if (shape.dot && lengthOf(*shape.dot - cursor) <= kDotNear) return handle;
+        if (const double away = shape.dot ? lengthOf(*shape.dot - cursor) : kDotNear + 1;
+            away < least || (!nearest && away <= least)) {
+            nearest = handle;
+            least = away;
+        }
+    if (nearest) return nearest;
     for (const auto& [handle, shape] : shapes)
         if (distanceTo(shape.line, cursor) <= kLineNear) return handle;
     for (const auto& [handle, shape] : shapes)
