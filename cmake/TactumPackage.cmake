@@ -78,10 +78,10 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tactum)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-open-sans, libgl1-mesa-dri")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "author haptic scenes, and touch them
- Open a 3-D model, give each surface a feel (stiffness, friction, texture,
- moving parts) and touch it with a force-feedback device, or with the mouse
- and a simulated hand. Scenes are saved as glTF and exported as bundles that
- other programs open. Verbs without a window replay, convert and check.")
+Open a 3-D model, give each surface a feel (stiffness, friction, texture,
+moving parts) and touch it with a force-feedback device, or with the mouse
+and a simulated hand. Scenes are saved as glTF and exported as bundles that
+other programs open. Verbs without a window replay, convert and check.")
 
 # The libraries are static: who links them links what they stand on.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtactum-dev)
@@ -89,14 +89,14 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libassimp-dev, libtinygltf-dev, libpugixml-dev, \
 libgrpc++-dev, libprotobuf-dev, libpng-dev, libjpeg-dev, libtiff-dev, libzip-dev, libmd-dev, nlohmann-json3-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs
- Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
- with its real-time loops: headers, static libraries and a CMake package.")
+Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
+with its real-time loops: headers, static libraries and a CMake package.")
 # Text alone: the client of the haptic server.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tactum)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-grpcio, python3-numpy, python3-protobuf")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python client of Tactum's haptic server
- Sends scenes to a running tactum serve, edits how they feel, and gets the
- states, forces and contacts of its device as numpy arrays.")
+Sends scenes to a running tactum serve, edits how they feel, and gets the
+states, forces and contacts of its device as numpy arrays.")
 include(CPack)
