@@ -89,8 +89,8 @@ namespace {
 // for one processor Eigen may align its vectors wider, and the sizes are others.
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
 static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
-static_assert(sizeof(OscillationDetector) == 168 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2400);
+static_assert(sizeof(OscillationDetector) == 192 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
+static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2424);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);

@@ -75,6 +75,7 @@ void ContactTransition::meet(const LocalContactModel& newest, const Vec3& finger
     const bool edited = newest.revision != revision_ || newest.restarts != restarts_;
     if (!begun_ || (edited && !before.touching)) {
         offset_ = finger - anchorOf(newest, finger).position;
+        heldBack_ = false;
         slip_ = Vec3::Zero();
         editing_ = false;
         hold_ = 0;
@@ -105,6 +106,7 @@ void ContactTransition::handOver(const LocalContactModel& newest, const Vec3& be
             credit_ -= std::max(gained, 0.0);
             return;
         }
+        heldBack_ |= offset_.isZero(0);
         offset_ += before - after;
     }
 }
@@ -122,6 +124,7 @@ void ContactTransition::turn(const LocalContactModel& newest, const Vec3& before
     const double length2 = stretch.squaredNorm();
     const double kept = length2 > 0 ? std::clamp(was.dot(stretch) / length2, 0.0, 1.0) : 0;
     offset_ = (kept - 1) * stretch;
+    heldBack_ = false;
     slip_ = Vec3::Zero();
 }
 
@@ -189,6 +192,7 @@ void ContactTransition::leave(const Vec3& finger, double ceiling, double dt) noe
 void ContactTransition::edit(const LocalContactModel& newest, const Vec3& anchor,
                              const Vec3& finger) noexcept {
     offset_ = anchor - newest.proxy;
+    heldBack_ = false;
     slip_ = Vec3::Zero();
     editing_ = true;
     hold_ = gripNeeded(moved(newest, offset_), finger);

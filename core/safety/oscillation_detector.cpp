@@ -11,7 +11,9 @@ constexpr double kWide = 2e-4;    ///< m, from end to end: what must be noticed
 constexpr double kCount = 6e-5;   ///< m: what a device's counts take of that at most
 constexpr double kSwing = 1.1e-4; ///< m: sampling takes as much of the fastest ones
 constexpr double kTurn = 0.3;     ///< of the swing before, that the finger must come back to have turned
-constexpr double kUneven = 2.1;   ///< one half swing to the next
+constexpr double kUneven = 2.1;   ///< that one half swing may be wider than the one before
+/// Of the widest that counts: what becomes narrower than that dies away by itself.
+constexpr double kHeld = 0.6;
 constexpr int kEnough = 3;        ///< half swings: 90 ms at 20 Hz
 constexpr double kLongEnough = 1.0 / 16; ///< s
 
@@ -28,14 +30,15 @@ double leastSwing(double half, double dt) noexcept {
 /// The swing that ended with a turn counts if it was as fast and as wide as one of a limit cycle.
 void OscillationDetector::Axis::turn(double swing, double dt) noexcept {
     const bool fast = sinceTurn >= kFastest && sinceTurn <= kLonger * kSlowest;
-    const bool even = swing < kUneven * lastSwing && lastSwing < kUneven * swing;
+    const bool even = swing < kUneven * lastSwing && swing >= kHeld * widest;
     const bool wide = fast && swing >= leastSwing(sinceTurn, dt);
     if (!wide || !even) {
         halfSwings = 0;
-        lasted = 0;
+        widest = lasted = 0;
     }
     if (wide) {
         ++halfSwings;
+        widest = std::max(widest, swing);
         lasted += sinceTurn;
     }
     lastSwing = swing;
@@ -63,7 +66,7 @@ bool OscillationDetector::Axis::add(double x, double dt) noexcept {
     if (direction <= 0) low = std::min(low, x);
     if (halfSwings < kEnough || lasted < kLongEnough || lasted > halfSwings * kSlowest) return false;
     halfSwings = 0;
-    lasted = 0;
+    widest = lasted = 0;
     return true;
 }
 

@@ -10,7 +10,7 @@ namespace tactum {
 
 /// Counts half swings along each axis that are too fast for a hand (20 to 300 Hz) and 0.2 mm wide or more.
 /// Three in a row, as wide as each other and a sixteenth of a second long together, are a limit cycle. What
-/// a tap sets ringing has died away by then, a texture shakes less, a hand is slower. Frame D, SI.
+/// a tap sets ringing dies away, a texture shakes less, a hand is slower. Frame D, SI.
 /// Thread: real time.
 class OscillationDetector {
 public:
@@ -26,14 +26,15 @@ private:
         double low = 0, high = 0; ///< of the swing that goes on, m
         double sinceTurn = 0;     ///< s, since the last turn was noticed
         double lastSwing = 0;     ///< m
-        double lasted = 0;        ///< s, of the half swings that count
+        double widest = 0;        ///< m, of the half swings that count
+        double lasted = 0;        ///< s, of them
         int halfSwings = 0;       ///< that count
         int direction = 0;        ///< +1 rising, -1 falling, 0 not known yet
         bool begun = false;
 
         static void fields(auto& visit, auto& self) {
-            visit(self.low, self.high, self.sinceTurn, self.lastSwing, self.lasted, self.halfSwings,
-                  self.direction, self.begun);
+            visit(self.low, self.high, self.sinceTurn, self.lastSwing, self.widest, self.lasted,
+                  self.halfSwings, self.direction, self.begun);
         }
         bool add(double x, double dt) noexcept;
         void turn(double swing, double dt) noexcept;

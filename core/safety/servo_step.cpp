@@ -39,7 +39,7 @@ StiffnessBounds ceilingOf(ServoState& state, const Previous& previous, const Ser
          .rendered = state.transition.rendered().stiffness,
          .load = previous.touching ? std::max(previous.load, 1e-9) : 0,
          .pushing = state.gate.gain() > 0,
-         .overspent = state.passivity.lastDamping() > 0 && state.passivity.energy() > kSofteningThreshold});
+         .made = state.passivity.lastDamping() > 0 ? state.passivity.energy() : 0});
 }
 
 /// What stages 4 and 5 make of the model. Frame D, SI.
@@ -119,7 +119,7 @@ RenderedSpring damped(ServoState& state, const Contact& contact, const Vec3& fin
         return {};
     }
     RenderedSpring spring{gain * contact.force, gain * contact.model.stiffness, contact.stretch(finger),
-                          state.limiter.maxForce, contact.model.velocity};
+                          state.limiter.maxForce, state.transition.ownMotion()};
     const double asked = state.passivity.damping(spring, contact.sliding, dt);
     spring.force = state.limiter(spring.force); // beyond what the device can push no damping would be felt
     const Vec3 brake = -asked * contact.sliding - state.gate.arrivalDamping() * contact.arriving;

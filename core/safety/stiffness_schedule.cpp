@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/safety/contact_transition.h"
+#include "core/safety/passivity.h"
 
 namespace tactum {
 namespace {
@@ -34,13 +35,18 @@ void StiffnessSchedule::keepTime(const ScheduleInput& tick, double change) noexc
     period_ = std::max({loop_.period, tick.period, now, period_ * falls});
 }
 
+// A whole hand lets a surface be stiffer by as much as it takes up more of what that makes.
+bool StiffnessSchedule::overspent(const ScheduleInput& tick) const noexcept {
+    return tick.made > (grasping_ ? kGrasp : 1) * kSofteningThreshold;
+}
+
 void StiffnessSchedule::scaleBy(const ScheduleInput& tick) noexcept {
     if (!(tick.load > 0)) // nothing is touched
         goal_ = std::min(1.0, goal_ * std::exp2(tick.dt / kRecovery));
-    else if (tick.pushing && tick.overspent)
+    else if (tick.pushing && overspent(tick))
         goal_ = std::max(kMinScale, goal_ * std::exp2(-tick.dt / kSoften));
     scale_ = std::min(
-        1.0, scale_ + std::clamp(goal_ - scale_, -0.5 * tick.dt / (tick.overspent ? kSoften : kFade), 1.0));
+        1.0, scale_ + std::clamp(goal_ - scale_, -0.5 * tick.dt / (overspent(tick) ? kSoften : kFade), 1.0));
     if (tick.seen.jumped) oscillation_.forget();
     if (!oscillation_(tick.seen.position, tick.dt) || !tick.pushing) return;
     ++oscillations_;

@@ -28,7 +28,7 @@ struct ScheduleInput {
     double rendered = 0;               ///< N/m, at the last tick
     double load = 0;        ///< N, that the spring pushed with at the last tick; 0: nothing was touched
     bool pushing = false;   ///< the device got force at the last tick
-    bool overspent = false; ///< the surface has made more than kSofteningThreshold and is damped for it
+    double made = 0;        ///< J, that the surface has made and is damped for; 0: it is not damped
 };
 
 /// Three things lower the stiffness, and none of them under load by a step: a loop that is slower than its
@@ -66,6 +66,7 @@ public:
     }
 
 private:
+    bool overspent(const ScheduleInput& tick) const noexcept;
     void keepTime(const ScheduleInput& tick, double change) noexcept;
     void scaleBy(const ScheduleInput& tick) noexcept;
     void trust(const ScheduleInput& tick, bool loaded) noexcept;

@@ -42,6 +42,12 @@ private slots:
             most = std::max(most, vectorOf(row.force).norm());
         QCOMPARE_GT(most, 0.1); // N: it is about something
     }
+
+    /// One of another version would let the fuzzer see no more than the refusal (make-fuzz-corpus).
+    void theFuzzersRecordingIsReadToday() {
+        VERIFY_RESULT(readRecording(std::filesystem::path(TACTUM_REPLAYS).parent_path() /
+                                    "fuzz/corpus/recording/short.tactum-recording"));
+    }
 };
 
 TACTUM_TEST(TestReplay)

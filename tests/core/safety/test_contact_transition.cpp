@@ -116,6 +116,26 @@ private slots:
         QVERIFY(!touching.transition.easing());
     }
 
+    /// An edit moves the surface, and that is its own work. Answers that jump about do not: what they hold back
+    /// and give later the spring gives, and the balance has to see it.
+    void onlyAnEventMovesTheSurfaceByItself() {
+        Touching edited(2e-3), jumping(2e-3);
+        edited.newest = jumping.newest = plane(2e-3);
+        ++edited.newest.revision;
+        for (Touching* touching : {&edited, &jumping}) {
+            for (int i = 0; i < 5; ++i)
+                touching->tick();
+            QVERIFY(touching->transition.easing());
+        }
+        COMPARE_NEAR(edited.transition.ownMotion(), Vec3(0, 0, kReturnSpeed), 1e-12, "m/s");
+        QCOMPARE_EQ(jumping.transition.ownMotion(), Vec3(0, 0, 0));
+        // What was held back is still on its way when the edit comes, and goes with it.
+        ++jumping.newest.revision;
+        jumping.tick();
+        jumping.tick();
+        COMPARE_NEAR(jumping.transition.ownMotion(), Vec3(0, 0, kReturnSpeed), 1e-12, "m/s");
+    }
+
     /// Answers that jump about: what they bring to the spring is at most the credit.
     void newerModelsBringNoMoreThanTheirCredit() {
         Rng random(4);
