@@ -330,6 +330,36 @@ private slots:
         QVERIFY(!ours.contains("positions"));
     }
 
+    /// What another program knows of a layer goes with that layer, and not with one that took its place.
+    void unknownMembersOfALayerStayWithItsName() {
+        Scene scene = bodies();
+        TextureLayer coarse, fine;
+        coarse.name = "coarse";
+        fine.name = "fine";
+        scene.objects[0].surfaces[0].layers = {coarse, fine};
+        Parts glb(saved(scene));
+        Json& layers = glb.json["materials"][0]["extensions"][kOurs]["layers"];
+        layers[0]["warmth"] = 3;
+        layers[1]["warmth"] = 5;
+        Scene loaded = load(glb.glb()).scene;
+        loaded.objects[0].surfaces[0].layers[0].name = "another";
+        const Json after = Parts(saved(loaded)).json["materials"][0]["extensions"][kOurs]["layers"];
+        QVERIFY(!after[0].contains("warmth"));
+        QCOMPARE_EQ(after[1]["warmth"], 5);
+    }
+
+    /// The node of a glTF file is in single precision, the pose beside it is not.
+    void aPoseFarAwayIsExact() {
+        Scene scene = bodies();
+        const Vec3 far(1234.56789012345, -9876.54321098765, 1e-3);
+        scene.objects[1].pose.translation = far;
+        Parts glb(saved(scene));
+        QCOMPARE(load(glb.glb()).scene.objects[1].pose.translation, far);
+        // Moved by another program the node counts.
+        glb.json["nodes"][std::size_t(glb.index("nodes", "second"))]["translation"] = {1, 2, 3};
+        QCOMPARE(load(glb.glb()).scene.objects[1].pose.translation, Vec3(1, 2, 3));
+    }
+
     void anImageTakenAwayIsNotNamedAgain() {
         Scene scene = bodies();
         TextureLayer layer;

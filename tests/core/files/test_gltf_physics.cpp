@@ -85,6 +85,26 @@ private slots:
         COMPARE_NEAR(read.colliders[0].pose.translation, Vec3(0, 0.5, 0), 1e-12, "m");
     }
 
+    /// Of our own extension: dry friction of a joint, in N m or N.
+    void aFrictionWithoutAForceIsLeftOut() {
+        const auto jointWith = [this](const std::string& friction) {
+            const std::string joint = R"({"extensions":{"KHR_physics_rigid_bodies":{"joint":{"joint":0,)"
+                                      R"("connectedNode":2}},"TACTUM_haptics":{"frictions":[)" +
+                                      friction + "]}}}";
+            return mechanicsOf(
+                       gltf("[" + node(R"("children":[1])", R"("motion":{"mass":1})") + "," + joint + ",{}]",
+                            kHinge))
+                .joints.at(0);
+        };
+        const Joint whole = jointWith(R"({"type":"angular","axis":0,"force":0.25})");
+        QCOMPARE(whole.frictions.size(), 1u);
+        COMPARE_NEAR(whole.frictions[0].force, 0.25, 1e-15, "N m");
+        QVERIFY(whole.frictions[0].angular);
+        for (const char* friction : {R"({"type":"angular","axis":0})", R"({"type":"angular","force":1})",
+                                     R"({"axis":3,"force":1})", R"({"axis":0,"force":-1})"})
+            QCOMPARE(jointWith(friction).frictions.size(), 0u);
+    }
+
     // "Whether or not the connected nodes may collide": the two that are connected, and nothing else that
     // stands still.
     void aJointToTheWorldExceptsWhatItIsFixedToAlone() {
