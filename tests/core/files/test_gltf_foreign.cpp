@@ -348,15 +348,16 @@ private slots:
         QCOMPARE_EQ(after[1]["warmth"], 5);
     }
 
-    /// The node of a glTF file is in single precision, the pose beside it is not.
+    /// Another program writes nodes in single precision; the pose beside them is not.
     void aPoseFarAwayIsExact() {
         Scene scene = bodies();
         const Vec3 far(1234.56789012345, -9876.54321098765, 1e-3);
         scene.objects[1].pose.translation = far;
         Parts glb(saved(scene));
+        Json& place = glb.json["nodes"][std::size_t(glb.index("nodes", "second"))]["translation"];
+        place = {float(far.x()), float(far.y()), float(far.z())};
         QCOMPARE(load(glb.glb()).scene.objects[1].pose.translation, far);
-        // Moved by another program the node counts.
-        glb.json["nodes"][std::size_t(glb.index("nodes", "second"))]["translation"] = {1, 2, 3};
+        place = {1, 2, 3}; // moved, and so the node counts
         QCOMPARE(load(glb.glb()).scene.objects[1].pose.translation, Vec3(1, 2, 3));
     }
 
