@@ -157,7 +157,11 @@ Result<DeviceProfile> profileOf(std::string_view key, const std::filesystem::pat
     in.read(text.data(), std::streamsize(kMax));
     if (in.bad() || (in.fail() && !in.eof())) return wrong(file, "cannot be read; check its permissions");
     text.resize(std::size_t(in.gcount()));
-    return readProfile(text, file, *found);
+    auto own = readProfile(text, file, *found);
+    if (own && own->info.maxForce > found->info.maxForce)
+        return wrong(file, "\"max_force_N\" is " + numberOf(own->info.maxForce) + ", and the device gives " +
+                               numberOf(found->info.maxForce) + "; a file may lower it, not raise it");
+    return own;
 }
 
 std::string profileFor(std::string_view model) {

@@ -88,9 +88,9 @@ namespace {
 // Another size: a member came or went. List it in fields(), there or above, and then its new size here. Built
 // for one processor Eigen may align its vectors wider, and the sizes are others.
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == 16
-static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 408 && sizeof(Passivity) == 704);
+static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 416 && sizeof(Passivity) == 704);
 static_assert(sizeof(OscillationDetector) == 192 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
-static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2424);
+static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2448);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);

@@ -4,7 +4,7 @@
 
 namespace tactum {
 namespace {
-constexpr double kGone = 2.5; ///< times as fast as it may grow
+constexpr double kGone = 2.5; ///< times as fast as it may grow: all of it within six ticks of 1 kHz
 } // namespace
 
 Vec3 AddedDamping::operator()(const Vec3& push, const Vec3& brake, const Vec3& sliding, double limit,
@@ -12,13 +12,15 @@ Vec3 AddedDamping::operator()(const Vec3& push, const Vec3& brake, const Vec3& s
     const double strength = push.norm();
     const bool touching = strength > 0;
     if (touching) out_ = push / strength;
+    // What would give energy, or is left of a contact.
+    const bool over = !touching || force_.dot(sliding) > 0;
     const double most = kMaxAddedForce * limit;
-    const double wanted = touching ? std::clamp(brake.dot(out_), -most, most) : 0;
-    // What would give energy, or is left of a contact, goes faster than it came, and yet without a step.
-    const bool over = !touching || added_ * sliding.dot(out_) > 0;
+    const Vec3 wanted = over ? Vec3::Zero() : Vec3(std::clamp(brake.dot(out_), -most, most) * out_);
     const double step = (over ? kGone : 1) * kAddedRate * limit * dt;
-    added_ += std::clamp((over ? 0 : wanted) - added_, -step, step);
-    return force();
+    const Vec3 way = wanted - force_;
+    const double length = way.norm();
+    force_ = length > step ? Vec3(force_ + step / length * way) : wanted;
+    return force_;
 }
 
 } // namespace tactum

@@ -75,7 +75,7 @@ void ContactTransition::meet(const LocalContactModel& newest, const Vec3& finger
     const bool edited = newest.revision != revision_ || newest.restarts != restarts_;
     if (!begun_ || (edited && !before.touching)) {
         offset_ = finger - anchorOf(newest, finger).position;
-        heldBack_ = false;
+        heldBack_ = 0;
         slip_ = Vec3::Zero();
         editing_ = false;
         hold_ = 0;
@@ -106,8 +106,8 @@ void ContactTransition::handOver(const LocalContactModel& newest, const Vec3& be
             credit_ -= std::max(gained, 0.0);
             return;
         }
-        heldBack_ |= offset_.isZero(0);
         offset_ += before - after;
+        heldBack_ += (before - after).norm();
     }
 }
 
@@ -124,7 +124,7 @@ void ContactTransition::turn(const LocalContactModel& newest, const Vec3& before
     const double length2 = stretch.squaredNorm();
     const double kept = length2 > 0 ? std::clamp(was.dot(stretch) / length2, 0.0, 1.0) : 0;
     offset_ = (kept - 1) * stretch;
-    heldBack_ = false;
+    heldBack_ = 0;
     slip_ = Vec3::Zero();
 }
 
@@ -192,7 +192,7 @@ void ContactTransition::leave(const Vec3& finger, double ceiling, double dt) noe
 void ContactTransition::edit(const LocalContactModel& newest, const Vec3& anchor,
                              const Vec3& finger) noexcept {
     offset_ = anchor - newest.proxy;
-    heldBack_ = false;
+    heldBack_ = 0;
     slip_ = Vec3::Zero();
     editing_ = true;
     hold_ = gripNeeded(moved(newest, offset_), finger);
@@ -236,6 +236,7 @@ const LocalContactModel& ContactTransition::operator()(const LocalContactModel& 
     const Vec3 left = shortened(offset_, kReturnSpeed * dt);
     rendered_.proxy += left - offset_ + motion_ * dt;
     offset_ = left;
+    heldBack_ = std::clamp(heldBack_ - kReturnSpeed * dt, 0.0, left.norm());
     fallen_ =
         begun_ && (leaving_ ? fallen_ : fresh && !lost(newest, finger) && fell(newest, finger, bounds, dt));
     leaving_ = begun_ && (leaving_ || fallen_ || lost(newest, finger));

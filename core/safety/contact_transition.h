@@ -56,9 +56,9 @@ public:
     const LocalContactModel& rendered() const noexcept { return rendered_; }
     /// m/s, of the surface itself: without its way back.
     const Vec3& motion() const noexcept { return motion_; }
-    /// m/s, of what the surface does on the hand by itself: its motion, and its way back from an event (an edit,
-    /// a restart, a fall), which nobody's spring stored.
-    Vec3 ownMotion() const noexcept { return heldBack_ ? motion_ : rendered_.velocity; }
+    /// m/s, of what the surface does on the hand by itself: its motion, and its way back from an event (an
+    /// edit, a restart, a fall), which nobody's spring stored.
+    Vec3 ownMotion() const noexcept { return heldBack_ > 0 ? motion_ : rendered_.velocity; }
     /// s since the finger that it answers was read, at least, in a tick of `dt`: for anchorOf().
     double since(double dt) const noexcept;
     /// Whether the surroundings are still on their way.
@@ -66,8 +66,9 @@ public:
 
     /// All that it remembers, for the recorder (core/base/byte_archive.h).
     static void fields(auto& visit, auto& self) {
-        visit(self.begun_, self.editing_, self.leaving_, self.fallen_, self.heldBack_, self.offset_, self.slip_, self.hold_,
-              self.credit_, self.age_, self.revision_, self.restarts_, self.motion_, self.rendered_);
+        visit(self.begun_, self.editing_, self.leaving_, self.fallen_, self.offset_, self.heldBack_,
+              self.slip_, self.hold_, self.credit_, self.age_, self.revision_, self.restarts_, self.motion_,
+              self.rendered_);
     }
 
 private:
@@ -93,8 +94,8 @@ private:
     bool editing_ = false;
     bool leaving_ = false;       ///< what is not there any more
     bool fallen_ = false;        ///< and by no edit
-    bool heldBack_ = false;      ///< the offset is of no event: what newer models would have brought at once
     Vec3 offset_ = Vec3::Zero(); ///< of the rendered surroundings from the true ones
+    double heldBack_ = 0;        ///< m, of the offset: what newer models would have brought; returns first
     Vec3 slip_ = Vec3::Zero();   ///< of the rendered proxy along its plane, where the true one still sticks
     double hold_ = 0;            ///< least coefficient of friction, after an edit
     double credit_ = 0;          ///< J, that a newer model may bring

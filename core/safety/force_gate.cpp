@@ -5,9 +5,6 @@
 namespace tactum {
 namespace {
 
-/// In so long the finger may have gone around what it touched. Unit: s.
-constexpr double kLongStall = 0.5;
-
 /// What ends by itself.
 InhibitReason pauseOf(const GateInput& tick) noexcept {
     if (tick.stopped) return InhibitReason::Stopped;
@@ -40,7 +37,6 @@ double ForceGate::operator()(const GateInput& tick) noexcept {
     if (const InhibitReason fault = faultOf(tick); fault != InhibitReason::Nothing) {
         latch(fault);
     } else if (const InhibitReason pause = pauseOf(tick); pause != InhibitReason::Nothing) {
-        if (tick.dt > kLongStall) ++anchoring_;
         settle(pause);
     } else if (state_ == GateState::Off || state_ == GateState::Settling) {
         wait(tick);

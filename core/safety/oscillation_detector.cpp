@@ -14,7 +14,7 @@ constexpr double kTurn = 0.3;     ///< of the swing before, that the finger must
 constexpr double kUneven = 2.1;   ///< that one half swing may be wider than the one before
 /// Of the widest that counts: what becomes narrower than that dies away by itself.
 constexpr double kHeld = 0.6;
-constexpr int kEnough = 3;        ///< half swings: 90 ms at 20 Hz
+constexpr int kEnough = 3;               ///< half swings: 90 ms at 20 Hz
 constexpr double kLongEnough = 1.0 / 16; ///< s
 
 /// How wide the swing of a limit cycle is at least when it is read every `dt`. Between two readings a bounce,

@@ -6,7 +6,7 @@
 namespace tactum {
 namespace {
 constexpr double kMax = 2 * kSofteningThreshold; ///< J, that is remembered at most
-constexpr double kForgotten = 2e-4; ///< J/s; more than that a hand takes without notice
+constexpr double kForgotten = 2e-4;              ///< J/s; more than that a hand takes without notice
 /// Of the device's losses: a swing that they alone keep from growing must be noticed too. More than
 /// seven tenths, below which nothing of the tests swings at all (docs/stability.md).
 constexpr double kCredit = 0.75;

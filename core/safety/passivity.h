@@ -11,8 +11,8 @@ namespace tactum {
 /// (Delta / 2) (TV(F) + F_max). Unit: J.
 inline constexpr double kPassivityThreshold = 1e-3;
 /// What the damping does not take back makes the surface softer (StiffnessSchedule). A tap of 0.35 m/s that
-/// comes late by four ticks, in a hand that takes it up, makes less than that; what a tap makes grows with the
-/// stiffness, and so does this in a grasp. Unit: J.
+/// comes late by four ticks, in a hand that takes it up, makes less than that; what a tap makes grows with
+/// the stiffness, and so does this in a grasp. Unit: J.
 inline constexpr double kSofteningThreshold = 3e-3;
 
 /// What is rendered at one tick. SI, one frame throughout.

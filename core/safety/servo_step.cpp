@@ -15,31 +15,33 @@ double plausible(double dt) noexcept {
     return dt > kShortest ? std::min(dt, kLongest) : kShortest;
 }
 
+/// In so long the finger may have gone around what it touched. Unit: s.
+constexpr double kLongSilence = 0.5;
+
 /// Stage 1 and 2. Returns the newest reading that was believed, with its velocity.
 const DeviceSample& validate(ServoState& state, const ServoInput& input, double dt) noexcept {
     const double apart = input.apart > 0 ? plausible(input.apart) : 0;
     const bool news = state.check(input.sample, apart) && apart > 0;
     state.unread = news ? 0 : state.unread + dt;
-    if (state.check.believed().jumped) state.gate.begin();
+    if (state.check.believed().jumped || (news && apart > kLongSilence)) state.gate.begin();
     return state.check.believed();
 }
 
 /// Stage 3.
 StiffnessBounds ceilingOf(ServoState& state, const Previous& previous, const ServoSettings& settings,
                           const ServoInput& input, const LocalContactModel& model_D, double dt) noexcept {
-    return state.schedule(
-        {.seen = state.check.believed(),
-         .dt = dt,
-         .late = input.late,
-         .period = settings.period,
-         .overrideCeiling = settings.overrideCeiling,
-         .grasped = settings.grasped,
-         .stiffness = model_D.stiffness,
-         .damping = model_D.damping,
-         .rendered = state.transition.rendered().stiffness,
-         .load = previous.touching ? std::max(previous.load, 1e-9) : 0,
-         .pushing = state.gate.gain() > 0,
-         .made = state.passivity.lastDamping() > 0 ? state.passivity.energy() : 0});
+    return state.schedule({.seen = state.check.believed(),
+                           .dt = dt,
+                           .late = input.late,
+                           .period = settings.period,
+                           .overrideCeiling = settings.overrideCeiling,
+                           .grasped = settings.grasped,
+                           .stiffness = model_D.stiffness,
+                           .damping = model_D.damping,
+                           .rendered = state.transition.rendered().stiffness,
+                           .load = previous.touching ? std::max(previous.load, 1e-9) : 0,
+                           .pushing = state.gate.gain() > 0,
+                           .made = state.passivity.lastDamping() > 0 ? state.passivity.energy() : 0});
 }
 
 /// What stages 4 and 5 make of the model. Frame D, SI.
@@ -131,7 +133,8 @@ RenderedSpring damped(ServoState& state, const Contact& contact, const Vec3& fin
 double suddenOf(const ServoState& state, const Previous& previous, const Contact& contact, const Vec3& finger,
                 const Vec3& command) noexcept {
     ForceLimiter limit{state.limiter.maxForce};
-    const Vec3 expected = limit(previous.gain * contact.expected) + previous.added_D;
+    const Vec3 expected =
+        limit(previous.gain * contact.expected) + previous.added_D + previous.gain * previous.outside_D;
     return suddenChange(limit(command), limit(expected),
                         {.stiffness = contact.model.stiffness,
                          .way = (finger - previous.finger_D).norm(),
@@ -195,19 +198,19 @@ ServoOutput servoStep(ServoState& state, const ServoSettings& settings, const Se
     // 7     Passivity: what was made is taken back, along the push alone and without a step.     T2, T3, T5
     RenderedSpring spring = damped(state, contact, seen.position, gain, dt);
 
+    const Vec3 outside = outsideForce(previous.outside_D, gain > 0 ? input.outside_D : Vec3::Zero(),
+                                      seen.velocity, state.limiter.maxForce, dt);
+
     // 8     Command check: what leaves is what is judged, in newtons a tick.                       T11, T12
-    if (gain > 0 && !(suddenOf(state, previous, contact, seen.position, spring.force) <=
+    if (gain > 0 && !(suddenOf(state, previous, contact, seen.position, spring.force + gain * outside) <=
                       kForceJump * state.limiter.maxForce)) {
         state.gate.latch(spring.force.allFinite() ? InhibitReason::ForceJump : InhibitReason::NotFinite);
         spring = {};
     }
 
-    // 9     Limit: finite, and at most what the motors bear now; what others add is under it too.       T12
+    // 9     Limit: finite, and at most what the motors bear now.                                        T12
+    const Vec3 force = state.limiter(spring.force + state.gate.gain() * outside);
     spring.force = state.limiter(spring.force);
-    const Vec3 outside = outsideForce(previous.outside_D, gain > 0 ? input.outside_D : Vec3::Zero(),
-                                      seen.velocity, state.limiter.maxForce);
-    const Vec3 force =
-        outside.isZero(0) ? spring.force : state.limiter(spring.force + state.gate.gain() * outside);
     state.heat.add(force.norm(), dt);
     state.passivity.commanded(spring);
     state.previous = {.finger_D = seen.position,

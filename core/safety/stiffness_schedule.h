@@ -26,9 +26,9 @@ struct ScheduleInput {
     bool grasped = false;              ///< the person says that the whole hand holds the device
     double stiffness = 0, damping = 0; ///< of the surface as authored, in the hand's measure
     double rendered = 0;               ///< N/m, at the last tick
-    double load = 0;        ///< N, that the spring pushed with at the last tick; 0: nothing was touched
-    bool pushing = false;   ///< the device got force at the last tick
-    double made = 0;        ///< J, that the surface has made and is damped for; 0: it is not damped
+    double load = 0;      ///< N, that the spring pushed with at the last tick; 0: nothing was touched
+    bool pushing = false; ///< the device got force at the last tick
+    double made = 0;      ///< J, that the surface has made and is damped for; 0: it is not damped
 };
 
 /// Three things lower the stiffness, and none of them under load by a step: a loop that is slower than its

@@ -20,7 +20,7 @@ void appendHealth(std::vector<Finding>& findings, const std::string& object, con
     const auto note = Finding::Severity::Note, warning = Finding::Severity::Warning;
     notes.add(note, health.slivers, "triangle", "too thin to see",
               "kept; merge close vertices to remove them");
-    notes.add(warning, health.duplicateFaces, "triangle", "that repeats another one",
+    notes.add(warning, health.duplicateFaces, "triangle", "equal to another one",
               "kept; remove doubles in the modelling program");
     notes.add(note, health.nonManifoldEdges, "edge", "with more than two triangles",
               "kept; touch does not mind");

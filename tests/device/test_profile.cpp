@@ -84,6 +84,7 @@ private slots:
         QTest::newRow("unknown figure") << edited(R"("max_fource_N": 5)").c_str() << "max_fource_N";
         QTest::newRow("a word") << edited(R"("max_force_N": "five")").c_str() << "must be a number";
         QTest::newRow("beyond belief") << edited(R"("max_force_N": 1e9)").c_str() << "largest force";
+        QTest::newRow("more than it gives") << edited(R"("max_force_N": 8.5)").c_str() << "not raise it";
         QTest::newRow("negative") << edited(R"("damping_N_s_per_m": -1)").c_str() << "damping";
         QTest::newRow("a figure at the wrong place") << R"({"format": "tactum-device", "max_force_N": 1})"
                                                      << "belongs into";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "core/safety/servo_step.h"
 
@@ -34,11 +35,12 @@ struct Held {
         sample.valid = true;
         sample.buttons = buttons;
         model.anchoring = state.gate.anchoring();
+        if (repeats) unread_ += dt;
         output = servoStep(state, settings,
                            {.sample = sample,
                             .frame = frame,
                             .dt = dt,
-                            .apart = repeats ? 0 : dt,
+                            .apart = repeats ? 0 : dt + std::exchange(unread_, 0),
                             .fresh = fresh,
                             .clutched = clutched,
                             .outside_D = outside},
@@ -65,6 +67,9 @@ struct Held {
     bool repeats = false;        ///< the device says nothing new: the reading is that of the tick before
     bool fresh = true;           ///< the model is a newer one at every tick
     ServoOutput output;
+
+private:
+    double unread_ = 0; ///< s
 };
 
 /// Largest change from tick to tick until nothing changes any more.

@@ -65,18 +65,34 @@ private slots:
         }
     }
 
-    /// Any push, wish and way: bounded in force and rate, and along the push.
+    /// What was along the push before goes as what is left does: at once it would be a step.
+    void whatTurnsWithThePushHasNoStep() {
+        for (const Vec3& turned : {Vec3(0, 0, -2), Vec3(2, 0, 0)}) {
+            AddedDamping damper;
+            for (int i = 0; i < 40; ++i)
+                damper({0, 0, 2}, {0, 0, 100}, {0, 0, -1}, kLimit, kTick);
+            Vec3 last = damper.force();
+            for (int i = 0; i < 40; ++i) {
+                const Vec3 now = damper(turned, 50 * turned, -0.5 * turned, kLimit, kTick);
+                COMPARE_NEAR(now, last, 2.5 * kStep + 1e-12, "N");
+                last = now;
+            }
+            COMPARE_NEAR(last, Vec3(0.5 * kMaxAddedForce * kLimit * turned), 1e-9, "N");
+        }
+    }
+
+    /// Any push, wish and way: bounded in force and rate, and what is sideways only becomes less.
     void anythingStaysWithinItsBounds() {
         Rng random(5);
         AddedDamping damper;
-        double last = 0;
+        Vec3 last = Vec3::Zero();
         for (int i = 0; i < 100000; ++i) {
             const Vec3 push = random() % 4 ? Vec3(uniform(random, 0, 9) * direction(random)) : Vec3(0, 0, 0);
             const Vec3 force = damper(push, inBox(random, 50), inBox(random, 1), kLimit, kTick);
             QCOMPARE_LE(force.norm(), kMaxAddedForce * kLimit * (1 + 1e-12));
-            QCOMPARE_LE(std::abs(damper.added() - last), 2.5 * kStep * (1 + 1e-9));
-            if (!push.isZero(0)) QCOMPARE_LE(force.cross(push).norm(), 1e-12 * (1 + push.norm()));
-            last = damper.added();
+            QCOMPARE_LE((force - last).norm(), 2.5 * kStep * (1 + 1e-9));
+            if (!push.isZero(0)) QCOMPARE_LE(force.cross(push).norm(), last.cross(push).norm() + 1e-12);
+            last = force;
         }
     }
 };

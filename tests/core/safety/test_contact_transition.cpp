@@ -116,8 +116,8 @@ private slots:
         QVERIFY(!touching.transition.easing());
     }
 
-    /// An edit moves the surface, and that is its own work. Answers that jump about do not: what they hold back
-    /// and give later the spring gives, and the balance has to see it.
+    /// An edit moves the surface, and that is its own work. Answers that jump about do not: what they hold
+    /// back and give later the spring gives, and the balance has to see it.
     void onlyAnEventMovesTheSurfaceByItself() {
         Touching edited(2e-3), jumping(2e-3);
         edited.newest = jumping.newest = plane(2e-3);
@@ -129,7 +129,15 @@ private slots:
         }
         COMPARE_NEAR(edited.transition.ownMotion(), Vec3(0, 0, kReturnSpeed), 1e-12, "m/s");
         QCOMPARE_EQ(jumping.transition.ownMotion(), Vec3(0, 0, 0));
-        // What was held back is still on its way when the edit comes, and goes with it.
+        // Held back on the way back from the edit: that returns first, and is counted.
+        edited.newest.proxy.z() += 2e-3;
+        edited.tick();
+        edited.tick();
+        QCOMPARE_EQ(edited.transition.ownMotion(), Vec3(0, 0, 0));
+        for (int i = 0; i < int(2.2e-3 / kReturnSpeed / kTick); ++i)
+            edited.tick();
+        COMPARE_NEAR(edited.transition.ownMotion(), Vec3(0, 0, kReturnSpeed), 1e-12, "m/s");
+        // What was held back is still on its way when an edit comes, and goes with it.
         ++jumping.newest.revision;
         jumping.tick();
         jumping.tick();

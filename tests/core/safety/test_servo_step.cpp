@@ -131,7 +131,7 @@ private slots:
         Vec3 last = Vec3::Zero();
         for (int i = 0; i < 100; ++i) {
             const Vec3 force = held.tick({0, 0, 0.01});
-            QCOMPARE_LT((force - last).norm(), kOutsideStep * Held::info().maxForce + 1e-12);
+            QCOMPARE_LT((force - last).norm(), kOutsideRate * kTick * Held::info().maxForce + 1e-12);
             last = force;
         }
         COMPARE_NEAR(last, held.outside, 1e-12, "N");
@@ -166,6 +166,41 @@ private slots:
             for (int i = 0; i < 500; ++i)
                 held.tick({0, 0, 0.1 + way * speed * kTick * i});
             COMPARE_NEAR(held.output.force.z(), way > 0 ? most : 2.0, 0.01, "N");
+        }
+    }
+
+    /// Whoever was silent, the servo or the device, the finger may have gone around what it touched.
+    void afterALongSilenceTheProxyBeginsAtTheFinger() {
+        for (const double silence : {0.4, 0.9})
+            for (const bool ofTheServo : {true, false}) {
+                Held held;
+                held.model = wall(800);
+                held.rest({0, 0, 0.01});
+                const std::uint32_t before = held.state.gate.anchoring();
+                held.repeats = !ofTheServo;
+                for (int i = 0; !ofTheServo && i * kTick < silence; ++i)
+                    held.tick({0, 0, 0.01});
+                held.repeats = false;
+                held.tick({0, 0, 0.012}, ofTheServo ? silence : kTick);
+                QCOMPARE(held.state.gate.anchoring() - before, silence > 0.5 ? 1u : 0u);
+                held.rest({0, 0, 0.012});
+                QCOMPARE(held.state.gate.anchoring() - before, silence > 0.5 ? 1u : 0u);
+            }
+    }
+
+    /// Held still first, so that all of it is there, and then let go along it: never more than that power.
+    void whatOthersAddThrowsNobody() {
+        Held held;
+        held.model = wall(800); // which is not touched
+        held.rest({0, 0, 0.1});
+        held.outside = Vec3(0, 0, 5);
+        for (int i = 0; i < 200; ++i)
+            held.tick({0, 0, 0.1});
+        COMPARE_NEAR(held.output.force.z(), 5.0, 1e-9, "N");
+        for (int i = 1; i < 300; ++i) {
+            held.tick({0, 0, 0.1 + 0.3 * kTick * i});
+            const double speed = held.state.check.believed().velocity.z();
+            QCOMPARE_LE(held.output.force.z() * speed, kOutsidePower * 1.001);
         }
     }
 

@@ -120,7 +120,7 @@ private slots:
             lines << QString::fromStdString(text(finding));
         QCOMPARE(lines.join(u'\n'),
                  "note|rock|1 triangle too thin to see|kept; merge close vertices to remove them\n"
-                 "warning|rock|2 triangles that repeats another one|kept; remove doubles in the modelling "
+                 "warning|rock|2 triangles equal to another one|kept; remove doubles in the modelling "
                  "program\n"
                  "note|rock|3 edges with more than two triangles|kept; touch does not mind\n"
                  "warning|rock|4 edges whose two triangles face opposite ways|kept; both sides can be "
