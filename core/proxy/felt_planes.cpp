@@ -298,8 +298,11 @@ double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& dr
         return hold > 0 ? wish - (hold + passes.held(way) - heldAtStart) : wish;
     };
     double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
+    // What rubs does not come back from where it went too far, so nobody guesses there.
     if (atHigh >= -kOvershoot * atStart)
-        return mayExtend && atHigh > 0 && atHigh < atLow ? std::min(atLow / (atLow - atHigh), kFarthest) : 1;
+        return mayExtend && hold == 0 && atHigh > 0 && atHigh < atLow
+                   ? std::min(atLow / (atLow - atHigh), kFarthest)
+                   : 1;
     // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the edge
     // between two painted triangles, the proxy comes to rest on the side that it came from.
     for (int i = 0; i < kSearches; ++i) {
