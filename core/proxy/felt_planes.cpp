@@ -78,6 +78,8 @@ public:
         return std::isfinite(least) ? least : 0;
     }
 
+    bool allGoOn() const noexcept { return std::ranges::all_of(under_.all(), &Under::goesOn); }
+
     void settle(ProxyState& state) const noexcept {
         for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
             on_.contacts[i].lambda = result_.lambda[i];
@@ -312,11 +314,14 @@ double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& dr
         return hold > 0 ? wish - (hold + passes.held(way) - heldAtStart) : wish;
     };
     double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
-    // What rubs does not come back from where it went too far, so nobody guesses there.
-    if (atHigh >= -kOvershoot * atStart)
-        return mayExtend && hold == 0 && atHigh > 0 && atHigh < atLow
-                   ? std::min(atLow / (atLow - atHigh), kFarthest)
-                   : 1;
+    // What rubs does not come back from where it went too far: there nobody goes without a look, nor where
+    // one sees less friction because the face that is touched ends.
+    if (mayExtend && atHigh > 0 && atHigh < atLow && (!(hold > 0) || passes.allGoOn())) {
+        const double farther = std::min(atLow / (atLow - atHigh), kFarthest);
+        if (!(hold > 0)) return farther;
+        low = 1, atLow = atHigh, high = farther, atHigh = wishAfter(farther);
+    }
+    if (atHigh >= -kOvershoot * atStart) return high;
     // The Illinois method, and hardly beyond the turning point: where the felt normal jumps, on the edge
     // between two painted triangles, the proxy comes to rest on the side that it came from.
     for (int i = 0; i < kSearches; ++i) {
