@@ -21,6 +21,7 @@ FIGURES = {
     "viscous-approach.svg": friction.viscous,
     "bumps.svg": texture.bumps,
     "sine.svg": texture.sine,
+    "stroked-samples.svg": texture.samples,
     "sphere-tree.png": collision.sphere_tree,
     "moving-plate.svg": moving.plate,
     "z-width.svg": z_width.z_width,

@@ -5,6 +5,7 @@
 #include "resources/make_samples/finger.h"
 #include "resources/make_samples/height_image.h"
 #include "resources/make_samples/mesh.h"
+#include "resources/make_samples/reliefs.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {
@@ -13,17 +14,19 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kField = 0.044, kEdge = 0.05; // m: radii of the face and of the whole coin
 constexpr double kFace = 0.007, kRim = 0.0085; // m: heights above the table
+constexpr double kRelief = 1e-3;               // m
 constexpr double kBead = 0.94;                 // of the field's radius: where the ring of beads is
 
-/// A dome amid six petals, with a ring of 24 beads around; x and y from -1 to 1.
+/// A dome amid six petals, with a ring of 24 beads around; x and y from -1 to 1. Everything is round where it
+/// ends, for a finger 1.5 mm deep falls over what curves by more than 0.67 a millimetre; the beads do by 0.5.
 double relief(double x, double y) {
     const double r = std::hypot(x, y), angle = std::atan2(y, x);
-    const double petal = 0.62 * std::sqrt(std::abs(std::cos(3 * angle))) + 0.06;
+    const double petal = 0.54 + 0.14 * std::cos(6 * angle);
     const double flower = 0.8 * smoothStep(0, 0.16, petal - r) * smoothStep(0.24, 0.34, r);
-    const double dome = std::sqrt(std::max(0.0, 1 - std::pow(r / 0.24, 2)));
+    const double dome = 1 - smoothStep(0, 0.24, r);
     const double along = kTurn / 24 * std::round(angle / (kTurn / 24));
     const double bead = std::hypot(x - kBead * 0.9 * std::cos(along), y - kBead * 0.9 * std::sin(along));
-    return std::max({flower, dome, 0.6 * std::sqrt(std::max(0.0, 1 - std::pow(bead / 0.055, 2)))});
+    return std::max({flower, dome, 0.5 * (1 - smoothStep(0, 0.055, bead))});
 }
 
 /// The face in rings around its middle.
@@ -37,7 +40,7 @@ SceneObject coin() {
         return Uv(float(0.5 + 0.5 * r * std::cos(turn)), float(0.5 + 0.5 * r * std::sin(turn)));
     };
     const auto raised = [](double r, double turn) {
-        return Index(relief(r * std::cos(turn), r * std::sin(turn)) > 0.25);
+        return Index(relief(r * std::cos(turn), r * std::sin(turn)) > 0.15);
     };
     mesh.grid(evenly(1e-3, 1, kRings), evenly(0, kTurn, kAround), onFace, raised, uvAt);
     // From the face over the rim to the table; the lines are sharp.
@@ -73,6 +76,10 @@ std::shared_ptr<const std::vector<FingerPoint>> overTheRelief() {
 
 } // namespace
 
+double coinHeight(double x, double y) {
+    return kRelief * relief(x / kField, y / kField);
+}
+
 Scene reliefCoin() {
     TextureLayer layer;
     layer.name = "relief";
@@ -80,7 +87,7 @@ Scene reliefCoin() {
     layer.pattern.mapping = TextureMapping::UvUnit;
     layer.pattern.image =
         heightImage("relief", 192, 192, [](double u, double v) { return relief(2 * u - 1, 2 * v - 1); });
-    layer.strength = 1e-3;
+    layer.strength = kRelief;
     SceneObject made = coin();
     for (std::size_t i = 0; i < 2; ++i)
         made.surfaces[i].layers = {layer};

@@ -13,6 +13,11 @@ namespace {
 constexpr double kWidth = 0.14, kDepth = 0.1, kBulge = 0.012, kCell = 0.0025;
 constexpr double kInset = 5.5 * kCell; ///< of the seam's middle from the edge
 
+// Stitches are as round as they are wide: they curve by 0.24 a millimetre, and a finger 2 mm deep can follow.
+// One with a steep flank on the slope of the cushion holds with this friction whatever pushes along the
+// table.
+constexpr double kRounded = 0.5 * kCell; // m
+
 /// How much of a stitch's height is here; x and z from the corner of the cushion.
 double stitch(double x, double z, double softness) {
     const double acrossX = std::min(x, kWidth - x) - kInset, acrossZ = std::min(z, kDepth - z) - kInset;
@@ -62,12 +67,12 @@ TextureLayer layer(std::string name, TexturePattern pattern, TextureTarget targe
 std::vector<TextureLayer> layers() {
     const TexturePattern wear = picture("wear", 42, 30, worn);
     const TexturePattern seam = picture(
-        "stitches", 280, 200, [](double u, double v) { return stitch(u * kWidth, v * kDepth, 0.4e-3); });
+        "stitches", 280, 200, [](double u, double v) { return stitch(u * kWidth, v * kDepth, kRounded); });
     TextureLayer smooth =
         layer("worn smooth", grain(0.006, 1), TextureTarget::Height, 0.1e-3, TextureBlend::Replace);
     smooth.mask = wear;
     return {layer("grain", grain(0.0025, 3), TextureTarget::Height, 0.3e-3, TextureBlend::Add), smooth,
-            layer("stitches", seam, TextureTarget::Height, 0.8e-3, TextureBlend::Maximum),
+            layer("stitches", seam, TextureTarget::Height, 0.25e-3, TextureBlend::Maximum),
             layer("polish, at rest", wear, TextureTarget::StaticFriction, -0.5, TextureBlend::Add),
             layer("polish, sliding", wear, TextureTarget::DynamicFriction, -0.5, TextureBlend::Add)};
 }

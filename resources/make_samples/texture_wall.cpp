@@ -1,4 +1,4 @@
-// Four panels on a leaning wall: two height pictures, two patterns from formulas; 0.15 to 0.6 mm high.
+// Four panels on a leaning wall: two height pictures, two patterns from formulas; 0.15 to 0.3 mm high.
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -6,6 +6,7 @@
 #include "resources/make_samples/finger.h"
 #include "resources/make_samples/height_image.h"
 #include "resources/make_samples/mesh.h"
+#include "resources/make_samples/reliefs.h"
 #include "resources/make_samples/samples.h"
 
 namespace tactum::samples {
@@ -13,9 +14,15 @@ namespace {
 
 constexpr double kPanelWidth = 0.08, kPanelHeight = 0.056; // m
 constexpr double kLean = 0.7;                              // rad, backward from upright
-constexpr double kApart = 0.002;                           // m, between panels
-constexpr double kBefore = 0.0003;                         // m: of the panels before the wall
-constexpr double kUvLength = 0.1; // m: how long one unit of the texture coordinates is
+constexpr double kApart = 0.0006;  // m, between panels: a finger is carried across and feels a click
+constexpr double kBefore = 0.0003; // m: of the panels before the wall
+constexpr double kUvLength = 0.1;  // m: how long one unit of the texture coordinates is
+
+// A relief tilts the force and lifts nothing. Where it curves by more than (1 - s mu)^2 / (1 + mu^2) over the
+// depth of the finger (docs/physics/texture.md), the proxy holds before a crest and falls over it in one
+// tick. A finger 1.3 mm deep feels every place of these.
+constexpr double kRelief = 0.3e-3;                       // m, bricks and tiles
+constexpr double kBrickEdge = 0.0024, kTileEdge = 0.002; // m, from the lowest to the highest place
 
 // m. Whole repeats fill a panel. The low part, mortar or grout, lies around each repeat's corner.
 constexpr double kBrick = 0.02, kCourse = 0.008, kMortar = 0.0016;
@@ -27,14 +34,16 @@ double fromLine(double x, double period) {
     return std::abs(x - period * std::round(x / period));
 }
 
-/// Distance to the mortar's middle line; every other course is moved by half a brick. m.
-double fromMortar(double x, double y) {
+/// Distances to the middle lines of the upright and the level mortar; every other course is moved by half a
+/// brick. m.
+Eigen::Vector2d fromJoints(double x, double y) {
     const bool odd = int(std::floor(y / kCourse)) % 2 != 0;
-    return std::min(fromLine(y, kCourse), fromLine(x + (odd ? kBrick / 2 : 0), kBrick));
+    return {fromLine(x + (odd ? kBrick / 2 : 0), kBrick), fromLine(y, kCourse)};
 }
 
-double fromGrout(double x, double y) {
-    return std::min(fromLine(y, kTile), fromLine(x, kTile));
+/// From 0 on a middle line to 1 beyond the edge along both; rounded at the corners, too.
+double abovePart(const Eigen::Vector2d& fromLines, double edge) {
+    return smoothStep(0, edge, fromLines.x()) * smoothStep(0, edge, fromLines.y());
 }
 
 TextureLayer layer(std::string name, TextureSource source, double size, double height) {
@@ -48,29 +57,32 @@ TextureLayer layer(std::string name, TextureSource source, double size, double h
 }
 
 /// One brick and two courses; the bricks' faces are a little uneven.
+double brickPart(double u, double v) {
+    const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
+    const double uneven = std::sin(3 * a + std::sin(2 * b)) * std::sin(4 * b + std::sin(5 * a));
+    return abovePart(fromJoints(u * kBrick, v * 2 * kCourse), kBrickEdge) * (0.9 + 0.1 * uneven);
+}
+
+double tilePart(double u, double v) {
+    return abovePart({fromLine(u * kTile, kTile), fromLine(v * kTile, kTile)}, kTileEdge);
+}
+
 TextureLayer bricks() {
-    TextureLayer made = layer("bricks", TextureSource::Image, kBrick, 0.6e-3);
-    made.pattern.image = heightImage("bricks", 160, 128, [](double u, double v) {
-        const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
-        const double uneven = std::sin(3 * a + std::sin(2 * b)) * std::sin(4 * b + std::sin(5 * a));
-        const double edge = smoothStep(0.3e-3, 1.2e-3, fromMortar(u * kBrick, v * 2 * kCourse));
-        return edge * (0.9 + 0.1 * uneven);
-    });
+    TextureLayer made = layer("bricks", TextureSource::Image, kBrick, kRelief);
+    made.pattern.image = heightImage("bricks", 160, 128, brickPart);
     return made;
 }
 
 TextureLayer tiles() {
-    TextureLayer made = layer("tiles", TextureSource::Image, kTile, 0.4e-3);
-    made.pattern.image = heightImage("tiles", 96, 96, [](double u, double v) {
-        return smoothStep(0.6e-3, 1.6e-3, fromGrout(u * kTile, v * kTile));
-    });
+    TextureLayer made = layer("tiles", TextureSource::Image, kTile, kRelief);
+    made.pattern.image = heightImage("tiles", 96, 96, tilePart);
     return made;
 }
 
 TextureLayer cords() {
-    TextureLayer made = layer("cords", TextureSource::Grooves, kCord, 0.5e-3);
+    TextureLayer made = layer("cords", TextureSource::Grooves, kCord, 0.15e-3);
     made.pattern.fill = 0.6;
-    made.pattern.softness = 0.5;
+    made.pattern.softness = 1;
     return made;
 }
 
@@ -104,9 +116,9 @@ Panel brickPanel() {
             bricks(),
             linesAround(kBrick / 2, kMortar / 2, kPanelWidth),
             linesAround(kCourse, kMortar / 2, kPanelHeight),
-            [](double x, double y) { return Index(fromMortar(x, y) < kMortar / 2); },
+            [](double x, double y) { return Index(brickSurface(x, y)); },
             {surface("brick", {0.42f, 0.12f, 0.07f}, {.staticFriction = 0.6, .dynamicFriction = 0.5}),
-             surface("mortar", {0.52f, 0.48f, 0.42f}, {.staticFriction = 0.8, .dynamicFriction = 0.7})}};
+             surface("mortar", {0.52f, 0.48f, 0.42f}, {.staticFriction = 0.7, .dynamicFriction = 0.6})}};
 }
 
 Panel tilePanel() {
@@ -114,9 +126,9 @@ Panel tilePanel() {
             tiles(),
             linesAround(kTile, kGrout / 2, kPanelWidth),
             linesAround(kTile, kGrout / 2, kPanelHeight),
-            [](double x, double y) { return Index(fromGrout(x, y) < kGrout / 2); },
+            [](double x, double y) { return Index(tileSurface(x, y)); },
             {surface("tile", {0.10f, 0.32f, 0.42f}, {.staticFriction = 0.2, .dynamicFriction = 0.15}),
-             surface("grout", {0.70f, 0.70f, 0.66f}, {.staticFriction = 0.6, .dynamicFriction = 0.5})}};
+             surface("grout", {0.70f, 0.70f, 0.66f}, {.staticFriction = 0.35, .dynamicFriction = 0.3})}};
 }
 
 Panel corduroyPanel() {
@@ -199,6 +211,22 @@ std::shared_ptr<const std::vector<FingerPoint>> acrossThePanels() {
 }
 
 } // namespace
+
+double brickHeight(double x, double y) {
+    return kRelief * brickPart(x / kBrick, y / (2 * kCourse));
+}
+
+double tileHeight(double x, double y) {
+    return kRelief * tilePart(x / kTile, y / kTile);
+}
+
+std::size_t brickSurface(double x, double y) {
+    return fromJoints(x, y).minCoeff() < kMortar / 2;
+}
+
+std::size_t tileSurface(double x, double y) {
+    return std::min(fromLine(x, kTile), fromLine(y, kTile)) < kGrout / 2;
+}
 
 Scene textureWall() {
     const double left = -kPanelWidth - kApart / 2, right = kApart / 2;

@@ -10,6 +10,7 @@
 #include "tests/core/surface/texture_rig.h"
 #include "tests/support/compare.h"
 #include "tests/support/hand.h"
+#include "tests/support/slow_slide.h"
 #include "tests/support/test_program.h"
 
 namespace test_felt_pictures {
@@ -103,6 +104,8 @@ class FeltPicturesTest : public QObject {
 private slots:
     void aPictureIsFeltAsItsFormula_data();
     void aPictureIsFeltAsItsFormula();
+    void aJumpEndsWhereFrictionHolds_data();
+    void aJumpEndsWhereFrictionHolds();
 };
 
 // Waves of which a finger at this depth feels every place once (depth times curvature below 0.9), up to the
@@ -148,6 +151,54 @@ void FeltPicturesTest::aPictureIsFeltAsItsFormula() {
     QCOMPARE_LT(picture.largestStep, (1.2 * formula.largestStep + rounding * kStiffness.initial * kDepth));
     QCOMPARE(picture.stops, 0);
     COMPARE_NEAR(picture.ratio, formula.ratio, 0.01 * friction + 1e-4, "");
+}
+
+// Waves so sharp that a finger as deep cannot feel every place: the proxy holds before a crest, falls over it
+// in one tick, and has to stop in the first place where friction can hold it, as one that goes on by a
+// micrometre at a time does. A jump may come a tick sooner or later than that one's.
+void FeltPicturesTest::aJumpEndsWhereFrictionHolds_data() {
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("friction");
+    QTest::addColumn<bool>("picture");
+    for (const auto& [length, height] : {std::pair{8e-3, 1.2e-3}, {5e-3, 0.8e-3}, {4e-3, 0.4e-3}})
+        for (double friction : {0.0, 0.1, 0.2, 0.3, 0.4, 0.6})
+            for (bool picture : {false, true})
+                QTest::addRow("%g mm, %g mm high, mu %g, %s", 1e3 * length, 1e3 * height, friction,
+                              picture ? "picture" : "formula")
+                    << length << height << friction << picture;
+}
+
+void FeltPicturesTest::aJumpEndsWhereFrictionHolds() {
+    QFETCH(double, length);
+    QFETCH(double, height);
+    QFETCH(double, friction);
+    QFETCH(bool, picture);
+    constexpr double kSpeed = 0.05;
+    const Wave wave{length, height};
+    const Material material = rough(friction > 0 ? friction + 0.1 : 0, friction);
+    Hand hand(worldWith(picture ? pictureOf(wave, 512) : formulaOf(wave), material));
+    SlowSlide slow([&](const auto& at) { return Vector2d(wave.slopeAt(at.x()), 0); },
+                   [&](const auto&) { return material; });
+    const double start = -0.1, stiffness = material.stiffness;
+    std::vector<double> felt, right;
+    const auto note = [&](const Hand& h) {
+        felt.push_back(h.output().force.x());
+        right.push_back(stiffness * slow.to(h.finger().head<2>(), kRadius - h.finger().z()).x());
+    };
+    hand.to({start, 0, kRadius});
+    hand.go({start, 0, kRadius - kDepth}, kSpeed, note);
+    hand.go({start + 10 * wave.length, 0, kRadius - kDepth}, kSpeed, note);
+    double largestStep = 0, largestRight = 0;
+    for (std::size_t i = 1; i + 1 < felt.size(); ++i) {
+        largestStep = std::max(largestStep, std::abs(felt[i] - felt[i - 1]));
+        largestRight = std::max(largestRight, std::abs(right[i] - right[i - 1]));
+        const auto [low, high] = std::minmax({right[i - 1], right[i], right[i + 1]});
+        COMPARE_NEAR(felt[i], std::clamp(felt[i], low, high), 0.03 * stiffness * kDepth, "N");
+    }
+    // Else there was no jump to judge.
+    QCOMPARE_GT(largestRight, 0.2 * stiffness * kDepth);
+    COMPARE_NEAR(largestStep, largestRight, 0.03 * stiffness * kDepth, "N");
 }
 
 TACTUM_TEST(FeltPicturesTest)
