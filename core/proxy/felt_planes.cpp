@@ -29,18 +29,13 @@ class Passes {
 public:
     /// `ahead`: at places that the proxy may go to, where faces that it touches count as going on beyond
     /// their edges: what comes next there is not yet known, and seldom an end.
-    Passes(const FeltContacts& on, bool ahead) noexcept : on_(on) {
-        for (const Contact& contact : on.contacts) {
-            const Obstacle& obstacle = on.obstacles[contact.body];
-            under_.push({obstacle, poseNow(obstacle, on.movers), obstacle.triangle(contact.triangle),
-                         feelOf(obstacle, contact.triangle), ahead && contact.bend == 0});
-        }
-    }
+    Passes(const FeltContacts& on, bool ahead) noexcept : on_(on), ahead_(ahead) {}
 
     const NearestPoint& at(const Vec3& centre) noexcept {
         centre_ = centre;
         for (auto* planes : {&true_, &felt_})
             planes->clear();
+        closest_.clear();
         foot_.clear();
         material_.clear();
         owner_.clear();
@@ -78,8 +73,6 @@ public:
         return std::isfinite(least) ? least : 0;
     }
 
-    bool allGoOn() const noexcept { return std::ranges::all_of(under_.all(), &Under::goesOn); }
-
     void settle(ProxyState& state) const noexcept {
         for (std::size_t i = 0; i < on_.contacts.size(); ++i) {
             on_.contacts[i].lambda = result_.lambda[i];
@@ -95,54 +88,44 @@ public:
     }
 
 private:
-    // What lies under a contact, the same at every place.
-    struct Under {
-        const Obstacle& obstacle;
-        Pose pose;
-        Triangle triangle; ///< body frame
-        const SurfaceFeel* feel;
-        bool goesOn; ///< beyond the triangle's edges
-    };
-
     // The true plane of one contact; gives its offset, the greater the nearer.
     double locate(std::size_t i) noexcept {
-        const Under& under = under_[i];
         const Contact& contact = on_.contacts[i];
-        const Vec3 centre = under.pose.applyInverse(centre_);
-        foot_.push(under.goesOn ? footOnPlane(under.triangle, centre) : closestPoint(under.triangle, centre));
+        const Obstacle& obstacle = on_.obstacles[contact.body];
+        const Pose pose = poseNow(obstacle, on_.movers);
+        const Vec3 centre = pose.applyInverse(centre_);
+        const Triangle triangle = obstacle.triangle(contact.triangle);
+        closest_.push(closestPoint(triangle, centre));
+        foot_.push(ahead_ && contact.bend == 0 ? footOnPlane(triangle, centre) : closest_[i]);
         const Vec3 away = centre - foot_[i].point;
         const double distance = away.norm();
-        true_.push(
-            {distance > 0 ? under.pose.rotate(away / distance) : contact.normal, on_.radius - distance});
-        material_.push(under.obstacle.material(contact.triangle));
+        true_.push({distance > 0 ? pose.rotate(away / distance) : contact.normal, on_.radius - distance});
+        material_.push(obstacle.material(contact.triangle));
         return true_[i].offset;
     }
 
     // Its felt planes. They mean something only at the place that is touched; what the proxy hovers over has
     // its true plane in pass 2.
     void look(std::size_t i) noexcept {
-        const Under& under = under_[i];
-        if (!under.feel) return add(i, true_[i].normal);
-        const Index index = on_.contacts[i].triangle;
-        const Vec3 away = under.pose.rotateInverse(true_[i].normal);
-        const Vec3 base = under.feel->normals
-                              ? shadedNormal(*under.feel->normals, index, under.triangle, closest(i), away)
-                              : away;
-        if (!under.feel->texture) return add(i, under.pose.rotate(base));
-        const TextureFeel touch = tactum::feel(
-            *under.feel->texture, texturePointAt(under.obstacle, index, under.triangle, foot_[i], base),
-            on_.smallestFeature);
+        const Contact& contact = on_.contacts[i];
+        const Obstacle& obstacle = on_.obstacles[contact.body];
+        const SurfaceFeel* feel = feelOf(obstacle, contact.triangle);
+        if (!feel) return add(i, true_[i].normal);
+        const Pose pose = poseNow(obstacle, on_.movers);
+        const Triangle triangle = obstacle.triangle(contact.triangle);
+        const ClosestPoint& closest = closest_[i];
+        const Vec3 away = pose.rotateInverse(true_[i].normal);
+        const Vec3 base =
+            feel->normals ? shadedNormal(*feel->normals, contact.triangle, triangle, closest, away) : away;
+        if (!feel->texture) return add(i, pose.rotate(base));
+        const TextureFeel touch =
+            tactum::feel(*feel->texture, texturePointAt(obstacle, contact.triangle, triangle, foot_[i], base),
+                         on_.smallestFeature);
         material_[i] = modulated(material_[i], touch);
         FeltSlopes slopes;
         const int count = slopesOf(touch, slopes);
         for (int k = 0; k < count; ++k)
-            add(i, under.pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
-    }
-
-    // On the triangle itself, where its shading ends.
-    ClosestPoint closest(std::size_t i) const noexcept {
-        const Under& under = under_[i];
-        return under.goesOn ? closestPoint(under.triangle, under.pose.applyInverse(centre_)) : foot_[i];
+            add(i, pose.rotate(leaningAtMost(bumpedNormal(base, slopes[std::size_t(k)]), away)));
     }
 
     // Of a contact: the felt normal that pushes, if it is one alone.
@@ -277,10 +260,11 @@ private:
     }
 
     const FeltContacts& on_;
-    InplaceVector<Under, kMaxPlanes> under_;
+    bool ahead_;
     Vec3 centre_ = Vec3::Zero();
     InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
-    InplaceVector<ClosestPoint, kMaxPlanes> foot_; ///< on the triangles, or where they count as going on
+    InplaceVector<ClosestPoint, kMaxPlanes> closest_,
+        foot_; ///< on the triangles, and where they count as going on
     InplaceVector<Material, kMaxPlanes> material_;
     InplaceVector<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
     NearestPoint pushing_;                          ///< of pass 1
@@ -316,9 +300,11 @@ double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& dr
     double low = 0, high = 1, atLow = atStart, atHigh = wishAfter(1);
     // What rubs does not come back from where it went too far: there nobody goes without a look, nor where
     // one sees less friction because the face that is touched ends.
-    if (mayExtend && atHigh > 0 && atHigh < atLow && (!(hold > 0) || passes.allGoOn())) {
+    const auto isOnFace = [](const Contact& contact) { return contact.bend == 0; };
+    const bool looks = hold > 0, goesOn = !looks || std::ranges::all_of(on.contacts, isOnFace);
+    if (mayExtend && goesOn && atHigh > 0 && atHigh < atLow) {
         const double farther = std::min(atLow / (atLow - atHigh), kFarthest);
-        if (!(hold > 0)) return farther;
+        if (!looks) return farther;
         low = 1, atLow = atHigh, high = farther, atHigh = wishAfter(farther);
     }
     if (atHigh >= -kOvershoot * atStart) return high;

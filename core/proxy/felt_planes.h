@@ -37,8 +37,8 @@ NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept;
 /// How much of `slide` leads on, after `drop`, of what updateFelt wished: the felt normal, the depth and the
 /// friction change on the way, and beyond the place where the wish turns back, or where friction holds what
 /// is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the wish at the
-/// beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther and nothing
-/// is held back of it. Thread: real time; at most ten updates.
+/// beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther. Thread: real
+/// time; at most eleven updates.
 double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
                  double hold, bool mayExtend) noexcept;
 

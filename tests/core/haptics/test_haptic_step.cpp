@@ -23,6 +23,8 @@ template <class T> bool sameBits(const T& a, const T& b) {
 
 bool sameState(const SimState& a, const SimState& b) {
     return sameBits(a.proxy.position, b.proxy.position) && sameBits(a.proxy.finger, b.proxy.finger) &&
+           a.proxy.speed == b.proxy.speed && a.proxy.stride == b.proxy.stride &&
+           a.proxy.stillFor == b.proxy.stillFor && a.proxy.slidingOn == b.proxy.slidingOn &&
            a.proxy.contactCount == b.proxy.contactCount && sameBits(a.model.proxy, b.model.proxy) &&
            a.model.planes == b.model.planes && a.shapeRevision == b.shapeRevision &&
            std::equal(a.proxy.contacts.begin(), a.proxy.contacts.begin() + a.proxy.contactCount,
