@@ -190,12 +190,17 @@ private slots:
         QVERIFY(glbOf(desk.scene()).value() == before);
     }
 
-    // Esc, or the right button, in the middle of a drag: nothing of it is left, not even a step to undo.
+    // Esc, or the right button, in the middle of a drag: nothing of it is left, not even a step to undo, and
+    // what was undone before can be redone.
     void aDragIsGivenUpWithoutATrace() {
         Desk desk(folder_);
         desk.click({0.05, 0, 0.02});
         const std::string before = glbOf(desk.scene()).value();
+        desk.drag(ArrangeHandle::MoveX, {60, 0});
+        const std::string undone = glbOf(desk.scene()).value();
+        QVERIFY(undone != before);
         const int steps = desk.program.document.history().count();
+        desk.program.command("undo").trigger();
         for (const bool byKey : {true, false}) {
             desk.lead(ArrangeHandle::MoveXY, {40, -30});
             QCOMPARE_GT(desk.middle(1).y(), 1e-3);
@@ -211,6 +216,37 @@ private slots:
             QVERIFY(!desk.program.document.modified());
             COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0.05, 0, 0), 1e-9, "m");
         }
+        desk.program.command("redo").trigger();
+        QVERIFY(glbOf(desk.scene()).value() == undone);
+    }
+
+    // In the middle of a drag: undo gives it up and takes back what was done before; another edit keeps it.
+    void aDragAndTheHistoryDoNotMixUp() {
+        Desk desk(folder_);
+        QUndoStack& history = desk.program.document.history();
+        desk.click({0.05, 0, 0.02});
+        const std::string before = glbOf(desk.scene()).value();
+        desk.drag(ArrangeHandle::MoveX, {60, 0});
+        const std::string moved = glbOf(desk.scene()).value();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == before);
+        desk.mouse(QEvent::MouseButtonRelease, desk.led);
+        history.redo();
+        QVERIFY(glbOf(desk.scene()).value() == moved);
+        QVERIFY(!history.canRedo());
+        const int steps = history.count();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        QCOMPARE(history.count(), steps); // no step yet, but unsaved
+        QVERIFY(desk.program.document.modified());
+        const std::string led = glbOf(desk.scene()).value();
+        desk.program.document.setProxyRadius(0.0071);
+        desk.mouse(QEvent::MouseButtonRelease, desk.led);
+        QCOMPARE(history.count(), steps + 2);
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == led);
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == moved);
     }
 
     // As in Blender: G X and the mouse, Enter; R and a click; S and Esc. Y is no command meanwhile.
