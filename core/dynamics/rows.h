@@ -95,7 +95,9 @@ private:
     /// Along what a limit holds in the middle of a step, and what that way is more than it is now.
     struct Middle {
         Wrench along;
-        double turning = 0, drift = 0; ///< m/s or rad/s; the second of it over the whole step
+        /// m/s or rad/s: of its rate the part that comes only of where it points; and what frames that turn
+        /// add to it in the whole step.
+        double turning = 0, drift = 0;
     };
     Middle middleOf(const Articulation& articulation, const Coordinate& of, const Reading& now,
                     double dt) const noexcept;

@@ -196,8 +196,12 @@ Rows::Middle Rows::middleOf(const Articulation& articulation, const Coordinate& 
     const double turned = now.along.force.dot(then.along.force) + now.along.torque.dot(then.along.torque);
     const double size = now.along.force.squaredNorm() + now.along.torque.squaredNorm();
     if (turned < kTurnsLittle * size) return {now.along};
-    return {then.along, articulation.powerOf(of.a, of.b, then.along) - now.rate,
-            dt * articulation.driftAlong(of.a, of.b, then.along)};
+    // Where it acts the point goes on as well, but is of the body as it is.
+    const Wrench along{then.along.force, now.along.point, then.along.torque};
+    const Wrench moved{Vec3::Zero(), now.along.point,
+                       (then.along.point - now.along.point).cross(along.force)};
+    return {along, articulation.powerOf(of.a, of.b, along) - now.rate,
+            2 * articulation.powerOf(of.a, of.b, moved) + dt * articulation.driftAlong(of.a, of.b, along)};
 }
 
 void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q,
@@ -219,7 +223,7 @@ void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Co
             Row* row = addRow(Kind::Limit, articulation, loops, limit.of, middle->along, sense);
             if (!row) continue;
             row->turning = sense * middle->turning;
-            row->target = -sense * (2 * middle->turning + middle->drift);
+            row->target = -sense * (middle->turning + middle->drift);
             row->low = both ? -kUnbounded : 0;
             row->high = kUnbounded;
             row->depth = both ? -gap.gap : std::max(0.0, -gap.gap);
