@@ -16,6 +16,11 @@ QString numberText(double value, int decimals) {
     return minusZero ? text.mid(1) : text;
 }
 
+int decimalsFor(double value, int decimals) {
+    if (!(std::abs(value) > 0)) return std::min(decimals, 4);
+    return std::clamp(3 - int(std::floor(std::log10(std::abs(value)))), std::min(decimals, 4), decimals);
+}
+
 QString lengthText(double metres) {
     if (metres < 0.01) return numberText(1e3 * metres, 2) + QStringLiteral(" mm");
     if (metres < 1) return numberText(1e3 * metres, 0) + QStringLiteral(" mm");

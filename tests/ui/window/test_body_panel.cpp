@@ -52,6 +52,24 @@ QString writeCrank(const QTemporaryDir& folder) {
     return writeFile(folder, QStringLiteral("crank.obj"), text);
 }
 
+/// Leads a handle away from `from` and gives it up by Esc, between an undo and its redo: both are as they
+/// were.
+void giveUpADrag(TouchedWindow& program, QPoint from) {
+    const Scene& scene = program.document.scene();
+    const std::string last = glbOf(scene).value();
+    program.command("undo").trigger();
+    const std::string before = glbOf(scene).value();
+    program.press(from);
+    program.moveTo(from + QPoint(20, -35));
+    program.moveTo(from + QPoint(40, -70));
+    QVERIFY(glbOf(scene).value() != before); // else no handle was there
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    program.release(from + QPoint(40, -70));
+    QVERIFY(glbOf(scene).value() == before);
+    program.command("redo").trigger();
+    QVERIFY(glbOf(scene).value() == last);
+}
+
 } // namespace
 
 class TestBodyPanel : public QObject {
@@ -283,6 +301,7 @@ private slots:
         QCOMPARE(jointNow().path.points.size(), std::size_t(4));
         push(program, "path-fewer");
         QCOMPARE(jointNow().path.points.size(), std::size_t(3));
+        giveUpADrag(program, view.path().placeOf(1, view.camera()).value().toPoint());
         // All in one line: no smooth curve closes through them.
         auto* closed = program.window->findChild<QCheckBox*>(QStringLiteral("path-closed"));
         closed->click();
@@ -405,6 +424,7 @@ private slots:
         drag(JointHandle::Tip, QPoint(60, -60));
         QCOMPARE_LT(jointNow().axis.z(), 0.99);
         keep(program, "joint");
+        giveUpADrag(program, placeOf(JointHandle::Place));
         choose(program, QStringLiteral("base"));
         QVERIFY(!view.joint().mark());
     }
