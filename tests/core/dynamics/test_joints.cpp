@@ -68,6 +68,7 @@ private slots:
     void aRopeHolds();
     void aRopeNeitherStretchesNorTakesSpeed_data();
     void aRopeNeitherStretchesNorTakesSpeed();
+    void aRopeOnAWheelHolds();
     void aConeHoldsWhatRunsRound();
     void aSoftLimitGivesWay();
     void turnsGoOnBeyondHalfATurn();
@@ -312,6 +313,29 @@ void JointsTest::aRopeNeitherStretchesNorTakesSpeed() {
     COMPARE_NEAR(longest, 1, tolerance, "m");
     COMPARE_NEAR(shortest, 1, tolerance, "m"); // else it was no rope that it hung on
     COMPARE_NEAR(run.bodies()[0].velocity.norm(), 4, 1e-5, "m/s");
+}
+
+// From the rim of a wheel that turns with it: the point that it hangs on goes round, too.
+void JointsTest::aRopeOnAWheelHolds() {
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero(), 1, Vec3::Constant(0.05)),
+                                  bodyAt(2, Vec3(0.8, 0, 0), 0.2)};
+    bodies[0].angularVelocity = {0, 0, 4};
+    bodies[1].velocity = {0, 3.2, 0};
+    Joint rope;
+    rope.a = 1, rope.b = 2;
+    rope.frameA.translation = {0.3, 0, 0};
+    rope.limits.push_back({false, kAllAxes, 0, 0.5});
+    Running run(bodies, {hingeAt(bodies, kWorldBody, 1, Vec3::Zero()), rope});
+    const double before = run.energy(Vec3::Zero());
+    double longest = 0, least = before;
+    for (int i = 0; i < 2000; ++i) {
+        run.run(5e-4, 5e-4, Vec3::Zero());
+        const auto now = run.bodies(Vec3::Zero());
+        longest = std::max(longest, (now[1].pose.translation - now[0].pose.apply({0.3, 0, 0})).norm());
+        least = std::min(least, run.energy(Vec3::Zero()));
+    }
+    COMPARE_NEAR(longest, 0.5, 2e-6, "m");
+    COMPARE_NEAR(least / before, 1, 1e-4, "");
 }
 
 // A rod in a ball joint without gravity runs round along its cone.
