@@ -18,7 +18,8 @@ QString numberText(double value, int decimals) {
 
 int decimalsFor(double value, int decimals) {
     if (!(std::abs(value) > 0)) return std::min(decimals, 4);
-    return std::clamp(3 - int(std::floor(std::log10(std::abs(value)))), std::min(decimals, 4), decimals);
+    const int power = int(std::floor(std::log10(std::abs(value))));
+    return std::clamp(2 - power, std::min(decimals, std::clamp(7 - power, 0, 4)), decimals);
 }
 
 QString lengthText(double metres) {

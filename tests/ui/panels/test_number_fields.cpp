@@ -81,9 +81,11 @@ private slots:
         auto* box = field.findChild<NumberBox*>();
         QSignalSpy edited(&field, &ParameterField::edited);
         for (const auto& [mass, text] : {std::pair(0.1, "100.0000"),
-                                         {1.5e-7, "0.0001500"},
-                                         {2.5e-9, "0.000002500"},
-                                         {1e-12, "0.000000001000"}}) {
+                                         {1.5e-7, "0.000150"},
+                                         {2.5e-9, "0.00000250"},
+                                         {1e-12, "0.00000000100"},
+                                         {7864.4282, "7864428.2"},
+                                         {1e9, "1000000000000"}}) {
             field.setValue(mass);
             QCOMPARE(box->text(), QString(text));
         }
