@@ -105,6 +105,8 @@ public:
     const ArrangeGizmo& arranging() const;
     /// Ends the drag of any handle where it is.
     void dropHandles();
+    /// Where an object is shown, X_WB; nothing for one that is hidden or none.
+    std::optional<Pose> placeOf(ObjectId object) const;
     /// How a body of the shown World moves; nothing for what stands still.
     std::optional<BodyReading> readingOf(const ProxyTelemetry& proxy, BodyId body);
     /// Where the mass of a body is; nothing: none.

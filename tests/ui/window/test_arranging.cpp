@@ -182,6 +182,7 @@ private slots:
         desk.program.command("pivot-last").trigger();
         COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0, 0.075, 0), 1e-9, "m");
         desk.program.command("pivot-world").trigger();
+        desk.program.document.select(SurfaceRef{desk.object(1).id, 0}); // whose middle is elsewhere
         COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0, 0, 0), 1e-9, "m");
         desk.program.command("axes-own").trigger();
         COMPARE_NEAR(desk.view.arranging().shown()->rotate(Vec3::UnitX()), Vec3(0, 1, 0), 1e-9, "");
@@ -247,6 +248,13 @@ private slots:
         QVERIFY(glbOf(desk.scene()).value() == led);
         history.undo();
         QVERIFY(glbOf(desk.scene()).value() == moved);
+        // There and back again is no step.
+        const int all = history.count();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        desk.mouse(QEvent::MouseMove, desk.led - QPoint(40, -30));
+        desk.mouse(QEvent::MouseButtonRelease, desk.led - QPoint(40, -30));
+        QVERIFY(glbOf(desk.scene()).value() == moved);
+        QCOMPARE(history.count(), all);
     }
 
     // As in Blender: G X and the mouse, Enter; R and a click; S and Esc. Y is no command meanwhile.

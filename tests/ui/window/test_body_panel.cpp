@@ -252,6 +252,37 @@ private slots:
         QVERIFY(!angle->isVisibleTo(plot));
     }
 
+    // What fell, and falls no more, is where it was; nor is a thing of the next scene where one of its number
+    // fell.
+    void whatNoForceMovesAnyMoreIsWhereItWas() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        const SceneView& view = program.window->view();
+        choose(program, QStringLiteral("piston"));
+        const SceneObject piston =
+            *std::ranges::find(program.document.scene().objects, "piston", &SceneObject::name);
+        program.command("body-loose").trigger();
+        const auto away = [&] {
+            return (view.placeOf(piston.id)->translation - piston.pose.translation).norm();
+        };
+        QVERIFY(test::waitFor([&] { return program.frames(2), away() > 1e-3; }));
+        program.command("undo").trigger();
+        QVERIFY(test::waitFor([&] { return program.caughtUp(); }));
+        program.frames(5);
+        COMPARE_NEAR(away(), 0, 1e-12, "m");
+        const QString moving = QStringLiteral(TACTUM_RESOURCES "/scenes/moving/");
+        QVERIFY(program.open(moving + QStringLiteral("dominoes.glb")));
+        QVERIFY(program.open(moving + QStringLiteral("kettle.glb")));
+        int still = 0;
+        for (const SceneObject& object : program.document.scene().objects)
+            if (object.body == kWorldBody) {
+                COMPARE_NEAR(view.placeOf(object.id).value().translation, object.pose.translation, 1e-12,
+                             "m");
+                ++still;
+            }
+        QCOMPARE(still, 2); // table and kettle
+    }
+
     // What is of no single body is edited where nothing is selected.
     void theWorldIsScaled() {
         TouchedWindow program({1400, 1000});
