@@ -1,5 +1,6 @@
 // Objects moved, turned and scaled in the window: by handles, by keys, by numbers; and felt meanwhile.
 #include <algorithm>
+#include <cmath>
 
 #include <QAction>
 #include <QDockWidget>
@@ -315,6 +316,20 @@ private slots:
         QVERIFY(desk.tool.whyNot().contains(QStringLiteral("right")));
         desk.click({-0.05, 0, 0.02}, Qt::ShiftModifier); // with it one that is free: that one alone
         QCOMPARE(desk.tool.objects(), std::vector{desk.object(0).id});
+    }
+
+    // What no hand means is brought into bounds: ten metres of way, and of size.
+    void whatNoHandMeansIsBounded() {
+        Desk desk(folder_);
+        desk.click({0.05, 0, 0.02});
+        Arrangement by;
+        by.move = {100, 0, 0};
+        desk.tool.place(by, 0);
+        COMPARE_NEAR(desk.middle(1).x(), 10.05, 1e-9, "m");
+        by = {};
+        by.scale = 1e9;
+        desk.tool.place(by, 0);
+        COMPARE_NEAR(desk.side(1), 10 / std::sqrt(3.0), 1e-9, "m");
     }
 
     // In mm and degrees, to the digit.

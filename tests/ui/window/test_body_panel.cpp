@@ -375,8 +375,9 @@ private slots:
         QCOMPARE(form->currentText(), QStringLiteral("One hull"));
         const std::string before = glbOf(scene).value();
         form->setFocus();
-        while (form->currentText() != QStringLiteral("Cylinder"))
+        for (int i = 0; i < form->count() && form->currentText() != QStringLiteral("Cylinder"); ++i)
             QTest::keyClick(form, Qt::Key_Down);
+        QCOMPARE(form->currentText(), QStringLiteral("Cylinder"));
         const BodyId body = scene.mechanics.bodies[0].id;
         const auto shape = std::ranges::find(scene.mechanics.colliders, body, &Collider::body)->shape;
         QVERIFY(shape.kind == ShapeKind::Cylinder);
