@@ -25,7 +25,10 @@ ArrangeTool::ArrangeTool(Document& document, SceneView& view, QObject* parent)
     : QObject(parent), document_(document), view_(view) {
     connect(&view_, &SceneView::arrangeGrabbed, this, &ArrangeTool::begin);
     connect(&view_, &SceneView::arrangeDragged, this, &ArrangeTool::drag);
-    connect(&view_, &SceneView::arrangeEnded, this, &ArrangeTool::end);
+    connect(&view_, &SceneView::handlesLeft, this, [this](bool givenUp) {
+        givenUp ? document_.giveUpTrial(gesture_) : document_.keepTrial(gesture_);
+        end();
+    });
     connect(&view_, &SceneView::arrangeAsked, this, [this] { emit refused(whyNot()); });
     connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
         // Somebody else's edit in the middle of a drag: what it began from is there no more.
@@ -149,7 +152,7 @@ void ArrangeTool::begin() {
     before_ = document_.scene();
     held_ = groups();
     frame_ = view_.arranging().shown().value_or(Pose{});
-    gesture_ = newGesture();
+    gesture_ = document_.beginTrial();
     if (std::ranges::any_of(held_, [](const Group& group) { return !group.along.bodies.empty(); }))
         emit begun();
 }

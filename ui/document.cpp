@@ -47,10 +47,19 @@ public:
         : QUndoCommand(text), document_(document), places_(std::move(places)), values_(std::move(values)),
           change_(change), gesture_(gesture) {}
 
-    void redo() override { exchange(); }
-    void undo() override {
+    /// As redo() does, before the history has it.
+    void tryOut() {
         exchange();
-        if (document_.dropping_) setObsolete(true);
+        tried_ = true;
+    }
+    void redo() override {
+        if (std::exchange(tried_, false)) return;
+        giveUpTrial();
+        exchange();
+    }
+    void undo() override {
+        giveUpTrial();
+        exchange();
     }
 
     int id() const override { return gesture_ == 0 ? -1 : gesture_; }
@@ -71,6 +80,10 @@ public:
     }
 
 private:
+    /// The values are those of before the trial.
+    void giveUpTrial() {
+        if (document_.trial_.get() != this) document_.giveUpTrial(document_.trying_);
+    }
     void exchange() {
         for (std::size_t i = 0; i < places_.size(); ++i)
             if (T* now = places_[i](document_.scene_)) std::swap(*now, values_[i]);
@@ -82,6 +95,7 @@ private:
     std::vector<T> values_; ///< one for each place
     SceneChange change_;
     Gesture gesture_;
+    bool tried_ = false;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -100,7 +114,20 @@ template <class T>
 void Document::edit(const QString& text, std::vector<Place<T>> places, std::vector<T> values,
                     SceneChange change, Gesture gesture) {
     if (Exchange<T>::changesNothing(scene_, places, values)) return;
-    history_.push(new Exchange<T>(*this, text, std::move(places), std::move(values), change, gesture));
+    auto step =
+        std::make_unique<Exchange<T>>(*this, text, std::move(places), std::move(values), change, gesture);
+    if (trying_ == 0 || gesture != trying_) {
+        keepTrial(trying_);
+        history_.push(step.release());
+        return;
+    }
+    step->tryOut();
+    if (!trial_ || !trial_->mergeWith(step.get())) {
+        if (trial_) history_.push(trial_.release());
+        trial_ = std::move(step);
+    } else if (trial_->isObsolete()) {
+        trial_.reset();
+    }
 }
 
 template <class T>
@@ -182,10 +209,21 @@ void Document::setFeel(const SurfaceRefs& refs, const Feel& like, const QString&
     });
 }
 
-void Document::dropLastStep() {
-    dropping_ = true;
-    history_.undo();
-    dropping_ = false;
+Gesture Document::beginTrial() {
+    keepTrial(trying_);
+    return trying_ = newGesture();
+}
+
+void Document::keepTrial(Gesture gesture) {
+    if (gesture != trying_) return;
+    trying_ = 0;
+    if (trial_) history_.push(trial_.release());
+}
+
+void Document::giveUpTrial(Gesture gesture) {
+    if (gesture != trying_) return;
+    trying_ = 0;
+    if (const auto step = std::move(trial_)) step->undo();
 }
 
 void Document::setSurfacesVisible(const SurfaceRefs& refs, bool visible) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -87,8 +88,14 @@ public:
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
-    /// Takes the last step back for good: the history does not know of it any more.
-    void dropLastStep();
+
+    /// A drag that may be given up: the edits of the gesture that it gives back count at once, but are no
+    /// step of the history before keepTrial(). Any other edit keeps them, and undo gives them up.
+    Gesture beginTrial();
+    /// Of a gesture that is no trial any more they do nothing.
+    void keepTrial(Gesture gesture);
+    /// The scene, and what can be undone and redone, are as they were when it began.
+    void giveUpTrial(Gesture gesture);
 
     /// nullptr for a reference to nothing.
     const Surface* surface(SurfaceRef ref) const;
@@ -164,7 +171,7 @@ public:
     void exportBundle(const std::filesystem::path& file);
     void cancelSave() { saving_.cancel(); }
     /// Whether an edit is not in the file yet.
-    bool modified() const { return !history_.isClean(); }
+    bool modified() const { return trial_ || !history_.isClean(); }
     /// Whether the file is one that save() wrote, so that it can be written over.
     bool hasOwnFile() const;
     /// Whether another program has written the file since it was read or saved.
@@ -229,7 +236,8 @@ private:
     std::vector<std::string> lostNames_;
     FaceSelection faces_;
     QUndoStack history_;
-    bool dropping_ = false; ///< the step that is taken back goes for good
+    Gesture trying_ = 0;                  ///< the gesture of the trial; 0: there is none
+    std::unique_ptr<QUndoCommand> trial_; ///< its edits; null: they change nothing
     BackgroundJob job_, saving_, editing_;
     std::deque<std::function<void()>> nextSaves_; ///< asked for while another one was under way
 };

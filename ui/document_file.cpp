@@ -81,6 +81,8 @@ void Document::exportBundle(const std::filesystem::path& file) {
 
 void Document::adopt(LoadedScene loaded, const FileStamp& file) {
     ++scenes_;
+    trying_ = 0;
+    trial_.reset();
     history_.clear();
     selected_.clear();
     lost_.clear();

@@ -149,6 +149,8 @@ void MainWindow::follow(const SceneChange& change) {
     endTrial();
     if (change.what == What::Selection) return showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
+    // The World from before knows other objects by the same numbers.
+    if (change.what == What::Everything) view_->setWorld(nullptr);
     if (change.touchesShape()) {
         view_->setScene(document_.scene());
         view_->setProxyRadius(document_.scene().proxyRadius);

@@ -253,12 +253,16 @@ void MainWindow::connectMotion() {
         view_->setMass(docks_.body->mass());
     });
     const auto gesture = std::make_shared<Gesture>(0);
-    connect(view_, &SceneView::jointGrabbed, this, [gesture] { *gesture = newGesture(); });
+    const auto begin = [this, gesture] { *gesture = document_.beginTrial(); };
+    connect(view_, &SceneView::jointGrabbed, this, begin);
     connect(view_, &SceneView::jointDragged, this,
             [this, gesture](const JointMark& mark) { docks_.body->setMark(mark, *gesture); });
-    connect(view_, &SceneView::pathGrabbed, this, [gesture] { *gesture = newGesture(); });
+    connect(view_, &SceneView::pathGrabbed, this, begin);
     connect(view_, &SceneView::pathDragged, this,
             [this, gesture](const std::vector<Vec3>& points) { docks_.body->setPath(points, *gesture); });
+    connect(view_, &SceneView::handlesLeft, this, [this, gesture](bool givenUp) {
+        givenUp ? document_.giveUpTrial(*gesture) : document_.keepTrial(*gesture);
+    });
 }
 
 void MainWindow::showColliders() {

@@ -60,9 +60,12 @@ void MainWindow::connectMapping() {
         notice_->showNote(whyNot(QStringLiteral("mapping")));
     });
     const auto gesture = std::make_shared<Gesture>(0);
-    connect(view_, &SceneView::mappingGrabbed, this, [gesture] { *gesture = newGesture(); });
+    connect(view_, &SceneView::mappingGrabbed, this, [this, gesture] { *gesture = document_.beginTrial(); });
     connect(view_, &SceneView::mappingDragged, this,
             [this, gesture](const MappingFrame& frame) { docks_.layers->setMappingFrame(frame, *gesture); });
+    connect(view_, &SceneView::handlesLeft, this, [this, gesture](bool givenUp) {
+        givenUp ? document_.giveUpTrial(*gesture) : document_.keepTrial(*gesture);
+    });
 }
 
 void MainWindow::showLayerCommands() {

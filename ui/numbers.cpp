@@ -16,6 +16,12 @@ QString numberText(double value, int decimals) {
     return minusZero ? text.mid(1) : text;
 }
 
+int decimalsFor(double value, int decimals) {
+    if (!(std::abs(value) > 0)) return std::min(decimals, 4);
+    const int power = int(std::floor(std::log10(std::abs(value))));
+    return std::clamp(2 - power, std::min(decimals, std::clamp(7 - power, 0, 4)), decimals);
+}
+
 QString lengthText(double metres) {
     if (metres < 0.01) return numberText(1e3 * metres, 2) + QStringLiteral(" mm");
     if (metres < 1) return numberText(1e3 * metres, 0) + QStringLiteral(" mm");

@@ -117,7 +117,6 @@ void PaintTool::beginStroke(const PickHit& hit, Qt::KeyboardModifiers modifiers)
     std::erase_if(stroke.surfaces, [this](SurfaceRef ref) { return document_.surface(ref)->locked; });
     stroke.brush = brushFor(brush_, modifiers);
     stroke.goal = goal_;
-    stroke.gesture = newGesture();
     strokes_.push_back(std::move(stroke));
     shown_ = hit.surface.object;
     addStep(hit);
@@ -139,10 +138,8 @@ void PaintTool::giveUp() {
     Stroke& stroke = strokes_.back();
     stroke.steps.clear();
     stroke.ended = true;
-    const bool ours = stroke.written && document_.history().index() == stroke.before + 1;
-    stroke.written = false;
     stroke.seen.clear(); // whatever is still being worked out is not written
-    if (ours) document_.dropLastStep();
+    document_.giveUpTrial(stroke.gesture);
 }
 
 void PaintTool::goOn() {
@@ -150,6 +147,7 @@ void PaintTool::goOn() {
         Stroke& stroke = strokes_.front();
         if (stroke.steps.empty()) {
             if (!stroke.ended) return;
+            document_.keepTrial(stroke.gesture);
             const QString note = stroke.note;
             strokes_.pop_front();
             if (!note.isEmpty()) emit refused(note);
@@ -194,7 +192,7 @@ bool PaintTool::start(Stroke& stroke) {
         parts.push_back({ref.surface, now ? *now : emptyPattern(stroke.brush, place->mask, positions)});
     }
     stroke.work = std::make_shared<BrushStroke>(groundOf(id), stroke.brush, std::move(parts));
-    stroke.before = document_.history().index();
+    stroke.gesture = document_.beginTrial();
     return true;
 }
 
@@ -222,7 +220,6 @@ void PaintTool::write(Stroke& stroke, const std::vector<BrushStroke::Part>& part
             stroke.seen[i++] = each;
         },
         stroke.gesture);
-    stroke.written = document_.history().index() > stroke.before;
 }
 
 /// The paint of every surface of the object under the pointer, or that was there last.

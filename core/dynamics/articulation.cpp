@@ -280,6 +280,16 @@ double Articulation::accelerationAlong(const Place& a, const Place& b, const Wre
     return sum;
 }
 
+double Articulation::driftAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept {
+    const auto on = [&](int link) {
+        Vec6 drift = Vec6::Zero();
+        for (int i = link; i >= 0; i = mechanism_.links[std::size_t(i)].parent)
+            drift += now_[std::size_t(i)].drift;
+        return link < 0 ? 0 : atOrigin(link, wrench).dot(drift);
+    };
+    return on(b.link) - on(a.link);
+}
+
 void startVelocities(Mechanism& mechanism) {
     Coordinates& v = mechanism.v0;
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {

@@ -55,6 +55,8 @@ public:
     /// d/dt of powerOf() as the accelerations of the last accelerate() have it, the change of the wrench
     /// itself left out.
     double accelerationAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept;
+    /// The part of accelerationAlong() that is there without any acceleration of the coordinates.
+    double driftAlong(const Place& a, const Place& b, const Wrench& wrench) const noexcept;
     const LinkNow& link(int index) const noexcept { return now_[std::size_t(index)]; }
     const Vec3& originOf(int link) const noexcept {
         return origins_[std::size_t(mechanism_.links[std::size_t(link)].island)];

@@ -19,11 +19,12 @@ constexpr int kFinest = 8;
 /// Whether a part of a step is too long for what happens in it, as a whip's crack is. Both slopes in its
 /// middle are of one time, the second found with the help of the first: |k3 - k2| / |k2 - k1| grows with how
 /// fast slopes change there (E. Hairer, S. Norsett and G. Wanner, Solving Ordinary Differential Equations I,
-/// II.4).
-bool isRough(const std::array<Coordinates, 4>& slopes, const Coordinates& v, double dt) noexcept {
+/// II.4). `rough`: how much of it is.
+bool isRough(const std::array<Coordinates, 4>& slopes, const Coordinates& v, double dt,
+             double rough) noexcept {
     const double first = (slopes[1] - slopes[0]).squaredNorm();
     const double second = (slopes[2] - slopes[1]).squaredNorm();
-    return second > kRough * kRough * first && dt * dt * second > kSmooth * kSmooth * (1 + v.squaredNorm());
+    return second > rough * rough * first && dt * dt * second > kSmooth * kSmooth * (1 + v.squaredNorm());
 }
 
 /// Beyond what numbers hold: it stands still where it was, and goes on from there.
@@ -158,6 +159,9 @@ void Dynamics::normalise(Coordinates& q) const noexcept {
 // too much the way is gone in halves, quarters or eighths.
 void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept {
     double part = dt;
+    // What closes a loop damps its gap by 2 c: that alone makes c h of the ratio, and is as smooth as it
+    // seems.
+    const auto rough = [&] { return kRough + (loops_.empty() ? 0 : kClosing * part); };
     const auto slope = [&](std::size_t i, double h) {
         q_ = state.q + h * qRate_[i - 1];
         v_[i] = state.v + h * a_[i - 1];
@@ -171,7 +175,7 @@ void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
     for (int left = 1, all = 1; left > 0;) {
         v_[0] = state.v;
         ratesOf(state.q, state.v, qRate_[0]);
-        for (goHalfWay(); all < kFinest && isRough(a_, state.v, part); goHalfWay()) {
+        for (goHalfWay(); all < kFinest && isRough(a_, state.v, part, rough()); goHalfWay()) {
             part *= 0.5;
             left *= 2, all *= 2;
         }

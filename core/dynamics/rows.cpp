@@ -111,7 +111,7 @@ void Rows::relax(Coordinates& v, bool placesOnly) noexcept {
 /// One blow: the approach of a row is turned round, with as much friction as the blow bears.
 void Rows::bounceOne(std::size_t i, Coordinates& v) noexcept {
     Row& row = rows_[i];
-    const double before = velocityOf(row, v);
+    const double before = velocityOf(row, v) - row.turning;
     // What a resting body gains in a step is no bounce.
     const double blow = -(1 + (-before > row.falls ? row.bounce : 0)) * before * row.yield;
     push(row, blow, v);
@@ -129,7 +129,7 @@ bool Rows::stopApproaches(Coordinates& v) noexcept {
         double fastest = -1e-12;
         for (std::size_t i = 0; i < count_; ++i) {
             if (!rows_[i].isPlace()) continue;
-            double rate = velocityOf(rows_[i], v);
+            double rate = velocityOf(rows_[i], v) - rows_[i].turning;
             if (rows_[i].low < 0) rate = -std::abs(rate);
             if (rate < fastest) {
                 fastest = rate;

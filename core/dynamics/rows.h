@@ -63,6 +63,7 @@ private:
         Kind kind = Kind::Spring;
         std::array<Side, 2> sides;
         double target = 0, low = 0, high = 0, compliance = 0, yield = 0, impulse = 0;
+        double turning = 0;  ///< m/s or rad/s: the part of its rate that comes only of where it points
         double depth = 0;    ///< beyond a limit or inside of a body, m or rad
         int contact = -1;    ///< of contacts_, of a Contact; the two Rubs come after it
         double friction = 0; ///< of a Contact
@@ -91,7 +92,17 @@ private:
                    const Wrench& along, double sense) noexcept;
     void gatherContacts(Articulation& articulation, const Loops& loops, double dt, bool early) noexcept;
     void gatherContact(int index, Articulation& articulation, const Loops& loops, double dt) noexcept;
-    void gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q) noexcept;
+    /// Along what a limit holds in the middle of a step, and what that way is more than it is now.
+    struct Middle {
+        Wrench along;
+        /// m/s or rad/s: of its rate the part that comes only of where it points; and what frames that turn
+        /// add to it in the whole step.
+        double turning = 0, drift = 0;
+    };
+    Middle middleOf(const Articulation& articulation, const Coordinate& of, const Reading& now,
+                    double dt) const noexcept;
+    void gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q,
+                      double dt) noexcept;
     void gatherSprings(Articulation& articulation, const Loops& loops, const Coordinates& q,
                        double dt) noexcept;
     double velocityOf(const Row& row, const Coordinates& v) const noexcept;

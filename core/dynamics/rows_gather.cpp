@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace tactum {
 
@@ -13,6 +14,8 @@ namespace {
 constexpr double kReached = 1e-7;
 /// Bodies touch within this, m.
 constexpr double kTouching = 1e-5;
+/// The cosine of how far a limit may turn in half a step to be held where it points then.
+constexpr double kTurnsLittle = 0.97;
 /// What slides slower than this, m/s, sticks.
 constexpr double kStill = 1e-3;
 /// A spring whose k h^2 + d h exceeds this part of the inertia that it moves is not smooth in a step h. Runge
@@ -31,6 +34,14 @@ double combined(double a, double b, Combine modeA, Combine modeB) noexcept {
         return a * b;
     }
     return 0;
+}
+
+/// A frame goes on as it moves.
+Pose ahead(const Pose& frame, const FrameVelocity& moves, double dt) noexcept {
+    const double angle = moves.angular.norm() * dt;
+    const Quat turn =
+        angle > 0 ? Quat(Eigen::AngleAxisd(angle, moves.angular.normalized())) : Quat::Identity();
+    return {turn * frame.rotation, frame.translation + dt * moves.linear};
 }
 
 } // namespace
@@ -173,20 +184,46 @@ double Rows::firstTouch(double dt) const noexcept {
     return first / dt;
 }
 
-void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q) noexcept {
+// A rope turns as what hangs on it swings. Held along where it points in the middle of a step, and so that
+// the way of the whole step along that is none, it neither stretches nor takes or gives energy: what its end
+// has along it is turned round from the step's beginning to its end.
+Rows::Middle Rows::middleOf(const Articulation& articulation, const Coordinate& of, const Reading& now,
+                            double dt) const noexcept {
+    if (of.link >= 0) return {now.along};
+    const Measured then =
+        measure(of, ahead(articulation.poseOf(of.a), articulation.velocityOf(of.a), 0.5 * dt),
+                ahead(articulation.poseOf(of.b), articulation.velocityOf(of.b), 0.5 * dt));
+    const double turned = now.along.force.dot(then.along.force) + now.along.torque.dot(then.along.torque);
+    const double size = now.along.force.squaredNorm() + now.along.torque.squaredNorm();
+    if (turned < kTurnsLittle * size) return {now.along};
+    // Where it acts the point goes on as well, but is of the body as it is.
+    const Wrench along{then.along.force, now.along.point, then.along.torque};
+    const Wrench moved{Vec3::Zero(), now.along.point,
+                       (then.along.point - now.along.point).cross(along.force)};
+    return {along, articulation.powerOf(of.a, of.b, along) - now.rate,
+            2 * articulation.powerOf(of.a, of.b, moved) + dt * articulation.driftAlong(of.a, of.b, along)};
+}
+
+void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Coordinates& q,
+                        double dt) noexcept {
     for (std::size_t i = 0; i < mechanism_.limits.size(); ++i) {
         const Limit& limit = mechanism_.limits[i];
         const Reading now = read(articulation, limit.of, q);
         gaps_[2 * i] = {now.value - limit.min, now.rate, false};
         gaps_[2 * i + 1] = {limit.max - now.value, -now.rate, false};
         const bool both = limit.min == limit.max;
+        std::optional<Middle> middle;
         for (const std::size_t side : {2 * i, 2 * i + 1}) {
             Gap& gap = gaps_[side];
             if (!both && gap.gap > kReached) continue;
             gap.reached = true;
             if (both && side != 2 * i) continue;
-            Row* row = addRow(Kind::Limit, articulation, loops, limit.of, now.along, side == 2 * i ? 1 : -1);
+            if (!middle) middle = middleOf(articulation, limit.of, now, dt);
+            const double sense = side == 2 * i ? 1 : -1;
+            Row* row = addRow(Kind::Limit, articulation, loops, limit.of, middle->along, sense);
             if (!row) continue;
+            row->turning = sense * middle->turning;
+            row->target = -sense * (middle->turning + middle->drift);
             row->low = both ? -kUnbounded : 0;
             row->high = kUnbounded;
             row->depth = both ? -gap.gap : std::max(0.0, -gap.gap);
@@ -220,7 +257,7 @@ void Rows::gather(Articulation& articulation, const Loops& loops, const Coordina
                   bool early) noexcept {
     count_ = numbers_ = 0;
     gatherContacts(articulation, loops, dt, early);
-    gatherLimits(articulation, loops, q);
+    gatherLimits(articulation, loops, q, dt);
     gatherSprings(articulation, loops, q, dt);
     for (const DryFriction& friction : mechanism_.frictions) {
         const Reading now = read(articulation, friction.of, q);

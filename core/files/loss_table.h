@@ -88,23 +88,37 @@ inline const std::array kSceneRows{
              kNoFeel, kNoFeel}},
     LossRow{"bodies and joints",
             [](const LossSubject& s) { return !s.scene.mechanics.bodies.empty(); },
-            {kept(), kAtRest, kNoPhysics,
+            {kept(), degraded("as RigidBodyPhysics; the finger does not push them"), kNoPhysics,
              kept("its colliders touch each other; what the finger feels is left out"), kAtRest, kAtRest,
              kAtRest, kAtRest}},
-    LossRow{"paths, dry friction and detents of joints",
+    LossRow{"springs, motors and damping of joints",
             [](const LossSubject& s) {
-                return std::ranges::any_of(s.scene.mechanics.joints, [](const Joint& joint) {
-                    const auto isDetent = [](const JointDrive& drive) { return drive.spacing > 0; };
-                    return joint.path.isThere() || !joint.frictions.empty() ||
-                           std::ranges::any_of(joint.drives, isDetent);
-                });
+                return std::ranges::any_of(s.scene.mechanics.joints,
+                                           [](const Joint& joint) { return !joint.drives.empty(); });
             },
-            {kept(), kAtRest, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
+            {kept(), lost("X3D has none that is the same"), kNoPhysics, kept(), kAtRest, kAtRest, kAtRest,
+             kAtRest}},
+    LossRow{
+        "paths, dry friction and detents of joints",
+        [](const LossSubject& s) {
+            return std::ranges::any_of(s.scene.mechanics.joints, [](const Joint& joint) {
+                const auto isDetent = [](const JointDrive& drive) { return drive.spacing > 0; };
+                return joint.path.isThere() || !joint.frictions.empty() ||
+                       std::ranges::any_of(joint.drives, isDetent);
+            });
+        },
+        {kept(), lost("X3D's joints have none"), kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
     LossRow{"air that slows bodies",
             [](const LossSubject& s) {
                 return !s.scene.mechanics.bodies.empty() && s.scene.mechanics.airDensity > 0;
             },
-            {kept(), kAtRest, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
+            {kept(), lost("X3D has none"), kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
+    LossRow{"how the hand is scaled to the bodies",
+            [](const LossSubject& s) {
+                const Mechanics& of = s.scene.mechanics;
+                return !of.bodies.empty() && (of.forceScale != 1 || of.timeScale != 1);
+            },
+            {kept(), kNoPhysics, kNoPhysics, kNoPhysics, kAtRest, kAtRest, kAtRest, kAtRest}},
     LossRow{"proxy radius",
             always,
             {kept(), kept("in the file of the device"), kNoPhysics, kNoPhysics, kNoFeel, kNoFeel, kNoFeel,

@@ -13,8 +13,8 @@ namespace tactum {
 
 inline constexpr Parameter kBodyMass{
     "body-mass", "Mass", "kg",
-    1e-7,        1e9,    1e-3,
-    0.1,         7,      "How hard it is to move. At first that of its volume in water."};
+    1e-12,       1e9,    1e-3,
+    0.1,         15,     "How hard it is to move. At first that of its volume in water."};
 inline constexpr Parameter kGravityFactor{"body-gravity",
                                           "Gravity",
                                           "",

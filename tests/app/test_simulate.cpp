@@ -132,6 +132,22 @@ private slots:
         }
     }
 
+    // What its keys put elsewhere was not on the way there.
+    void aBodyThatJumpsPushesNobody() {
+        const Ended run = runTactum({"simulate", write("keys.gltf", keyedPusher("STEP")), "--seconds", "2.5",
+                                     "--gravity", "0,0,0", "--every", "0.1", "--out", "-"});
+        QCOMPARE(run.code, 0);
+        const QList<StateRow> rows = rowsOf(run.out);
+        QCOMPARE(rows.size(), 52);
+        for (const StateRow& row : rows) {
+            const bool jumped = row.t > 2.05; // at 2 s itself either place is right
+            if (row.body == "loose")
+                COMPARE_NEAR(row[X], 0, 1e-12, "m");
+            else if (jumped || row.t < 1.95)
+                COMPARE_NEAR(row[X], jumped ? 1 : -1, 1e-6, "m");
+        }
+    }
+
     void rowsEndWithTheTime() {
         const QString scene = write("fall.gltf", gltf(kBall));
         const Ended run = runTactum({"simulate", scene, "--seconds", "1", "--every", "0.6", "--out", "-"});

@@ -3,8 +3,8 @@
 // advise for real time: MuJoCo with its own solver and warm start, Bullet with multi-bodies where there are
 // joints.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <sstream>
@@ -115,7 +115,8 @@ Step chainInBullet(int links) {
     return [made] { made->step(); };
 }
 
-Step boxesInBullet(const std::vector<Vec3>& places) {
+/// The first of them are boxes, the rest balls.
+Step looseInBullet(const std::vector<Vec3>& places, std::size_t boxes) {
     auto made = std::make_shared<BulletWorld>();
     const auto add = [&](btCollisionShape* shape, double mass, const Vec3& at) {
         made->shapes.emplace_back(shape);
@@ -129,8 +130,10 @@ Step boxesInBullet(const std::vector<Vec3>& places) {
         made->world.addRigidBody(body);
     };
     add(new btStaticPlaneShape({0, 1, 0}, 0), 0, Vec3::Zero());
-    for (const Vec3& at : places)
-        add(new btBoxShape({btScalar(kSide / 2), btScalar(kSide / 2), btScalar(kSide / 2)}), 0.064, at);
+    const btScalar half = btScalar(kSide / 2);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        add(i < boxes ? (btCollisionShape*)new btBoxShape({half, half, half}) : new btSphereShape(half),
+            0.064, places[i]);
     for (int i = 0; i < 1000; ++i)
         made->step();
     return [made] { made->step(); };
@@ -185,16 +188,8 @@ Subject crank() {
     return subject;
 }
 
-Subject boxes(int stacks, int high) {
-    const std::string number = std::to_string(4 * stacks * high) + " contacts";
-    const std::string what = high > 1
-                                 ? std::to_string(stacks) + " stacks of " + std::to_string(high) + " boxes, "
-                                 : std::to_string(stacks) + " boxes on a plane, ";
-    Subject subject{what + number, {}, {}, {}, {}};
-    std::vector<Vec3> places;
-    for (int i = 0; i < stacks; ++i)
-        for (int k = 0; k < high; ++k)
-            places.push_back({0.1 * i, kSide * (k + 0.5), 0});
+Subject loose(const std::string& name, const std::vector<Vec3>& places, std::size_t boxes) {
+    Subject subject{name, {}, {}, {}, {}};
     Mechanics scene;
     std::string others = "<worldbody><geom type='plane' size='5 5 0.1' zaxis='0 1 0'/>";
     const double moment = 0.064 * kSide * kSide / 6;
@@ -202,10 +197,12 @@ Subject boxes(int stacks, int high) {
         scene.bodies.push_back(bodyAt(BodyId(scene.bodies.size() + 1), at, 0.064, Vec3::Constant(moment)));
         Collider box;
         box.body = scene.bodies.back().id;
-        box.shape.kind = ShapeKind::Box, box.shape.size = Vec3::Constant(kSide);
+        const bool isBox = scene.bodies.size() <= boxes;
+        box.shape.kind = isBox ? ShapeKind::Box : ShapeKind::Sphere, box.shape.size = Vec3::Constant(kSide);
+        box.shape.radius = kSide / 2;
         scene.colliders.push_back(box);
-        others += "<body pos='" + text(at) +
-                  "'><freejoint/><geom type='box' size='0.02 0.02 0.02' mass='0.064'/></body>";
+        others += "<body pos='" + text(at) + "'><freejoint/><geom type='" + (isBox ? "box" : "sphere") +
+                  "' size='0.02 0.02 0.02' mass='0.064'/></body>";
     }
     Collider floor;
     floor.shape.kind = ShapeKind::Box, floor.shape.size = {10, 1, 10};
@@ -216,18 +213,46 @@ Subject boxes(int stacks, int high) {
     subject.mujoco = ofMujoco(others + "</worldbody>", false);
     subject.mujocoFour = ofMujoco(others + "</worldbody>", true);
 #ifdef TACTUM_BULLET
-    subject.bullet = boxesInBullet(places);
+    subject.bullet = looseInBullet(places, boxes);
 #endif
     return subject;
 }
 
+Subject stacks(int count, int high) {
+    std::vector<Vec3> places;
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < high; ++k)
+            places.push_back({0.1 * i, kSide * (k + 0.5), 0});
+    const std::string contacts = std::to_string(4 * count * high) + " contacts";
+    const std::string what = high > 1
+                                 ? std::to_string(count) + " stacks of " + std::to_string(high) + " boxes, "
+                                 : std::to_string(count) + " boxes on a plane, ";
+    return loose(what + contacts, places, places.size());
+}
+
+/// Each box has four contacts, each ball one.
+Subject boxesAndBalls(std::size_t boxes, std::size_t balls) {
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < boxes + balls; ++i)
+        places.push_back({0.1 * double(i), kSide / 2, 0});
+    return loose(std::to_string(boxes) + " boxes and " + std::to_string(balls) + " balls on a plane, " +
+                     std::to_string(4 * boxes + balls) + " contacts",
+                 places, boxes);
+}
+
+/// Of this thread, s: what other programs take does not count.
+double processorTime() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
 /// us a step.
 double timeOf(const Step& step) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processorTime();
     for (int i = 0; i < kSteps; ++i)
         step();
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count() /
-           kSteps;
+    return 1e6 * (processorTime() - begin) / kSteps;
 }
 
 std::string cell(const std::vector<double>& times) {
@@ -277,10 +302,9 @@ void measureHaptics(int triangles, int links) {
     for (int i = 0; i < 20000; ++i) {
         const double a = i * kDt * 0.15 / radius;
         const Vec3 finger = (radius - 0.002) * Vec3(std::cos(a), std::sin(a), 0.1);
-        const auto begin = std::chrono::steady_clock::now();
+        const double begin = processorTime();
         hapticStep(*world, state, {.finger = finger}, kDt);
-        times.push_back(
-            std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+        times.push_back(1e6 * (processorTime() - begin));
     }
     std::ranges::sort(times);
     double sum = 0;
@@ -300,7 +324,8 @@ int main() {
     for (const int links : {10, 50})
         measure(chain(links));
     measure(crank());
-    measure(boxes(5, 3));
-    measure(boxes(15, 1));
+    measure(stacks(5, 3));
+    measure(stacks(15, 1));
+    measure(boxesAndBalls(8, 7));
     measureHaptics(200000, 50);
 }

@@ -101,6 +101,10 @@ QWidget* BodyPanel::makeHoldRow() {
                                   {tr("Hinge"), tr("It turns about one axis."), "hold-hinge"},
                                   {tr("Slider"), tr("It slides along one axis."), "hold-slider"},
                                   {tr("Path"), tr("It rides on a curve."), "hold-path"}});
+    for (QAbstractButton* each : hold_->buttons()) { // five of them in the narrowest dock
+        each->setProperty("tight", true);
+        each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
     connect(hold_, &QButtonGroup::idClicked, this, [this](int id) { hold(Hold(id)); });
     return holdRow_;
 }

@@ -50,7 +50,7 @@ void NumberBox::setMixed(bool mixed) {
 
 QString NumberBox::textFromValue(double value) const {
     if (mixed_) return tr("mixed");
-    return numberText(value, decimals());
+    return numberText(value, decimalsFor(value, decimals()));
 }
 
 double NumberBox::valueFromText(const QString& text) const {

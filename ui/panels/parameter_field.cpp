@@ -23,7 +23,7 @@ QString parameterText(std::string_view view) {
 
 /// "800 N/m", or "0.60" of what has no unit.
 QString shownValue(double shown, const DisplayUnit& unit) {
-    const QString number = numberText(shown, unit.decimals);
+    const QString number = numberText(shown, decimalsFor(shown, unit.decimals));
     return unit.name.isEmpty() ? number : number + u' ' + unit.name;
 }
 
@@ -92,10 +92,10 @@ void ParameterField::wire() {
 }
 
 void ParameterField::describe() {
-    const QString range =
-        tr("%1 to %2, default %3")
-            .arg(numberText(box_->minimum(), unit_.decimals), shownValue(box_->maximum(), unit_),
-                 numberText(unit_.factor * parameter_.initial, unit_.decimals));
+    const auto shown = [&](double value) { return numberText(value, decimalsFor(value, unit_.decimals)); };
+    const QString range = tr("%1 to %2, default %3")
+                              .arg(shown(box_->minimum()), shownValue(box_->maximum(), unit_),
+                                   shown(unit_.factor * parameter_.initial));
     // Rich parameterText, so that long sentences wrap.
     setToolTip(QStringLiteral("<p><b>%1</b><br>%2</p><p>%3%4</p>")
                    .arg(parameterText(parameter_.label).toHtmlEscaped(),

@@ -228,6 +228,14 @@ bool ModelLayer::put(std::span<const PlacedObject> places) {
     return any;
 }
 
+void ModelLayer::putNoOthers(std::span<const PlacedObject> places) {
+    for (auto& [id, model] : models_) {
+        if (!model->put || std::ranges::find(places, id, &PlacedObject::object) != places.end()) continue;
+        model->put.reset();
+        place(*model);
+    }
+}
+
 Bounds ModelLayer::movingBounds() const {
     Bounds box;
     for (const auto& [id, model] : models_) {

@@ -48,6 +48,8 @@ public:
     /// Puts objects to where forces have moved them; true if any that is visible was elsewhere. Others stay
     /// where they are.
     bool put(std::span<const PlacedObject> places);
+    /// All others are where the scene has them.
+    void putNoOthers(std::span<const PlacedObject> places);
     /// The box of all bodies that move, where they are. World frame.
     Bounds movingBounds() const;
     void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);

@@ -9,6 +9,8 @@ namespace tactum {
 namespace {
 
 constexpr double kPathStep = 5e-3; // m
+/// Pixels between two dots, and around the cursor where all are drawn.
+constexpr double kApart = 30, kAbout = 60;
 
 Vec3 pointOf(const PathMark& mark, int handle) {
     const int count = int(mark.points.size());
@@ -50,6 +52,22 @@ std::vector<Vec3> PathGizmo::dragged(QPointF cursor, const ViewCamera& camera, b
     return points;
 }
 
+std::vector<int> PathGizmo::drawn(const ViewCamera& camera, QPointF cursor) const {
+    std::vector<int> all;
+    std::vector<QPointF> apart;
+    if (!shown_) return all;
+    for (int i = 0; i < handles(*shown_); ++i) {
+        const auto dot = placeOf(i, camera);
+        if (!dot) continue;
+        const bool isApart =
+            std::ranges::none_of(apart, [&](QPointF other) { return lengthOf(*dot - other) < kApart; });
+        if (isApart) apart.push_back(*dot);
+        const bool isHeld = held_ && held_->handle == i;
+        if (isApart || isHeld || lengthOf(*dot - cursor) < kAbout) all.push_back(i);
+    }
+    return all;
+}
+
 void PathGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme& theme, QPointF cursor) const {
     if (!shown_) return;
     const auto under = lit(cursor, camera);
@@ -57,13 +75,13 @@ void PathGizmo::draw(QPainter& painter, const ViewCamera& camera, const Theme& t
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(theme.accent, 2));
     painter.drawPolyline(onScreen(shown_->curve, camera));
-    for (const auto& [handle, shape] : shapes(camera)) {
-        if (!shape.dot) continue;
+    for (const int handle : drawn(camera, cursor)) {
+        const QPointF dot = *placeOf(handle, camera);
         const bool there = handle < int(shown_->points.size());
         const QColor colour = under == handle ? theme.accent : theme.text;
         painter.setBrush(there ? QBrush(colour) : QBrush(Qt::NoBrush));
         painter.setPen(QPen(there ? theme.label : colour, there ? 1 : 1.4));
-        painter.drawEllipse(*shape.dot, there ? 5.0 : 3.5, there ? 5.0 : 3.5);
+        painter.drawEllipse(dot, there ? 5.0 : 3.5, there ? 5.0 : 3.5);
     }
     painter.restore();
 }

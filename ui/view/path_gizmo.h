@@ -18,9 +18,9 @@ struct PathMark {
     bool operator==(const PathMark&) const = default;
 };
 
-/// A dot at each point moves it as the view lies; a ring half way between two makes one more there. The
-/// number of a handle is that of the point, or of all points and that of the point before. Knows no widget.
-/// Thread: ui.
+/// A dot at each point moves it as the view lies; a ring half way between two makes one more there. Of many
+/// all are drawn about the cursor, elsewhere no more than lie apart; all can be grabbed. The number of a
+/// handle is that of the point, or of all points and that of the point before. Knows no widget. Thread: ui.
 class PathGizmo : public HandlesOf<int, PathMark> {
 public:
     const std::optional<PathMark>& mark() const { return shown(); }
@@ -29,6 +29,8 @@ public:
     std::optional<QPointF> placeOf(int handle, const ViewCamera& camera) const;
     /// The points where the cursor leads them; `snapped`: in steps of 5 mm from where the drag began.
     std::vector<Vec3> dragged(QPointF cursor, const ViewCamera& camera, bool snapped) const;
+    /// The handles that are drawn.
+    std::vector<int> drawn(const ViewCamera& camera, QPointF cursor) const;
     void draw(QPainter& painter, const ViewCamera& camera, const Theme& theme, QPointF cursor) const;
 
 private:

@@ -97,18 +97,27 @@ void ScenePicker::setScene(const Scene& scene) {
     targets_ = std::move(targets);
 }
 
+void ScenePicker::put(Target& target, const Pose& pose) {
+    if (target.pose == pose) return;
+    if (!target.own) {
+        target.own.emplace();
+        for (const Vec3& point : target.soup->positions)
+            target.own->add(point);
+    }
+    target.pose = pose;
+    target.box = boxAround(*target.own, pose);
+}
+
 void ScenePicker::put(std::span<const PlacedObject> places) {
     for (const PlacedObject& placed : places)
-        for (Target& target : targets_) {
-            if (target.object != placed.object || target.pose == placed.pose) continue;
-            if (!target.own) {
-                target.own.emplace();
-                for (const Vec3& point : target.soup->positions)
-                    target.own->add(point);
-            }
-            target.pose = placed.pose;
-            target.box = boxAround(*target.own, target.pose);
-        }
+        for (Target& target : targets_)
+            if (target.object == placed.object) put(target, placed.pose);
+}
+
+void ScenePicker::putNoOthers(std::span<const PlacedObject> places) {
+    for (Target& target : targets_)
+        if (std::ranges::find(places, target.object, &PlacedObject::object) == places.end())
+            put(target, target.rest);
 }
 
 /// What is known of the same geometry, as far as it still holds.
@@ -124,6 +133,7 @@ ScenePicker::Target ScenePicker::targetOf(const SceneObject& object, const Known
                   object.visible,
                   {},
                   same && same->pose == object.pose ? same->box : boundsOf(object)};
+    target.rest = object.pose;
     for (const Surface& surface : object.surfaces)
         target.sides.push_back(surface.visible ? Sides::Both : Sides::None);
     return target;

@@ -38,6 +38,8 @@ public:
     const Bounds& bounds() const { return bounds_; }
     /// Objects are elsewhere now, until the next scene; bounds() stays as it was.
     void put(std::span<const PlacedObject> places);
+    /// All others are where the scene has them.
+    void putNoOthers(std::span<const PlacedObject> places);
 
     /// The nearest visible surface along the ray.
     std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
@@ -57,8 +59,10 @@ private:
         std::vector<Sides> sides;       ///< None for surfaces that are not visible
         Bounds box;                     ///< world frame
         std::optional<Bounds> own = {}; ///< body frame; of one that was put elsewhere
+        Pose rest = {};                 ///< X_WB, where the scene has it
     };
 
+    static void put(Target& target, const Pose& pose);
     using Known = std::unordered_multimap<std::size_t, const Target*>;
     Target targetOf(const SceneObject& object, const Known& known) const;
     /// Trees for targets that have none, on another thread.

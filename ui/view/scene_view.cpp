@@ -254,6 +254,10 @@ void SceneView::dropHandles() {
     if (impl_->drag == ViewDrag::Handles) impl_->letGo();
 }
 
+std::optional<Pose> SceneView::placeOf(ObjectId object) const {
+    return impl_->model.placeOf(object);
+}
+
 void SceneView::setMass(const std::optional<MassMark>& mark) {
     if (impl_->mass == mark) return;
     impl_->mass = mark;

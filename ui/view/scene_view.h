@@ -105,6 +105,8 @@ public:
     const ArrangeGizmo& arranging() const;
     /// Ends the drag of any handle where it is.
     void dropHandles();
+    /// Where an object is shown, X_WB; nothing for one that is hidden or none.
+    std::optional<Pose> placeOf(ObjectId object) const;
     /// How a body of the shown World moves; nothing for what stands still.
     std::optional<BodyReading> readingOf(const ProxyTelemetry& proxy, BodyId body);
     /// Where the mass of a body is; nothing: none.
@@ -175,11 +177,11 @@ signals:
     /// Likewise of the points of a path.
     void pathGrabbed();
     void pathDragged(const std::vector<tactum::Vec3>& points);
-    /// Likewise of the handles that arrange; all of what the drag comes to, from where it began. Given up, it
-    /// comes to nothing.
+    /// Likewise of the handles that arrange; all of what the drag comes to, from where it began.
     void arrangeGrabbed();
     void arrangeDragged(const tactum::Arrangement& by);
-    void arrangeEnded();
+    /// The drag of any handle has ended. Given up, nothing of it is to be left.
+    void handlesLeft(bool givenUp);
     /// G, R or S without anything that could be arranged.
     void arrangeAsked();
     /// G with the select tool: the mapping is to be moved, or has been.

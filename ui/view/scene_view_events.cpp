@@ -74,13 +74,13 @@ void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
     emit view.handGrabbed(true);
 }
 
-void SceneView::Impl::letGo() {
+void SceneView::Impl::letGo(bool givenUp) {
     drag = ViewDrag::None;
-    const bool arranges = std::exchange(taken, nullptr) == &arranging;
+    const bool handled = std::exchange(taken, nullptr);
     for (ViewHandles* each : handles)
         each->letGo();
     arranged.reset();
-    if (arranges) emit view.arrangeEnded();
+    if (handled) emit view.handlesLeft(givenUp);
     if (hand.grip() == Grip::None) return;
     hand.end();
     emit view.handGrabbed(false);

@@ -22,7 +22,12 @@ const FeltOptions& SceneView::felt() const {
 
 void SceneView::setWorld(std::shared_ptr<const World> world) {
     if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
-    if (world != impl_->world) impl_->bodies = BodyPlaces(world.get());
+    if (world != impl_->world) {
+        impl_->bodies = BodyPlaces(world.get());
+        const std::span<const PlacedObject> moved = impl_->bodies.at({});
+        impl_->model.putNoOthers(moved);
+        impl_->picker.putNoOthers(moved);
+    }
     impl_->world = world;
     impl_->felt.setWorld(std::move(world));
     if (impl_->felt.pending()) impl_->meshTimer.start();

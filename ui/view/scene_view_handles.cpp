@@ -36,13 +36,8 @@ void SceneView::Impl::leadHandles(QPointF cursor, Qt::KeyboardModifiers modifier
     emit view.arrangeDragged(*arranged);
 }
 
-/// Everything is as it was when the handle was taken.
 void SceneView::Impl::giveUpHandles() {
-    if (taken == &mapping) emit view.mappingDragged(mapping.before());
-    if (taken == &joint) emit view.jointDragged(joint.before());
-    if (taken == &path) emit view.pathDragged(path.before().points);
-    if (taken == &arranging) emit view.arrangeDragged({});
-    letGo();
+    letGo(true);
     view.changed();
 }
 

@@ -51,7 +51,7 @@ struct SceneView::Impl {
     /// Everything on the way of the pointer from where it was.
     void strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void endStroke(StrokeStep how);
-    void letGo();
+    void letGo(bool givenUp = false);
     void setGrip(Grip grip, QPointF cursor);
     void startGlide();
     void hoverAt(QPointF cursor);

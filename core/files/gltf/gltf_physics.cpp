@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "core/base/text.h"
-#include "core/dynamics/path_curve.h"
 #include "core/dynamics/weigh.h"
 #include "core/files/gltf/gltf_nodes.h"
+#include "core/files/gltf/gltf_physics_values.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/geometry/soup_builder.h"
@@ -37,47 +37,6 @@ constexpr Range kFactorRange{0, 1e6, true, "a number up to 1e6"};
 bool isIn(const Range& range, double value) {
     if (value < 0 && !range.negative) return false;
     return value == 0 || (std::abs(value) >= range.least && std::abs(value) <= range.most);
-}
-
-std::optional<double> numberIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    if (!found || !found->is_number()) return std::nullopt;
-    const double value = found->get<double>();
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-bool flagIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    return found && found->is_boolean() && found->get<bool>();
-}
-
-template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorOf(const Json& list) {
-    if (!list.is_array() || list.size() != N) return std::nullopt;
-    Eigen::Matrix<double, N, 1> v;
-    for (int i = 0; i < N; ++i) {
-        const Json& entry = list[std::size_t(i)];
-        if (!entry.is_number() || !std::isfinite(entry.get<double>())) return std::nullopt;
-        v[i] = entry.get<double>();
-    }
-    return v;
-}
-
-template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    return found ? vectorOf<N>(*found) : std::nullopt;
-}
-
-std::string textIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    return found && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-Combine combineIn(const Json& holder, const char* key) {
-    const std::string mode = textIn(holder, key);
-    if (mode == "minimum") return Combine::Minimum;
-    if (mode == "maximum") return Combine::Maximum;
-    if (mode == "multiply") return Combine::Multiply;
-    return Combine::Average;
 }
 
 /// A place of the node tree: p_W = pose.apply(stretch * p).
@@ -149,17 +108,10 @@ private:
     void addBody(int node, const Json& motion);
     void addCollider(int node, const Json& collider, BodyId body);
     std::optional<ColliderShape> shapeOf(int node, const Json& geometry);
-    std::optional<ColliderShape> implicitShape(const Json& json, const Mat3& stretch) const;
     void addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to);
     void addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, int depth);
-    TouchMaterial materialOf(const Json& collider) const;
-    CollisionFilter filterOf(const Json& collider) const;
     void fillMasses();
     void addJoint(int node, const Json& json);
-    void addLimits(const Json& description, Joint& joint);
-    void addDrives(const Json& from, const char* array, Joint& joint);
-    void addFrictions(const Json& ours, Joint& joint);
-    bool addPath(const Json& path, Joint& joint);
     void readWorld(const Json& ours, const WorldField& field);
 
     const Source& source_;
@@ -252,47 +204,6 @@ void PhysicsReader::addBody(int node, const Json& motion) {
     made_.mechanics.bodies.push_back(body);
 }
 
-std::optional<ColliderShape> PhysicsReader::implicitShape(const Json& json, const Mat3& stretch) const {
-    const Vec3 scale = stretch.diagonal().cwiseAbs();
-    if (scale.isZero(0)) return std::nullopt; // disabled
-    const std::string type = textIn(json, "type");
-    static const Json kNothing = Json::object();
-    const Json* given = type.empty() ? nullptr : member(json, type.c_str());
-    const Json& of = given ? *given : kNothing;
-    const double across = 0.5 * (scale.x() + scale.z());
-    ColliderShape shape;
-    if (type == "box") {
-        shape.kind = ShapeKind::Box;
-        shape.size = vectorIn<3>(of, "size").value_or(Vec3::Ones()).cwiseProduct(scale);
-    } else if (type == "sphere") {
-        shape.kind = ShapeKind::Sphere;
-        shape.radius = shape.radiusBottom = numberIn(of, "radius").value_or(0.5) * scale.mean();
-    } else if (type == "capsule" || type == "cylinder") {
-        shape.kind = type == "capsule" ? ShapeKind::Capsule : ShapeKind::Cylinder;
-        const double radius = numberIn(of, "radius").value_or(0.25); // of an older draft
-        shape.radius = numberIn(of, "radiusTop").value_or(radius) * across;
-        shape.radiusBottom = numberIn(of, "radiusBottom").value_or(radius) * across;
-        shape.height = numberIn(of, "height").value_or(0.5) * scale.y();
-    } else if (type == "plane") {
-        shape.kind = ShapeKind::Plane;
-        const auto extent = [&](const char* key, double by) {
-            const auto size = numberIn(of, key);
-            return size ? *size * by : kUnbounded;
-        };
-        shape.size = {extent("sizeX", scale.x()), 0, extent("sizeZ", scale.z())};
-    } else {
-        return std::nullopt;
-    }
-    const bool round = shape.kind != ShapeKind::Box && shape.kind != ShapeKind::Plane;
-    const bool usable = round ? shape.radius >= 0 && shape.radiusBottom >= 0 &&
-                                    shape.radius + shape.radiusBottom > 0 && shape.height > 0
-                              : shape.kind == ShapeKind::Plane || shape.size.minCoeff() > 0;
-    const bool bounded = isCoordinate(shape.radius) && isCoordinate(shape.radiusBottom) &&
-                         isCoordinate(shape.height) &&
-                         (shape.kind == ShapeKind::Plane || isCoordinate(shape.size.maxCoeff()));
-    return usable && bounded ? std::optional(shape) : std::nullopt;
-}
-
 void PhysicsReader::addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to) {
     const ShapeMesh part = meshAt_(mesh);
     const std::uint32_t first = std::uint32_t(to.points.size());
@@ -320,7 +231,7 @@ void PhysicsReader::addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, i
 std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geometry) {
     const Mat3& stretch = spots_[node].stretch;
     if (const Json* shape = element(shapes_, "shapes", indexOf(geometry, "shape")))
-        return implicitShape(*shape, stretch);
+        return implicitShapeOf(*shape, stretch);
     auto mesh = std::make_shared<ShapeMesh>();
     const int named = indexOf(geometry, "mesh");
     if (named >= 0 && std::size_t(named) < model_.meshes.size())
@@ -332,38 +243,6 @@ std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geomet
     shape.kind = flagIn(geometry, "convexHull") ? ShapeKind::Hull : ShapeKind::Mesh;
     shape.mesh = std::move(mesh);
     return shape;
-}
-
-TouchMaterial PhysicsReader::materialOf(const Json& collider) const {
-    TouchMaterial material;
-    const Json* given = element(physics_, "physicsMaterials", indexOf(collider, "physicsMaterial"));
-    if (!given) return material;
-    const auto positive = [&](const char* key, double otherwise) {
-        return std::max(0.0, numberIn(*given, key).value_or(otherwise));
-    };
-    material.staticFriction = positive("staticFriction", material.staticFriction);
-    material.dynamicFriction = positive("dynamicFriction", material.dynamicFriction);
-    material.restitution = std::min(1.0, positive("restitution", 0));
-    material.frictionCombine = combineIn(*given, "frictionCombine");
-    material.restitutionCombine = combineIn(*given, "restitutionCombine");
-    return material;
-}
-
-CollisionFilter PhysicsReader::filterOf(const Json& collider) const {
-    CollisionFilter filter;
-    const Json* given = element(physics_, "collisionFilters", indexOf(collider, "collisionFilter"));
-    if (!given) return filter;
-    const auto names = [&](const char* key) {
-        std::vector<std::string> all;
-        if (const Json* list = member(*given, key); list && list->is_array())
-            for (const Json& name : *list)
-                if (name.is_string()) all.push_back(name.get<std::string>());
-        return all;
-    };
-    filter.systems = names("collisionSystems");
-    filter.notWith = names("notCollideWithSystems");
-    filter.with = names("collideWithSystems");
-    return filter;
 }
 
 /// In the frame of its body; exact in ours below another node, where the product of two loses the last bits.
@@ -383,8 +262,10 @@ void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
     collider.body = body;
     collider.pose = placeOf(node);
     collider.shape = *shape;
-    collider.material = materialOf(json);
-    collider.filter = filterOf(json);
+    if (const Json* of = element(physics_, "physicsMaterials", indexOf(json, "physicsMaterial")))
+        collider.material = touchMaterialOf(*of);
+    if (const Json* of = element(physics_, "collisionFilters", indexOf(json, "collisionFilter")))
+        collider.filter = collisionFilterOf(*of);
     if (body == kWorldBody) collider.part = parts_[node];
     made_.mechanics.colliders.push_back(std::move(collider));
 }
@@ -407,91 +288,6 @@ void PhysicsReader::fillMasses() {
         const auto turn = vectorIn<4>(motion, "inertiaOrientation");
         body.inertiaFrame = turn && isUsable(*turn) ? unitLength(Quat(*turn)) : Quat::Identity();
     }
-}
-
-AxisSet axesIn(const Json& limit, const char* key) {
-    AxisSet axes = 0;
-    const Json* list = member(limit, key);
-    if (!list || !list->is_array()) return 0;
-    for (const Json& axis : *list)
-        if (axis.is_number_integer() && axis.get<int>() >= 0 && axis.get<int>() < 3)
-            axes = AxisSet(axes | 1 << axis.get<int>());
-    return axes;
-}
-
-void PhysicsReader::addLimits(const Json& description, Joint& joint) {
-    const Json* all = member(description, "limits");
-    if (!all || !all->is_array()) return;
-    for (const Json& json : *all) {
-        JointLimit limit;
-        limit.axes = axesIn(json, "linearAxes");
-        limit.angular = limit.axes == 0;
-        if (limit.angular) limit.axes = axesIn(json, "angularAxes");
-        limit.min = numberIn(json, "min").value_or(-kUnbounded);
-        limit.max = numberIn(json, "max").value_or(kUnbounded);
-        limit.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(kUnbounded));
-        limit.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
-        const bool isDistance = (limit.axes & (limit.axes - 1)) != 0; // or an angle from none to pi
-        if (limit.axes == 0 || limit.min > limit.max || (isDistance && limit.max < 0))
-            warn(joint.name,
-                 "has a limit without axes, or whose minimum is above its maximum, or its distance below 0",
-                 "left out; correct it");
-        else
-            joint.limits.push_back(limit);
-    }
-}
-
-/// `from`: an array of drives, of the standard or of our detents, which have a spacing.
-void PhysicsReader::addDrives(const Json& from, const char* array, Joint& joint) {
-    const Json* all = member(from, array);
-    if (!all || !all->is_array()) return;
-    for (const Json& json : *all) {
-        JointDrive drive;
-        drive.angular = textIn(json, "type") == "angular";
-        drive.axis = indexIn(json, "axis", 3);
-        drive.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(0));
-        drive.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
-        drive.position = numberIn(json, "positionTarget").value_or(0);
-        drive.velocity = numberIn(json, "velocityTarget").value_or(0);
-        drive.maxForce = std::max(0.0, numberIn(json, "maxForce").value_or(kUnbounded));
-        drive.acceleration = textIn(json, "mode") == "acceleration";
-        drive.spacing = std::max(0.0, numberIn(json, "spacing").value_or(0));
-        if (drive.axis < 0)
-            warn(joint.name, "has a drive without an axis from 0 to 2", "left out; correct it");
-        else
-            joint.drives.push_back(drive);
-    }
-}
-
-/// Of our own extension: the standard has none.
-void PhysicsReader::addFrictions(const Json& ours, Joint& joint) {
-    const Json* all = member(ours, "frictions");
-    if (!all || !all->is_array()) return;
-    for (const Json& json : *all) {
-        const JointFriction friction{textIn(json, "type") == "angular", indexIn(json, "axis", 3),
-                                     numberIn(json, "force").value_or(-1)};
-        if (friction.axis < 0 || friction.force < 0)
-            warn(joint.name, "has a friction without an axis from 0 to 2 or a force", "left out; correct it");
-        else
-            joint.frictions.push_back(friction);
-    }
-}
-
-/// Of our own extension as well. Whether it is a curve.
-bool PhysicsReader::addPath(const Json& path, Joint& joint) {
-    const auto vectors = [](const Json* list) {
-        std::vector<Vec3> all;
-        if (list && list->is_array())
-            for (std::size_t i = 0; i < std::min(list->size(), kMostPathPoints + 1); ++i)
-                all.push_back(vectorOf<3>((*list)[i]).value_or(Vec3::Constant(kUnbounded)));
-        return all;
-    };
-    joint.path.points = vectors(member(path, "points"));
-    joint.path.ups = vectors(member(path, "ups"));
-    joint.path.closed = path.is_object() && flagIn(path, "closed");
-    const auto curve = PathCurve::through(joint.path);
-    if (!curve) warn(joint.name, "has a path that is none: " + curve.error().text, "the joint is left out");
-    return curve.has_value();
 }
 
 void PhysicsReader::readWorld(const Json& ours, const WorldField& field) {
@@ -522,13 +318,13 @@ void PhysicsReader::addJoint(int node, const Json& json) {
     if (joint.b == kWorldBody) joint.part = parts_[other];
     const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
     const Json* path = ours ? member(*ours, "path") : nullptr;
-    if (path && !addPath(*path, joint)) return;
+    if (path && !addPath(*path, joint, made_.findings)) return;
     const Json& acts = path ? *path : *description; // what the standard says of such a joint is for others
-    addLimits(acts, joint);
-    addDrives(acts, "drives", joint);
+    addLimits(acts, joint, made_.findings);
+    addDrives(acts, "drives", joint, made_.findings);
     if (ours) {
-        addDrives(*ours, "detents", joint);
-        addFrictions(*ours, joint);
+        addDrives(*ours, "detents", joint, made_.findings);
+        addFrictions(*ours, joint, made_.findings);
     }
     if (joint.a == joint.b)
         return warn(joint.name, "joins two nodes that move as one",

@@ -81,6 +81,7 @@ private:
         if (kind == "Shape") return addShape(node, here);
         if (kind == "Inline") ++inlines_;
         if (kind == "Inline" || kind == "ProtoDeclare" || kind == "Appearance") return;
+        if (kind == "RigidBodyCollection") return; // shapes for bodies to meet, which nobody sees
         here.toWorld = here.toWorld * transformOf(node);
         int number = 0;
         for (const X3dNode child : node.children()) {
@@ -162,6 +163,8 @@ private:
         say(inlines_, "Inline", "open that file itself, or join the two");
         const auto movers = document_.all({"PositionInterpolator", "OrientationInterpolator", "Script"});
         say(movers.size(), "animation or script", "everything stands where the file puts it");
+        say(document_.all({"RigidBodyCollection"}).size(), "collection of rigid bodies",
+            "everything stands where the file puts it");
         say(document_.all({"DirectionalLight", "PointLight", "SpotLight"}).size(), "light", "not felt",
             Severity::Note);
         say(document_.all({"Viewpoint", "OrthoViewpoint"}).size(), "viewpoint", "the view shows everything",

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/numbers.h"
 #include "core/base/realtime.h"
 #include "core/files/unique_names.h"
+#include "core/files/x3d/write_x3d_bodies.h"
 #include "core/files/x3d/write_x3d_geometry.h"
+#include "core/files/x3d/write_x3d_parts.h"
 #include "core/files/x3d/write_x3d_surface.h"
 #include "core/files/x3d/x3d_metadata.h"
 
@@ -18,18 +19,6 @@ constexpr double kLookAround = 0.02;
 /// A cubic becomes straight pieces of this length. s
 constexpr double kCubicStep = 1e-3;
 constexpr std::size_t kMaxCubicKeys = 1 << 16;
-
-/// Axis and angle as one attribute. The identity has an axis too.
-std::string axisAngle(const Quat& rotation) {
-    const Eigen::AngleAxisd turn(rotation.normalized());
-    std::string text;
-    for (const double x : turn.axis()) {
-        appendNumber(text, x);
-        text += ' ';
-    }
-    appendNumber(text, turn.angle());
-    return text;
-}
 
 /// The keys of an interpolator: parts of the loop, and a value for each.
 struct Keys {
@@ -81,7 +70,8 @@ public:
         : scene_(scene), files_(files), progress_(progress) {
         for (const SceneObject& object : scene.objects)
             surfaces_ += object.surfaces.size();
-        result_.losses = lossesOf(scene, ExportTarget::X3d);
+        const std::vector<Loss> known = lossesOf(scene, ExportTarget::X3d);
+        result_.losses.insert(result_.losses.begin(), known.begin(), known.end());
     }
 
     X3dExport write() {
@@ -93,6 +83,7 @@ public:
             writeSettings(scene);
             for (const SceneObject& object : scene_.objects)
                 writeObject(scene, object);
+            bodies_.write(scene);
         }
         writeDevice();
         return std::move(result_);
@@ -119,8 +110,21 @@ private:
 
     void writeObject(XmlElement& scene, const SceneObject& object) {
         const std::string name = names_.take(plainName(object.name));
-        writeSwitched(scene, object.visible, [&](XmlElement& place) { writePlaced(place, object, name); });
+        writeSwitched(scene, object.visible, [&](XmlElement& place) { writeCarried(place, object, name); });
         if (object.motion) writeMotion(scene, object, name);
+    }
+
+    /// A body that moves leads it from the body's origin, where it is put back from.
+    void writeCarried(XmlElement& parent, const SceneObject& object, const std::string& name) {
+        const std::optional<Vec3> origin = bodies_.originOf(object.body);
+        if (!origin) return writePlaced(parent, object, name);
+        const std::string carrier = names_.take(name + "-carried");
+        bodies_.lead(object.body, carrier);
+        XmlElement carried(parent, "Transform");
+        carried.set("DEF", carrier).set("translation", *origin);
+        XmlElement back(carried, "Transform");
+        back.set("translation", Vec3(-*origin));
+        writePlaced(back, object, name);
     }
 
     void writePlaced(XmlElement& parent, const SceneObject& object, const std::string& name) {
@@ -239,17 +243,8 @@ private:
             .set("DEF", def)
             .setPlain("key", keys.times)
             .setPlain("keyValue", keys.values);
-        writeRoute(parent, clock, "fraction_changed", def, "set_fraction");
-        writeRoute(parent, def, "value_changed", moverOf(name), track.field);
-    }
-
-    static void writeRoute(XmlElement& parent, const std::string& from, std::string_view output,
-                           const std::string& to, std::string_view input) {
-        XmlElement(parent, "ROUTE")
-            .set("fromNode", from)
-            .set("fromField", output)
-            .set("toNode", to)
-            .set("toField", input);
+        writeRoute(parent, {clock, "fraction_changed"}, {def, "set_fraction"});
+        writeRoute(parent, {def, "value_changed"}, {moverOf(name), track.field});
     }
 
     /// Unique as `name` is: no other name ends so.
@@ -283,6 +278,7 @@ private:
     const double proxyRadius_ = kProxyRadius.clamped(scene_.proxyRadius);
     UniqueNames names_;
     X3dExport result_;
+    X3dBodies bodies_{scene_, names_, result_.losses};
 };
 
 } // namespace

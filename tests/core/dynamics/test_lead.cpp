@@ -33,7 +33,8 @@ template <class Course> void runLed(Running& run, double seconds, double dt, con
     Leader leader(run.mechanism());
     const int steps = int(std::lround(seconds / dt));
     for (int i = 1; i <= steps; ++i) {
-        const Leader::Led led{0, course(i * dt)};
+        Leader::Led led{0, course(i * dt)};
+        if (i % 2) led.to.rotation.coeffs() *= -1; // the same turn
         leader.lead({&led, 1}, dt, run.state());
         run.run(dt, dt);
     }
@@ -79,6 +80,7 @@ private slots:
     void whatIsPutThereStands() {
         Running run({ledBody({})}, {});
         const Pose there{Quat(Eigen::AngleAxisd(2, Vec3::UnitX())), Vec3(5, 0, 0)};
+        run.state().v.setConstant(3); // however it moved before
         Leader(run.mechanism()).put({0, there}, run.state());
         run.run(0.1, 1e-3);
         COMPARE_NEAR(run.bodies()[0].pose.translation, there.translation, 1e-12, "m");
@@ -94,6 +96,9 @@ private slots:
         QCOMPARE(leader.canLead(0), true);
         QCOMPARE(leader.canLead(1), false); // forces move it
         QCOMPARE(leader.canLead(2), false); // its hinge holds it
+        bodies[1].inertia.setZero();
+        const Mechanism pushed = compileMechanism(std::vector{bodies[1]}, {}).value();
+        QCOMPARE(Leader(pushed).canLead(0), false); // forces move it, though they do not turn it
     }
 };
 

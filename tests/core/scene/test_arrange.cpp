@@ -5,8 +5,10 @@
 #include <QTest>
 
 #include "core/dynamics/mechanism_build.h"
+#include "core/motion/motion_build.h"
 #include "core/scene/arrange.h"
 #include "core/scene/bodies.h"
+#include "core/scene/colliders.h"
 #include "tests/core/scene/things.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -117,6 +119,11 @@ private slots:
         sphere.kind = ShapeKind::Sphere, sphere.radius = 0.07;
         scene.mechanics.colliders[of[0]].shape = sphere;
         QCOMPARE(collidersOf(scene, *scene.find(shelf)), of);
+        // And so is what is much smaller, inside of it.
+        ColliderShape small;
+        small.kind = ShapeKind::Box, small.size = {0.02, 0.005, 0.02};
+        scene.mechanics.colliders[of[0]].shape = small;
+        QCOMPARE(collidersOf(scene, *scene.find(shelf)), of);
     }
 
     void aDoorTakesItsHingeAndAPostItsDoor() {
@@ -181,6 +188,33 @@ private slots:
         for (const ObjectId id : {crank.wheel, crank.rod, crank.piston})
             COMPARE_NEAR(cornerOf(crank.scene, id, 3), by.apply(cornerOf(before, id, 3)), 1e-12, "m");
         QVERIFY(*crank.scene.find(crank.base) == *before.find(crank.base));
+    }
+
+    // As what others meet it away from its frame, in motion, and on keys.
+    void whatIsBesideTheFrameGoesAlong() {
+        Scene scene;
+        const ObjectId id = add(scene, "stone", box({0.02, 0.02, 0.02}, {0.05, 0, 0}));
+        const BodyId body = makeBody(scene, id);
+        setColliderForm(scene, id, ColliderForm::Box);
+        findBody(scene, body)->velocity = {1, 0, 0};
+        findBody(scene, body)->angularVelocity = {0, 2, 0};
+        const ObjectId led = add(scene, "led", box({0.02, 0.02, 0.02}, {0, 0.2, 0}));
+        Track<Vec3> way;
+        way.times = {0, 1}, way.values = {Vec3::Zero(), {0.1, 0, 0}};
+        scene.find(led)->motion = std::make_shared<const Motion>(makeMotion(way, {}, 1));
+        Arrangement by = someTurn();
+        by.scale = 3;
+        const Collider before = scene.mechanics.colliders[0];
+        const Pose started = scene.find(led)->pose;
+        arrangeAll(scene, {id, led}, by);
+        const RigidBody& now = *findBody(scene, body);
+        COMPARE_NEAR(now.velocity, by.turn * Vec3(3, 0, 0), 1e-12, "m/s");
+        COMPARE_NEAR(now.angularVelocity, by.turn * Vec3(0, 2, 0), 1e-12, "rad/s");
+        COMPARE_NEAR((now.pose * scene.mechanics.colliders[0].pose).translation,
+                     by.apply(before.pose.translation), 1e-12, "m");
+        QCOMPARE_GT(before.pose.translation.norm(), 0.04); // else it is not beside
+        COMPARE_NEAR((scene.find(led)->pose * scene.find(led)->motion->at(1)).translation,
+                     by.apply((started * Pose{Quat::Identity(), {0.1, 0, 0}}).translation), 1e-12, "m");
     }
 
     // There and back again.

@@ -76,6 +76,18 @@ private slots:
         }
     }
 
+    // What tapers is met by round ends: around an octahedron of 20 mm they leave nothing between them.
+    void capsAreTakenOffTheLength() {
+        std::vector<Vec3> points;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {-0.01, 0.01})
+                points.push_back(side * Vec3::Unit(axis));
+        Pose pose;
+        const ColliderShape capsule = shapeAround(points, ColliderForm::Capsule, pose);
+        COMPARE_NEAR(capsule.radius, 0.01, 1e-12, "m");
+        COMPARE_NEAR(capsule.height, 0, 1e-12, "m");
+    }
+
     // What a body is met as is read back, and its mass stays; the still world's can be changed, too.
     void aFormIsReadAsItWasSet() {
         Doorway doorway;

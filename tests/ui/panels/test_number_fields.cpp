@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include "core/scene/bodies.h"
 #include "core/scene/scene.h"
 #include "core/surface/material.h"
 #include "core/surface/texture_parameters.h"
@@ -73,6 +74,26 @@ public:
 
 private slots:
     void initTestCase() { applyTheme(ThemeChoice::Dark); }
+
+    // A microgram is typed and read again, and what is not small keeps its form.
+    void smallMassesAreShown() {
+        ParameterField field(kBodyMass);
+        auto* box = field.findChild<NumberBox*>();
+        QSignalSpy edited(&field, &ParameterField::edited);
+        for (const auto& [mass, text] : {std::pair(0.1, "100.0000"),
+                                         {1.5e-7, "0.000150"},
+                                         {2.5e-9, "0.00000250"},
+                                         {1e-12, "0.00000000100"},
+                                         {7864.4282, "7864428.2"},
+                                         {1e9, "1000000000000"}}) {
+            field.setValue(mass);
+            QCOMPARE(box->text(), QString(text));
+        }
+        type(*box, "3 ug");
+        QCOMPARE(edited.size(), 1);
+        COMPARE_NEAR(edited[0][0].toDouble(), 3e-9, 1e-20, "kg");
+        QCOMPARE(numberText(0.6, decimalsFor(0.6, 2)), "0.60");
+    }
 
     void numbersAsText() {
         QCOMPARE(numberText(0.6, 2), "0.60");

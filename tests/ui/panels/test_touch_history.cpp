@@ -48,6 +48,27 @@ private slots:
         QCOMPARE(history.at(9), &history.samples().back());
     }
 
+    // What turns has an angle and a torque, what slides a way and a force: none is drawn as the other.
+    void jointsAreHeldByTheirKind() {
+        for (const bool turns : {true, false}) {
+            TouchHistory history;
+            TouchFrame frame;
+            frame.body.turns = turns, frame.body.slides = !turns;
+            frame.body.value = 0.3, frame.body.rate = -2, frame.body.force = 0.7;
+            frame.body.kinetic = 5, frame.body.potential = -4;
+            history.add(pulled(0, 0.1), frame);
+            const TouchSample& s = *history.at(0.05);
+            QCOMPARE_EQ(turns ? s.jointAngle : s.jointWay, 0.3);
+            QCOMPARE_EQ(turns ? s.jointTurning : s.jointSpeed, -2);
+            QCOMPARE_EQ(turns ? s.jointTorque : s.jointForce, 0.7);
+            QCOMPARE_EQ(turns ? s.jointWay : s.jointAngle, 0);
+            QCOMPARE_EQ(turns ? s.jointSpeed : s.jointTurning, 0);
+            QCOMPARE_EQ(turns ? s.jointForce : s.jointTorque, 0);
+            QCOMPARE_EQ(s.kinetic, 5);
+            QCOMPARE_EQ(s.potential, -4);
+        }
+    }
+
     void aProxyThatMovesSlips() {
         std::vector<TracePoint> points = pulled(0, 0.2);
         for (std::size_t i = 100; i < points.size(); ++i)

@@ -312,9 +312,37 @@ void takeBodies(const QDir& folder, const QString& scenes, QSize size) {
     program.release(at);
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|device|devices]]]: with the last word only the
-// pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a device;
-// `devices`: every page of its dock in both themes.
+/// Every scene in which bodies move, after a second and a half, and then with its first joint and as what its
+/// bodies meet each other: to look at.
+void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
+    TouchedWindow program(size);
+    const QDir moving(scenes + QStringLiteral("moving"));
+    for (const QString& name : moving.entryList({QStringLiteral("*.glb")})) {
+        if (!program.open(moving.filePath(name))) qFatal("no %s", qPrintable(name));
+        QTest::qWait(1500);
+        const QString stem = QFileInfo(name).completeBaseName();
+        save(program, folder, stem + QStringLiteral("-runs.png"));
+        const Scene& scene = program.document.scene();
+        const auto isHeld = [&](const SceneObject& object) {
+            return std::ranges::find(scene.mechanics.joints, object.body, &Joint::b) !=
+                   scene.mechanics.joints.end();
+        };
+        auto chosen = std::ranges::find_if(scene.objects, isHeld);
+        if (chosen == scene.objects.end()) chosen = scene.objects.begin();
+        program.command("motion-run").setChecked(false);
+        program.command("motion-reset").trigger();
+        program.command("colliders").setChecked(true);
+        program.document.select(SurfaceRef{chosen->id, 0});
+        program.window->findChild<QDockWidget*>(QStringLiteral("dock-body"))->raise();
+        program.frames(10);
+        save(program, folder, stem + QStringLiteral("-joint.png"));
+        program.command("colliders").setChecked(false);
+    }
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|device|devices]]]: with the last word
+// only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a
+// device; `devices`: every page of its dock in both themes; `moving`: every scene in which bodies move.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -337,7 +365,8 @@ int main(int argc, char** argv) {
     if (wanted("paint")) takePainting(folder, sample, size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
     if (wanted("bodies")) takeBodies(folder, scenes, size);
-    if (only == "bodies") return 0;
+    if (only == "moving") takeMoving(folder, scenes, size);
+    if (only == "bodies" || only == "moving") return 0;
     TouchedWindow program(size);
     if (wanted("felt")) takeFeltPictures(program, folder, scenes);
     if (wanted("layers")) takeLayerPictures(program, folder, scenes);

@@ -1,5 +1,6 @@
 // Objects moved, turned and scaled in the window: by handles, by keys, by numbers; and felt meanwhile.
 #include <algorithm>
+#include <cmath>
 
 #include <QAction>
 #include <QDockWidget>
@@ -182,6 +183,7 @@ private slots:
         desk.program.command("pivot-last").trigger();
         COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0, 0.075, 0), 1e-9, "m");
         desk.program.command("pivot-world").trigger();
+        desk.program.document.select(SurfaceRef{desk.object(1).id, 0}); // whose middle is elsewhere
         COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0, 0, 0), 1e-9, "m");
         desk.program.command("axes-own").trigger();
         COMPARE_NEAR(desk.view.arranging().shown()->rotate(Vec3::UnitX()), Vec3(0, 1, 0), 1e-9, "");
@@ -190,12 +192,17 @@ private slots:
         QVERIFY(glbOf(desk.scene()).value() == before);
     }
 
-    // Esc, or the right button, in the middle of a drag: nothing of it is left, not even a step to undo.
+    // Esc, or the right button, in the middle of a drag: nothing of it is left, not even a step to undo, and
+    // what was undone before can be redone.
     void aDragIsGivenUpWithoutATrace() {
         Desk desk(folder_);
         desk.click({0.05, 0, 0.02});
         const std::string before = glbOf(desk.scene()).value();
+        desk.drag(ArrangeHandle::MoveX, {60, 0});
+        const std::string undone = glbOf(desk.scene()).value();
+        QVERIFY(undone != before);
         const int steps = desk.program.document.history().count();
+        desk.program.command("undo").trigger();
         for (const bool byKey : {true, false}) {
             desk.lead(ArrangeHandle::MoveXY, {40, -30});
             QCOMPARE_GT(desk.middle(1).y(), 1e-3);
@@ -211,6 +218,44 @@ private slots:
             QVERIFY(!desk.program.document.modified());
             COMPARE_NEAR(desk.view.arranging().shown()->translation, Vec3(0.05, 0, 0), 1e-9, "m");
         }
+        desk.program.command("redo").trigger();
+        QVERIFY(glbOf(desk.scene()).value() == undone);
+    }
+
+    // In the middle of a drag: undo gives it up and takes back what was done before; another edit keeps it.
+    void aDragAndTheHistoryDoNotMixUp() {
+        Desk desk(folder_);
+        QUndoStack& history = desk.program.document.history();
+        desk.click({0.05, 0, 0.02});
+        const std::string before = glbOf(desk.scene()).value();
+        desk.drag(ArrangeHandle::MoveX, {60, 0});
+        const std::string moved = glbOf(desk.scene()).value();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == before);
+        desk.mouse(QEvent::MouseButtonRelease, desk.led);
+        history.redo();
+        QVERIFY(glbOf(desk.scene()).value() == moved);
+        QVERIFY(!history.canRedo());
+        const int steps = history.count();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        QCOMPARE(history.count(), steps); // no step yet, but unsaved
+        QVERIFY(desk.program.document.modified());
+        const std::string led = glbOf(desk.scene()).value();
+        desk.program.document.setProxyRadius(0.0071);
+        desk.mouse(QEvent::MouseButtonRelease, desk.led);
+        QCOMPARE(history.count(), steps + 2);
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == led);
+        history.undo();
+        QVERIFY(glbOf(desk.scene()).value() == moved);
+        // There and back again is no step.
+        const int all = history.count();
+        desk.lead(ArrangeHandle::MoveXY, {40, -30});
+        desk.mouse(QEvent::MouseMove, desk.led - QPoint(40, -30));
+        desk.mouse(QEvent::MouseButtonRelease, desk.led - QPoint(40, -30));
+        QVERIFY(glbOf(desk.scene()).value() == moved);
+        QCOMPARE(history.count(), all);
     }
 
     // As in Blender: G X and the mouse, Enter; R and a click; S and Esc. Y is no command meanwhile.
@@ -271,6 +316,20 @@ private slots:
         QVERIFY(desk.tool.whyNot().contains(QStringLiteral("right")));
         desk.click({-0.05, 0, 0.02}, Qt::ShiftModifier); // with it one that is free: that one alone
         QCOMPARE(desk.tool.objects(), std::vector{desk.object(0).id});
+    }
+
+    // What no hand means is brought into bounds: ten metres of way, and of size.
+    void whatNoHandMeansIsBounded() {
+        Desk desk(folder_);
+        desk.click({0.05, 0, 0.02});
+        Arrangement by;
+        by.move = {100, 0, 0};
+        desk.tool.place(by, 0);
+        COMPARE_NEAR(desk.middle(1).x(), 10.05, 1e-9, "m");
+        by = {};
+        by.scale = 1e9;
+        desk.tool.place(by, 0);
+        COMPARE_NEAR(desk.side(1), 10 / std::sqrt(3.0), 1e-9, "m");
     }
 
     // In mm and degrees, to the digit.

@@ -52,6 +52,24 @@ QString writeCrank(const QTemporaryDir& folder) {
     return writeFile(folder, QStringLiteral("crank.obj"), text);
 }
 
+/// Leads a handle away from `from` and gives it up by Esc, between an undo and its redo: both are as they
+/// were.
+void giveUpADrag(TouchedWindow& program, QPoint from) {
+    const Scene& scene = program.document.scene();
+    const std::string last = glbOf(scene).value();
+    program.command("undo").trigger();
+    const std::string before = glbOf(scene).value();
+    program.press(from);
+    program.moveTo(from + QPoint(20, -35));
+    program.moveTo(from + QPoint(40, -70));
+    QVERIFY(glbOf(scene).value() != before); // else no handle was there
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    program.release(from + QPoint(40, -70));
+    QVERIFY(glbOf(scene).value() == before);
+    program.command("redo").trigger();
+    QVERIFY(glbOf(scene).value() == last);
+}
+
 } // namespace
 
 class TestBodyPanel : public QObject {
@@ -234,6 +252,37 @@ private slots:
         QVERIFY(!angle->isVisibleTo(plot));
     }
 
+    // What fell, and falls no more, is where it was; nor is a thing of the next scene where one of its number
+    // fell.
+    void whatNoForceMovesAnyMoreIsWhereItWas() {
+        TouchedWindow program({1400, 1000});
+        QVERIFY(program.open(writeCrank(folder_)));
+        const SceneView& view = program.window->view();
+        choose(program, QStringLiteral("piston"));
+        const SceneObject piston =
+            *std::ranges::find(program.document.scene().objects, "piston", &SceneObject::name);
+        program.command("body-loose").trigger();
+        const auto away = [&] {
+            return (view.placeOf(piston.id)->translation - piston.pose.translation).norm();
+        };
+        QVERIFY(test::waitFor([&] { return program.frames(2), away() > 1e-3; }));
+        program.command("undo").trigger();
+        QVERIFY(test::waitFor([&] { return program.caughtUp(); }));
+        program.frames(5);
+        COMPARE_NEAR(away(), 0, 1e-12, "m");
+        const QString moving = QStringLiteral(TACTUM_RESOURCES "/scenes/moving/");
+        QVERIFY(program.open(moving + QStringLiteral("dominoes.glb")));
+        QVERIFY(program.open(moving + QStringLiteral("kettle.glb")));
+        int still = 0;
+        for (const SceneObject& object : program.document.scene().objects)
+            if (object.body == kWorldBody) {
+                COMPARE_NEAR(view.placeOf(object.id).value().translation, object.pose.translation, 1e-12,
+                             "m");
+                ++still;
+            }
+        QCOMPARE(still, 2); // table and kettle
+    }
+
     // What is of no single body is edited where nothing is selected.
     void theWorldIsScaled() {
         TouchedWindow program({1400, 1000});
@@ -283,6 +332,7 @@ private slots:
         QCOMPARE(jointNow().path.points.size(), std::size_t(4));
         push(program, "path-fewer");
         QCOMPARE(jointNow().path.points.size(), std::size_t(3));
+        giveUpADrag(program, view.path().placeOf(1, view.camera()).value().toPoint());
         // All in one line: no smooth curve closes through them.
         auto* closed = program.window->findChild<QCheckBox*>(QStringLiteral("path-closed"));
         closed->click();
@@ -325,8 +375,9 @@ private slots:
         QCOMPARE(form->currentText(), QStringLiteral("One hull"));
         const std::string before = glbOf(scene).value();
         form->setFocus();
-        while (form->currentText() != QStringLiteral("Cylinder"))
+        for (int i = 0; i < form->count() && form->currentText() != QStringLiteral("Cylinder"); ++i)
             QTest::keyClick(form, Qt::Key_Down);
+        QCOMPARE(form->currentText(), QStringLiteral("Cylinder"));
         const BodyId body = scene.mechanics.bodies[0].id;
         const auto shape = std::ranges::find(scene.mechanics.colliders, body, &Collider::body)->shape;
         QVERIFY(shape.kind == ShapeKind::Cylinder);
@@ -405,6 +456,7 @@ private slots:
         drag(JointHandle::Tip, QPoint(60, -60));
         QCOMPARE_LT(jointNow().axis.z(), 0.99);
         keep(program, "joint");
+        giveUpADrag(program, placeOf(JointHandle::Place));
         choose(program, QStringLiteral("base"));
         QVERIFY(!view.joint().mark());
     }

@@ -1,0 +1,65 @@
+// What single objects of KHR_physics_rigid_bodies and KHR_implicit_shapes say, as values; who they belong to
+// is for gltf_physics.cpp. What is no such value counts as not given. Thread: any but real time.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/collider.h"
+#include "core/dynamics/joint.h"
+#include "core/files/gltf/gltf_file.h"
+#include "core/files/gltf/gltf_surface.h"
+#include "core/scene/findings.h"
+
+namespace tactum {
+
+inline std::optional<double> numberIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    if (!found || !found->is_number()) return std::nullopt;
+    const double value = found->get<double>();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+inline bool flagIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found && found->is_boolean() && found->get<bool>();
+}
+
+template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorOf(const Json& list) {
+    if (!list.is_array() || list.size() != N) return std::nullopt;
+    Eigen::Matrix<double, N, 1> v;
+    for (int i = 0; i < N; ++i) {
+        const Json& entry = list[std::size_t(i)];
+        if (!entry.is_number() || !std::isfinite(entry.get<double>())) return std::nullopt;
+        v[i] = entry.get<double>();
+    }
+    return v;
+}
+
+template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found ? vectorOf<N>(*found) : std::nullopt;
+}
+
+inline std::string textIn(const Json& holder, const char* key) {
+    const Json* found = member(holder, key);
+    return found && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// Stretched along its axes; nothing for one that is no shape, or that is disabled by a scale of 0.
+std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch);
+TouchMaterial touchMaterialOf(const Json& json);
+CollisionFilter collisionFilterOf(const Json& json);
+
+// Of a joint; what is left out is said in `findings`.
+void addLimits(const Json& description, Joint& joint, std::vector<Finding>& findings);
+/// `from`: an array of drives, of the standard or of our detents, which have a spacing.
+void addDrives(const Json& from, const char* array, Joint& joint, std::vector<Finding>& findings);
+/// Of our own extension: the standard has none.
+void addFrictions(const Json& ours, Joint& joint, std::vector<Finding>& findings);
+/// Of our own extension as well. Whether it is a curve.
+bool addPath(const Json& path, Joint& joint, std::vector<Finding>& findings);
+
+} // namespace tactum
