@@ -8,7 +8,7 @@
 namespace test_program {
 
 /// A box of 0.2 m that an animation leads from x = -1 at 1 m/s, wherever its node is, and another one that
-/// rests at 0. `interpolation`: STEP leaves it at -1 for two seconds and then puts it at 1.
+/// rests at 0. `interpolation`: STEP leaves it at -1 for two seconds and then puts it at 1 for two more.
 inline QByteArray keyedPusher(const QByteArray& interpolation = "LINEAR") {
     QByteArray numbers;
     const auto put = [&](std::initializer_list<float> all) {
@@ -16,8 +16,8 @@ inline QByteArray keyedPusher(const QByteArray& interpolation = "LINEAR") {
             numbers.append(reinterpret_cast<const char*>(&one), sizeof one);
     };
     put({0, 0, 0, 0.1f, 0, 0, 0, 0.1f, 0}); // a triangle
-    put({0, 2});                            // s
-    put({-1, 0, 0, 1, 0, 0});               // m
+    put({0, 2, 4});                         // s
+    put({-1, 0, 0, 1, 0, 0, 3, 0, 0});      // m
     const QByteArray size = QByteArray::number(numbers.size());
     return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_physics_rigid_bodies","KHR_implicit_shapes"],)"
            R"("scenes":[{"nodes":[0,1]}],"extensions":{"KHR_implicit_shapes":{"shapes":[{"type":"box","box":)"
@@ -30,8 +30,8 @@ inline QByteArray keyedPusher(const QByteArray& interpolation = "LINEAR") {
            interpolation +
            R"("}]}],"accessors":[{"bufferView":0,"componentType":5126,)"
            R"("count":3,"type":"VEC3","min":[0,0,0],"max":[0.1,0.1,0]},{"bufferView":0,"byteOffset":36,)"
-           R"("componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[2]},{"bufferView":0,)"
-           R"("byteOffset":44,"componentType":5126,"count":2,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
+           R"("componentType":5126,"count":3,"type":"SCALAR","min":[0],"max":[4]},{"bufferView":0,)"
+           R"("byteOffset":48,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
            R"("byteLength":)" +
            size + R"(}],"buffers":[{"byteLength":)" + size +
            R"(,"uri":"data:application/octet-stream;base64,)" + numbers.toBase64() + "\"}]}";
