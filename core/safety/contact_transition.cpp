@@ -8,8 +8,8 @@ namespace {
 /// A model is carried on along its motion for no longer than a slow proxy loop takes. Unit: s.
 constexpr double kOldest = 0.02;
 constexpr double kSoftest = 2, kWeakest = 0.03; ///< N/m and N, of what is about to be gone
-constexpr int kCorrections = 4;
-constexpr double kThinnest = 1e-6; ///< m, m/s and N: what a rate is divided by
+constexpr int kCorrections = kMaxModelPlanes;   ///< each brings one plane to where it was
+constexpr double kThinnest = 1e-6;              ///< m, m/s and N: what a rate is divided by
 
 Vec3 shortened(const Vec3& v, double by) noexcept {
     const double length = v.norm();

@@ -13,7 +13,7 @@ inline constexpr double kStall = 0.01;
 /// A device that has sent nothing for so long is gone. Unit: s.
 inline constexpr double kLostAfter = 1;
 /// A force that was inhibited comes back over this time at least, beginning with kFirstGain. The gain rises,
-/// not the force. Unit: s.
+/// not the force; it begins where a hand feels the surface and is not thrown yet. Unit: s.
 inline constexpr double kRise = 0.6;
 /// Under load a gain that rises stiffens the spring, which gives energy: it changes the force by no more than
 /// this. Unit: N/s.
@@ -24,7 +24,8 @@ inline constexpr double kArrivalDamping = 8;
 /// So long the force takes to go when nobody answers for it any more, who is not there to be hurt by a sudden
 /// end. Unit: s.
 inline constexpr double kFadeAway = 0.3;
-/// Before it rises the force must have been smaller than this for so long. Units: N, s.
+/// Before it rises the force must have been smaller than this, a tenth of what a finger presses with, for so
+/// long: one reading of a surface that damps may say so by accident. Units: N, s.
 inline constexpr double kSmallForce = 0.2, kSmallForceTime = 0.02;
 
 /// Off -> Settling -> Rising -> On; a pause leads back to Settling, a fault to Latched, disarming to Off. The

@@ -9,9 +9,9 @@
 namespace tactum {
 
 /// Counts half swings along each axis that are too fast for a hand (20 to 300 Hz) and 0.2 mm wide or more.
-/// Three in a row, as wide as each other and a sixteenth of a second long together, are a limit cycle. What
-/// a tap sets ringing dies away, a texture shakes less, a hand is slower. Frame D, SI.
-/// Thread: real time.
+/// Three in a row, none below six tenths of the widest and a sixteenth of a second long together, are a limit
+/// cycle. What a tap sets ringing dies away, a texture shakes less, a hand is slower. Frame D, SI. Thread:
+/// real time.
 class OscillationDetector {
 public:
     /// True once for each limit cycle, a tenth of a second after it began at the latest.

@@ -13,7 +13,7 @@ namespace {
 /// After a limit cycle the stiffness falls to its half over the first time, and doubles again over the
 /// second. Where the surface gives energy faster than it is taken back there is less time. Unit: s.
 constexpr double kFade = 0.05, kRecovery = 2, kSoften = 0.0125;
-constexpr double kMinScale = 1.0 / 32;
+constexpr double kMinScale = 1.0 / 32; ///< softer than that nothing is felt of a surface of 1000 N/m
 /// So many late ticks in a row are no accident: the loop is slower than it should be.
 constexpr int kLateTicks = 5;
 /// A whole hand damps so many times as much as a light pinch. Unit of the second: N/m; beyond it taps in a
