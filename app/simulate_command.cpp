@@ -118,6 +118,7 @@ Result<int> runSimulate(const SimulateOptions& options) {
     Pushes pushes(options.pushes, *mechanism, mechanics);
     KeyedBodies keyed(loaded->scene, *mechanism);
     keyed.start(state);
+    double lostAt = -1; // s
     std::vector<std::int64_t> times;
     times.reserve(std::size_t(outputs * perOutput));
     writeRows(0);
@@ -131,6 +132,7 @@ Result<int> runSimulate(const SimulateOptions& options) {
                 const std::int64_t begin = nanoseconds();
                 dynamics.step(state, gravity, forces, part);
                 times.push_back(nanoseconds() - begin);
+                if (dynamics.stoodStill() > 0 && lostAt < 0) lostAt = time + gone;
                 gone = part == dt - gone ? dt : gone + part;
             }
         }
@@ -152,12 +154,20 @@ Result<int> runSimulate(const SimulateOptions& options) {
     summary["energy_drift"] = liveliest > 1e-9 ? most / liveliest : 0.0;
     summary["energy_drift_j"] = most;
     summary["largest_loop_gap"] = gap;
+    summary["stood_still"] = dynamics.stoodStill();
     const std::string text = summary.dump() + '\n';
     if (options.summary)
         if (const auto written = writeFile(*options.summary, text); !written)
             return tl::unexpected(written.error());
     if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
         if (const auto written = writeFile("-", text); !written) return tl::unexpected(written.error());
+    if (lostAt >= 0) {
+        std::string when;
+        appendNumber(when, lostAt);
+        return inputError("at " + when +
+                          " s speeds went beyond what numbers hold, and everything stood still; ask for a "
+                          "higher --rate, or damp light bodies less");
+    }
     return 0;
 }
 

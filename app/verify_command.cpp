@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "core/base/numbers.h"
+#include "core/bundle/bundle.h"
 #include "core/bundle/verify_bundle.h"
 #include "core/files/source.h"
 #include "core/import/import_scene.h"
@@ -42,8 +45,10 @@ void print(const std::string& name, const BundleVerdict& verdict) {
 
 Result<int> runVerify(const std::filesystem::path& bundle, bool json) {
     const std::string name = shownPath(bundle);
-    if (bundle.extension() != ".zip" && bundle.extension() != ".ZIP")
-        return inputError(name + ": is no bundle by its ending; name a .zip that was exported");
+    std::string ending = bundle.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    if (ending != ".zip" && ending != std::string(".") + kBundleEnding)
+        return inputError(name + ": is no bundle by its ending; name a .tactum or .zip that was exported");
     const auto loaded = importScene(bundle);
     if (!loaded) return tl::unexpected(loaded.error());
     const auto verdict = verifyBundle(bundle, loaded->scene);

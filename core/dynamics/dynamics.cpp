@@ -182,7 +182,10 @@ void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
         slope(3, part);
         state.q += part / 6 * (qRate_[0] + 2 * qRate_[1] + 2 * qRate_[2] + qRate_[3]);
         state.v += part / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
-        if (!state.q.allFinite() || !state.v.allFinite()) return standStill(state, before_);
+        if (!state.q.allFinite() || !state.v.allFinite()) {
+            ++stoodStill_;
+            return standStill(state, before_);
+        }
         normalise(state.q);
         if (--left > 0) evaluate(state.q, state.v, around, a_[0]);
     }

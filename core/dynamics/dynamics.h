@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,6 +65,8 @@ public:
     /// What touches begins anew: the next step does not know what the last one found. Steps from a state are
     /// the same bits whatever was stepped before. Thread: real time.
     void forget() noexcept { rows_.forget(); }
+    /// In how many steps so far speeds went beyond what numbers hold, and all stood still instead.
+    std::uint64_t stoodStill() const noexcept { return stoodStill_; }
     /// How hard a material point is to move along a unit vector, 1 / (J M^-1 J^T) of section 6: kg; endless
     /// where nothing gives way. Thread: real time.
     double effectiveMass(const DynamicState& state, const Place& at, const Vec3& along_W) noexcept;
@@ -120,6 +123,7 @@ private:
     std::array<Coordinates, 4> a_, qRate_, v_;
     Coordinates q_, free_;
     DynamicState before_, looked_;
+    std::uint64_t stoodStill_ = 0;
     std::vector<double> springInertia_; ///< of springs in accelerations; 1 for the others
     bool weighs_ = false;               ///< there is one in accelerations
 };

@@ -48,6 +48,8 @@ private slots:
         COMPARE_CONTAINS(whole.out, "as the scene feels");
         const QJsonObject json = objectOf(runTactum({"verify", file("plate.zip"), "--json"}).out);
         QCOMPARE(json["true"].toBool(), true);
+        QVERIFY(QFile::copy(file("plate.zip"), file("plate.tactum")));
+        QCOMPARE(runTactum({"verify", file("plate.tactum")}).code, 0);
         QCOMPARE_GT(json["largest_force_N"].toDouble(), 0.1);
         QByteArray bytes = bytesOf(file("plate.zip"));
         bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 1);

@@ -148,6 +148,18 @@ private slots:
         }
     }
 
+    // Who sees only zeros in the table would take them for rest.
+    void whatNumbersDoNotHoldIsSaid() {
+        const QString scene =
+            write("wild.gltf", gltf(R"([{"name":"ball","extensions":{"KHR_physics_rigid_bodies":{)"
+                                    R"("motion":{"mass":1,"inertiaDiagonal":[1,2,3],)"
+                                    R"("angularVelocity":[1e9,-1e9,1e9]}}}},{"name":"nothing"}])"));
+        const Ended run = runTactum({"simulate", scene, "--seconds", "0.1", "--every", "0.1", "--out", "-"});
+        QCOMPARE(run.code, 1);
+        COMPARE_CONTAINS(oneLine(run.error), QByteArray("speeds went beyond what numbers hold"));
+        QCOMPARE(rowsOf(run.out).size(), 2);
+    }
+
     void rowsEndWithTheTime() {
         const QString scene = write("fall.gltf", gltf(kBall));
         const Ended run = runTactum({"simulate", scene, "--seconds", "1", "--every", "0.6", "--out", "-"});
