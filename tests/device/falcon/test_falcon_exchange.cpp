@@ -94,7 +94,7 @@ private slots:
               double(sum.allocations) / kExchanges, most.allocations, int(most.bytes),
               double(sum.locks) / kExchanges, most.locks, sum.waits);
         QCOMPARE_GT(valid, kExchanges / 2);
-        QCOMPARE_GT(sum.allocations, 0); // they are counted at all
+        QCOMPARE_GT(sum.allocations, 0);   // they are counted at all
         QCOMPARE_LE(most.allocations, 16); // 7 in time; a late one takes up what came meanwhile as well
         QCOMPARE_LE(most.bytes, std::size_t(4096));
         QCOMPARE_GT(sum.locks, 0);
