@@ -1,11 +1,10 @@
-#include <algorithm>
-#include <cctype>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/bundle/bundle.h"
 #include "core/bundle/verify_bundle.h"
 #include "core/files/source.h"
@@ -45,8 +44,7 @@ void print(const std::string& name, const BundleVerdict& verdict) {
 
 Result<int> runVerify(const std::filesystem::path& bundle, bool json) {
     const std::string name = shownPath(bundle);
-    std::string ending = bundle.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string ending = lowerCase(bundle.extension().string());
     if (ending != ".zip" && ending != std::string(".") + kBundleEnding)
         return inputError(name + ": is no bundle by its ending; name a .tactum or .zip that was exported");
     const auto loaded = importScene(bundle);

@@ -26,7 +26,7 @@ ArrangeTool::ArrangeTool(Document& document, SceneView& view, QObject* parent)
     connect(&view_, &SceneView::arrangeGrabbed, this, &ArrangeTool::begin);
     connect(&view_, &SceneView::arrangeDragged, this, &ArrangeTool::drag);
     connect(&view_, &SceneView::handlesLeft, this, [this](bool givenUp) {
-        givenUp ? document_.giveUpTrial(gesture_) : document_.keepTrial(gesture_);
+        document_.endTrial(gesture_, givenUp);
         end();
     });
     connect(&view_, &SceneView::arrangeAsked, this, [this] { emit refused(whyNot()); });

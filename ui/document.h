@@ -96,6 +96,7 @@ public:
     void keepTrial(Gesture gesture);
     /// The scene, and what can be undone and redone, are as they were when it began.
     void giveUpTrial(Gesture gesture);
+    void endTrial(Gesture gesture, bool givenUp) { givenUp ? giveUpTrial(gesture) : keepTrial(gesture); }
 
     /// nullptr for a reference to nothing.
     const Surface* surface(SurfaceRef ref) const;

@@ -260,9 +260,8 @@ void MainWindow::connectMotion() {
     connect(view_, &SceneView::pathGrabbed, this, begin);
     connect(view_, &SceneView::pathDragged, this,
             [this, gesture](const std::vector<Vec3>& points) { docks_.body->setPath(points, *gesture); });
-    connect(view_, &SceneView::handlesLeft, this, [this, gesture](bool givenUp) {
-        givenUp ? document_.giveUpTrial(*gesture) : document_.keepTrial(*gesture);
-    });
+    connect(view_, &SceneView::handlesLeft, this,
+            [this, gesture](bool givenUp) { document_.endTrial(*gesture, givenUp); });
 }
 
 void MainWindow::showColliders() {

@@ -63,9 +63,8 @@ void MainWindow::connectMapping() {
     connect(view_, &SceneView::mappingGrabbed, this, [this, gesture] { *gesture = document_.beginTrial(); });
     connect(view_, &SceneView::mappingDragged, this,
             [this, gesture](const MappingFrame& frame) { docks_.layers->setMappingFrame(frame, *gesture); });
-    connect(view_, &SceneView::handlesLeft, this, [this, gesture](bool givenUp) {
-        givenUp ? document_.giveUpTrial(*gesture) : document_.keepTrial(*gesture);
-    });
+    connect(view_, &SceneView::handlesLeft, this,
+            [this, gesture](bool givenUp) { document_.endTrial(*gesture, givenUp); });
 }
 
 void MainWindow::showLayerCommands() {

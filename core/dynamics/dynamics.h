@@ -65,7 +65,8 @@ public:
     /// What touches begins anew: the next step does not know what the last one found. Steps from a state are
     /// the same bits whatever was stepped before. Thread: real time.
     void forget() noexcept { rows_.forget(); }
-    /// In how many steps so far speeds went beyond what numbers hold, and all stood still instead.
+    /// In how many steps so far speeds went beyond what numbers hold, and all stood still instead. Thread:
+    /// that of the steps.
     std::uint64_t stoodStill() const noexcept { return stoodStill_; }
     /// How hard a material point is to move along a unit vector, 1 / (J M^-1 J^T) of section 6: kg; endless
     /// where nothing gives way. Thread: real time.

@@ -13,6 +13,7 @@
 #include "core/scene/bodies.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/arrange_tool.h"
 #include "ui/view/scene_view.h"
@@ -23,30 +24,12 @@ using namespace tactum;
 
 namespace {
 
-QByteArray box(const char* name, const Vec3& middle, double half, int& corner) {
-    QByteArray text = QByteArray("o ") + name + "\n";
-    for (unsigned i = 0; i < 8; ++i)
-        text += QStringLiteral("v %1 %2 %3\n")
-                    .arg(middle.x() + (i & 1 ? half : -half))
-                    .arg(middle.y() + (i & 2 ? half : -half))
-                    .arg(middle.z() + (i & 4 ? half : -half))
-                    .toUtf8();
-    for (const auto& side :
-         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-        text += "f";
-        for (const int i : side)
-            text += " " + QByteArray::number(corner + i);
-        text += "\n";
-    }
-    corner += 8;
-    return text;
-}
-
 /// Two cubes of 40 mm, 100 mm apart.
 QString writeTwo(const QTemporaryDir& folder) {
     int next = 1;
-    QByteArray text = box("left", {-0.05, 0, 0}, 0.02, next); // one by one: each counts the corners on
-    text += box("right", {0.05, 0, 0}, 0.02, next);
+    // One by one: each counts the corners on.
+    QByteArray text = objBox("left", {-0.07, -0.02, -0.02}, {-0.03, 0.02, 0.02}, next);
+    text += objBox("right", {0.03, -0.02, -0.02}, {0.07, 0.02, 0.02}, next);
     return writeFile(folder, QStringLiteral("two.obj"), text);
 }
 

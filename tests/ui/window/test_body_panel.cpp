@@ -13,6 +13,7 @@
 #include "core/scene/bodies.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/force_plot.h"
@@ -24,31 +25,14 @@ using namespace tactum;
 
 namespace {
 
-QByteArray box(const char* name, const Vec3& low, const Vec3& high, int& corner) {
-    QByteArray text = name ? QByteArray("o ") + name + "\n" : QByteArray();
-    for (unsigned i = 0; i < 8; ++i) {
-        const Vec3 p((i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z());
-        text += QStringLiteral("v %1 %2 %3\n").arg(p.x()).arg(p.y()).arg(p.z()).toUtf8();
-    }
-    for (const auto& side :
-         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-        text += "f";
-        for (const int i : side)
-            text += " " + QByteArray::number(corner + i);
-        text += "\n";
-    }
-    corner += 8;
-    return text;
-}
-
 /// A wheel of 30 mm with a peg at 20 mm, a rod of 70 mm and a piston, in line; a base far below.
 QString writeCrank(const QTemporaryDir& folder) {
     int next = 1;
-    QByteArray text = box("base", {-0.09, -0.06, -0.03}, {0.09, -0.05, 0.03}, next);
-    text += box("wheel", {-0.08, -0.03, -0.004}, {-0.02, 0.03, 0.004}, next);
-    text += box(nullptr, {-0.034, -0.004, 0.02}, {-0.026, 0.004, 0.04}, next);
-    text += box("rod", {-0.034, -0.003, 0.006}, {0.044, 0.003, 0.012}, next);
-    text += box("piston", {0.03, -0.01, 0.013}, {0.06, 0.01, 0.019}, next);
+    QByteArray text = objBox("base", {-0.09, -0.06, -0.03}, {0.09, -0.05, 0.03}, next);
+    text += objBox("wheel", {-0.08, -0.03, -0.004}, {-0.02, 0.03, 0.004}, next);
+    text += objBox(nullptr, {-0.034, -0.004, 0.02}, {-0.026, 0.004, 0.04}, next);
+    text += objBox("rod", {-0.034, -0.003, 0.006}, {0.044, 0.003, 0.012}, next);
+    text += objBox("piston", {0.03, -0.01, 0.013}, {0.06, 0.01, 0.019}, next);
     return writeFile(folder, QStringLiteral("crank.obj"), text);
 }
 
