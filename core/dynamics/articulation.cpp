@@ -149,23 +149,24 @@ void Articulation::addForce(const Place& a, const Place& b, const Wrench& wrench
     if (a.link >= 0) now_[std::size_t(a.link)].force -= size * atOrigin(a.link, wrench);
 }
 
+// What rounding leaves of an inertia that is not symmetric would grow by 1 / (2 - sqrt 3) with each rod of a
+// chain, as the covariance of a Kalman filter does: 36 on balls would fly apart.
 void Articulation::factor() noexcept {
     for (std::size_t i = now_.size(); i-- > 0;) {
         const Link& link = mechanism_.links[i];
         LinkNow& now = now_[i];
-        LinkNow* parent = link.parent < 0 ? nullptr : &now_[std::size_t(link.parent)];
+        Mat6 rest; // what its own freedoms do not take
         if (link.kind == LinkKind::Ball) {
             now.push.noalias() = now.inertia * now.way;
             now.yield = inverseBut(now.way.transpose() * now.push, link.driven);
-            if (parent) parent->inertia += now.inertia - now.push * now.yield * now.push.transpose();
+            rest = now.inertia - now.push * now.yield * now.push.transpose();
         } else {
             now.push.col(0).noalias() = now.inertia * now.way.col(0);
             const double inertia = now.way.col(0).dot(now.push.col(0));
             now.yield(0, 0) = link.driven || !(inertia > 0) ? 0 : 1 / inertia;
-            if (parent)
-                parent->inertia +=
-                    now.inertia - (now.yield(0, 0) * now.push.col(0)) * now.push.col(0).transpose();
+            rest = now.inertia - (now.yield(0, 0) * now.push.col(0)) * now.push.col(0).transpose();
         }
+        if (link.parent >= 0) now_[std::size_t(link.parent)].inertia += 0.5 * (rest + rest.transpose());
     }
 }
 

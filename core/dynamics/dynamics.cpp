@@ -13,8 +13,10 @@ constexpr int kMostEvents = 4;
 constexpr double kRough = 0.04;
 /// By no more than this, m/s or rad/s and as a part of the speed, they never matter.
 constexpr double kSmooth = 1e-9;
-/// What is rough is gone in at most so many parts.
-constexpr int kFinest = 8;
+/// Springs and dampers that are held are found anew where it is more than this.
+constexpr double kVeryRough = 0.25;
+/// What is rough is gone in at most so many parts, halved so often.
+constexpr int kFinest = 8, kMostHalvings = 3;
 
 /// Whether a part of a step is too long for what happens in it, as a whip's crack is. Both slopes in its
 /// middle are of one time, the second found with the help of the first: |k3 - k2| / |k2 - k1| grows with how
@@ -91,11 +93,11 @@ double Dynamics::forceOf(std::size_t spring, const Stretch& now) const noexcept 
                       -drive.maxForce, drive.maxForce);
 }
 
-void Dynamics::addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept {
+void Dynamics::addSprings(const Coordinates& q, const Coordinates& v) noexcept {
     springs_ = along_;
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
         const Spring& spring = mechanism_->springs[i];
-        if (rows_.springIsRow(i, dt)) continue;
+        if (rows_.springIsRow(i)) continue;
         const Stretch now = stretchOf(spring, q, v);
         if (!now.acts) continue;
         const double force = forceOf(i, now);
@@ -129,7 +131,7 @@ void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surrou
     for (const AppliedForce& force : around.forces)
         addForce(force);
     addAir(around.dt);
-    addSprings(q, v, around.dt);
+    addSprings(q, v);
     articulation_.factor();
     articulation_.accelerate(springs_, acceleration);
     if (loops_.empty()) return;
@@ -156,8 +158,8 @@ void Dynamics::normalise(Coordinates& q) const noexcept {
 }
 
 // The first of the four slopes of v is known: it was needed for what is not smooth. Where the slopes change
-// too much the way is gone in halves, quarters or eighths.
-void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept {
+// too much the way is gone in halves, quarters or eighths; not at all where `whole`, which gives false then.
+bool Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt, bool whole) noexcept {
     double part = dt;
     // What closes a loop damps its gap by 2 c: that alone makes c h of the ratio, and is as smooth as it
     // seems.
@@ -176,6 +178,7 @@ void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
         v_[0] = state.v;
         ratesOf(state.q, state.v, qRate_[0]);
         for (goHalfWay(); all < kFinest && isRough(a_, state.v, part, rough()); goHalfWay()) {
+            if (whole && left == all && isRough(a_, state.v, part, kVeryRough)) return false;
             part *= 0.5;
             left *= 2, all *= 2;
         }
@@ -184,11 +187,13 @@ void Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
         state.v += part / 6 * (a_[0] + 2 * a_[1] + 2 * a_[2] + a_[3]);
         if (!state.q.allFinite() || !state.v.allFinite()) {
             ++stoodStill_;
-            return standStill(state, before_);
+            standStill(state, before_);
+            return true;
         }
         normalise(state.q);
         if (--left > 0) evaluate(state.q, state.v, around, a_[0]);
     }
+    return true;
 }
 
 void Dynamics::weighSprings(const DynamicState& state) noexcept {
@@ -221,21 +226,28 @@ void Dynamics::takeBack(DynamicState& state, double dt) noexcept {
 }
 
 // Up to where bodies meet or a limit is reached; the blow is the next part's. After so many of them what is
-// met in the rest counts as met before.
-void Dynamics::advance(DynamicState& state, Surroundings around) noexcept {
+// met in the rest counts as met before. What dampers and springs among the rows do is found anew for each
+// part of what is rough: held for longer than the motion stays the same, it drives what it should calm.
+void Dynamics::advance(DynamicState& state, Surroundings around, int halvings) noexcept {
     for (int event = 0; around.dt > 0; ++event) {
         const bool last = event == kMostEvents;
         findHeldForces(state, around, last);
+        const bool whole = halvings > 0 && rows_.holdSprings();
         before_ = state;
         double part = last ? 1 : rows_.firstTouch(around.dt);
-        rungeKutta(state, around, part * around.dt);
+        if (!rungeKutta(state, around, part * around.dt, whole)) {
+            around.dt *= 0.5;
+            advance(state, around, halvings - 1);
+            advance(state, around, halvings - 1);
+            return;
+        }
         if (!mechanism_->limits.empty() && !last) {
             articulation_.place(state.q, state.v);
             const double crossing = rows_.firstCrossing(articulation_, state.q, part * around.dt);
             if (crossing < 1) {
                 part *= crossing;
                 state = before_;
-                rungeKutta(state, around, part * around.dt);
+                rungeKutta(state, around, part * around.dt, false);
             }
         }
         takeBack(state, part * around.dt);
@@ -247,14 +259,16 @@ void Dynamics::advance(DynamicState& state, Surroundings around) noexcept {
 void Dynamics::step(DynamicState& state, const Vec3& gravity, std::span<const AppliedForce> forces,
                     double dt) noexcept {
     const int parts = std::max(1, int(std::ceil(dt / kLongestPart - 1e-9)));
+    rows_.chooseSprings(dt / parts);
     for (int i = 0; i < parts; ++i)
-        advance(state, {gravity, forces, dt / parts});
+        advance(state, {gravity, forces, dt / parts}, kMostHalvings);
     state.time += dt;
 }
 
 void Dynamics::accelerations(const DynamicState& state, const Vec3& gravity,
                              std::span<const AppliedForce> forces, Coordinates& acceleration) noexcept {
     along_.setZero();
+    rows_.chooseSprings(0);
     evaluate(state.q, state.v, {gravity, forces, 0}, acceleration);
 }
 
@@ -318,12 +332,13 @@ double Dynamics::jointForce(const DynamicState& state, const Vec3& gravity,
                             std::span<const AppliedForce> forces, double dt, int link) noexcept {
     looked_ = state;
     rows_.forget();
+    rows_.chooseSprings(dt);
     findHeldForces(looked_, {gravity, forces, dt}, true);
     double sum = rows_.forceAlong(link, dt);
     articulation_.place(state.q, state.v);
     for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
         const Spring& spring = mechanism_->springs[i];
-        if (spring.of.link != link || rows_.springIsRow(i, dt)) continue;
+        if (spring.of.link != link || rows_.springIsRow(i)) continue;
         if (const Stretch now = stretchOf(spring, state.q, state.v); now.acts)
             sum += spring.of.sense * forceOf(i, now);
     }

@@ -106,11 +106,11 @@ private:
     double forceOf(std::size_t spring, const Stretch& now) const noexcept;
     void addForce(const AppliedForce& force) noexcept;
     void addAir(double dt) noexcept;
-    void addSprings(const Coordinates& q, const Coordinates& v, double dt) noexcept;
+    void addSprings(const Coordinates& q, const Coordinates& v) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;
-    void advance(DynamicState& state, Surroundings around) noexcept;
-    void rungeKutta(DynamicState& state, const Surroundings& around, double dt) noexcept;
+    void advance(DynamicState& state, Surroundings around, int halvings) noexcept;
+    bool rungeKutta(DynamicState& state, const Surroundings& around, double dt, bool whole) noexcept;
     void takeBack(DynamicState& state, double dt) noexcept;
     void normalise(Coordinates& q) const noexcept;
     void ratesOf(const Coordinates& q, const Coordinates& v, Coordinates& rate) const noexcept;

@@ -62,6 +62,8 @@ Measured measure(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcep
         return pushAlong(apart.norm(), unitOr(apart, axisOf(a_W, 0)), b_W);
     case Measure::Twist:
         return twist(of, a_W, b_W);
+    case Measure::Spin:
+        return turning(0, axis);
     case Measure::Cone: {
         const Vec3 other = axisOf(b_W, of.axis), normal = axis.cross(other);
         return turning(std::atan2(normal.norm(), axis.dot(other)),

@@ -148,6 +148,7 @@ private:
     void attach(std::size_t joint, int parent, int child);
     void closeLoop(std::size_t joint);
     void addActions(std::size_t joint);
+    Coordinate rateOf(std::size_t joint, bool angular, int axis) const;
     Coordinate coordinateOf(std::size_t joint, bool angular, AxisSet axes) const;
 
     std::span<const RigidBody> bodies_;
@@ -420,6 +421,13 @@ Coordinate Builder::coordinateOf(std::size_t number, bool angular, AxisSet axes)
     return of;
 }
 
+/// Of what acts against a rate, wherever it is.
+Coordinate Builder::rateOf(std::size_t number, bool angular, int axis) const {
+    Coordinate of = coordinateOf(number, angular, AxisSet(1 << axis));
+    if (of.measure == Measure::Twist && of.link < 0) of.measure = Measure::Spin;
+    return of;
+}
+
 void Builder::addActions(std::size_t number) {
     const Joint& joint = joints_[number];
     const auto [a, b] = ends_[number];
@@ -444,11 +452,13 @@ void Builder::addActions(std::size_t number) {
     }
     for (const JointDrive& drive : joint.drives)
         if (!isHeld(drive.angular, AxisSet(1 << drive.axis)) && (drive.stiffness > 0 || drive.damping > 0))
-            made_.springs.push_back({coordinateOf(number, drive.angular, AxisSet(1 << drive.axis)), drive});
+            made_.springs.push_back({drive.stiffness > 0
+                                         ? coordinateOf(number, drive.angular, AxisSet(1 << drive.axis))
+                                         : rateOf(number, drive.angular, drive.axis),
+                                     drive});
     for (const JointFriction& friction : joint.frictions)
         if (!isHeld(friction.angular, AxisSet(1 << friction.axis)) && friction.force > 0)
-            made_.frictions.push_back(
-                {coordinateOf(number, friction.angular, AxisSet(1 << friction.axis)), friction.force});
+            made_.frictions.push_back({rateOf(number, friction.angular, friction.axis), friction.force});
 }
 
 Result<Mechanism> Builder::run() {

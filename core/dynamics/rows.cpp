@@ -41,6 +41,11 @@ Rows::Rows(const Mechanism& mechanism)
     }
 }
 
+bool Rows::holdSprings() const noexcept {
+    return std::any_of(rows_.begin(), rows_.begin() + std::ptrdiff_t(count_),
+                       [](const Row& row) { return row.kind == Kind::Spring; });
+}
+
 double Rows::velocityOf(const Row& row, const Coordinates& v) const noexcept {
     double sum = 0;
     for (const Side& side : row.sides) {

@@ -22,6 +22,8 @@ public:
     void gather(Articulation& articulation, const Loops& loops, const Coordinates& q, double dt,
                 bool early) noexcept;
     bool empty() const noexcept { return count_ == 0; }
+    /// Whether a spring or damper is among them.
+    bool holdSprings() const noexcept;
     /// Ends every approach to what is reached, bounces included. Whether there was one.
     bool stopApproaches(Coordinates& v) noexcept;
     /// The forces along the coordinates that, held for the step, keep all bounds at its end; adds what they
@@ -41,8 +43,10 @@ public:
     /// another body. Whether anything did.
     bool correction(double dt, Coordinates& shift) noexcept;
 
-    /// Springs that are too stiff for a step of dt to be smooth; `inertia` says how much each moves.
-    bool springIsRow(std::size_t spring, double dt) const noexcept;
+    /// Springs that are too stiff for a step of dt to be smooth are rows from now on, in its parts too: what
+    /// they move may be lighter than at the start.
+    void chooseSprings(double dt) noexcept { longest_ = dt; }
+    bool springIsRow(std::size_t spring) const noexcept;
     /// Of a spring in accelerations: kg or kg m^2.
     double inertiaOf(Articulation& articulation, const Coordinate& of) noexcept;
 
@@ -122,6 +126,7 @@ private:
     std::vector<double> softness_; ///< of each spring at the start: 1 / inertia
     std::vector<Vec3> ways_;       ///< the directions of Rubs, by row
     Coordinates end_;
+    double longest_ = 0; ///< s: the step that springs are rows for
 };
 
 } // namespace tactum

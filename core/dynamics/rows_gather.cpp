@@ -234,7 +234,7 @@ void Rows::gatherLimits(Articulation& articulation, const Loops& loops, const Co
 void Rows::gatherSprings(Articulation& articulation, const Loops& loops, const Coordinates& q,
                          double dt) noexcept {
     for (std::size_t i = 0; i < mechanism_.springs.size(); ++i) {
-        if (!springIsRow(i, dt)) continue;
+        if (!springIsRow(i)) continue;
         const Spring& spring = mechanism_.springs[i];
         const Reading now = read(articulation, spring.of, q);
         // A limit counts from before it is met: what is light goes far beyond it in one step.
@@ -293,10 +293,10 @@ double Rows::firstCrossing(const Articulation& end, const Coordinates& q, double
     return first;
 }
 
-bool Rows::springIsRow(std::size_t spring, double dt) const noexcept {
+bool Rows::springIsRow(std::size_t spring) const noexcept {
     const JointDrive& drive = mechanism_.springs[spring].drive;
     const double softness = drive.acceleration ? 1 : softness_[spring];
-    return (drive.stiffness * dt * dt + drive.damping * dt) * softness > kStiff;
+    return (drive.stiffness * longest_ + drive.damping) * longest_ * softness > kStiff;
 }
 
 double Rows::inertiaOf(Articulation& articulation, const Coordinate& of) noexcept {

@@ -60,6 +60,9 @@ private slots:
     void aSpringOfAFreeJointIsTheSame();
     void aStiffSpringSettles();
     void aDriveInAccelerationsKnowsNoMass();
+    void dampersOnAllAxesOfABallAreOne();
+    void aDampedRopeUnderLoadComesToRest_data();
+    void aDampedRopeUnderLoadComesToRest();
     void aMotorHoldsItsSpeedUpToItsForce();
     void dryFrictionHoldsAndSlows();
     void aDetentSwingsAsAPendulumDoes();
@@ -182,6 +185,62 @@ void JointsTest::aDriveInAccelerationsKnowsNoMass() {
         run.run(0.4, 1e-3);
         COMPARE_NEAR(angleOf(run), 1 - std::cos(10 * 0.4), 1e-7, "rad");
     }
+}
+
+// A ball about its own centre: omega = omega0 exp(-d t / I), however far round it is.
+void JointsTest::dampersOnAllAxesOfABallAreOne() {
+    constexpr double kMoment = 0.02, kDamping = 0.01;
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero(), 1, Vec3::Constant(kMoment))};
+    bodies[0].angularVelocity = Vec3(3, -4, 5);
+    Joint ball = ballAt(bodies, kWorldBody, 1, Vec3::Zero());
+    for (const int axis : {0, 1, 2})
+        ball.drives.push_back({.angular = true, .axis = axis, .damping = kDamping});
+    Running run(bodies, {ball});
+    for (const double t : {1., 2., 3.}) {
+        run.run(1, 1e-3);
+        COMPARE_NEAR(run.bodies()[0].angularVelocity,
+                     Vec3(Vec3(3, -4, 5) * std::exp(-kDamping / kMoment * t)), 1e-9, "rad/s");
+    }
+}
+
+void JointsTest::aDampedRopeUnderLoadComesToRest_data() {
+    QTest::addColumn<double>("pull"); // m/s^2
+    for (const double pull : {10., 100., 400., 1000.})
+        QTest::addRow("%g m/s^2", pull) << pull;
+}
+
+// Rods of a quarter of a gram that hold 50 g: straight, a joint goes back by T l / d, here up to 25 times in
+// a thousandth of a second, and its damper alone would stop the rod in a thirtieth of a step.
+void JointsTest::aDampedRopeUnderLoadComesToRest() {
+    QFETCH(double, pull);
+    constexpr int kRods = 5;
+    constexpr double kLength = 0.016;
+    std::vector<RigidBody> bodies;
+    std::vector<Joint> joints;
+    const Vec3 along = Vec3(0.3, -1, 0.2).normalized();
+    for (int i = 0; i < kRods; ++i)
+        bodies.push_back(
+            bodyAt(BodyId(i + 1), (i + 0.5) * kLength * along, 0.25e-3, Vec3(4.8e-9, 0.75e-9, 4.8e-9)));
+    bodies.push_back(bodyAt(kRods + 1, (kRods + 1) * kLength * along, 0.05, Vec3::Constant(8e-6)));
+    for (int i = 0; i <= kRods; ++i) {
+        joints.push_back(ballAt(bodies, BodyId(i), BodyId(i + 1), i * kLength * along));
+        if (i < kRods)
+            for (const int axis : {0, 1, 2})
+                joints.back().drives.push_back({.angular = true, .axis = axis, .damping = 2e-5});
+    }
+    joints.back().drives.push_back({.angular = true, .axis = 0, .damping = 1e-3});
+    joints.back().drives.push_back({.angular = true, .axis = 1, .damping = 1e-3});
+    joints.back().drives.push_back({.angular = true, .axis = 2, .damping = 1e-3});
+    Running run(bodies, joints);
+    const Vec3 gravity(0, -pull, 0);
+    double before = run.energy(gravity);
+    for (int i = 0; i < 40; ++i) {
+        run.run(0.05, 0.5e-3, gravity);
+        const double now = run.energy(gravity);
+        QCOMPARE_LT(now, before + 1e-6);
+        before = now;
+    }
+    QCOMPARE_EQ(run.dynamics().stoodStill(), std::uint64_t(0));
 }
 
 void JointsTest::aMotorHoldsItsSpeedUpToItsForce() {
