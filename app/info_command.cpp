@@ -122,13 +122,31 @@ Json objectJson(const ObjectDescription& object) {
     return json;
 }
 
+Json bodyJson(const BodyDescription& body) {
+    return {{"name", body.name},
+            {"mass_kg", body.mass},
+            {"kinematic", body.kinematic},
+            {"colliders", body.colliders}};
+}
+
+Json jointJson(const JointDescription& joint) {
+    const auto nameOrNone = [](const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); };
+    return {{"name", joint.name}, {"a", nameOrNone(joint.a)}, {"b", nameOrNone(joint.b)}};
+}
+
 Json sceneJson(const SceneDescription& scene) {
     Json json{{"triangles", scene.triangles},
               {"bounds_m", boundsJson(scene.bounds_W)},
               {"parameters", parametersJson(scene.parameters)},
-              {"objects", Json::array()}};
+              {"objects", Json::array()},
+              {"bodies", Json::array()},
+              {"joints", Json::array()}};
     for (const ObjectDescription& object : scene.objects)
         json["objects"].push_back(objectJson(object));
+    for (const BodyDescription& body : scene.bodies)
+        json["bodies"].push_back(bodyJson(body));
+    for (const JointDescription& joint : scene.joints)
+        json["joints"].push_back(jointJson(joint));
     return json;
 }
 
@@ -196,6 +214,18 @@ void printInfo(const ObjectDescription& object) {
     }
 }
 
+void printInfo(const BodyDescription& body) {
+    std::string line = "body " + body.name + ": ";
+    appendReadable(line, body.mass);
+    std::cout << line << " kg, " << counted(body.colliders, "collider")
+              << (body.kinematic ? ", moved by its keys\n" : "\n");
+}
+
+void printInfo(const JointDescription& joint) {
+    const auto nameOf = [](const std::string& name) { return name.empty() ? "the world" : name; };
+    std::cout << "joint " << joint.name << ": " << nameOf(joint.a) << " to " << nameOf(joint.b) << '\n';
+}
+
 void printInfo(const SceneDescription& scene) {
     std::string diagonal;
     appendReadable(diagonal, scene.bounds_W.diagonal());
@@ -204,6 +234,10 @@ void printInfo(const SceneDescription& scene) {
     printInfo(scene.parameters, "  ");
     for (const ObjectDescription& object : scene.objects)
         printInfo(object);
+    for (const BodyDescription& body : scene.bodies)
+        printInfo(body);
+    for (const JointDescription& joint : scene.joints)
+        printInfo(joint);
 }
 
 } // namespace

@@ -114,6 +114,11 @@ Result<int> runSimulate(const SimulateOptions& options) {
         double(outputs) * double(perOutput) > kMostSteps)
         return inputError("--seconds: that would be more than 1e7 rows or 1e9 steps; ask for less time, a "
                           "longer --every or a lower --rate");
+    if (outputs == 0)
+        return inputError("--every: is longer than --seconds, and nothing would move; make it shorter");
+    for (const PushOption& push : options.pushes)
+        if (push.from >= options.seconds)
+            return inputError("--push: begins when the simulation is over; ask for more --seconds");
     const double dt = options.every / double(perOutput);
     Pushes pushes(options.pushes, *mechanism, mechanics);
     KeyedBodies keyed(loaded->scene, *mechanism);
@@ -140,6 +145,8 @@ Result<int> runSimulate(const SimulateOptions& options) {
     }
     if (pushes.missed() > 0)
         return inputError("--push: there is no body that could be pushed; give one a mass");
+    for (const std::string& line : pushes.strays())
+        std::cerr << "tactum: " << line << '\n';
     if (options.out)
         if (const auto written = writeFile(*options.out, csv); !written)
             return tl::unexpected(written.error());
@@ -155,6 +162,7 @@ Result<int> runSimulate(const SimulateOptions& options) {
     summary["energy_drift_j"] = most;
     summary["largest_loop_gap"] = gap;
     summary["stood_still"] = dynamics.stoodStill();
+    summary["contacts_left_out"] = dynamics.contactsLeftOut();
     const std::string text = summary.dump() + '\n';
     if (options.summary)
         if (const auto written = writeFile(*options.summary, text); !written)

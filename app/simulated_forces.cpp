@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
 namespace tactum {
 
 namespace {
 
 constexpr double kBesideColliders = 1e3; ///< m: a body without colliders comes after all others
+constexpr double kBeside = 1e-3;         ///< m: so near to a body is on it
 /// A push that begins or ends so near to the end of a step, as a part of it, does so there.
 constexpr double kAtTheEnd = 1e-6;
 
@@ -38,11 +42,23 @@ std::size_t Pushes::missed() const {
         std::ranges::count_if(places_, [](const Found& one) { return one.looked && !one.found; }));
 }
 
+std::vector<std::string> Pushes::strays() const {
+    std::vector<std::string> lines;
+    for (const Found& one : places_) {
+        if (!one.found || one.distance <= kBeside) continue;
+        std::string line = "--push: no body is at its point; the nearest, " + inQuotes(one.body) + ", ";
+        appendNumber(line, one.distance);
+        lines.push_back(line + " m away, is pushed as if it reached there");
+    }
+    return lines;
+}
+
 /// The body whose collider, or else whose centre, is nearest to the point.
 Pushes::Found Pushes::find(const PushOption& push, Dynamics& dynamics, const DynamicState& state) const {
     std::vector<BodyState> bodies(mechanism_.bodies.size());
     dynamics.describe(state, Vec3::Zero(), bodies);
-    Found found{true, false, {}};
+    Found found;
+    found.looked = true;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Place& place = mechanism_.places[i];
@@ -56,6 +72,8 @@ Pushes::Found Pushes::find(const PushOption& push, Dynamics& dynamics, const Dyn
         if (distance >= nearest) continue;
         nearest = distance;
         found.found = true;
+        found.body = mechanism_.bodies[i].name;
+        found.distance = distance < kBesideColliders ? distance : (bodies[i].centre - push.point).norm();
         found.place = {place.link,
                        place.pose * Pose{Quat::Identity(), bodies[i].pose.applyInverse(push.point)}};
     }
@@ -74,8 +92,6 @@ KeyedBodies::KeyedBodies(const Scene& scene, const Mechanism& mechanism) : leade
 
 void KeyedBodies::start(DynamicState& state) {
     constexpr double kSoon = 1e-6; // s
-    for (const Keyed& one : all_)
-        leader_.put({one.body, one.at(0)}, state);
     lead(0, kSoon, state);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/commands.h"
@@ -26,11 +27,15 @@ public:
                                         const DynamicState& state);
     /// Those that met no body.
     std::size_t missed() const;
+    /// A line for each that met its body only from afar.
+    std::vector<std::string> strays() const;
 
 private:
     struct Found {
         bool looked = false, found = false;
         Place place;
+        double distance = 0; ///< m, from the point to what is pushed
+        std::string body;
     };
 
     Found find(const PushOption& push, Dynamics& dynamics, const DynamicState& state) const;

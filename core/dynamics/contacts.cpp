@@ -70,8 +70,8 @@ void Contacts::touch(const Articulation& articulation, int a, int b, double dt) 
     int number = 0;
     for (const TouchPoint& at : points.all()) {
         if (now_.size() == now_.capacity()) {
-            overflowed_ = true;
-            return;
+            ++leftOut_;
+            continue;
         }
         Touching place{a, b, number++, at, poses_[std::size_t(a)].applyInverse(at.point), 0, 0, Vec3::Zero()};
         const Wrench normal{at.normal, at.point, Vec3::Zero()};
@@ -108,7 +108,6 @@ void Contacts::forget() noexcept {
 void Contacts::find(const Articulation& articulation, double dt) noexcept {
     std::swap(now_, before_);
     now_.clear();
-    overflowed_ = false;
     for (std::size_t i = 0; i < poses_.size(); ++i)
         poses_[i] = articulation.poseOf(mechanism_.touchables[i].place);
     for (Box& each : boxes_)

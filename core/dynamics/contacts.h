@@ -30,8 +30,8 @@ public:
     /// What the places of the last step pushed is not known any more.
     void forget() noexcept;
     bool empty() const noexcept { return mechanism_.touchables.empty(); }
-    /// More places touched than there is room for: some were left out.
-    bool overflowed() const noexcept { return overflowed_; }
+    /// Places that there was no room for, since the beginning.
+    std::uint64_t leftOut() const noexcept { return leftOut_; }
 
 private:
     struct Box {
@@ -49,7 +49,7 @@ private:
     std::vector<Pose> poses_;
     std::vector<Touching> now_, before_;
     TouchScratch scratch_;
-    bool overflowed_ = false;
+    std::uint64_t leftOut_ = 0;
 };
 
 } // namespace tactum

@@ -245,6 +245,7 @@ Convex convexOf(const ColliderShape& shape) {
     case ShapeKind::Cylinder:
         convex.core = Convex::Core::Polytope;
         convex.polytope = prismOf(shape.radiusBottom, shape.radius, shape.height);
+        convex.round = std::max(shape.radiusBottom, shape.radius);
         break;
     case ShapeKind::Plane:
         if (std::isinf(shape.size.x()) || std::isinf(shape.size.z())) {
@@ -274,6 +275,10 @@ Convex convexOf(const ColliderShape& shape) {
     for (const Vec3& p : convex.polytope.points) {
         convex.low = convex.low.cwiseMin(p);
         convex.high = convex.high.cwiseMax(p);
+    }
+    if (convex.round > 0) { // however it is turned about its axis
+        convex.low.x() = convex.low.z() = -convex.round;
+        convex.high.x() = convex.high.z() = convex.round;
     }
     return convex;
 }

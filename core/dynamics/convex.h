@@ -33,11 +33,12 @@ struct Convex {
     double radius = 0; ///< m, around the core
     double half = 0;   ///< of a segment along y, m
     Polytope polytope; ///< of that core
+    double round = 0;  ///< m: the larger radius of a cylinder, whose polytope is its prism; 0 for others
     double reach = 0;  ///< m: no point is farther from the origin; endless for a half-space
     Vec3 low = Vec3::Zero(), high = Vec3::Zero(); ///< the box of a polytope
 };
 
-/// Sides of a cylinder as a prism.
+/// Sides of a cylinder as a prism, which contact turns so that one of its edges is where it touches.
 inline constexpr int kCylinderSides = 48;
 
 /// A triangle mesh counts as the hull of its corners.

@@ -68,6 +68,8 @@ public:
     /// In how many steps so far speeds went beyond what numbers hold, and all stood still instead. Thread:
     /// that of the steps.
     std::uint64_t stoodStill() const noexcept { return stoodStill_; }
+    /// Places that touched and that there was no room for, in all steps so far. Thread: that of the steps.
+    std::uint64_t contactsLeftOut() const noexcept { return rows_.leftOut(); }
     /// How hard a material point is to move along a unit vector, 1 / (J M^-1 J^T) of section 6: kg; endless
     /// where nothing gives way. Thread: real time.
     double effectiveMass(const DynamicState& state, const Place& at, const Vec3& along_W) noexcept;

@@ -53,7 +53,8 @@ public:
     /// The next gather() starts from nothing.
     void forget() noexcept { contacts_.forget(); }
 
-    const std::vector<Touching>& contacts() const noexcept { return contacts_.all(); }
+    /// Contacts that there was no room for, since the beginning.
+    std::uint64_t leftOut() const noexcept { return contacts_.leftOut(); }
 
 private:
     enum class Kind : std::uint8_t { Spring, DryFriction, Limit, Contact, Rub };

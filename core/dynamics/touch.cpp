@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 namespace tactum {
 
 namespace {
+
+/// A cylinder stands whose axis is nearer to the normal than this, rad: then no side of it is lower than
+/// others.
+constexpr double kUpright = 1e-3;
+/// How much less than the radius the middle of a prism's side is from the axis: 1 - cos(pi / 48).
+constexpr double kSagitta = 2.2e-3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -353,10 +360,8 @@ TouchPoints reversed(TouchPoints points) noexcept {
     return points;
 }
 
-} // namespace
-
-TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
-                        TouchScratch& scratch) noexcept {
+TouchPoints touchAsTheyAre(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
+                           TouchScratch& scratch) noexcept {
     using Core = Convex::Core;
     if (a.core == Core::HalfSpace && b.core == Core::HalfSpace) return {};
     if (a.core == Core::HalfSpace) return onHalfSpace(a_W, b, b_W, margin, scratch);
@@ -367,6 +372,29 @@ TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const
     if (flatB) return roundAndFlat(a, a_W, b.polytope, b_W, margin, scratch);
     if (flatA) return reversed(roundAndFlat(b, b_W, a.polytope, a_W, margin, scratch));
     return roundOnes(a, a_W, b, b_W, margin);
+}
+
+/// A cylinder turned about its axis, which changes nothing, until an edge of its prism points along a way.
+Pose edgeToward(const Convex& body, const Pose& pose, const Vec3& way_W) noexcept {
+    if (body.round == 0) return pose;
+    const Vec3 way = pose.rotateInverse(way_W);
+    if (std::hypot(way.x(), way.z()) < kUpright) return pose;
+    constexpr double kSide = 2 * std::numbers::pi / kCylinderSides;
+    const double angle = std::atan2(-way.z(), way.x());
+    const double turn = angle - std::round(angle / kSide) * kSide;
+    return {pose.rotation * Quat(Eigen::AngleAxisd(turn, Vec3::UnitY())), pose.translation};
+}
+
+} // namespace
+
+// What a prism has less than its cylinder, where it touches with a side, is as much nearer at first.
+TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
+                        TouchScratch& scratch) noexcept {
+    const double round = a.round + b.round;
+    const TouchPoints first = touchAsTheyAre(a, a_W, b, b_W, margin + kSagitta * round, scratch);
+    if (round == 0 || first.size() == 0) return first;
+    const Vec3 normal = first.all()[0].normal;
+    return touchAsTheyAre(a, edgeToward(a, a_W, normal), b, edgeToward(b, b_W, -normal), margin, scratch);
 }
 
 } // namespace tactum

@@ -75,6 +75,21 @@ std::optional<MotionDescription> describeMotion(const SceneObject& object) {
                              motion.jumpsAtEnd || !motion.jumps.empty()};
 }
 
+namespace {
+
+void describeMechanics(const Mechanics& mechanics, SceneDescription& result) {
+    std::map<BodyId, std::string> names;
+    for (const RigidBody& body : mechanics.bodies) {
+        names[body.id] = body.name;
+        const auto colliders = std::ranges::count(mechanics.colliders, body.id, &Collider::body);
+        result.bodies.push_back({body.name, body.mass, body.kinematic, std::size_t(colliders)});
+    }
+    for (const Joint& joint : mechanics.joints)
+        result.joints.push_back({joint.name, names[joint.a], names[joint.b]});
+}
+
+} // namespace
+
 SceneDescription describe(const Scene& scene) {
     SceneDescription result;
     result.triangles = triangleCount(scene);
@@ -90,6 +105,7 @@ SceneDescription describe(const Scene& scene) {
         result.objects.push_back(described(object));
         result.objects.back().health = health->second;
     }
+    describeMechanics(scene.mechanics, result);
     return result;
 }
 

@@ -63,11 +63,25 @@ struct ObjectDescription {
     std::vector<SurfaceDescription> surfaces;
 };
 
+struct BodyDescription {
+    std::string name;
+    double mass = 0;        ///< kg
+    bool kinematic = false; ///< its keys move it, and no force
+    std::size_t colliders = 0;
+};
+
+struct JointDescription {
+    std::string name;
+    std::string a, b; ///< names of bodies; empty: the world
+};
+
 struct SceneDescription {
     std::size_t triangles = 0;
     Bounds bounds_W;                              ///< m, world frame
     std::vector<ParameterDescription> parameters; ///< of the scene itself: the proxy radius
     std::vector<ObjectDescription> objects;
+    std::vector<BodyDescription> bodies;
+    std::vector<JointDescription> joints;
 };
 
 /// Examines every mesh once, also where objects share one. Thread: any but real time.

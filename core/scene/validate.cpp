@@ -23,7 +23,11 @@ public:
         if (!scene_.mechanics.bodies.empty())
             for (const WorldField& field : kWorldFields)
                 checkParameter(findings_, "", "", *field.parameter, scene_.mechanics.*field.value);
-        if (scene_.objects.empty()) say(Severity::Warning, "", "the scene is empty", "open a model");
+        if (scene_.objects.empty() && scene_.mechanics.bodies.empty())
+            say(Severity::Warning, "", "the scene is empty", "open a model");
+        else if (scene_.objects.empty())
+            say(Severity::Warning, "", "has bodies that can be simulated, but no mesh to see or touch",
+                "give their nodes meshes");
         for (const SceneObject& object : scene_.objects)
             check(object);
         checkSize();

@@ -256,6 +256,31 @@ private slots:
         QCOMPARE(object["health"].toObject()["boundary_edges"].toInt(), 4);
     }
 
+    void infoShowsBodiesAndJoints() {
+        const QString crank = QStringLiteral(TACTUM_ROOT "/resources/scenes/moving/crank.glb");
+        const Ended text = runTactum({"info", crank});
+        QVERIFY2(text.code == 0, text.error);
+        COMPARE_CONTAINS(text.out, "body wheel: 0.111047 kg, 3 colliders\n");
+        COMPARE_CONTAINS(text.out, "joint axle: the world to wheel\n");
+        const QJsonObject scene = QJsonDocument::fromJson(runTactum({"info", crank, "--json"}).out).object();
+        const QJsonObject wheel = scene["bodies"].toArray().at(0).toObject();
+        QCOMPARE(wheel["name"].toString(), QString("wheel"));
+        QCOMPARE(wheel["colliders"].toInt(), 3);
+        const QJsonObject axle = scene["joints"].toArray().at(0).toObject();
+        QVERIFY(axle["a"].isNull());
+        QCOMPARE(axle["b"].toString(), QString("wheel"));
+    }
+
+    void bodiesWithoutAMeshAreNoEmptyScene() {
+        const QString scene = write(
+            "bare.gltf",
+            R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_physics_rigid_bodies"],"scenes":[{"nodes":[0]}],)"
+            R"("nodes":[{"name":"ball","extensions":{"KHR_physics_rigid_bodies":{"motion":{"mass":1}}}}]})");
+        const Ended run = runTactum({"check", scene});
+        COMPARE_CONTAINS(run.out, "has bodies that can be simulated, but no mesh");
+        QVERIFY(!run.out.contains("the scene is empty"));
+    }
+
     void infoShowsShadingAndLayers() {
         const Ended text = runTactum({"info", bumpyPlate()});
         QVERIFY2(text.code == 0, text.error);

@@ -173,6 +173,28 @@ private slots:
         COMPARE_CONTAINS(oneLine(run.error), QByteArray("--seconds: that would be more"));
     }
 
+    void whatWouldDoNothingIsRefused() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const Ended never = runTactum({"simulate", scene, "--seconds", "0.1", "--every", "0.2"});
+        QCOMPARE(never.code, 1);
+        COMPARE_CONTAINS(oneLine(never.error), QByteArray("--every: is longer than --seconds"));
+        const Ended late =
+            runTactum({"simulate", scene, "--seconds", "0.1", "--push", "0.1,0.2,1,2,3,1,0,0"});
+        QCOMPARE(late.code, 1);
+        COMPARE_CONTAINS(oneLine(late.error), QByteArray("--push: begins when the simulation is over"));
+    }
+
+    // The lever is as long as it is asked for, and who did not mean that is told.
+    void aPushBesideEveryBodyIsSaid() {
+        const QString scene = write("fall.gltf", gltf(kBall));
+        const auto errorOf = [&](const QString& push) {
+            const Ended run = runTactum({"simulate", scene, "--seconds", "0.1", "--push", push});
+            return run.code == 0 ? run.error : QByteArray("it failed");
+        };
+        QCOMPARE(errorOf(QStringLiteral("0,0.1,1,2,3,1,0,0")), QByteArray());
+        COMPARE_CONTAINS(errorOf(QStringLiteral("0,0.1,1,2.5,3,1,0,0")), QByteArray("\"ball\", 0.5 m away"));
+    }
+
     void theSameBits() {
         const QString scene = write("fall.gltf", gltf(kBall));
         const QStringList arguments{"simulate",        scene,   "--seconds", "0.3", "--push",

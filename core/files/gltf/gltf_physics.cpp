@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/dynamics/convex.h"
 #include "core/dynamics/weigh.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_physics_values.h"
@@ -106,6 +107,7 @@ private:
     void noteTriggers();
     Pose placeOf(int node);
     void addBody(int node, const Json& motion);
+    const Json* named(int node, const Json& collider, const char* key, const char* array);
     void addCollider(int node, const Json& collider, BodyId body);
     std::optional<ColliderShape> shapeOf(int node, const Json& geometry);
     void addMesh(int mesh, const Mat3& linear, const Vec3& offset, ShapeMesh& to);
@@ -252,19 +254,31 @@ Pose PhysicsReader::placeOf(int node) {
     return ours ? exactPose(*ours, place).value_or(place) : place;
 }
 
+/// What a collider names by its number; said where there is no such thing.
+const Json* PhysicsReader::named(int node, const Json& collider, const char* key, const char* array) {
+    const Json* found = element(physics_, array, indexOf(collider, key));
+    if (!found && collider.contains(key))
+        warn(nameOf(node), std::string("has a collider whose ") + key + " is none of the " + array,
+             "it is as if it were not there; correct the number");
+    return found;
+}
+
 void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
     const Json* geometry = member(json, "geometry");
     const auto shape = shapeOf(node, geometry && geometry->is_object() ? *geometry : json);
     if (!shape)
         return warn(nameOf(node), "has a collider without a usable shape",
                     "it touches no other body; give it one");
+    if (shape->mesh && hullOf(shape->mesh->points).faces.empty())
+        return warn(nameOf(node), "has a collider whose mesh is flat",
+                    "it touches no other body; give it a thickness, or a box or plane as shape");
     Collider collider;
     collider.body = body;
     collider.pose = placeOf(node);
     collider.shape = *shape;
-    if (const Json* of = element(physics_, "physicsMaterials", indexOf(json, "physicsMaterial")))
-        collider.material = touchMaterialOf(*of);
-    if (const Json* of = element(physics_, "collisionFilters", indexOf(json, "collisionFilter")))
+    if (const Json* of = named(node, json, "physicsMaterial", "physicsMaterials"))
+        collider.material = touchMaterialOf(*of, nameOf(node), made_.findings);
+    if (const Json* of = named(node, json, "collisionFilter", "collisionFilters"))
         collider.filter = collisionFilterOf(*of);
     if (body == kWorldBody) collider.part = parts_[node];
     made_.mechanics.colliders.push_back(std::move(collider));

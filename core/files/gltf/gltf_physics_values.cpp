@@ -1,6 +1,7 @@
 #include "core/files/gltf/gltf_physics_values.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/dynamics/path_curve.h"
 #include "core/geometry/soup_builder.h"
@@ -14,25 +15,49 @@ void leaveOut(std::vector<Finding>& findings, const Joint& joint, const std::str
     findings.push_back({Finding::Severity::Warning, joint.name, sentence, remedy});
 }
 
-Combine combineIn(const Json& holder, const char* key) {
-    const std::string mode = textIn(holder, key);
-    if (mode == "minimum") return Combine::Minimum;
-    if (mode == "maximum") return Combine::Maximum;
-    if (mode == "multiply") return Combine::Multiply;
-    return Combine::Average;
+Combine combineIn(const Values& material, const char* key) {
+    constexpr std::array kModes{Combine::Average, Combine::Minimum, Combine::Maximum, Combine::Multiply};
+    return kModes[material.oneOf(key, {"average", "minimum", "maximum", "multiply"})];
 }
 
+/// Nothing where there are none, or what is no axis.
 AxisSet axesIn(const Json& limit, const char* key) {
     AxisSet axes = 0;
     const Json* list = member(limit, key);
     if (!list || !list->is_array()) return 0;
-    for (const Json& axis : *list)
-        if (axis.is_number_integer() && axis.get<int>() >= 0 && axis.get<int>() < 3)
-            axes = AxisSet(axes | 1 << axis.get<int>());
+    for (const Json& axis : *list) {
+        if (!axis.is_number_integer() || axis.get<int>() < 0 || axis.get<int>() > 2) return 0;
+        axes = AxisSet(axes | 1 << axis.get<int>());
+    }
     return axes;
 }
 
 } // namespace
+
+double Values::inRange(const char* key, double otherwise, double least, double most,
+                       const char* words) const {
+    if (!member(json_, key)) return otherwise;
+    const auto value = numberIn(json_, key);
+    if (value && *value >= least && *value <= most) return *value;
+    warn(std::string("whose ") + key + " is not " + words, "it is as if it were not there; correct it");
+    return otherwise;
+}
+
+std::size_t Values::oneOf(const char* key, std::initializer_list<const char*> words) const {
+    if (!member(json_, key)) return 0;
+    const auto found = std::ranges::find(words, textIn(json_, key));
+    if (found != words.end()) return std::size_t(found - words.begin());
+    std::string all;
+    for (const char* word : words)
+        all += (all.empty() ? "" : word == *(words.end() - 1) ? " or " : ", ") + std::string(word);
+    warn(std::string("whose ") + key + " is not " + all,
+         std::string(*words.begin()) + " is used; correct it");
+    return 0;
+}
+
+void Values::warn(const std::string& sentence, const std::string& remedy) const {
+    findings_.push_back({Finding::Severity::Warning, of_, "has a " + what_ + " " + sentence, remedy});
+}
 
 std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch) {
     const Vec3 scale = stretch.diagonal().cwiseAbs();
@@ -75,16 +100,14 @@ std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stret
     return usable && bounded ? std::optional(shape) : std::nullopt;
 }
 
-TouchMaterial touchMaterialOf(const Json& json) {
+TouchMaterial touchMaterialOf(const Json& json, const std::string& of, std::vector<Finding>& findings) {
+    const Values values(json, of, "material", findings);
     TouchMaterial material;
-    const auto positive = [&](const char* key, double otherwise) {
-        return std::max(0.0, numberIn(json, key).value_or(otherwise));
-    };
-    material.staticFriction = positive("staticFriction", material.staticFriction);
-    material.dynamicFriction = positive("dynamicFriction", material.dynamicFriction);
-    material.restitution = std::min(1.0, positive("restitution", 0));
-    material.frictionCombine = combineIn(json, "frictionCombine");
-    material.restitutionCombine = combineIn(json, "restitutionCombine");
+    material.staticFriction = values.positive("staticFriction", material.staticFriction);
+    material.dynamicFriction = values.positive("dynamicFriction", material.dynamicFriction);
+    material.restitution = values.ratio("restitution", 0);
+    material.frictionCombine = combineIn(values, "frictionCombine");
+    material.restitutionCombine = combineIn(values, "restitutionCombine");
     return material;
 }
 
@@ -107,14 +130,17 @@ void addLimits(const Json& description, Joint& joint, std::vector<Finding>& find
     const Json* all = member(description, "limits");
     if (!all || !all->is_array()) return;
     for (const Json& json : *all) {
+        const Values values(json, joint.name, "limit", findings);
         JointLimit limit;
         limit.axes = axesIn(json, "linearAxes");
         limit.angular = limit.axes == 0;
         if (limit.angular) limit.axes = axesIn(json, "angularAxes");
-        limit.min = numberIn(json, "min").value_or(-kUnbounded);
-        limit.max = numberIn(json, "max").value_or(kUnbounded);
-        limit.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(kUnbounded));
-        limit.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
+        if (!limit.angular && axesIn(json, "angularAxes") != 0)
+            values.warn("of linear and of angular axes", "the linear ones count; make it two limits");
+        limit.min = values.number("min", -kUnbounded);
+        limit.max = values.number("max", kUnbounded);
+        limit.stiffness = values.positive("stiffness", kUnbounded);
+        limit.damping = values.positive("damping", 0);
         const bool isDistance = (limit.axes & (limit.axes - 1)) != 0; // or an angle from none to pi
         if (limit.axes == 0 || limit.min > limit.max || (isDistance && limit.max < 0))
             leaveOut(
@@ -130,16 +156,17 @@ void addDrives(const Json& from, const char* array, Joint& joint, std::vector<Fi
     const Json* all = member(from, array);
     if (!all || !all->is_array()) return;
     for (const Json& json : *all) {
+        const Values values(json, joint.name, "drive", findings);
         JointDrive drive;
-        drive.angular = textIn(json, "type") == "angular";
+        drive.angular = values.oneOf("type", {"linear", "angular"}) == 1;
         drive.axis = indexIn(json, "axis", 3);
-        drive.stiffness = std::max(0.0, numberIn(json, "stiffness").value_or(0));
-        drive.damping = std::max(0.0, numberIn(json, "damping").value_or(0));
-        drive.position = numberIn(json, "positionTarget").value_or(0);
-        drive.velocity = numberIn(json, "velocityTarget").value_or(0);
-        drive.maxForce = std::max(0.0, numberIn(json, "maxForce").value_or(kUnbounded));
-        drive.acceleration = textIn(json, "mode") == "acceleration";
-        drive.spacing = std::max(0.0, numberIn(json, "spacing").value_or(0));
+        drive.stiffness = values.positive("stiffness", 0);
+        drive.damping = values.positive("damping", 0);
+        drive.position = values.number("positionTarget", 0);
+        drive.velocity = values.number("velocityTarget", 0);
+        drive.maxForce = values.positive("maxForce", kUnbounded);
+        drive.acceleration = values.oneOf("mode", {"force", "acceleration"}) == 1;
+        drive.spacing = values.positive("spacing", 0);
         if (drive.axis < 0)
             leaveOut(findings, joint, "has a drive without an axis from 0 to 2", "left out; correct it");
         else

@@ -1,8 +1,9 @@
 // What single objects of KHR_physics_rigid_bodies and KHR_implicit_shapes say, as values; who they belong to
-// is for gltf_physics.cpp. What is no such value counts as not given. Thread: any but real time.
+// is for gltf_physics.cpp. What is no such value is said and counts as not given. Thread: any but real time.
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +49,38 @@ inline std::string textIn(const Json& holder, const char* key) {
     return found && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+/// The members of one object of a file, each said in the findings that is there and no value of its kind.
+class Values {
+public:
+    /// `of`: whose they are, and `what`, for "has a material whose restitution is not ...".
+    Values(const Json& json, std::string of, std::string what, std::vector<Finding>& findings)
+        : json_(json), of_(std::move(of)), what_(std::move(what)), findings_(findings) {}
+
+    double number(const char* key, double otherwise) const {
+        return inRange(key, otherwise, -kUnbounded, kUnbounded, "a number");
+    }
+    double positive(const char* key, double otherwise) const {
+        return inRange(key, otherwise, 0, kUnbounded, "0 or more");
+    }
+    double ratio(const char* key, double otherwise) const {
+        return inRange(key, otherwise, 0, 1, "from 0 to 1");
+    }
+    /// Which of the words: its index, or the first.
+    std::size_t oneOf(const char* key, std::initializer_list<const char*> words) const;
+    void warn(const std::string& sentence, const std::string& remedy) const;
+
+private:
+    double inRange(const char* key, double otherwise, double least, double most, const char* words) const;
+
+    const Json& json_;
+    std::string of_, what_;
+    std::vector<Finding>& findings_;
+};
+
 /// Stretched along its axes; nothing for one that is no shape, or that is disabled by a scale of 0.
 std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch);
-TouchMaterial touchMaterialOf(const Json& json);
+/// `of`: whose it is.
+TouchMaterial touchMaterialOf(const Json& json, const std::string& of, std::vector<Finding>& findings);
 CollisionFilter collisionFilterOf(const Json& json);
 
 // Of a joint; what is left out is said in `findings`.

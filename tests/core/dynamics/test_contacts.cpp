@@ -82,6 +82,8 @@ private slots:
     void aBlockOnASlope_data();
     void aBlockOnASlope();
     void aBallRollsDownASlope();
+    void aCylinderRollsAsFarAsItIs_data();
+    void aCylinderRollsAsFarAsItIs();
     void aBallBouncesByItsRestitution_data();
     void aBallBouncesByItsRestitution();
     void twoBallsExchangeMomentum_data();
@@ -96,6 +98,7 @@ private slots:
     void everyPairOfShapesHolds();
     void filtersAndJointsKeepApart();
     void hullsAreTheSmallest();
+    void whatHasNoRoomIsCounted();
     void theSameTwice();
 };
 
@@ -136,6 +139,41 @@ void ContactsTest::aBallRollsDownASlope() {
     const double pull = 9.81 * std::sin(slope.angle) * 5 / 7;
     COMPARE_NEAR(now.velocity.dot(slope.down), pull, 1e-4, "m/s");
     COMPARE_NEAR(now.angularVelocity.norm() * 0.05, pull, 1e-4, "m/s");
+}
+
+void ContactsTest::aCylinderRollsAsFarAsItIs_data() {
+    QTest::addColumn<double>("angle");
+    QTest::addColumn<bool>("onABox");
+    for (const double angle : {0., 0.0873, 0.3}) {
+        QTest::addRow("%g rad, plane", angle) << angle << false;
+        QTest::addRow("%g rad, box", angle) << angle << true;
+    }
+}
+
+// On the flat it keeps its speed, down a slope it gains 2/3 g sin(angle) each second.
+void ContactsTest::aCylinderRollsAsFarAsItIs() {
+    QFETCH(double, angle);
+    QFETCH(bool, onABox);
+    const Slope slope{angle};
+    World world;
+    world.material = {0.8, 0.8, 0, Combine::Average, Combine::Average};
+    world.addStill(onABox ? box({30, 0.1, 1}) : floorShape(),
+                   {slope.turn, slope.turn * Vec3(0, onABox ? -0.05 : 0, 0)});
+    ColliderShape wheel;
+    wheel.kind = ShapeKind::Cylinder;
+    wheel.radius = wheel.radiusBottom = 0.05;
+    wheel.height = 0.1;
+    Pose lying = slope.above(0.05);
+    lying.rotation = lying.rotation * Quat(Eigen::AngleAxisd(pi / 2, Vec3::UnitX()));
+    RigidBody& body = world.add(wheel, lying, 0.4);
+    body.velocity = 0.5 * slope.down;
+    body.angularVelocity = Vec3(0, 0, -0.5 / 0.05);
+    Running run(world.mechanics);
+    run.run(2, 0.5e-3);
+    const BodyState now = run.bodies()[0];
+    const double speed = 0.5 + 2 * 9.81 * std::sin(angle) * 2 / 3;
+    COMPARE_NEAR(now.velocity.dot(slope.down), speed, 1e-3 * speed, "m/s");
+    COMPARE_NEAR(now.angularVelocity.norm() * 0.05, speed, 1e-3 * speed, "m/s");
 }
 
 void ContactsTest::aBallBouncesByItsRestitution_data() {
@@ -362,6 +400,18 @@ void ContactsTest::hullsAreTheSmallest() {
     for (const Polytope::Face& face : hull.faces)
         for (const Vec3& p : points)
             QVERIFY(face.normal.dot(p) <= face.offset + 1e-12);
+}
+
+// Each of 60 balls within each other touches 59: far more than the 16 for each that there is room for.
+void ContactsTest::whatHasNoRoomIsCounted() {
+    for (const int balls : {5, 60}) {
+        World world;
+        for (int i = 0; i < balls; ++i)
+            world.add(ball(0.1), at(1e-4 * i, 2e-4 * (i % 3)), 1);
+        Running run(world.mechanics);
+        run.run(1e-3, 1e-3, Vec3::Zero());
+        QCOMPARE(run.dynamics().contactsLeftOut() > 0, balls == 60);
+    }
 }
 
 void ContactsTest::theSameTwice() {

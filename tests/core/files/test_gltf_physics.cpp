@@ -272,6 +272,77 @@ private slots:
         QCOMPARE(loaded->scene.mechanics == mechanicsOf(fileOf("")), true);
     }
 
+    void whatTouchesAndJoinsIsCheckedToo_data() {
+        QTest::addColumn<QByteArray>("material");
+        QTest::addColumn<QByteArray>("collider");
+        QTest::addColumn<QByteArray>("joint");
+        QTest::addColumn<QByteArray>("sentence");
+        const auto row = [](const char* name, const char* material, const char* collider, const char* joint,
+                            const char* sentence) {
+            QTest::newRow(name) << QByteArray(material) << QByteArray(collider) << QByteArray(joint)
+                                << QByteArray(sentence);
+        };
+        row("nothing wrong", "", "", "", "");
+        row("friction", R"("staticFriction":-1)", "", "", "a material whose staticFriction is not 0 or more");
+        row("bounce", R"("restitution":1.5)", "", "", "a material whose restitution is not from 0 to 1");
+        row("mode", R"("frictionCombine":"sum")", "", "",
+            "whose frictionCombine is not average, minimum, maximum or multiply");
+        row("no such material", "", R"(,"physicsMaterial":7)", "",
+            "a collider whose physicsMaterial is none of the physicsMaterials");
+        row("no such filter", "", R"(,"collisionFilter":0)", "",
+            "a collider whose collisionFilter is none of the collisionFilters");
+        row("both kinds of axes", "", "",
+            R"("limits":[{"linearAxes":[0],"angularAxes":[1],"min":0,"max":0}])",
+            "a limit of linear and of angular axes");
+        row("a fourth axis", "", "", R"("limits":[{"linearAxes":[0,3],"min":0,"max":0}])",
+            "a limit without axes");
+        row("damping", "", "", R"("limits":[{"linearAxes":[0],"min":0,"max":0,"damping":-2}])",
+            "a limit whose damping is not 0 or more");
+        row("a word", "", "", R"("drives":[{"type":"angular","axis":0,"stiffness":"high"}])",
+            "a drive whose stiffness is not 0 or more");
+        row("kind", "", "", R"("drives":[{"type":"spin","axis":0}])",
+            "a drive whose type is not linear or angular");
+        row("kind of force", "", "", R"("drives":[{"type":"angular","axis":0,"mode":"velocity"}])",
+            "a drive whose mode is not force or acceleration");
+    }
+    // Each is said once, in a line that names the node, and nothing else is.
+    void whatTouchesAndJoinsIsCheckedToo() {
+        QFETCH(QByteArray, material);
+        QFETCH(QByteArray, collider);
+        QFETCH(QByteArray, joint);
+        QFETCH(QByteArray, sentence);
+        const std::string ball = R"("motion":{},"collider":{"geometry":{"shape":0})" +
+                                 (collider.isEmpty() ? R"(,"physicsMaterial":0)" : collider.toStdString()) +
+                                 "}";
+        const auto loaded = folder_.load(
+            "a.gltf", gltf("[" + node(R"("name":"ball","children":[1])", ball) + "," +
+                               node(R"("name":"hook")", R"("joint":{"connectedNode":2,"joint":0})") + "," +
+                               node(R"("name":"wall")", "") + "]",
+                           R"("physicsJoints":[{)" + joint.toStdString() + R"(}],"physicsMaterials":[{)" +
+                               material.toStdString() + "}]",
+                           R"({"type":"sphere"})"));
+        VERIFY_RESULT(loaded);
+        QCOMPARE(loaded->findings.size(), std::size_t(sentence.isEmpty() ? 0 : 1));
+        if (sentence.isEmpty()) return;
+        COMPARE_CONTAINS(loaded->findings[0].sentence, sentence.toStdString());
+        QVERIFY(!loaded->findings[0].object.empty());
+    }
+
+    void aFlatMeshIsNoCollider() {
+        TriangleSoup square;
+        square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+        square.triangles = {{0, 2, 1}, {0, 3, 2}};
+        const std::string body =
+            node("\"mesh\":0", R"("motion":{},"collider":{"geometry":{"mesh":0,"convexHull":true}})");
+        const auto loaded =
+            folder_.load("a.gltf", asGltf(square, R"("scenes":[{"nodes":[0]}],"nodes":[)" + body + "]"));
+        VERIFY_RESULT(loaded);
+        QCOMPARE(loaded->scene.mechanics.colliders.size(), std::size_t(0));
+        QVERIFY(std::ranges::any_of(loaded->findings, [](const Finding& finding) {
+            return finding.sentence == "has a collider whose mesh is flat";
+        }));
+    }
+
     void anAxisOfAnyLengthIsNoFault() {
         const Mechanics read = mechanicsOf(gltf("[" +
                                                 node("", R"("motion":{"mass":1,"inertiaDiagonal":[1,2,3],)"
