@@ -15,8 +15,8 @@ constexpr double kRough = 0.04;
 constexpr double kSmooth = 1e-9;
 /// Springs and dampers that are held are found anew where it is more than this.
 constexpr double kVeryRough = 0.25;
-/// What is rough is gone in at most so many parts, halved so often.
-constexpr int kFinest = 8, kMostHalvings = 3;
+/// What is rough is gone in at most so many parts.
+constexpr int kFinest = 8;
 
 /// Whether a part of a step is too long for what happens in it, as a whip's crack is. Both slopes in its
 /// middle are of one time, the second found with the help of the first: |k3 - k2| / |k2 - k1| grows with how
@@ -158,8 +158,9 @@ void Dynamics::normalise(Coordinates& q) const noexcept {
 }
 
 // The first of the four slopes of v is known: it was needed for what is not smooth. Where the slopes change
-// too much the way is gone in halves, quarters or eighths; not at all where `whole`, which gives false then.
-bool Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt, bool whole) noexcept {
+// too much the way is gone in up to `finest` parts; not at all where `whole`, which gives false then.
+bool Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, double dt, int finest,
+                          bool whole) noexcept {
     double part = dt;
     // What closes a loop damps its gap by 2 c: that alone makes c h of the ratio, and is as smooth as it
     // seems.
@@ -177,7 +178,7 @@ bool Dynamics::rungeKutta(DynamicState& state, const Surroundings& around, doubl
     for (int left = 1, all = 1; left > 0;) {
         v_[0] = state.v;
         ratesOf(state.q, state.v, qRate_[0]);
-        for (goHalfWay(); all < kFinest && isRough(a_, state.v, part, rough()); goHalfWay()) {
+        for (goHalfWay(); all < finest && isRough(a_, state.v, part, rough()); goHalfWay()) {
             if (whole && left == all && isRough(a_, state.v, part, kVeryRough)) return false;
             part *= 0.5;
             left *= 2, all *= 2;
@@ -228,17 +229,17 @@ void Dynamics::takeBack(DynamicState& state, double dt) noexcept {
 // Up to where bodies meet or a limit is reached; the blow is the next part's. After so many of them what is
 // met in the rest counts as met before. What dampers and springs among the rows do is found anew for each
 // part of what is rough: held for longer than the motion stays the same, it drives what it should calm.
-void Dynamics::advance(DynamicState& state, Surroundings around, int halvings) noexcept {
+void Dynamics::advance(DynamicState& state, Surroundings around, int finest) noexcept {
     for (int event = 0; around.dt > 0; ++event) {
         const bool last = event == kMostEvents;
         findHeldForces(state, around, last);
-        const bool whole = halvings > 0 && rows_.holdSprings();
+        const bool whole = finest > 1 && rows_.holdSprings();
         before_ = state;
         double part = last ? 1 : rows_.firstTouch(around.dt);
-        if (!rungeKutta(state, around, part * around.dt, whole)) {
+        if (!rungeKutta(state, around, part * around.dt, finest, whole)) {
             around.dt *= 0.5;
-            advance(state, around, halvings - 1);
-            advance(state, around, halvings - 1);
+            advance(state, around, finest / 2);
+            advance(state, around, finest / 2);
             return;
         }
         if (!mechanism_->limits.empty() && !last) {
@@ -247,7 +248,7 @@ void Dynamics::advance(DynamicState& state, Surroundings around, int halvings) n
             if (crossing < 1) {
                 part *= crossing;
                 state = before_;
-                rungeKutta(state, around, part * around.dt, false);
+                rungeKutta(state, around, part * around.dt, finest, false);
             }
         }
         takeBack(state, part * around.dt);
@@ -261,7 +262,7 @@ void Dynamics::step(DynamicState& state, const Vec3& gravity, std::span<const Ap
     const int parts = std::max(1, int(std::ceil(dt / kLongestPart - 1e-9)));
     rows_.chooseSprings(dt / parts);
     for (int i = 0; i < parts; ++i)
-        advance(state, {gravity, forces, dt / parts}, kMostHalvings);
+        advance(state, {gravity, forces, dt / parts}, kFinest);
     state.time += dt;
 }
 

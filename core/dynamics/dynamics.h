@@ -111,8 +111,9 @@ private:
     void addSprings(const Coordinates& q, const Coordinates& v) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;
-    void advance(DynamicState& state, Surroundings around, int halvings) noexcept;
-    bool rungeKutta(DynamicState& state, const Surroundings& around, double dt, bool whole) noexcept;
+    void advance(DynamicState& state, Surroundings around, int finest) noexcept;
+    bool rungeKutta(DynamicState& state, const Surroundings& around, double dt, int finest,
+                    bool whole) noexcept;
     void takeBack(DynamicState& state, double dt) noexcept;
     void normalise(Coordinates& q) const noexcept;
     void ratesOf(const Coordinates& q, const Coordinates& v, Coordinates& rate) const noexcept;
