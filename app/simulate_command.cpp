@@ -115,10 +115,11 @@ Result<int> runSimulate(const SimulateOptions& options) {
         return inputError("--seconds: that would be more than 1e7 rows or 1e9 steps; ask for less time, a "
                           "longer --every or a lower --rate");
     if (outputs == 0)
-        return inputError("--every: is longer than --seconds, and nothing would move; make it shorter");
+        return inputError("--seconds: is shorter than --every, and nothing would move; ask for more");
     for (const PushOption& push : options.pushes)
-        if (push.from >= options.seconds)
-            return inputError("--push: begins when the simulation is over; ask for more --seconds");
+        if (push.to <= 0 || push.from >= double(outputs) * options.every)
+            return inputError("--push: is over before the first step or begins after the last; move it, or "
+                              "ask for more --seconds");
     const double dt = options.every / double(perOutput);
     Pushes pushes(options.pushes, *mechanism, mechanics);
     KeyedBodies keyed(loaded->scene, *mechanism);

@@ -227,6 +227,18 @@ Polytope hullOf(const std::vector<Vec3>& points) {
     return body;
 }
 
+/// Below y = 0, for a plane has one side.
+static Polytope slabOf(double x, double z) {
+    const double thickness = 0.1 * std::min(x, z);
+    Polytope slab = boxOf({x, thickness, z});
+    for (Vec3& p : slab.points)
+        p.y() -= 0.5 * thickness;
+    for (Polytope::Face& face : slab.faces)
+        face.offset = face.normal.dot(slab.points[std::size_t(face.corners[0])]);
+    slab.centre.y() -= 0.5 * thickness;
+    return slab;
+}
+
 Convex convexOf(const ColliderShape& shape) {
     Convex convex;
     switch (shape.kind) {
@@ -253,15 +265,8 @@ Convex convexOf(const ColliderShape& shape) {
             convex.reach = std::numeric_limits<double>::infinity();
             return convex;
         }
-        // A slab below it, for it has one side.
         convex.core = Convex::Core::Polytope;
-        convex.polytope =
-            boxOf({shape.size.x(), 0.1 * std::min(shape.size.x(), shape.size.z()), shape.size.z()});
-        for (Vec3& p : convex.polytope.points)
-            p.y() -= 0.05 * std::min(shape.size.x(), shape.size.z());
-        for (Polytope::Face& face : convex.polytope.faces)
-            face.offset = face.normal.dot(convex.polytope.points[std::size_t(face.corners[0])]);
-        convex.polytope.centre.y() -= 0.05 * std::min(shape.size.x(), shape.size.z());
+        convex.polytope = slabOf(shape.size.x(), shape.size.z());
         break;
     case ShapeKind::Hull:
     case ShapeKind::Mesh:

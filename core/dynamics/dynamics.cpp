@@ -15,6 +15,8 @@ constexpr double kRough = 0.04;
 constexpr double kSmooth = 1e-9;
 /// Springs and dampers that are held are found anew where it is more than this.
 constexpr double kVeryRough = 0.25;
+/// Loops that are farther open, m or rad, are closed before the next step.
+constexpr double kOpen = 1e-6;
 /// What is rough is gone in at most so many parts.
 constexpr int kFinest = 8;
 
@@ -206,10 +208,24 @@ void Dynamics::weighSprings(const DynamicState& state) noexcept {
             springInertia_[i] = rows_.inertiaOf(articulation_, mechanism_->springs[i].of);
 }
 
+// What a step that was too rough for its order has opened would take 1 / c to come back, and be farther
+// open by then.
+void Dynamics::closeLoops(DynamicState& state) noexcept {
+    loops_.projectAll(state.v);
+    loops_.closing(free_);
+    ratesOf(state.q, free_, qRate_[0]);
+    state.q += qRate_[0];
+    normalise(state.q);
+}
+
 void Dynamics::findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept {
     along_.setZero();
     weighSprings(state);
     evaluate(state.q, state.v, around, a_[0]);
+    if (!loops_.empty() && loops_.largestGap() > kOpen) {
+        closeLoops(state);
+        evaluate(state.q, state.v, around, a_[0]);
+    }
     rows_.gather(articulation_, loops_, state.q, around.dt, early);
     if (rows_.empty()) return;
     if (rows_.stopApproaches(state.v)) {

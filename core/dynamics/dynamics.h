@@ -110,6 +110,7 @@ private:
     void addAir(double dt) noexcept;
     void addSprings(const Coordinates& q, const Coordinates& v) noexcept;
     void weighSprings(const DynamicState& state) noexcept;
+    void closeLoops(DynamicState& state) noexcept;
     void findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept;
     void advance(DynamicState& state, Surroundings around, int finest) noexcept;
     bool rungeKutta(DynamicState& state, const Surroundings& around, double dt, int finest,

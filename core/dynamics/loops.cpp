@@ -143,6 +143,22 @@ void Loops::project(const Island& island, double* change) const noexcept {
                  Numbers(change_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities);
 }
 
+void Loops::closing(Coordinates& shift) const noexcept {
+    shift.setZero();
+    for (const Island& island : mechanism_.islands) {
+        const int count = island.endLoop - island.firstLoop;
+        for (int r = 0; r < count; ++r) {
+            const std::size_t i = std::size_t(island.firstLoop + r);
+            rhs_[std::size_t(r)] = mechanism_.loops[i].at - rows_[i].now.value;
+        }
+        solve(island, rhs_.data());
+        for (int r = 0; r < count; ++r)
+            shift.segment(island.v, island.velocities) +=
+                rhs_[std::size_t(r)] *
+                Numbers(change_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities);
+    }
+}
+
 void Loops::projectAll(Coordinates& velocities) const noexcept {
     for (const Island& island : mechanism_.islands)
         project(island, velocities.data() + island.v);

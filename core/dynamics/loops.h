@@ -24,6 +24,8 @@ public:
     void project(const Island& island, double* change) const noexcept;
     /// The same for velocities, which need not have kept the locks.
     void projectAll(Coordinates& velocities) const noexcept;
+    /// How the velocities would have to be for a second to close all gaps, with the least motion.
+    void closing(Coordinates& shift) const noexcept;
     /// The largest gap, m or rad, of the last factor().
     double largestGap() const noexcept { return gap_; }
 

@@ -149,6 +149,7 @@ private:
     void closeLoop(std::size_t joint);
     void addActions(std::size_t joint);
     Coordinate rateOf(std::size_t joint, bool angular, int axis) const;
+    void addDrive(std::size_t joint, const JointDrive& drive);
     Coordinate coordinateOf(std::size_t joint, bool angular, AxisSet axes) const;
 
     std::span<const RigidBody> bodies_;
@@ -428,6 +429,15 @@ Coordinate Builder::rateOf(std::size_t number, bool angular, int axis) const {
     return of;
 }
 
+/// Without a spring there is no angle that it would need.
+void Builder::addDrive(std::size_t number, const JointDrive& drive) {
+    if (!(drive.stiffness > 0 || drive.damping > 0)) return;
+    made_.springs.push_back({drive.stiffness > 0
+                                 ? coordinateOf(number, drive.angular, AxisSet(1 << drive.axis))
+                                 : rateOf(number, drive.angular, drive.axis),
+                             drive});
+}
+
 void Builder::addActions(std::size_t number) {
     const Joint& joint = joints_[number];
     const auto [a, b] = ends_[number];
@@ -446,16 +456,19 @@ void Builder::addActions(std::size_t number) {
             continue;
         }
         JointDrive drive;
+        drive.angular = limit.angular;
         drive.stiffness = limit.stiffness;
         drive.damping = limit.damping;
+        const bool isPoint = limit.max == 0 && (limit.axes & (limit.axes - 1)) != 0;
+        if (isPoint && !rides) { // a distance has no direction at 0, and its parts along the axes have
+            for (drive.axis = 0; drive.axis < 3; ++drive.axis)
+                if (limit.axes >> drive.axis & 1) addDrive(number, drive);
+            continue;
+        }
         made_.springs.push_back({of, drive, limit.min, limit.max, true});
     }
     for (const JointDrive& drive : joint.drives)
-        if (!isHeld(drive.angular, AxisSet(1 << drive.axis)) && (drive.stiffness > 0 || drive.damping > 0))
-            made_.springs.push_back({drive.stiffness > 0
-                                         ? coordinateOf(number, drive.angular, AxisSet(1 << drive.axis))
-                                         : rateOf(number, drive.angular, drive.axis),
-                                     drive});
+        if (!isHeld(drive.angular, AxisSet(1 << drive.axis))) addDrive(number, drive);
     for (const JointFriction& friction : joint.frictions)
         if (!isHeld(friction.angular, AxisSet(1 << friction.axis)) && friction.force > 0)
             made_.frictions.push_back({rateOf(number, friction.angular, friction.axis), friction.force});

@@ -13,6 +13,8 @@ namespace {
 /// A cylinder stands whose axis is nearer to the normal than this, rad: then no side of it is lower than
 /// others.
 constexpr double kUpright = 1e-3;
+/// One that leans farther than this, rad, touches a plane with one place of each end at most.
+constexpr double kOnItsSide = 0.2;
 /// How much less than the radius the middle of a prism's side is from the axis: 1 - cos(pi / 48).
 constexpr double kSagitta = 2.2e-3;
 
@@ -339,6 +341,17 @@ TouchPoints onHalfSpace(const Pose& a_W, const Convex& b, const Pose& b_W, doubl
     if (b.core == Convex::Core::Polytope) {
         const Placed body(b.polytope, b_W, scratch.b, scratch.normalsB);
         InplaceVector<TouchPoint, 128> found;
+        const bool isPrism = b.round > 0 && body.points.size() == 2 * kCylinderSides;
+        if (isPrism && b_W.rotateInverse(n).cwiseProduct(Vec3(1, 0, 1)).norm() > kOnItsSide) {
+            // Of each end only the corner that was turned down: those beside it are nearer than they would
+            // be.
+            const auto lowest =
+                std::ranges::min_element(body.points, {}, [&](const Vec3& p) { return n.dot(p); });
+            const std::size_t pair = std::size_t(lowest - body.points.begin()) / 2 * 2;
+            for (const std::size_t i : {pair, pair + 1})
+                if (const TouchPoint at = place(body.points[i]); at.gap <= margin) points.push(at);
+            return points;
+        }
         for (const Vec3& p : body.points)
             if (const TouchPoint at = place(p); at.gap <= margin && found.size() < found.room())
                 found.push(at);

@@ -177,11 +177,14 @@ private slots:
         const QString scene = write("fall.gltf", gltf(kBall));
         const Ended never = runTactum({"simulate", scene, "--seconds", "0.1", "--every", "0.2"});
         QCOMPARE(never.code, 1);
-        COMPARE_CONTAINS(oneLine(never.error), QByteArray("--every: is longer than --seconds"));
-        const Ended late =
-            runTactum({"simulate", scene, "--seconds", "0.1", "--push", "0.1,0.2,1,2,3,1,0,0"});
-        QCOMPARE(late.code, 1);
-        COMPARE_CONTAINS(oneLine(late.error), QByteArray("--push: begins when the simulation is over"));
+        COMPARE_CONTAINS(oneLine(never.error), QByteArray("--seconds: is shorter than --every"));
+        for (const char* when : {"0.1,0.2", "0.101,0.104", "-1,0"}) {
+            const QString push = QStringLiteral("--push=%1,1,2,3,1,0,0").arg(when);
+            const Ended late = runTactum({"simulate", scene, "--seconds", "0.105", push});
+            QCOMPARE(late.code, 1);
+            COMPARE_CONTAINS(oneLine(late.error),
+                             QByteArray("is over before the first step or begins after"));
+        }
     }
 
     // The lever is as long as it is asked for, and who did not mean that is told.

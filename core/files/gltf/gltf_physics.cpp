@@ -233,7 +233,7 @@ void PhysicsReader::addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, i
 std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geometry) {
     const Mat3& stretch = spots_[node].stretch;
     if (const Json* shape = element(shapes_, "shapes", indexOf(geometry, "shape")))
-        return implicitShapeOf(*shape, stretch);
+        return implicitShapeOf(*shape, stretch, nameOf(node), made_.findings);
     auto mesh = std::make_shared<ShapeMesh>();
     const int named = indexOf(geometry, "mesh");
     if (named >= 0 && std::size_t(named) < model_.meshes.size())

@@ -20,14 +20,20 @@ Combine combineIn(const Values& material, const char* key) {
     return kModes[material.oneOf(key, {"average", "minimum", "maximum", "multiply"})];
 }
 
+bool hasAny(const Json& limit, const char* key) {
+    const Json* list = member(limit, key);
+    return list && !(list->is_array() && list->empty());
+}
+
 /// Nothing where there are none, or what is no axis.
 AxisSet axesIn(const Json& limit, const char* key) {
     AxisSet axes = 0;
     const Json* list = member(limit, key);
     if (!list || !list->is_array()) return 0;
     for (const Json& axis : *list) {
-        if (!axis.is_number_integer() || axis.get<int>() < 0 || axis.get<int>() > 2) return 0;
-        axes = AxisSet(axes | 1 << axis.get<int>());
+        const auto number = axis.is_number_integer() ? axis.get<std::int64_t>() : -1;
+        if (number < 0 || number > 2) return 0;
+        axes = AxisSet(axes | 1 << number);
     }
     return axes;
 }
@@ -59,33 +65,37 @@ void Values::warn(const std::string& sentence, const std::string& remedy) const 
     findings_.push_back({Finding::Severity::Warning, of_, "has a " + what_ + " " + sentence, remedy});
 }
 
-std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch) {
+std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch, const std::string& owner,
+                                             std::vector<Finding>& findings) {
     const Vec3 scale = stretch.diagonal().cwiseAbs();
     if (scale.isZero(0)) return std::nullopt; // disabled
     const std::string type = textIn(json, "type");
     static const Json kNothing = Json::object();
     const Json* given = type.empty() ? nullptr : member(json, type.c_str());
     const Json& of = given ? *given : kNothing;
+    const Values values(of, owner, type, findings);
     const double across = 0.5 * (scale.x() + scale.z());
     ColliderShape shape;
     if (type == "box") {
         shape.kind = ShapeKind::Box;
-        shape.size = vectorIn<3>(of, "size").value_or(Vec3::Ones()).cwiseProduct(scale);
+        const auto size = vectorIn<3>(of, "size");
+        if (!size && member(of, "size"))
+            values.warn("whose size is not three numbers", "1 m each is used; correct it");
+        shape.size = size.value_or(Vec3::Ones()).cwiseProduct(scale);
     } else if (type == "sphere") {
         shape.kind = ShapeKind::Sphere;
-        shape.radius = shape.radiusBottom = numberIn(of, "radius").value_or(0.5) * scale.mean();
+        shape.radius = shape.radiusBottom = values.number("radius", 0.5) * scale.mean();
     } else if (type == "capsule" || type == "cylinder") {
         shape.kind = type == "capsule" ? ShapeKind::Capsule : ShapeKind::Cylinder;
-        const double radius = numberIn(of, "radius").value_or(0.25); // of an older draft
-        shape.radius = numberIn(of, "radiusTop").value_or(radius) * across;
-        shape.radiusBottom = numberIn(of, "radiusBottom").value_or(radius) * across;
-        shape.height = numberIn(of, "height").value_or(0.5) * scale.y();
+        const double radius = values.number("radius", 0.25); // of an older draft
+        shape.radius = values.number("radiusTop", radius) * across;
+        shape.radiusBottom = values.number("radiusBottom", radius) * across;
+        shape.height = values.number("height", 0.5) * scale.y();
+        if (type == "capsule" && shape.radius != shape.radiusBottom)
+            values.warn("of two radii", "it touches as one of their mean; make it of two shapes");
     } else if (type == "plane") {
         shape.kind = ShapeKind::Plane;
-        const auto extent = [&](const char* key, double by) {
-            const auto size = numberIn(of, key);
-            return size ? *size * by : kUnbounded;
-        };
+        const auto extent = [&](const char* key, double by) { return values.number(key, kUnbounded) * by; };
         shape.size = {extent("sizeX", scale.x()), 0, extent("sizeZ", scale.z())};
     } else {
         return std::nullopt;
@@ -132,10 +142,9 @@ void addLimits(const Json& description, Joint& joint, std::vector<Finding>& find
     for (const Json& json : *all) {
         const Values values(json, joint.name, "limit", findings);
         JointLimit limit;
-        limit.axes = axesIn(json, "linearAxes");
-        limit.angular = limit.axes == 0;
-        if (limit.angular) limit.axes = axesIn(json, "angularAxes");
-        if (!limit.angular && axesIn(json, "angularAxes") != 0)
+        limit.angular = !hasAny(json, "linearAxes");
+        limit.axes = axesIn(json, limit.angular ? "angularAxes" : "linearAxes");
+        if (!limit.angular && hasAny(json, "angularAxes"))
             values.warn("of linear and of angular axes", "the linear ones count; make it two limits");
         limit.min = values.number("min", -kUnbounded);
         limit.max = values.number("max", kUnbounded);

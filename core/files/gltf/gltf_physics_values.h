@@ -57,10 +57,10 @@ public:
         : json_(json), of_(std::move(of)), what_(std::move(what)), findings_(findings) {}
 
     double number(const char* key, double otherwise) const {
-        return inRange(key, otherwise, -kUnbounded, kUnbounded, "a number");
+        return inRange(key, otherwise, -kMostNumber, kMostNumber, "a number up to 1e15");
     }
     double positive(const char* key, double otherwise) const {
-        return inRange(key, otherwise, 0, kUnbounded, "0 or more");
+        return inRange(key, otherwise, 0, kMostNumber, "from 0 to 1e15");
     }
     double ratio(const char* key, double otherwise) const {
         return inRange(key, otherwise, 0, 1, "from 0 to 1");
@@ -70,6 +70,7 @@ public:
     void warn(const std::string& sentence, const std::string& remedy) const;
 
 private:
+    static constexpr double kMostNumber = 1e15; ///< products of two of them, and of a step, are numbers too
     double inRange(const char* key, double otherwise, double least, double most, const char* words) const;
 
     const Json& json_;
@@ -78,7 +79,8 @@ private:
 };
 
 /// Stretched along its axes; nothing for one that is no shape, or that is disabled by a scale of 0.
-std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch);
+std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stretch, const std::string& of,
+                                             std::vector<Finding>& findings);
 /// `of`: whose it is.
 TouchMaterial touchMaterialOf(const Json& json, const std::string& of, std::vector<Finding>& findings);
 CollisionFilter collisionFilterOf(const Json& json);

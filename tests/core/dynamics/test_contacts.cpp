@@ -144,16 +144,19 @@ void ContactsTest::aBallRollsDownASlope() {
 void ContactsTest::aCylinderRollsAsFarAsItIs_data() {
     QTest::addColumn<double>("angle");
     QTest::addColumn<bool>("onABox");
-    for (const double angle : {0., 0.0873, 0.3}) {
-        QTest::addRow("%g rad, plane", angle) << angle << false;
-        QTest::addRow("%g rad, box", angle) << angle << true;
-    }
+    QTest::addColumn<double>("radius");
+    for (const double radius : {0.005, 0.05})
+        for (const double angle : {0., 0.0175, 0.3}) {
+            QTest::addRow("%g m, %g rad, plane", radius, angle) << angle << false << radius;
+            QTest::addRow("%g m, %g rad, box", radius, angle) << angle << true << radius;
+        }
 }
 
 // On the flat it keeps its speed, down a slope it gains 2/3 g sin(angle) each second.
 void ContactsTest::aCylinderRollsAsFarAsItIs() {
     QFETCH(double, angle);
     QFETCH(bool, onABox);
+    QFETCH(double, radius);
     const Slope slope{angle};
     World world;
     world.material = {0.8, 0.8, 0, Combine::Average, Combine::Average};
@@ -161,19 +164,19 @@ void ContactsTest::aCylinderRollsAsFarAsItIs() {
                    {slope.turn, slope.turn * Vec3(0, onABox ? -0.05 : 0, 0)});
     ColliderShape wheel;
     wheel.kind = ShapeKind::Cylinder;
-    wheel.radius = wheel.radiusBottom = 0.05;
+    wheel.radius = wheel.radiusBottom = radius;
     wheel.height = 0.1;
-    Pose lying = slope.above(0.05);
+    Pose lying = slope.above(radius);
     lying.rotation = lying.rotation * Quat(Eigen::AngleAxisd(pi / 2, Vec3::UnitX()));
     RigidBody& body = world.add(wheel, lying, 0.4);
     body.velocity = 0.5 * slope.down;
-    body.angularVelocity = Vec3(0, 0, -0.5 / 0.05);
+    body.angularVelocity = Vec3(0, 0, -0.5 / radius);
     Running run(world.mechanics);
     run.run(2, 0.5e-3);
     const BodyState now = run.bodies()[0];
     const double speed = 0.5 + 2 * 9.81 * std::sin(angle) * 2 / 3;
     COMPARE_NEAR(now.velocity.dot(slope.down), speed, 1e-3 * speed, "m/s");
-    COMPARE_NEAR(now.angularVelocity.norm() * 0.05, speed, 1e-3 * speed, "m/s");
+    COMPARE_NEAR(now.angularVelocity.norm() * radius, speed, 1e-3 * speed, "m/s");
 }
 
 void ContactsTest::aBallBouncesByItsRestitution_data() {

@@ -61,6 +61,8 @@ private slots:
     void aStiffSpringSettles();
     void aDriveInAccelerationsKnowsNoMass();
     void dampersOnAllAxesOfABallAreOne();
+    void aStiffPointHolds_data();
+    void aStiffPointHolds();
     void aDampedRopeUnderLoadComesToRest_data();
     void aDampedRopeUnderLoadComesToRest();
     void aMotorHoldsItsSpeedUpToItsForce();
@@ -200,6 +202,27 @@ void JointsTest::dampersOnAllAxesOfABallAreOne() {
         run.run(1, 1e-3);
         COMPARE_NEAR(run.bodies()[0].angularVelocity,
                      Vec3(Vec3(3, -4, 5) * std::exp(-kDamping / kMoment * t)), 1e-9, "rad/s");
+    }
+}
+
+void JointsTest::aStiffPointHolds_data() {
+    QTest::addColumn<double>("stiffness");
+    for (const double stiffness : {1e5, 1e7, 1e9})
+        QTest::addRow("%g N/m", stiffness) << stiffness;
+}
+
+// A limit of three axes that ends where it begins is a spring in all directions: what hangs on it a metre
+// away swings as a pendulum.
+void JointsTest::aStiffPointHolds() {
+    QFETCH(double, stiffness);
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3(1, 0, 0), 1, Vec3::Constant(0.1))};
+    const Joint point = jointAt(bodies, kWorldBody, 1, Vec3::Zero(), Quat::Identity(),
+                                {{false, kAllAxes, 0, 0, stiffness, 100}});
+    Running run(bodies, {point});
+    for (int i = 0; i < 20; ++i) {
+        run.run(0.1, 0.5e-3);
+        QCOMPARE_LT(run.energy(), 0.01 * 9.81); // of what its fall has
+        COMPARE_NEAR(run.bodies()[0].centre.norm(), 1, 1e-3, "m");
     }
 }
 

@@ -283,7 +283,8 @@ private slots:
                                 << QByteArray(sentence);
         };
         row("nothing wrong", "", "", "", "");
-        row("friction", R"("staticFriction":-1)", "", "", "a material whose staticFriction is not 0 or more");
+        row("friction", R"("staticFriction":-1)", "", "",
+            "a material whose staticFriction is not from 0 to 1e15");
         row("bounce", R"("restitution":1.5)", "", "", "a material whose restitution is not from 0 to 1");
         row("mode", R"("frictionCombine":"sum")", "", "",
             "whose frictionCombine is not average, minimum, maximum or multiply");
@@ -296,10 +297,15 @@ private slots:
             "a limit of linear and of angular axes");
         row("a fourth axis", "", "", R"("limits":[{"linearAxes":[0,3],"min":0,"max":0}])",
             "a limit without axes");
+        row("an axis beyond 32 bits", "", "", R"("limits":[{"linearAxes":[4294967296],"min":0,"max":0}])",
+            "a limit without axes");
+        row("a target that no number holds", "", "",
+            R"("drives":[{"type":"angular","axis":0,"stiffness":1,"positionTarget":1e308}])",
+            "a drive whose positionTarget is not a number up to 1e15");
         row("damping", "", "", R"("limits":[{"linearAxes":[0],"min":0,"max":0,"damping":-2}])",
-            "a limit whose damping is not 0 or more");
+            "a limit whose damping is not from 0 to 1e15");
         row("a word", "", "", R"("drives":[{"type":"angular","axis":0,"stiffness":"high"}])",
-            "a drive whose stiffness is not 0 or more");
+            "a drive whose stiffness is not from 0 to 1e15");
         row("kind", "", "", R"("drives":[{"type":"spin","axis":0}])",
             "a drive whose type is not linear or angular");
         row("kind of force", "", "", R"("drives":[{"type":"angular","axis":0,"mode":"velocity"}])",
@@ -326,6 +332,22 @@ private slots:
         if (sentence.isEmpty()) return;
         COMPARE_CONTAINS(loaded->findings[0].sentence, sentence.toStdString());
         QVERIFY(!loaded->findings[0].object.empty());
+    }
+
+    void sizesThatAreNoneAreSaid() {
+        for (const auto& [shape, sentence] :
+             {std::pair{R"({"type":"sphere","sphere":{"radius":"big"}})", "whose radius is not a number"},
+              {R"({"type":"box","box":{"size":[10,1]}})", "whose size is not three numbers"},
+              {R"({"type":"capsule","capsule":{"radiusTop":0.1,"radiusBottom":0.2}})", "of two radii"}}) {
+            const auto loaded = folder_.load(
+                "a.gltf",
+                gltf("[" + node("\"name\":\"b\"", R"("motion":{},"collider":{"geometry":{"shape":0}})") + "]",
+                     "", shape));
+            VERIFY_RESULT(loaded);
+            QCOMPARE(loaded->findings.size(), std::size_t(1));
+            COMPARE_CONTAINS(loaded->findings[0].sentence, std::string(sentence));
+            QCOMPARE(loaded->scene.mechanics.colliders.size(), std::size_t(1));
+        }
     }
 
     void aFlatMeshIsNoCollider() {
