@@ -32,6 +32,11 @@ Quat between(const Pose& a_W, const Pose& b_W) noexcept {
     return q;
 }
 
+/// Half of a turn of at most half a turn round: the same frame from either side.
+Quat halfOf(const Quat& turn) noexcept {
+    return Quat(turn.coeffs() + Quat::Identity().coeffs()).normalized();
+}
+
 // With q' = w q / 2 the angle 2 atan2(q_i, q_w) grows as this says, frame a.
 Measured twist(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcept {
     const Quat q = between(a_W, b_W);
@@ -63,7 +68,7 @@ Measured measure(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcep
     case Measure::Twist:
         return twist(of, a_W, b_W);
     case Measure::Spin:
-        return turning(0, axis);
+        return turning(0, a_W.rotation * (halfOf(between(a_W, b_W)) * Vec3::Unit(of.axis)));
     case Measure::Cone: {
         const Vec3 other = axisOf(b_W, of.axis), normal = axis.cross(other);
         return turning(std::atan2(normal.norm(), axis.dot(other)),

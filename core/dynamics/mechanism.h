@@ -49,12 +49,12 @@ enum class Measure : std::uint8_t {
     Aside,    ///< distance from the line along axis of a
     Distance, ///< of the origins
     Twist,    ///< turn about axis
-    Spin,   ///< how fast it turns about axis of a: there is no angle, and none at which it would be singular
-    Cone,   ///< angle between axis of a and axis of b
-    Turned, ///< angle of the whole turn
-    Tilt,   ///< cosine of the angle between axis of a and axis2 of b
-    Way,    ///< along a path, whose tangent at b is axis of b; how far only its link knows
-    Residue ///< twice the vector part of the quaternion from a to b, along axis: for three locked axes
+    Spin,     ///< how fast it turns about axis of the frame halfway from a to b: it has no angle
+    Cone,     ///< angle between axis of a and axis of b
+    Turned,   ///< angle of the whole turn
+    Tilt,     ///< cosine of the angle between axis of a and axis2 of b
+    Way,      ///< along a path, whose tangent at b is axis of b; how far only its link knows
+    Residue   ///< twice the vector part of the quaternion from a to b, along axis: for three locked axes
 };
 
 struct Coordinate {

@@ -429,13 +429,21 @@ Coordinate Builder::rateOf(std::size_t number, bool angular, int axis) const {
     return of;
 }
 
-/// Without a spring there is no angle that it would need.
+/// Its spring acts on an angle, its damper on the rate: near half a turn about another axis an angle changes
+/// as fast as one likes. Where both share a bound they stay one.
 void Builder::addDrive(std::size_t number, const JointDrive& drive) {
     if (!(drive.stiffness > 0 || drive.damping > 0)) return;
-    made_.springs.push_back({drive.stiffness > 0
-                                 ? coordinateOf(number, drive.angular, AxisSet(1 << drive.axis))
-                                 : rateOf(number, drive.angular, drive.axis),
-                             drive});
+    const Coordinate angle = coordinateOf(number, drive.angular, AxisSet(1 << drive.axis)),
+                     rate = rateOf(number, drive.angular, drive.axis);
+    const bool apart = angle.measure != rate.measure && drive.maxForce == kUnbounded;
+    if (!apart || !(drive.stiffness > 0 && drive.damping > 0)) {
+        made_.springs.push_back({drive.stiffness > 0 ? angle : rate, drive});
+        return;
+    }
+    JointDrive spring = drive, damper = drive;
+    spring.damping = damper.stiffness = damper.spacing = 0;
+    made_.springs.push_back({angle, spring});
+    made_.springs.push_back({rate, damper});
 }
 
 void Builder::addActions(std::size_t number) {

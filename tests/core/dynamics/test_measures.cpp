@@ -296,7 +296,7 @@ void MeasuresTest::whatIsJustSoIsTaken() {
     VERIFY_RESULT(made);
     QCOMPARE(made->vs, 7); // six that nothing changes, and the hinge
     // What has no force at all is no spring and no friction.
-    QCOMPARE(made->springs.size(), std::size_t(3)); // two soft limits and a drive
+    QCOMPARE(made->springs.size(), std::size_t(4)); // two soft limits, a spring and its damper
     QCOMPARE(made->frictions.size(), std::size_t(1));
     QCOMPARE(made->frictions[0].force, 1.0);
 }
