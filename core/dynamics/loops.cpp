@@ -105,6 +105,14 @@ void Loops::solve(const Island& island, double* rhs) const noexcept {
     }
 }
 
+void Loops::addAnswer(const Island& island, double* to) const noexcept {
+    solve(island, rhs_.data());
+    Eigen::Map<Eigen::VectorXd> answer(to, island.velocities);
+    for (int i = island.firstLoop; i < island.endLoop; ++i)
+        answer += rhs_[std::size_t(i - island.firstLoop)] *
+                  Numbers(change_.data() + rows_[std::size_t(i)].first, island.velocities);
+}
+
 void Loops::correct(const Articulation& articulation, Coordinates& acceleration) noexcept {
     for (const Island& island : mechanism_.islands) {
         const int count = island.endLoop - island.firstLoop;
@@ -121,26 +129,19 @@ void Loops::correct(const Articulation& articulation, Coordinates& acceleration)
                                    articulation.powerOf(of.a, of.b, rate) - 2 * kClosing * velocity -
                                    kClosing * kClosing * (now.value - lock.at);
         }
-        solve(island, rhs_.data());
-        for (int r = 0; r < count; ++r)
-            acceleration.segment(island.v, island.velocities) +=
-                rhs_[std::size_t(r)] *
-                Numbers(change_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities);
+        addAnswer(island, acceleration.data() + island.v);
     }
 }
 
 void Loops::project(const Island& island, double* change) const noexcept {
     const int count = island.endLoop - island.firstLoop;
     if (count == 0) return;
-    Eigen::Map<Eigen::VectorXd> moved(change, island.velocities);
+    const Numbers moved(change, island.velocities);
     for (int r = 0; r < count; ++r)
         rhs_[std::size_t(r)] =
             -Numbers(jacobian_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities)
                  .dot(moved);
-    solve(island, rhs_.data());
-    for (int r = 0; r < count; ++r)
-        moved += rhs_[std::size_t(r)] *
-                 Numbers(change_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities);
+    addAnswer(island, change);
 }
 
 void Loops::closing(Coordinates& shift) const noexcept {
@@ -151,11 +152,7 @@ void Loops::closing(Coordinates& shift) const noexcept {
             const std::size_t i = std::size_t(island.firstLoop + r);
             rhs_[std::size_t(r)] = mechanism_.loops[i].at - rows_[i].now.value;
         }
-        solve(island, rhs_.data());
-        for (int r = 0; r < count; ++r)
-            shift.segment(island.v, island.velocities) +=
-                rhs_[std::size_t(r)] *
-                Numbers(change_.data() + rows_[std::size_t(island.firstLoop + r)].first, island.velocities);
+        addAnswer(island, shift.data() + island.v);
     }
 }
 

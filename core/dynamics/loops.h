@@ -38,6 +38,8 @@ private:
     };
 
     void solve(const Island& island, double* rhs) const noexcept;
+    /// Adds what the multipliers do that make the rows of an island change by what is in rhs_.
+    void addAnswer(const Island& island, double* to) const noexcept;
     double& factorAt(const Island& island, int row, int column) noexcept;
     double factorAt(const Island& island, int row, int column) const noexcept;
 
