@@ -33,6 +33,8 @@ if(LLD AND NOT TACTUM_SANITIZE)
   add_link_options(-fuse-ld=lld)
 endif()
 
+# Everywhere, as gRPC has it: what is precompiled is so for one set of options.
+add_compile_options(-pthread)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # tl::expected: the Result type. A header; Debian ships no CMake package that all versions agree on.
@@ -72,25 +74,60 @@ if(TACTUM_FUZZ)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# Compiles the sources of a target TACTUM_UNITY_BATCH at a time: most of the time of a source goes into the headers and
-# templates that its neighbours want too (docs/testing.md has the figures).
+# tactum_headers(NAME LINKS library... HEADERS <header>...)
+# Headers that most sources want, compiled once for all targets that tactum_unity() gives them to. A compiler cache would not
+# look into them, and serves better.
+function(tactum_headers name)
+  cmake_parse_arguments(H "" "" "LINKS;HEADERS" ${ARGN})
+  set(nothing "${CMAKE_BINARY_DIR}/nothing.cpp")
+  file(CONFIGURE OUTPUT "${nothing}" CONTENT "")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL "${nothing}")
+  target_link_libraries(${name} PRIVATE tactum_options ${H_LINKS})
+  if(TACTUM_UNITY_BATCH AND NOT CCACHE)
+    target_precompile_headers(${name} PRIVATE ${H_HEADERS})
+  endif()
+endfunction()
+
+# tactum_precompiled(TARGET HEADERS): a target reads those of tactum_headers(HEADERS ...).
+function(tactum_precompiled target headers)
+  if(TACTUM_UNITY_BATCH AND NOT CCACHE)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
+  endif()
+endfunction()
+
+# tactum_unity(TARGET [HEADERS]): compiles the sources of a target TACTUM_UNITY_BATCH at a time, with the headers of
+# tactum_headers(HEADERS ...): most of the time of a source goes into the headers and templates that its neighbours want
+# too (docs/decisions/build.md has the figures). With each alone an include that is missing is seen.
 function(tactum_unity target)
   if(TACTUM_UNITY_BATCH)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${TACTUM_UNITY_BATCH})
     # a type of a source may have members of types that only this source knows
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
+  if(ARGN)
+    tactum_precompiled(${target} ${ARGN})
+  endif()
 endfunction()
 
-# tactum_room(NAME SOURCES ... USES room ... PRIVATE library ...)
+tactum_headers(tactum_core_headers LINKS Eigen3::Eigen Threads::Threads
+  HEADERS <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <atomic> <charconv> <chrono> <cmath> <filesystem> <functional> <limits>
+    <map> <memory> <numeric> <optional> <span> <string> <string_view> <tl/expected.hpp> <tuple> <utility> <variant> <vector>)
+target_include_directories(tactum_core_headers SYSTEM PRIVATE "${TL_EXPECTED_INCLUDE}")
+
+# tactum_room(NAME SOURCES ... USES room ... PRIVATE library ... HEADERS <header>...)
 # One folder, one target. USES are other rooms, seen by whoever uses this one; PRIVATE are outside
-# libraries, which nobody else sees.
+# libraries, which nobody else sees. HEADERS are precompiled for this room instead of those of the core.
 function(tactum_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE;HEADERS" ${ARGN})
   set(target tactum_${name})
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
-    tactum_unity(${target})
+    if(ROOM_HEADERS)
+      tactum_unity(${target})
+      target_precompile_headers(${target} PRIVATE ${ROOM_HEADERS})
+    else()
+      tactum_unity(${target} tactum_core_headers)
+    endif()
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tactum_options>)
   else()

@@ -215,7 +215,7 @@ Error UsbLink::Impl::failure(const std::string& doing, int error) const {
     case LIBUSB_ERROR_NO_DEVICE:
         return saying("is not there any more; plug it in and look again");
     case LIBUSB_ERROR_ACCESS:
-        return saying(std::string("may not be used by you; ") + kHowToPermit);
+        return saying("may not be used by you; " + std::string(kHowToPermit));
     case LIBUSB_ERROR_BUSY:
         return saying("is in use by another program; end that one first");
     case LIBUSB_ERROR_TIMEOUT:
