@@ -346,6 +346,11 @@ private slots:
         const Json after = Parts(saved(loaded)).json["materials"][0]["extensions"][kOurs]["layers"];
         QVERIFY(!after[0].contains("warmth"));
         QCOMPARE_EQ(after[1]["warmth"], 5);
+        loaded = load(glb.glb()).scene;
+        loaded.objects[0].surfaces[0].layers.pop_back();
+        const Json fewer = Parts(saved(loaded)).json["materials"][0]["extensions"][kOurs]["layers"];
+        QCOMPARE(fewer.size(), std::size_t(1));
+        QCOMPARE_EQ(fewer[0]["warmth"], 3);
     }
 
     /// Where a node cannot say a pose exactly, the pose stands beside it. Another program writes the node in

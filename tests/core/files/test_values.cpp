@@ -10,6 +10,7 @@
 #include "core/files/mesh/write_mesh.h"
 #include "core/files/x3d/write_x3d.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/core/files/rich_mechanics.h"
 #include "tests/core/files/scene_text.h"
 #include "tests/support/as_shown.h"
 #include "tests/support/compare.h"
@@ -162,6 +163,40 @@ private slots:
         VERIFY_RESULT(again);
         LoadedScene written{richScene(), {}, true};
         QCOMPARE(sceneText({again->scene, {}, true}), sceneText(written)); // nothing was lost on the way
+    }
+
+    /// The whole of a mechanism, and again: what is read is written the same.
+    void whatMovesIsWrittenAndReadAsGltf() {
+        Scene scene;
+        scene.objects = {SceneObject{}};
+        scene.objects[0].name = "carried";
+        scene.objects[0].geometry = plates();
+        scene.objects[0].surfaces.resize(2);
+        scene.objects[0].body = 1;
+        scene.mechanics = richMechanics();
+        const auto glb = glbOf(scene);
+        VERIFY_RESULT(glb);
+        COMPARE_SHOWN(jsonOf(*glb), "written-mechanics");
+        const auto loaded = folder_.load("mechanics.glb", *glb);
+        VERIFY_RESULT(loaded);
+        const Mechanics &before = scene.mechanics, &after = loaded->scene.mechanics;
+        QVERIFY(after.bodies == before.bodies);
+        QCOMPARE(after.joints.size(), before.joints.size());
+        for (std::size_t i = 0; i < before.joints.size(); ++i) {
+            const Joint &is = after.joints[i], &was = before.joints[i];
+            QCOMPARE_EQ(is.name, was.name);
+            QVERIFY(is.limits == was.limits);
+            QVERIFY(is.drives == was.drives);
+            QVERIFY(is.frictions == was.frictions);
+            QVERIFY(is.path == was.path);
+            QVERIFY(is.frameA == was.frameA);
+            QVERIFY(is.frameB == was.frameB);
+            QVERIFY(is == was);
+        }
+        QCOMPARE(after.colliders.size(), before.colliders.size());
+        for (std::size_t i = 0; i < before.colliders.size(); ++i)
+            QVERIFY2(after.colliders[i] == before.colliders[i], qPrintable(QString::number(i)));
+        QVERIFY(after == before);
     }
 
     void aSceneIsWrittenAsX3d() {

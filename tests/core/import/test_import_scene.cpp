@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/files/load_scene.h"
 #include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
 #include "tests/core/files/mesh_files.h"
@@ -133,6 +134,23 @@ private slots:
         QCOMPARE_GT(fractions.size(), 2);
         QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
         QCOMPARE(fractions.back(), 1.0);
+    }
+
+    /// A file of many parts does not fill the line to the reading process.
+    void progressIsSaidAHundredTimesAtMost() {
+        std::string scene = "<X3D><Scene>";
+        for (int i = 0; i < 1000; ++i)
+            scene += "<Shape><Box/></Shape>";
+        const auto file = folder_.write("boxes.x3d", scene + "</Scene></X3D>");
+        int direct = 0, through = 0;
+        Progress counted, progress;
+        counted.report = [&](double) { ++direct; };
+        VERIFY_RESULT(loadScene(file, counted));
+        QCOMPARE_GT(direct, 1000);
+        progress.report = [&](double) { ++through; };
+        VERIFY_RESULT(importScene(file, progress));
+        QCOMPARE_GT(through, 50);
+        QCOMPARE_LE(through, 110);
     }
 
     void aReaderThatStopsIsOneLine_data() {

@@ -65,6 +65,7 @@ private slots:
     void triplanarOfAnAxisIsPlanar();
     void maskCountsInTheSlope();
     void strangeInputGivesThePlainSurface();
+    void beyondAllRepeatsIsThePlainSurface();
 };
 
 // 1 % of the steepest slope seen: what the differences themselves are worth at a step of a nanometre or so.
@@ -348,6 +349,22 @@ void TextureSlopeTest::strangeInputGivesThePlainSurface() {
                 point.uvGradient(0, 0) = point.normal.y() = wrong;
                 QCOMPARE_LE(feel(*stack, point, 1e-3).slope.norm(), kSteepestSlope * (1 + 1e-12));
             }
+}
+
+// Beyond kMaxRepeats a double no longer knows where in a repeat it is, along either way.
+void TextureSlopeTest::beyondAllRepeatsIsThePlainSurface() {
+    TextureLayer layer = heightLayer(TextureSource::Noise, TextureMapping::Uv, 0.01, 1e-3);
+    const UvTriangle laid = laidOut(Eigen::Matrix2d::Identity());
+    const Stack stack = stackOf({layer}, laid.soup());
+    TexturePoint point = laid.at({0.3, 0.3, 0.4});
+    QCOMPARE_GT(feel(*stack, point, 0).slope.norm(), 0);
+    const Vector2d before = point.uv;
+    for (const int way : {0, 1}) {
+        point.uv = before;
+        point.uv[way] = 3 * kMaxRepeats;
+        QCOMPARE(feel(*stack, point, 0).height, 0.0);
+        QCOMPARE(feel(*stack, point, 0).slope, Vec3(0, 0, 0));
+    }
 }
 
 TACTUM_TEST(TextureSlopeTest)
