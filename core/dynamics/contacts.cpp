@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/dynamics/round/pairs.h"
+
 namespace tactum {
 
 namespace {
@@ -15,6 +17,8 @@ constexpr std::size_t kMostPlaces = 65536;
 constexpr double kNear = 1e-4;
 /// A place is the same as one of the last step within this, m.
 constexpr double kSame = 2e-3;
+/// What approaches faster than this, m/s, is stopped before it can roll.
+constexpr double kApproaches = 1e-9;
 
 } // namespace
 
@@ -73,12 +77,39 @@ void Contacts::touch(const Articulation& articulation, int a, int b, double dt) 
             ++leftOut_;
             continue;
         }
-        Touching place{a, b, number++, at, poses_[std::size_t(a)].applyInverse(at.point), 0, 0, Vec3::Zero()};
+        Touching place{a, b, number++, at, poses_[std::size_t(a)].applyInverse(at.point)};
+        place.normal = at.normal, place.onAThen = place.onBThen = at.point;
         const Wrench normal{at.normal, at.point, Vec3::Zero()};
         place.rate = articulation.powerOf(first.place, second.place, normal);
         place.bend = at.normal.dot(accelerationAt(articulation, second.place.link, at.point) -
                                    accelerationAt(articulation, first.place.link, at.point));
         now_.push_back(place);
+    }
+    lookAhead(articulation, std::span(now_).last(std::size_t(number)), dt);
+}
+
+// A ball that rolls on another one leaves the plane that touched both at the beginning of the step. Pushed
+// along where they touch in its middle it neither hops nor gains or loses speed.
+void Contacts::lookAhead(const Articulation& articulation, std::span<Touching> places,
+                         double dt) const noexcept {
+    if (places.empty()) return;
+    const std::size_t a = std::size_t(places[0].a), b = std::size_t(places[0].b);
+    const Touchable &first = mechanism_.touchables[a], &second = mechanism_.touchables[b];
+    if (first.convex.form == Convex::Form::Other || second.convex.form == Convex::Form::Other) return;
+    const Pose a_W = ahead(poses_[a], articulation.velocityOf(first.place), 0.5 * dt),
+               b_W = ahead(poses_[b], articulation.velocityOf(second.place), 0.5 * dt);
+    const auto then = touchRound(first.convex, a_W, second.convex, b_W, kUnbounded);
+    if (!then || then->size() != places.size()) return;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const TouchPoint& at = (*then)[i];
+        Touching& place = places[i];
+        if (place.rate < -kApproaches || at.normal.dot(place.at.normal) < kTurnsLittle) continue;
+        place.normal = at.normal;
+        place.onAThen = at.point - a_W.translation + poses_[a].translation;
+        place.onBThen = at.point - b_W.translation + poses_[b].translation;
+        place.turning = articulation.powerOf({}, second.place, {at.normal, place.onBThen, Vec3::Zero()}) -
+                        articulation.powerOf({}, first.place, {at.normal, place.onAThen, Vec3::Zero()}) -
+                        place.rate;
     }
 }
 

@@ -1,6 +1,7 @@
 // Which bodies are near each other and where they touch. For this folder.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/dynamics/articulation.h"
@@ -12,8 +13,12 @@ struct Touching {
     int a = 0, b = 0; ///< of Mechanism::touchables
     int place = 0;    ///< which of the two bodies' places
     TouchPoint at;
-    Vec3 onA = Vec3::Zero();   ///< the same point in the frame of a, by which it is known again
-    double rate = 0;           ///< m/s at which the gap grows
+    Vec3 onA = Vec3::Zero(); ///< the same point in the frame of a, by which it is known again
+    double rate = 0;         ///< m/s at which the gap grows
+    /// What is round touches elsewhere as it goes. In the middle of the step: the normal, where it acts on a
+    /// and on b as they are now, and what the gap grows faster along it.
+    Vec3 normal = Vec3::UnitY(), onAThen = Vec3::Zero(), onBThen = Vec3::Zero();
+    double turning = 0;        ///< m/s
     double bend = 0;           ///< m/s^2
     Vec3 force = Vec3::Zero(); ///< on b, N, world frame: of the last step, to begin with
 };
@@ -41,6 +46,7 @@ private:
 
     void box(const Articulation& articulation, double dt, Box& box) const noexcept;
     void touch(const Articulation& articulation, int a, int b, double dt) noexcept;
+    void lookAhead(const Articulation& articulation, std::span<Touching> places, double dt) const noexcept;
     Vec3 accelerationAt(const Articulation& articulation, int link, const Vec3& point) const noexcept;
     void remember() noexcept;
 

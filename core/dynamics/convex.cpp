@@ -243,10 +243,12 @@ Convex convexOf(const ColliderShape& shape) {
     Convex convex;
     switch (shape.kind) {
     case ShapeKind::Sphere:
+        convex.form = Convex::Form::Ball;
         convex.radius = shape.radius;
         break;
     case ShapeKind::Capsule:
         convex.core = Convex::Core::Segment;
+        convex.form = Convex::Form::Capsule;
         convex.half = 0.5 * shape.height;
         convex.radius = 0.5 * (shape.radius + shape.radiusBottom);
         break;
@@ -258,6 +260,8 @@ Convex convexOf(const ColliderShape& shape) {
         convex.core = Convex::Core::Polytope;
         convex.polytope = prismOf(shape.radiusBottom, shape.radius, shape.height);
         convex.round = std::max(shape.radiusBottom, shape.radius);
+        convex.half = 0.5 * shape.height;
+        if (shape.radiusBottom == shape.radius) convex.form = Convex::Form::Cylinder;
         break;
     case ShapeKind::Plane:
         if (std::isinf(shape.size.x()) || std::isinf(shape.size.z())) {
@@ -274,7 +278,7 @@ Convex convexOf(const ColliderShape& shape) {
         if (shape.mesh) convex.polytope = hullOf(shape.mesh->points);
         break;
     }
-    convex.reach = reachOf(convex.polytope) + convex.half + convex.radius;
+    convex.reach = std::max(reachOf(convex.polytope), convex.half + convex.radius);
     if (convex.polytope.points.empty()) return convex;
     convex.low = convex.high = convex.polytope.points.front();
     for (const Vec3& p : convex.polytope.points) {

@@ -29,9 +29,12 @@ struct Polytope {
 /// What a collider is to others.
 struct Convex {
     enum class Core : std::uint8_t { Point, Segment, Polytope, HalfSpace };
+    /// What meets its like by formulas of its own (round/pairs.h).
+    enum class Form : std::uint8_t { Other, Ball, Capsule, Cylinder };
     Core core = Core::Point;
+    Form form = Form::Other;
     double radius = 0; ///< m, around the core
-    double half = 0;   ///< of a segment along y, m
+    double half = 0;   ///< of a segment, and of a cylinder, along y, m
     Polytope polytope; ///< of that core
     double round = 0;  ///< m: the larger radius of a cylinder, whose polytope is its prism; 0 for others
     double reach = 0;  ///< m: no point is farther from the origin; endless for a half-space

@@ -111,4 +111,11 @@ Wrench rateOf(const Coordinate& of, const Pose& a_W, const Pose& b_W, const Fram
     return rate;
 }
 
+Pose ahead(const Pose& frame, const FrameVelocity& moves, double dt) noexcept {
+    const double angle = moves.angular.norm() * dt;
+    const Quat turn =
+        angle > 0 ? Quat(Eigen::AngleAxisd(angle, moves.angular.normalized())) : Quat::Identity();
+    return {turn * frame.rotation, frame.translation + dt * moves.linear};
+}
+
 } // namespace tactum

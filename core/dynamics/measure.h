@@ -25,6 +25,10 @@ Measured measure(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcep
 struct FrameVelocity {
     Vec3 angular = Vec3::Zero(), linear = Vec3::Zero();
 };
+/// A frame as it goes on. Thread: real time.
+Pose ahead(const Pose& frame, const FrameVelocity& moves, double dt) noexcept;
+/// The cosine of how far a direction may turn in half a step to be held where it points then.
+inline constexpr double kTurnsLittle = 0.97;
 /// How fast the wrench of measure() changes, of the measures that locks have. Thread: real time.
 Wrench rateOf(const Coordinate& of, const Pose& a_W, const Pose& b_W, const FrameVelocity& a,
               const FrameVelocity& b) noexcept;

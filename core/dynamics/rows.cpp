@@ -161,7 +161,7 @@ void Rows::keepForces(double dt) noexcept {
     for (std::size_t i = 0; i < count_; ++i) {
         if (rows_[i].kind != Kind::Contact) continue;
         Touching& touching = contacts_.all()[std::size_t(rows_[i].contact)];
-        const Vec3& normal = touching.at.normal;
+        const Vec3& normal = touching.normal;
         touching.force = (rows_[i].impulse * normal + rows_[i + 1].impulse * ways_[i + 1] +
                           rows_[i + 2].impulse * ways_[i + 2]) /
                          dt;

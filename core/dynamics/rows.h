@@ -90,11 +90,11 @@ private:
 
     Reading read(const Articulation& articulation, const Coordinate& of, const Coordinates& q) const noexcept;
     Row* addRow(Kind kind, Articulation& articulation, const Loops& loops, const Place& a, const Place& b,
-                const Wrench& along, double sense) noexcept;
+                const Wrench& onA, const Wrench& onB, double sense) noexcept;
     Row* addRow(Kind kind, Articulation& articulation, const Loops& loops, const Coordinate& of,
                 const Wrench& along, double sense) noexcept;
     double addSide(Side& side, int linkA, int linkB, Articulation& articulation, const Loops& loops,
-                   const Wrench& along, double sense) noexcept;
+                   const Wrench& onA, const Wrench& onB, double sense) noexcept;
     void gatherContacts(Articulation& articulation, const Loops& loops, double dt, bool early) noexcept;
     void gatherContact(int index, Articulation& articulation, const Loops& loops, double dt) noexcept;
     /// Along what a limit holds in the middle of a step, and what that way is more than it is now.

@@ -14,8 +14,6 @@ namespace {
 constexpr double kReached = 1e-7;
 /// Bodies touch within this, m.
 constexpr double kTouching = 1e-5;
-/// The cosine of how far a limit may turn in half a step to be held where it points then.
-constexpr double kTurnsLittle = 0.97;
 /// What slides slower than this, m/s, sticks.
 constexpr double kStill = 1e-3;
 /// A spring whose k h^2 + d h exceeds this part of the inertia that it moves is not smooth in a step h. Runge
@@ -36,14 +34,6 @@ double combined(double a, double b, Combine modeA, Combine modeB) noexcept {
     return 0;
 }
 
-/// A frame goes on as it moves.
-Pose ahead(const Pose& frame, const FrameVelocity& moves, double dt) noexcept {
-    const double angle = moves.angular.norm() * dt;
-    const Quat turn =
-        angle > 0 ? Quat(Eigen::AngleAxisd(angle, moves.angular.normalized())) : Quat::Identity();
-    return {turn * frame.rotation, frame.translation + dt * moves.linear};
-}
-
 } // namespace
 
 Rows::Reading Rows::read(const Articulation& articulation, const Coordinate& of,
@@ -56,15 +46,15 @@ Rows::Reading Rows::read(const Articulation& articulation, const Coordinate& of,
 
 /// J and M^-1 J^T of the links of one island; gives J M^-1 J^T.
 double Rows::addSide(Side& side, int linkA, int linkB, Articulation& articulation, const Loops& loops,
-                     const Wrench& along, double sense) noexcept {
+                     const Wrench& onA, const Wrench& onB, double sense) noexcept {
     side.island = mechanism_.links[std::size_t(std::max(linkA, linkB))].island;
     side.first = numbers_;
     const Island& island = mechanism_.islands[std::size_t(side.island)];
     double* jacobian = jacobian_.data() + side.first;
     double* change = change_.data() + side.first;
     std::fill_n(jacobian, island.velocities, 0.0);
-    articulation.addJacobian(linkB, along, sense, jacobian);
-    articulation.addJacobian(linkA, along, -sense, jacobian);
+    articulation.addJacobian(linkB, onB, sense, jacobian);
+    articulation.addJacobian(linkA, onA, -sense, jacobian);
     articulation.respond(island, jacobian, change);
     loops.project(island, change);
     numbers_ += std::size_t(island.velocities);
@@ -75,7 +65,7 @@ double Rows::addSide(Side& side, int linkA, int linkB, Articulation& articulatio
 }
 
 Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loops, const Place& a,
-                        const Place& b, const Wrench& along, double sense) noexcept {
+                        const Place& b, const Wrench& onA, const Wrench& onB, double sense) noexcept {
     const auto islandOf = [&](int link) {
         return link < 0 ? -1 : mechanism_.links[std::size_t(link)].island;
     };
@@ -89,10 +79,10 @@ Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loop
     const std::size_t before = numbers_;
     double softness = 0;
     if (islandOf(a.link) == islandOf(b.link)) {
-        softness = addSide(row.sides[0], a.link, b.link, articulation, loops, along, sense);
+        softness = addSide(row.sides[0], a.link, b.link, articulation, loops, onA, onB, sense);
     } else {
-        if (a.link >= 0) softness += addSide(row.sides[0], a.link, -1, articulation, loops, along, sense);
-        if (b.link >= 0) softness += addSide(row.sides[1], -1, b.link, articulation, loops, along, sense);
+        if (a.link >= 0) softness += addSide(row.sides[0], a.link, -1, articulation, loops, onA, onB, sense);
+        if (b.link >= 0) softness += addSide(row.sides[1], -1, b.link, articulation, loops, onA, onB, sense);
     }
     const bool moves = softness > 1e-30;
     if (!moves && kind != Kind::Rub) { // of a contact's friction one direction may be held by a joint
@@ -106,7 +96,7 @@ Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loop
 
 Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loops, const Coordinate& of,
                         const Wrench& along, double sense) noexcept {
-    Row* row = addRow(kind, articulation, loops, of.a, of.b, along, sense);
+    Row* row = addRow(kind, articulation, loops, of.a, of.b, along, along, sense);
     if (row) row->link = of.link, row->sense = sense * of.sense;
     return row;
 }
@@ -115,11 +105,16 @@ void Rows::gatherContact(int index, Articulation& articulation, const Loops& loo
     const Touching& touching = contacts_.all()[std::size_t(index)];
     const Touchable &a = mechanism_.touchables[std::size_t(touching.a)],
                     &b = mechanism_.touchables[std::size_t(touching.b)];
-    const Vec3& normal = touching.at.normal;
+    const Vec3& normal = touching.normal;
     const std::size_t first = count_;
-    Row* row = addRow(Kind::Contact, articulation, loops, a.place, b.place,
-                      {normal, touching.at.point, Vec3::Zero()}, 1);
+    const auto add = [&](Kind kind, const Vec3& way) {
+        return addRow(kind, articulation, loops, a.place, b.place, {way, touching.onAThen, Vec3::Zero()},
+                      {way, touching.onBThen, Vec3::Zero()}, 1);
+    };
+    Row* row = add(Kind::Contact, normal);
     if (!row) return;
+    row->turning = touching.turning;
+    row->target = -touching.turning;
     row->high = kUnbounded;
     row->depth = std::max(0.0, -touching.at.gap);
     row->contact = index;
@@ -127,14 +122,14 @@ void Rows::gatherContact(int index, Articulation& articulation, const Loops& loo
     row->bounce = combined(a.material.restitution, b.material.restitution, a.material.restitutionCombine,
                            b.material.restitutionCombine);
     row->falls = 2 * std::max(0.0, -touching.bend) * dt;
-    const auto velocityAt = [&](const Place& place) {
+    const auto velocityAt = [&](const Place& place, const Vec3& point) {
         return articulation.velocityOf(
             {place.link,
-             {Quat::Identity(), place.link < 0
-                                    ? touching.at.point
-                                    : articulation.link(place.link).pose.applyInverse(touching.at.point)}});
+             {Quat::Identity(),
+              place.link < 0 ? point : articulation.link(place.link).pose.applyInverse(point)}});
     };
-    const Vec3 slide = velocityAt(b.place).linear - velocityAt(a.place).linear;
+    const Vec3 slide =
+        velocityAt(b.place, touching.onBThen).linear - velocityAt(a.place, touching.onAThen).linear;
     const Vec3 across = slide - normal.dot(slide) * normal;
     const bool still = across.norm() < kStill;
     row->friction = still ? combined(a.material.staticFriction, b.material.staticFriction,
@@ -144,8 +139,7 @@ void Rows::gatherContact(int index, Articulation& articulation, const Loops& loo
     const Vec3 way = still ? normal.unitOrthogonal() : Vec3(across.normalized());
     const std::array<Vec3, 2> ways{way, normal.cross(way)};
     for (const Vec3& rub : ways) {
-        Row* sideways = addRow(Kind::Rub, articulation, loops, a.place, b.place,
-                               {rub, touching.at.point, Vec3::Zero()}, 1);
+        Row* sideways = add(Kind::Rub, rub);
         if (!sideways) { // never a contact with a part of its friction
             count_ = first;
             return;

@@ -6,6 +6,9 @@
 #include <numbers>
 #include <span>
 
+#include "core/dynamics/round/pairs.h"
+#include "core/dynamics/segments.h"
+
 namespace tactum {
 
 namespace {
@@ -53,11 +56,6 @@ struct Placed {
     const Vec3& from(const Polytope::Edge& edge) const noexcept { return points[std::size_t(edge.a)]; }
     const Vec3& to(const Polytope::Edge& edge) const noexcept { return points[std::size_t(edge.b)]; }
 };
-
-void keep(TouchPoints& points, const Vec3& onA, const Vec3& normal, double gap, double margin) noexcept {
-    if (gap <= margin && points.size() < kMaxTouchPoints)
-        points.push({onA + 0.5 * gap * normal, normal, gap});
-}
 
 /// The face of b that lies farthest from all of a.
 struct FaceGap {
@@ -107,36 +105,6 @@ EdgeGap widestEdges(const Placed& a, const Placed& b, double enough) noexcept {
         }
     }
     return best;
-}
-
-struct Pair {
-    Vec3 a, b;
-};
-/// The nearest points of two segments (Ericson, Real-Time Collision Detection, 5.1.9).
-Pair nearest(const Vec3& p1, const Vec3& q1, const Vec3& p2, const Vec3& q2) noexcept {
-    const Vec3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
-    const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
-    double s = 0, t = 0;
-    if (a <= 1e-30) {
-        t = e > 1e-30 ? std::clamp(f / e, 0.0, 1.0) : 0;
-    } else {
-        const double c = d1.dot(r);
-        if (e <= 1e-30) {
-            s = std::clamp(-c / a, 0.0, 1.0);
-        } else {
-            const double b = d1.dot(d2), under = a * e - b * b;
-            if (under > 1e-14 * a * e) s = std::clamp((b * f - c * e) / under, 0.0, 1.0);
-            t = (b * s + f) / e;
-            if (t < 0) {
-                t = 0;
-                s = std::clamp(-c / a, 0.0, 1.0);
-            } else if (t > 1) {
-                t = 1;
-                s = std::clamp((b - c) / a, 0.0, 1.0);
-            }
-        }
-    }
-    return {p1 + s * d1, p2 + t * d2};
 }
 
 /// Of many places those four that span the most: the lowest, and what is farthest from those chosen.
@@ -215,7 +183,7 @@ TouchPoints polytopes(const Polytope& first, const Pose& a_W, const Polytope& se
     const double faces = std::max(ofA.gap, ofB.gap);
     if (edges.gap > faces + kEdgeGain) {
         const Polytope::Edge &edgeA = first.edges[edges.a], &edgeB = second.edges[edges.b];
-        const Vec3 on = nearest(a.from(edgeA), a.to(edgeA), b.from(edgeB), b.to(edgeB)).a;
+        const Vec3 on = nearestPoints(a.from(edgeA), a.to(edgeA), b.from(edgeB), b.to(edgeB)).a;
         keep(points, on, edges.normal, edges.gap, margin);
     } else if (ofA.gap >= ofB.gap - kEdgeGain) { // the same one of two equal ones
         clipFaces(a, ofA.face, b, false, margin, scratch, points);
@@ -295,8 +263,8 @@ TouchPoints roundAndFlat(const Convex& a, const Pose& a_W, const Polytope& body,
     double least = kInfinity;
     Vec3 place = segment.p;
     for (const Polytope::Edge& edge : body.edges) {
-        const Pair pair =
-            nearest(segment.p, segment.q, b.points[std::size_t(edge.a)], b.points[std::size_t(edge.b)]);
+        const PointPair pair =
+            nearestPoints(segment.p, segment.q, b.points[std::size_t(edge.a)], b.points[std::size_t(edge.b)]);
         if (const double distance = (pair.a - pair.b).squaredNorm(); distance < least) {
             least = distance;
             place = pair.a;
@@ -304,27 +272,6 @@ TouchPoints roundAndFlat(const Convex& a, const Pose& a_W, const Polytope& body,
     }
     if ((place - segment.p).norm() > 0.01 * a.half && (place - segment.q).norm() > 0.01 * a.half)
         touch(place);
-    return points;
-}
-
-TouchPoints roundOnes(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W,
-                      double margin) noexcept {
-    TouchPoints points;
-    const Segment u = segmentOf(a, a_W), v = segmentOf(b, b_W);
-    const auto touch = [&](const Pair& pair) {
-        const Vec3 between = pair.b - pair.a;
-        const double distance = between.norm();
-        const Vec3 normal = distance > 1e-12 ? Vec3(between / distance) : Vec3::UnitY();
-        keep(points, pair.a + a.radius * normal, normal, distance - a.radius - b.radius, margin);
-    };
-    const Vec3 way = (u.q - u.p).cross(v.q - v.p);
-    const bool parallel = a.half > 0 && b.half > 0 && way.norm() < 1e-3 * a.half * b.half * 4;
-    if (!parallel) {
-        touch(nearest(u.p, u.q, v.p, v.q));
-        return points;
-    }
-    touch(nearest(u.p, u.p, v.p, v.q)); // side by side: at both ends
-    touch(nearest(u.q, u.q, v.p, v.q));
     return points;
 }
 
@@ -367,12 +314,7 @@ TouchPoints onHalfSpace(const Pose& a_W, const Convex& b, const Pose& b_W, doubl
     return points;
 }
 
-TouchPoints reversed(TouchPoints points) noexcept {
-    for (TouchPoint& point : points.all())
-        point.normal = -point.normal;
-    return points;
-}
-
+/// Not two round ones: round/pairs.h has those.
 TouchPoints touchAsTheyAre(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
                            TouchScratch& scratch) noexcept {
     using Core = Convex::Core;
@@ -383,8 +325,7 @@ TouchPoints touchAsTheyAre(const Convex& a, const Pose& a_W, const Convex& b, co
     if ((flatA && a.polytope.faces.empty()) || (flatB && b.polytope.faces.empty())) return {};
     if (flatA && flatB) return polytopes(a.polytope, a_W, b.polytope, b_W, margin, scratch);
     if (flatB) return roundAndFlat(a, a_W, b.polytope, b_W, margin, scratch);
-    if (flatA) return reversed(roundAndFlat(b, b_W, a.polytope, a_W, margin, scratch));
-    return roundOnes(a, a_W, b, b_W, margin);
+    return reversed(roundAndFlat(b, b_W, a.polytope, a_W, margin, scratch));
 }
 
 /// A cylinder turned about its axis, which changes nothing, until an edge of its prism points along a way.
@@ -403,6 +344,7 @@ Pose edgeToward(const Convex& body, const Pose& pose, const Vec3& way_W) noexcep
 // What a prism has less than its cylinder, where it touches with a side, is as much nearer at first.
 TouchPoints touchPoints(const Convex& a, const Pose& a_W, const Convex& b, const Pose& b_W, double margin,
                         TouchScratch& scratch) noexcept {
+    if (const auto points = touchRound(a, a_W, b, b_W, margin)) return *points;
     const double round = a.round + b.round;
     const TouchPoints first = touchAsTheyAre(a, a_W, b, b_W, margin + kSagitta * round, scratch);
     if (round == 0 || first.size() == 0) return first;

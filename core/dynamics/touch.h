@@ -1,4 +1,4 @@
-// Where two convex bodies touch, or nearly so: at most four places with a common normal. For this folder.
+// Where two convex bodies touch, or nearly so: at most four places. For this folder.
 #pragma once
 
 #include <array>
@@ -16,6 +16,19 @@ struct TouchPoint {
 
 inline constexpr std::size_t kMaxTouchPoints = 4;
 using TouchPoints = InplaceVector<TouchPoint, kMaxTouchPoints>;
+
+/// Adds a place where there is room and it is near enough; `onA`: on the surface of a.
+inline void keep(TouchPoints& points, const Vec3& onA, const Vec3& normal, double gap,
+                 double margin) noexcept {
+    if (gap <= margin && points.size() < kMaxTouchPoints)
+        points.push({onA + 0.5 * gap * normal, normal, gap});
+}
+/// As b sees a.
+inline TouchPoints reversed(TouchPoints points) noexcept {
+    for (TouchPoint& point : points.all())
+        point.normal = -point.normal;
+    return points;
+}
 
 /// Room for the corners of the two bodies that are compared. Thread: one at a time.
 struct TouchScratch {

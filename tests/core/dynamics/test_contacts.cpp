@@ -10,7 +10,7 @@
 
 #include <QTest>
 
-#include "tests/core/dynamics/mechanisms.h"
+#include "tests/core/dynamics/loose.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
@@ -22,48 +22,6 @@ using namespace tactum::test;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-ColliderShape box(const Vec3& size) {
-    ColliderShape shape;
-    shape.size = size;
-    return shape;
-}
-ColliderShape ball(double radius) {
-    ColliderShape shape;
-    shape.kind = ShapeKind::Sphere;
-    shape.radius = radius;
-    return shape;
-}
-ColliderShape floorShape() {
-    ColliderShape shape;
-    shape.kind = ShapeKind::Plane;
-    shape.size = {kUnbounded, 0, kUnbounded};
-    return shape;
-}
-
-/// A scene that grows by bodies of one shape each.
-struct World {
-    Mechanics mechanics;
-    TouchMaterial material;
-
-    RigidBody& add(const ColliderShape& shape, const Pose& pose, double mass) {
-        RigidBody body = bodyAt(BodyId(mechanics.bodies.size() + 1), pose.translation, mass);
-        body.pose = pose;
-        const ShapeMass whole = massOf(shape);
-        body.inertia = whole.moments.diagonal() * (mass / whole.volume);
-        body.centre = whole.centre;
-        mechanics.bodies.push_back(body);
-        mechanics.colliders.push_back({body.id, Pose{}, shape, material, {}});
-        return mechanics.bodies.back();
-    }
-    void addStill(const ColliderShape& shape, const Pose& pose = {}) {
-        mechanics.colliders.push_back({kWorldBody, pose, shape, material, {}});
-    }
-};
-
-Pose at(double x, double y, double z = 0) {
-    return {Quat::Identity(), Vec3(x, y, z)};
-}
 
 /// A plane that falls toward +x, and the pose of what lies `up` above it.
 struct Slope {
