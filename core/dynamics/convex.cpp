@@ -227,6 +227,9 @@ Polytope hullOf(const std::vector<Vec3>& points) {
     return body;
 }
 
+/// m: what is endless along one side alone goes as far as places of a scene do.
+static constexpr double kEndless = 2e6;
+
 /// Below y = 0, for a plane has one side.
 static Polytope slabOf(double x, double z) {
     const double thickness = 0.1 * std::min(x, z);
@@ -264,13 +267,13 @@ Convex convexOf(const ColliderShape& shape) {
         if (shape.radiusBottom == shape.radius) convex.form = Convex::Form::Cylinder;
         break;
     case ShapeKind::Plane:
-        if (std::isinf(shape.size.x()) || std::isinf(shape.size.z())) {
+        if (std::isinf(shape.size.x()) && std::isinf(shape.size.z())) {
             convex.core = Convex::Core::HalfSpace;
             convex.reach = std::numeric_limits<double>::infinity();
             return convex;
         }
         convex.core = Convex::Core::Polytope;
-        convex.polytope = slabOf(shape.size.x(), shape.size.z());
+        convex.polytope = slabOf(std::min(shape.size.x(), kEndless), std::min(shape.size.z(), kEndless));
         break;
     case ShapeKind::Hull:
     case ShapeKind::Mesh:

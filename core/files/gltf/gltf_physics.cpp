@@ -77,7 +77,8 @@ private:
     const Json* element(const Json* holder, const char* array, int index) const {
         const Json* all = holder ? member(*holder, array) : nullptr;
         if (!all || !all->is_array() || index < 0 || std::size_t(index) >= all->size()) return nullptr;
-        return &(*all)[std::size_t(index)];
+        const Json& found = (*all)[std::size_t(index)];
+        return found.is_object() ? &found : nullptr;
     }
     int indexOf(const Json& holder, const char* key) const {
         return indexIn(holder, key, std::size_t(1) << 30);
@@ -85,6 +86,9 @@ private:
     std::string nameOf(int node) const {
         const std::string& name = model_.nodes[std::size_t(node)].name;
         return name.empty() ? "node" + std::to_string(node) : name;
+    }
+    Values valuesOf(const Json& json, int node, const char* what) {
+        return {json, nameOf(node), what, made_.findings};
     }
     void warn(const std::string& object, const std::string& sentence, const std::string& remedy) {
         made_.findings.push_back({Severity::Warning, object, sentence, remedy});
@@ -101,6 +105,9 @@ private:
     template <int N>
     std::optional<Eigen::Matrix<double, N, 1>> valueIn(const Json& motion, const char* key,
                                                        const Range& range, const std::string& body);
+    void checkKinds(int node, const Json& ours);
+    void checkShared();
+    std::optional<Quat> inertiaTurn(const Json& motion, const std::string& body);
     void visit(int node, const Spot& parent, BodyId body, std::uint32_t part);
     Spot spotOf(int node, const Spot& parent, BodyId body);
     void numberParts();
@@ -152,9 +159,38 @@ Spot PhysicsReader::spotOf(int node, const Spot& parent, BodyId body) {
     return spot;
 }
 
+/// What of a node is no object at all; who reads it later sees nothing there.
+void PhysicsReader::checkKinds(int node, const Json& ours) {
+    valuesOf(root_["nodes"][std::size_t(node)]["extensions"], node, "set of extensions")
+        .object(kPhysicsExtension);
+    const Values values = valuesOf(ours, node, kPhysicsExtension);
+    for (const char* key : {"motion", "collider", "trigger", "joint"})
+        values.object(key);
+}
+
+/// The same of what all nodes share.
+void PhysicsReader::checkShared() {
+    const std::string file = "the file";
+    const Json* all = Values(root_, file, "root", made_.findings).object("extensions");
+    if (!all) return;
+    const Values extensions(*all, file, "set of extensions", made_.findings);
+    for (const char* name : {kPhysicsExtension, kShapesExtension, kOlderShapes}) {
+        const Json* found = extensions.object(name);
+        if (!found) continue;
+        const Values values(*found, file, name, made_.findings);
+        if (name != kPhysicsExtension) {
+            values.listOfObjects("shapes");
+            continue;
+        }
+        for (const char* key : {"physicsMaterials", "physicsJoints", "collisionFilters"})
+            values.listOfObjects(key);
+    }
+}
+
 void PhysicsReader::visit(int node, const Spot& parent, BodyId body, std::uint32_t part) {
     spots_[node] = spotOf(node, parent, body);
     const Json* ours = ofNode(node);
+    if (ours) checkKinds(node, *ours);
     if (const Json* motion = ours ? member(*ours, "motion") : nullptr; motion && motion->is_object()) {
         addBody(node, *motion);
         body = made_.mechanics.bodies.back().id;
@@ -189,7 +225,8 @@ void PhysicsReader::addBody(int node, const Json& motion) {
     body.name = printable(nameOf(node), kLongestName);
     const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
     body.pose = ours ? exactPose(*ours, spot.pose).value_or(spot.pose) : spot.pose;
-    body.kinematic = flagIn(motion, "isKinematic") || motions_.moves(node);
+    body.kinematic =
+        Values(motion, body.name, "motion", made_.findings).flag("isKinematic") || motions_.moves(node);
     if (const auto factor = valueIn<1>(motion, "gravityFactor", kFactorRange, body.name))
         body.gravityFactor = factor->x();
     // Of the node's frame; m/s, whatever its scale. In ours the exact one of the world stands beside it.
@@ -234,6 +271,7 @@ std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geomet
     const Mat3& stretch = spots_[node].stretch;
     if (const Json* shape = element(shapes_, "shapes", indexOf(geometry, "shape")))
         return implicitShapeOf(*shape, stretch, nameOf(node), made_.findings);
+    const bool isHull = valuesOf(geometry, node, "collider").flag("convexHull");
     auto mesh = std::make_shared<ShapeMesh>();
     const int named = indexOf(geometry, "mesh");
     if (named >= 0 && std::size_t(named) < model_.meshes.size())
@@ -242,7 +280,7 @@ std::optional<ColliderShape> PhysicsReader::shapeOf(int node, const Json& geomet
         addNodeMeshes(indexOf(geometry, "node"), Affine(stretch), *mesh, 0);
     if (mesh->points.empty()) return std::nullopt;
     ColliderShape shape;
-    shape.kind = flagIn(geometry, "convexHull") ? ShapeKind::Hull : ShapeKind::Mesh;
+    shape.kind = isHull ? ShapeKind::Hull : ShapeKind::Mesh;
     shape.mesh = std::move(mesh);
     return shape;
 }
@@ -279,9 +317,25 @@ void PhysicsReader::addCollider(int node, const Json& json, BodyId body) {
     if (const Json* of = named(node, json, "physicsMaterial", "physicsMaterials"))
         collider.material = touchMaterialOf(*of, nameOf(node), made_.findings);
     if (const Json* of = named(node, json, "collisionFilter", "collisionFilters"))
-        collider.filter = collisionFilterOf(*of);
+        collider.filter = collisionFilterOf(*of, nameOf(node), made_.findings);
     if (body == kWorldBody) collider.part = parts_[node];
     made_.mechanics.colliders.push_back(std::move(collider));
+}
+
+/// What is no turn is said; so is one that turns nothing.
+std::optional<Quat> PhysicsReader::inertiaTurn(const Json& motion, const std::string& body) {
+    if (!member(motion, "inertiaOrientation")) return std::nullopt;
+    const auto turn = vectorIn<4>(motion, "inertiaOrientation");
+    const Values values(motion, body, "motion", made_.findings);
+    if (!turn || !isUsable(*turn)) {
+        values.warn("whose inertiaOrientation is not a turn of four numbers",
+                    "it is as if it were not there; correct it");
+        return std::nullopt;
+    }
+    const Quat unit = unitLength(Quat(*turn));
+    if (!member(motion, "inertiaDiagonal") && unit.vec().norm() > 1e-6)
+        values.warn("with an inertiaOrientation and no inertiaDiagonal", "it turns nothing; give it both");
+    return unit;
 }
 
 /// What the file says of a body's mass, and what its colliders say where the file says nothing.
@@ -297,10 +351,10 @@ void PhysicsReader::fillMasses() {
         if (const auto centre = valueIn<3>(motion, "centerOfMass", kPlaceRange, body.name))
             body.centre = spots_[nodeOf_[body.id]].stretch * *centre;
         const auto inertia = valueIn<3>(motion, "inertiaDiagonal", kMomentRange, body.name);
+        const auto turn = inertiaTurn(motion, body.name);
         if (!inertia) continue;
         body.inertia = *inertia;
-        const auto turn = vectorIn<4>(motion, "inertiaOrientation");
-        body.inertiaFrame = turn && isUsable(*turn) ? unitLength(Quat(*turn)) : Quat::Identity();
+        body.inertiaFrame = turn.value_or(Quat::Identity());
     }
 }
 
@@ -327,7 +381,7 @@ void PhysicsReader::addJoint(int node, const Json& json) {
     joint.b = owners_[other];
     joint.frameA = placeOf(node);
     joint.frameB = placeOf(other);
-    joint.collide = flagIn(json, "enableCollision");
+    joint.collide = valuesOf(json, node, "joint").flag("enableCollision");
     if (joint.a == kWorldBody) joint.part = parts_[node];
     if (joint.b == kWorldBody) joint.part = parts_[other];
     const Json* ours = extensionOf(root_["nodes"][std::size_t(node)]);
@@ -371,8 +425,11 @@ GltfPhysics PhysicsReader::run() {
     if (!nodes || !nodes->is_array() || nodes->size() != model_.nodes.size()) return {};
     if (std::ranges::none_of(*nodes, [](const Json& node) { return extension(node, kPhysicsExtension); }))
         return {};
+    checkShared();
     for (const int node : sceneRoots(model_))
         visit(node, Spot{}, kWorldBody, 0);
+    // Colliders alone: copies of our own, or of no use here.
+    if (made_.mechanics.bodies.empty()) return {{}, {}, std::move(made_.findings)};
     for (const auto& [node, body] : owners_)
         if (const Json* ours = ofNode(node))
             if (const Json* collider = member(*ours, "collider"); collider && collider->is_object())
@@ -382,10 +439,13 @@ GltfPhysics PhysicsReader::run() {
         if (const Json* ours = ofNode(node))
             if (const Json* joint = member(*ours, "joint"); joint && joint->is_object())
                 addJoint(node, *joint);
-    if (made_.mechanics.bodies.empty()) return {}; // colliders alone: copies of our own, or of no use here
     numberParts();
     if (const Json* ours = extensionOf(root_)) {
-        made_.mechanics.gravity = vectorIn<3>(*ours, "gravity").value_or(made_.mechanics.gravity);
+        if (const auto gravity = vectorIn<3>(*ours, "gravity"))
+            made_.mechanics.gravity = *gravity;
+        else if (member(*ours, "gravity"))
+            Values(*ours, "the file", kExtension, made_.findings)
+                .warn("whose gravity is not three numbers", "9.81 m/s^2 down is used; correct it");
         for (const WorldField& field : kWorldFields)
             readWorld(*ours, field);
     }

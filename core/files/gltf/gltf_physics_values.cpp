@@ -61,6 +61,35 @@ std::size_t Values::oneOf(const char* key, std::initializer_list<const char*> wo
     return 0;
 }
 
+const Json* Values::ofKind(const char* key, bool (Json::*is)() const noexcept, const char* words) const {
+    const Json* found = member(json_, key);
+    if (!found || (found->*is)()) return found;
+    warn(std::string("whose ") + key + " is not " + words, "it is as if it were not there; correct it");
+    return nullptr;
+}
+
+bool Values::flag(const char* key) const {
+    const Json* found = ofKind(key, &Json::is_boolean, "true or false");
+    return found && found->get<bool>();
+}
+
+const Json* Values::list(const char* key) const {
+    return ofKind(key, &Json::is_array, "a list");
+}
+
+const Json* Values::object(const char* key) const {
+    return ofKind(key, &Json::is_object, "an object");
+}
+
+const Json* Values::listOfObjects(const char* key) const {
+    const Json* all = list(key);
+    if (!all) return nullptr;
+    if (!std::ranges::all_of(*all, [](const Json& one) { return one.is_object(); }))
+        warn(std::string("whose ") + key + " are not all objects",
+             "the others are as if they were not there; correct them");
+    return all;
+}
+
 void Values::warn(const std::string& sentence, const std::string& remedy) const {
     findings_.push_back({Finding::Severity::Warning, of_, "has a " + what_ + " " + sentence, remedy});
 }
@@ -71,7 +100,7 @@ std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stret
     if (scale.isZero(0)) return std::nullopt; // disabled
     const std::string type = textIn(json, "type");
     static const Json kNothing = Json::object();
-    const Json* given = type.empty() ? nullptr : member(json, type.c_str());
+    const Json* given = type.empty() ? nullptr : Values(json, owner, "shape", findings).object(type.c_str());
     const Json& of = given ? *given : kNothing;
     const Values values(of, owner, type, findings);
     const double across = 0.5 * (scale.x() + scale.z());
@@ -121,13 +150,17 @@ TouchMaterial touchMaterialOf(const Json& json, const std::string& of, std::vect
     return material;
 }
 
-CollisionFilter collisionFilterOf(const Json& json) {
+CollisionFilter collisionFilterOf(const Json& json, const std::string& of, std::vector<Finding>& findings) {
+    const Values values(json, of, "collision filter", findings);
     CollisionFilter filter;
     const auto names = [&](const char* key) {
         std::vector<std::string> all;
-        if (const Json* list = member(json, key); list && list->is_array())
-            for (const Json& name : *list)
-                if (name.is_string()) all.push_back(name.get<std::string>());
+        const Json* list = values.list(key);
+        if (!list) return all;
+        for (const Json& name : *list)
+            if (name.is_string()) all.push_back(name.get<std::string>());
+        if (all.size() != list->size())
+            values.warn(std::string("whose ") + key + " are not all names", "the others are left out");
         return all;
     };
     filter.systems = names("collisionSystems");
@@ -137,8 +170,8 @@ CollisionFilter collisionFilterOf(const Json& json) {
 }
 
 void addLimits(const Json& description, Joint& joint, std::vector<Finding>& findings) {
-    const Json* all = member(description, "limits");
-    if (!all || !all->is_array()) return;
+    const Json* all = Values(description, joint.name, "joint", findings).list("limits");
+    if (!all) return;
     for (const Json& json : *all) {
         const Values values(json, joint.name, "limit", findings);
         JointLimit limit;
@@ -162,8 +195,8 @@ void addLimits(const Json& description, Joint& joint, std::vector<Finding>& find
 }
 
 void addDrives(const Json& from, const char* array, Joint& joint, std::vector<Finding>& findings) {
-    const Json* all = member(from, array);
-    if (!all || !all->is_array()) return;
+    const Json* all = Values(from, joint.name, "joint", findings).list(array);
+    if (!all) return;
     for (const Json& json : *all) {
         const Values values(json, joint.name, "drive", findings);
         JointDrive drive;
@@ -184,8 +217,8 @@ void addDrives(const Json& from, const char* array, Joint& joint, std::vector<Fi
 }
 
 void addFrictions(const Json& ours, Joint& joint, std::vector<Finding>& findings) {
-    const Json* all = member(ours, "frictions");
-    if (!all || !all->is_array()) return;
+    const Json* all = Values(ours, joint.name, "joint", findings).list("frictions");
+    if (!all) return;
     for (const Json& json : *all) {
         const JointFriction friction{textIn(json, "type") == "angular", indexIn(json, "axis", 3),
                                      numberIn(json, "force").value_or(-1)};
@@ -198,16 +231,17 @@ void addFrictions(const Json& ours, Joint& joint, std::vector<Finding>& findings
 }
 
 bool addPath(const Json& path, Joint& joint, std::vector<Finding>& findings) {
+    const Values values(path, joint.name, "path", findings);
     const auto vectors = [](const Json* list) {
         std::vector<Vec3> all;
-        if (list && list->is_array())
+        if (list)
             for (std::size_t i = 0; i < std::min(list->size(), kMostPathPoints + 1); ++i)
                 all.push_back(vectorOf<3>((*list)[i]).value_or(Vec3::Constant(kUnbounded)));
         return all;
     };
-    joint.path.points = vectors(member(path, "points"));
-    joint.path.ups = vectors(member(path, "ups"));
-    joint.path.closed = path.is_object() && flagIn(path, "closed");
+    joint.path.points = vectors(values.list("points"));
+    joint.path.ups = vectors(values.list("ups"));
+    joint.path.closed = values.flag("closed");
     const auto curve = PathCurve::through(joint.path);
     if (!curve)
         leaveOut(findings, joint, "has a path that is none: " + curve.error().text, "the joint is left out");

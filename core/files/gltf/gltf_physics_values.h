@@ -23,11 +23,6 @@ inline std::optional<double> numberIn(const Json& holder, const char* key) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-inline bool flagIn(const Json& holder, const char* key) {
-    const Json* found = member(holder, key);
-    return found && found->is_boolean() && found->get<bool>();
-}
-
 template <int N> std::optional<Eigen::Matrix<double, N, 1>> vectorOf(const Json& list) {
     if (!list.is_array() || list.size() != N) return std::nullopt;
     Eigen::Matrix<double, N, 1> v;
@@ -67,9 +62,15 @@ public:
     }
     /// Which of the words: its index, or the first.
     std::size_t oneOf(const char* key, std::initializer_list<const char*> words) const;
+    bool flag(const char* key) const;          ///< false where it is not given
+    const Json* list(const char* key) const;   ///< or null
+    const Json* object(const char* key) const; ///< or null
+    /// A list of objects; that there is something else in it is said.
+    const Json* listOfObjects(const char* key) const;
     void warn(const std::string& sentence, const std::string& remedy) const;
 
 private:
+    const Json* ofKind(const char* key, bool (Json::*is)() const noexcept, const char* words) const;
     static constexpr double kMostNumber = 1e15; ///< products of two of them, and of a step, are numbers too
     double inRange(const char* key, double otherwise, double least, double most, const char* words) const;
 
@@ -83,7 +84,7 @@ std::optional<ColliderShape> implicitShapeOf(const Json& json, const Mat3& stret
                                              std::vector<Finding>& findings);
 /// `of`: whose it is.
 TouchMaterial touchMaterialOf(const Json& json, const std::string& of, std::vector<Finding>& findings);
-CollisionFilter collisionFilterOf(const Json& json);
+CollisionFilter collisionFilterOf(const Json& json, const std::string& of, std::vector<Finding>& findings);
 
 // Of a joint; what is left out is said in `findings`.
 void addLimits(const Json& description, Joint& joint, std::vector<Finding>& findings);

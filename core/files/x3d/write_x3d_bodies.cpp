@@ -181,13 +181,13 @@ void X3dBodies::writeCollider(XmlElement& parent, const char* field, const Colli
         write({.node = "Cylinder", .radius = convex.radius, .height = 2 * convex.half});
         write({.node = "Sphere", .radius = convex.radius}, {0, convex.half, 0});
         return write({.node = "Sphere", .radius = convex.radius}, {0, -convex.half, 0});
-    case Convex::Core::HalfSpace: {
-        Vec3 size(shape.size.x(), kThick, shape.size.z());
-        for (const int i : {0, 2})
-            if (!std::isfinite(size[i])) size[i] = kEndless;
-        return write({.node = "Box", .size = size}, {0, -kThick / 2, 0});
-    }
+    case Convex::Core::HalfSpace:
+        return write({.node = "Box", .size = {kEndless, kThick, kEndless}}, {0, -kThick / 2, 0});
     case Convex::Core::Polytope:
+        if (shape.kind == ShapeKind::Plane && !shape.size.allFinite()) {
+            const Vec3 size(std::min(shape.size.x(), kEndless), kThick, std::min(shape.size.z(), kEndless));
+            return write({.node = "Box", .size = size}, {0, -kThick / 2, 0});
+        }
         if (shape.kind == ShapeKind::Box) return write({.node = "Box", .size = shape.size});
         if (shape.kind == ShapeKind::Cylinder && shape.radius == shape.radiusBottom)
             return write({.node = "Cylinder", .radius = shape.radius, .height = shape.height});

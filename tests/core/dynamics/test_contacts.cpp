@@ -54,6 +54,7 @@ private slots:
     void dominoesFallInTurn();
     void everyPairOfShapesHolds_data();
     void everyPairOfShapesHolds();
+    void aStripIsEndlessOneWay();
     void filtersAndJointsKeepApart();
     void hullsAreTheSmallest();
     void whatHasNoRoomIsCounted();
@@ -329,6 +330,25 @@ void ContactsTest::everyPairOfShapesHolds() {
     Running run(world.mechanics);
     run.run(0.5, 1e-3);
     COMPARE_NEAR(run.bodies()[0].centre, Vec3(0, top + 0.05, 0), 5e-5, "m");
+}
+
+// 1 m wide: what slides along it stays on it, what slides across it falls off at the edge.
+void ContactsTest::aStripIsEndlessOneWay() {
+    for (const bool along : {true, false}) {
+        ColliderShape strip = floorShape();
+        strip.size.x() = 1;
+        World world;
+        world.material = {0, 0, 0, Combine::Average, Combine::Average};
+        world.addStill(strip);
+        world.add(box({0.1, 0.1, 0.1}), at(0, 0.05), 1).velocity = along ? Vec3(0, 0, 50) : Vec3(2, 0, 0);
+        Running run(world.mechanics);
+        run.run(1, 1e-3);
+        const Vec3& centre = run.bodies()[0].centre;
+        if (along)
+            COMPARE_NEAR(centre, Vec3(0, 0.05, 50), 2e-5, "m");
+        else
+            QCOMPARE_LT(centre.y(), -1);
+    }
 }
 
 void ContactsTest::filtersAndJointsKeepApart() {

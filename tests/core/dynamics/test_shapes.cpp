@@ -355,12 +355,18 @@ void ShapesTest::whatContactSees() {
 
 void ShapesTest::aPlaneHasOneSide() {
     ColliderShape shape = round(ShapeKind::Plane, 1, 1, 1);
-    for (const Vec3& size :
-         {Vec3(kUnbounded, 0, kUnbounded), Vec3(2, 0, kUnbounded), Vec3(kUnbounded, 0, 2)}) {
-        shape.size = size;
-        const Convex plane = convexOf(shape);
-        QCOMPARE(plane.core, Convex::Core::HalfSpace);
-        QCOMPARE(plane.reach, kUnbounded);
+    shape.size = {kUnbounded, 0, kUnbounded};
+    const Convex plane = convexOf(shape);
+    QCOMPARE(plane.core, Convex::Core::HalfSpace);
+    QCOMPARE(plane.reach, kUnbounded);
+    // Endless along one side it ends along the other, and below: at a tenth of that.
+    for (const int endless : {0, 2}) {
+        shape.size[endless] = kUnbounded, shape.size[2 - endless] = 2;
+        const Convex strip = convexOf(shape);
+        QCOMPARE(strip.core, Convex::Core::Polytope);
+        COMPARE_NEAR(strip.high[2 - endless], 1, 1e-12, "m");
+        COMPARE_NEAR(strip.low.y(), -0.2, 1e-12, "m");
+        QCOMPARE_GE(strip.high[endless], 1e6);
     }
     shape.size = {2, 0, 3};
     const Convex slab = convexOf(shape);

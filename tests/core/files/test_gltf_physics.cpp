@@ -252,6 +252,11 @@ private slots:
         QTest::newRow("spin") << QByteArray("angularVelocity") << QByteArray("[0,1e300,0]");
         QTest::newRow("weight") << QByteArray("gravityFactor") << QByteArray("1e308");
         QTest::newRow("centre") << QByteArray("centerOfMass") << QByteArray("[1e300,0,0]");
+        QTest::newRow("a centre that is a number") << QByteArray("centerOfMass") << QByteArray("5");
+        QTest::newRow("a turn of three") << QByteArray("inertiaOrientation") << QByteArray("[0,0,1]");
+        QTest::newRow("a turn about nothing") << QByteArray("inertiaOrientation") << QByteArray("[0,0,0,0]");
+        QTest::newRow("yes") << QByteArray("isKinematic") << QByteArray("\"yes\"");
+        QTest::newRow("one") << QByteArray("isKinematic") << QByteArray("1");
     }
     // As if it were not there, and not as a body that nothing moves.
     void whatNoBodyHasIsSaid() {
@@ -311,6 +316,83 @@ private slots:
         row("kind of force", "", "", R"("drives":[{"type":"angular","axis":0,"mode":"velocity"}])",
             "a drive whose mode is not force or acceleration");
     }
+    void whatIsOfAnotherKindIsSaid_data() {
+        QTest::addColumn<QByteArray>("physics");
+        QTest::addColumn<QByteArray>("shape");
+        QTest::addColumn<QByteArray>("node");
+        QTest::addColumn<QByteArray>("sentence");
+        const auto row = [](const char* name, const char* physics, const char* shape, const char* node,
+                            const char* sentence) {
+            QTest::newRow(name) << QByteArray(physics) << QByteArray(shape) << QByteArray(node)
+                                << QByteArray(sentence);
+        };
+        constexpr const char* kBall = R"({"type":"sphere"})";
+        constexpr const char* kNone = R"("motion":{})";
+        constexpr const char* kTouches = R"("collider":{"geometry":{"shape":0},"collisionFilter":0})";
+        constexpr const char* kHangs = R"("joint":{"connectedNode":0,"joint":0})";
+        row("nothing wrong", R"("physicsJoints":[],"collisionFilters":[{}])", kBall, kTouches, "");
+        row("collider", "", kBall, R"("collider":5)", "whose collider is not an object");
+        row("motion", "", kBall, R"("motion":[])", "whose motion is not an object");
+        row("joint", "", kBall, R"("joint":true)", "whose joint is not an object");
+        row("trigger", "", kBall, R"("trigger":"on")", "whose trigger is not an object");
+        row("joints", R"("physicsJoints":5)", kBall, kNone, "whose physicsJoints is not a list");
+        row("a joint", R"("physicsJoints":[5])", kBall, kNone, "whose physicsJoints are not all objects");
+        row("a filter", R"("collisionFilters":["a"])", kBall, kNone, "collisionFilters are not all objects");
+        row("materials", R"("physicsMaterials":{})", kBall, kNone, "whose physicsMaterials is not a list");
+        row("a shape", "", "7", kNone, "whose shapes are not all objects");
+        row("a sphere", "", R"({"type":"sphere","sphere":1})", kTouches, "whose sphere is not an object");
+        row("systems", R"("collisionFilters":[{"collisionSystems":"a"}])", kBall, kTouches,
+            "a collision filter whose collisionSystems is not a list");
+        row("a system", R"("collisionFilters":[{"collideWithSystems":["a",1]}])", kBall, kTouches,
+            "whose collideWithSystems are not all names");
+        row("limits", R"("physicsJoints":[{"limits":{}}])", kBall, kHangs,
+            "has a joint whose limits is not a list");
+        row("drives", R"("physicsJoints":[{"drives":1}])", kBall, kHangs,
+            "has a joint whose drives is not a list");
+        row("hull", "", kBall, R"("collider":{"geometry":{"mesh":0,"convexHull":2}})",
+            "has a collider whose convexHull is not true or false");
+        row("collides", R"("physicsJoints":[{}])", kBall,
+            R"("joint":{"connectedNode":0,"joint":0,"enableCollision":1})",
+            "has a joint whose enableCollision is not true or false");
+    }
+    // It is as if it were not there, which may leave more to say; the line itself is there once.
+    void whatIsOfAnotherKindIsSaid() {
+        QFETCH(QByteArray, physics);
+        QFETCH(QByteArray, shape);
+        QFETCH(QByteArray, node);
+        QFETCH(QByteArray, sentence);
+        std::string filters = physics.toStdString();
+        if (filters.find("collisionFilters") == std::string::npos)
+            filters += (filters.empty() ? "" : ",") + std::string(R"("collisionFilters":[{}])");
+        const auto loaded = folder_.load(
+            "a.gltf", gltf("[" + test_gltf_physics::node(R"("name":"ball")", R"("motion":{})") + "," +
+                               test_gltf_physics::node(R"("name":"other")", node.toStdString()) + "]",
+                           filters, shape.toStdString()));
+        VERIFY_RESULT(loaded);
+        if (sentence.isEmpty()) {
+            QCOMPARE(loaded->findings.size(), std::size_t(0));
+            return;
+        }
+        QCOMPARE(std::ranges::count_if(loaded->findings,
+                                       [&](const Finding& finding) {
+                                           return finding.sentence.find(sentence.toStdString()) !=
+                                                      std::string::npos &&
+                                                  !finding.object.empty();
+                                       }),
+                 std::ptrdiff_t(1));
+    }
+
+    void aTurnOfNoMomentsIsSaid() {
+        for (const auto& [turn, said] : {std::pair{"[0,0,1,0]", 1}, {"[0,0,0,1]", 0}}) {
+            const auto loaded = folder_.load(
+                "a.gltf",
+                gltf("[" + node("", R"("motion":{"mass":1,"inertiaOrientation":)" + std::string(turn) + "}") +
+                     "]"));
+            VERIFY_RESULT(loaded);
+            QCOMPARE(loaded->findings.size(), std::size_t(said));
+        }
+    }
+
     // Each is said once, in a line that names the node, and nothing else is.
     void whatTouchesAndJoinsIsCheckedToo() {
         QFETCH(QByteArray, material);
