@@ -91,13 +91,14 @@ Result<int> runSimulate(const SimulateOptions& options) {
     Dynamics dynamics(mechanism);
     DynamicState state = dynamics.startState();
     std::vector<BodyState> bodies(mechanism->bodies.size());
+    const std::vector<std::string> names = tableNames(mechanism->bodies);
     std::string csv = "t,body,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,kinetic,potential\n";
     double first = 0, most = 0, liveliest = 0, gap = 0;
     const auto writeRows = [&](double t) {
         dynamics.describe(state, gravity, bodies);
         double energy = dynamics.springEnergy(state), kinetic = 0;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            appendRow(csv, t, mechanism->bodies[i].name, bodies[i]);
+            appendRow(csv, t, names[i], bodies[i]);
             kinetic += bodies[i].kinetic;
             energy += bodies[i].kinetic + bodies[i].potential;
         }

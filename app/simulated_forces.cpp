@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
@@ -16,6 +17,22 @@ constexpr double kBeside = 1e-3;         ///< m: so near to a body is on it
 constexpr double kAtTheEnd = 1e-6;
 
 } // namespace
+
+std::vector<std::string> tableNames(const std::vector<RigidBody>& bodies) {
+    std::set<std::string> taken;
+    for (const RigidBody& body : bodies)
+        taken.insert(body.name);
+    std::set<std::string> given;
+    std::vector<std::string> names;
+    for (const RigidBody& body : bodies) {
+        std::string name = body.name;
+        for (int i = 2; given.contains(name) || (name != body.name && taken.contains(name)); ++i)
+            name = body.name + " " + std::to_string(i);
+        given.insert(name);
+        names.push_back(name);
+    }
+    return names;
+}
 
 double Pushes::untilChange(double time, double dt) const {
     double until = dt;
@@ -72,7 +89,7 @@ Pushes::Found Pushes::find(const PushOption& push, Dynamics& dynamics, const Dyn
         if (distance >= nearest) continue;
         nearest = distance;
         found.found = true;
-        found.body = mechanism_.bodies[i].name;
+        found.body = names_[i];
         found.distance = distance < kBesideColliders ? distance : (bodies[i].centre - push.point).norm();
         found.place = {place.link,
                        place.pose * Pose{Quat::Identity(), bodies[i].pose.applyInverse(push.point)}};

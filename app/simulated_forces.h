@@ -13,12 +13,17 @@
 
 namespace tactum {
 
+/// What tables call each body: its name, and where another one before it has that, a number behind it that
+/// makes it one that nobody has.
+std::vector<std::string> tableNames(const std::vector<RigidBody>& bodies);
+
 /// Pushes, each at a material point that is known once its time has come.
 class Pushes {
 public:
     /// Refers to all of them.
     Pushes(const std::vector<PushOption>& given, const Mechanism& mechanism, const Mechanics& mechanics)
-        : given_(given), mechanism_(mechanism), mechanics_(mechanics), places_(given.size()) {}
+        : given_(given), mechanism_(mechanism), mechanics_(mechanics), names_(tableNames(mechanism.bodies)),
+          places_(given.size()) {}
 
     /// How much of a step from `time` on goes by before the first of them begins or ends, s.
     double untilChange(double time, double dt) const;
@@ -43,6 +48,7 @@ private:
     const std::vector<PushOption>& given_;
     const Mechanism& mechanism_;
     const Mechanics& mechanics_;
+    std::vector<std::string> names_; ///< of the bodies
     std::vector<Found> places_;
     std::vector<AppliedForce> acting_;
 };

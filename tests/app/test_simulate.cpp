@@ -106,6 +106,22 @@ private slots:
         COMPARE_NEAR(rows[1][Wx], 0.1 * 3 * 0.1 / 1, 2e-5, "rad/s");
     }
 
+    // Three of one name, one of which is called as the second would be.
+    void bodiesOfOneNameAreToldApart() {
+        QByteArray nodes;
+        for (const char* name : {"box", "box", "box 2", "box"})
+            nodes += (nodes.isEmpty() ? R"([{"name":")" : R"(,{"name":")") + QByteArray(name) +
+                     R"(","extensions":{"KHR_physics_rigid_bodies":{"motion":{"mass":1}}}})";
+        QByteArray text = gltf(nodes + "]");
+        text.replace("[0,1]", "[0,1,2,3]");
+        const Ended run =
+            runTactum({"simulate", write("boxes.gltf", text), "--seconds", "0.01", "--out", "-"});
+        QStringList names;
+        for (const StateRow& row : rowsOf(run.out).first(4))
+            names << row.body;
+        QCOMPARE(names, QStringList({"box", "box 3", "box 2", "box 4"}));
+    }
+
     // Its ends fall between two steps: the bodies get all of its impulse and no more.
     void aPushBetweenStepsIsWhole() {
         const QString scene = write("push.gltf", gltf(kBall));
