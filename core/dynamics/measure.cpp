@@ -68,7 +68,8 @@ Measured measure(const Coordinate& of, const Pose& a_W, const Pose& b_W) noexcep
     case Measure::Twist:
         return twist(of, a_W, b_W);
     case Measure::Spin:
-        return turning(0, a_W.rotation * (halfOf(between(a_W, b_W)) * Vec3::Unit(of.axis)));
+        return turning(twist(of, a_W, b_W).value,
+                       a_W.rotation * (halfOf(between(a_W, b_W)) * Vec3::Unit(of.axis)));
     case Measure::Cone: {
         const Vec3 other = axisOf(b_W, of.axis), normal = axis.cross(other);
         return turning(std::atan2(normal.norm(), axis.dot(other)),

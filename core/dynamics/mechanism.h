@@ -49,7 +49,7 @@ enum class Measure : std::uint8_t {
     Aside,    ///< distance from the line along axis of a
     Distance, ///< of the origins
     Twist,    ///< turn about axis
-    Spin,     ///< how fast it turns about axis of the frame halfway from a to b: it has no angle
+    Spin,     ///< how fast it turns about axis of the frame halfway from a to b, whose angle is the twist
     Cone,     ///< angle between axis of a and axis of b
     Turned,   ///< angle of the whole turn
     Tilt,     ///< cosine of the angle between axis of a and axis2 of b

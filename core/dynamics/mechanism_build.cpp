@@ -435,9 +435,9 @@ void Builder::addDrive(std::size_t number, const JointDrive& drive) {
     if (!(drive.stiffness > 0 || drive.damping > 0)) return;
     const Coordinate angle = coordinateOf(number, drive.angular, AxisSet(1 << drive.axis)),
                      rate = rateOf(number, drive.angular, drive.axis);
-    const bool apart = angle.measure != rate.measure && drive.maxForce == kUnbounded;
-    if (!apart || !(drive.stiffness > 0 && drive.damping > 0)) {
-        made_.springs.push_back({drive.stiffness > 0 ? angle : rate, drive});
+    const bool both = drive.stiffness > 0 && drive.damping > 0, apart = angle.measure != rate.measure;
+    if (!both || !apart || drive.maxForce < kUnbounded) { // what shares a bound acts along one direction
+        made_.springs.push_back({drive.damping > 0 ? rate : angle, drive});
         return;
     }
     JointDrive spring = drive, damper = drive;

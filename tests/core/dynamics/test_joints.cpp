@@ -61,6 +61,8 @@ private slots:
     void aStiffSpringSettles();
     void aDriveInAccelerationsKnowsNoMass();
     void dampersOnAllAxesOfABallAreOne();
+    void boundedDrivesOfABallKeepTheirBound_data();
+    void boundedDrivesOfABallKeepTheirBound();
     void springsOnAllAxesOfABallOnlyTake();
     void aStiffPointHolds_data();
     void aStiffPointHolds();
@@ -204,6 +206,41 @@ void JointsTest::dampersOnAllAxesOfABallAreOne() {
         COMPARE_NEAR(run.bodies()[0].angularVelocity,
                      Vec3(Vec3(3, -4, 5) * std::exp(-kDamping / kMoment * t)), 1e-9, "rad/s");
     }
+}
+
+// A body that hangs on drives with a bound, thrown round: each turns it back with its bound at most, so its
+// turning changes by no more than three of them make, half a turn or not; and it only loses.
+void JointsTest::boundedDrivesOfABallKeepTheirBound_data() {
+    QTest::addColumn<double>("stiffness");
+    QTest::addColumn<double>("damping");
+    QTest::newRow("as both say") << 1. << 0.01;
+    QTest::newRow("hardly damped") << 1. << 0.001;
+    QTest::newRow("too stiff for the step") << 1e6 << 1e4;
+}
+
+void JointsTest::boundedDrivesOfABallKeepTheirBound() {
+    QFETCH(double, stiffness);
+    QFETCH(double, damping);
+    constexpr double kMoment = 0.1, kMost = 2;
+    std::vector<RigidBody> bodies{bodyAt(1, Vec3::Zero(), 1, Vec3::Constant(kMoment))};
+    bodies[0].angularVelocity = Vec3(20, 30, 10);
+    Joint ball = ballAt(bodies, kWorldBody, 1, Vec3::Zero());
+    for (const int axis : {0, 1, 2})
+        ball.drives.push_back(
+            {.angular = true, .axis = axis, .stiffness = stiffness, .damping = damping, .maxForce = kMost});
+    Running run(bodies, {ball});
+    Vec3 before = run.bodies()[0].angularVelocity;
+    const double start = run.bodies()[0].kinetic;
+    double most = 0;
+    for (int i = 0; i < 40000; ++i) {
+        run.run(0.5e-3, 0.5e-3);
+        const BodyState& now = run.bodies()[0];
+        most = std::max(most, (now.angularVelocity - before).norm() * kMoment / 0.5e-3);
+        before = now.angularVelocity;
+        QCOMPARE_LT(now.kinetic, 1.02 * start);
+    }
+    QCOMPARE_LT(run.bodies()[0].kinetic, 0.9 * start);
+    QCOMPARE_LT(most, std::sqrt(3.0) * kMost * 1.001);
 }
 
 // It goes round often, through half a turn about every axis.
