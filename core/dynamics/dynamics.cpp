@@ -134,6 +134,7 @@ void Dynamics::evaluate(const Coordinates& q, const Coordinates& v, const Surrou
         addForce(force);
     addAir(around.dt);
     addSprings(q, v);
+    rows_.addHeld(articulation_);
     articulation_.factor();
     articulation_.accelerate(springs_, acceleration);
     if (loops_.empty()) return;
@@ -220,6 +221,7 @@ void Dynamics::closeLoops(DynamicState& state) noexcept {
 
 void Dynamics::findHeldForces(DynamicState& state, const Surroundings& around, bool early) noexcept {
     along_.setZero();
+    rows_.letGo();
     weighSprings(state);
     evaluate(state.q, state.v, around, a_[0]);
     if (!loops_.empty() && loops_.largestGap() > kOpen) {
@@ -285,6 +287,7 @@ void Dynamics::step(DynamicState& state, const Vec3& gravity, std::span<const Ap
 void Dynamics::accelerations(const DynamicState& state, const Vec3& gravity,
                              std::span<const AppliedForce> forces, Coordinates& acceleration) noexcept {
     along_.setZero();
+    rows_.letGo();
     rows_.chooseSprings(0);
     evaluate(state.q, state.v, {gravity, forces, 0}, acceleration);
 }

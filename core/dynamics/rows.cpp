@@ -21,7 +21,7 @@ constexpr std::size_t kMostNumbers = std::size_t(1) << 22;
 
 Rows::Rows(const Mechanism& mechanism)
     : mechanism_(mechanism), contacts_(mechanism), gaps_(2 * mechanism.limits.size()),
-      end_(Coordinates::Zero(mechanism.vs)) {
+      end_(Coordinates::Zero(mechanism.vs)), held_(mechanism.links.size(), Vec6::Zero()) {
     const std::size_t places = contacts_.all().capacity();
     const std::size_t most = 2 * mechanism.limits.size() + mechanism.frictions.size() +
                              mechanism.springs.size() + (contacts_.empty() ? 0 : 3 * places);
@@ -175,13 +175,38 @@ void Rows::solve(const Coordinates& v, double dt, Coordinates& along, Coordinate
     relax(end_, false);
     acceleration = (end_ - v) / dt;
     for (std::size_t i = 0; i < count_; ++i)
-        for (const Side& side : rows_[i].sides) {
-            if (side.island < 0) continue;
-            const Island& island = mechanism_.islands[std::size_t(side.island)];
-            for (int k = 0; k < island.velocities; ++k)
-                along[island.v + k] += rows_[i].impulse / dt * jacobian_[side.first + std::size_t(k)];
-        }
+        hold(rows_[i], dt, along);
     keepForces(dt);
+}
+
+// A torque between two bodies is one on every link that leads to them too, and there what their frames have
+// of it adds up to nothing. Held along frames that turn within the step it does not: a thread of 0.1 g, whose
+// moment about itself is 1e-10 kg m^2, got 400 rad/s a step of what stayed. So it is held on the bodies.
+void Rows::hold(const Row& row, double dt, Coordinates& along) noexcept {
+    if (row.link >= 0) {
+        const Link& link = mechanism_.links[std::size_t(row.link)];
+        along[link.v] += row.sense * row.impulse / dt;
+        return;
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+        if (row.links[k] >= 0) held_[std::size_t(row.links[k])] += row.impulse / dt * row.wrenches[k];
+    holds_ = true;
+}
+
+void Rows::addHeld(Articulation& articulation) const noexcept {
+    if (!holds_) return;
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+        if (held_[i].isZero(0)) continue;
+        const Wrench on{linear(held_[i]), articulation.link(int(i)).pose.translation, angular(held_[i])};
+        articulation.addForce(Place{}, Place{int(i), Pose{}}, on, 1);
+    }
+}
+
+void Rows::letGo() noexcept {
+    if (!holds_) return;
+    holds_ = false;
+    for (Vec6& one : held_)
+        one.setZero();
 }
 
 bool Rows::correction(double dt, Coordinates& shift) noexcept {

@@ -26,9 +26,13 @@ public:
     bool holdSprings() const noexcept;
     /// Ends every approach to what is reached, bounces included. Whether there was one.
     bool stopApproaches(Coordinates& v) noexcept;
-    /// The forces along the coordinates that, held for the step, keep all bounds at its end; adds what they
-    /// do to the acceleration.
+    /// The forces that, held for the step, keep all bounds at its end: those of single coordinates are added
+    /// to `along`, the others are kept for addHeld(). Adds what they do to the acceleration.
     void solve(const Coordinates& v, double dt, Coordinates& along, Coordinates& acceleration) noexcept;
+
+    /// The forces on links that solve() found, at their places now.
+    void addHeld(Articulation& articulation) const noexcept;
+    void letGo() noexcept;
 
     /// What springs, dry friction and limits among the rows do along the coordinate of a link, N or N m;
     /// after solve().
@@ -74,8 +78,11 @@ private:
         double friction = 0; ///< of a Contact
         double bounce = 0;   ///< of a Contact, for what approaches faster than
         double falls = 0;    ///< m/s
-        int link = -1;       ///< whose coordinate it is along, if it is along one
-        double sense = 1;    ///< in which of the two ways
+        std::array<int, 2> links{-1,
+                                 -1}; ///< what it acts on, and how for an impulse of 1: about their frames
+        std::array<Vec6, 2> wrenches{Vec6::Zero(), Vec6::Zero()};
+        int link = -1;    ///< whose coordinate it is along, if it is along one
+        double sense = 1; ///< in which of the two ways
         bool isPlace() const { return kind == Kind::Limit || kind == Kind::Contact; }
     };
     struct Reading {
@@ -117,6 +124,7 @@ private:
     void relax(Coordinates& v, bool placesOnly) noexcept;
     void bounceOne(std::size_t i, Coordinates& v) noexcept;
     void keepForces(double dt) noexcept;
+    void hold(const Row& row, double dt, Coordinates& along) noexcept;
 
     const Mechanism& mechanism_;
     Contacts contacts_;
@@ -127,7 +135,9 @@ private:
     std::vector<double> softness_; ///< of each spring at the start: 1 / inertia
     std::vector<Vec3> ways_;       ///< the directions of Rubs, by row
     Coordinates end_;
-    double longest_ = 0; ///< s: the step that springs are rows for
+    std::vector<Vec6> held_; ///< N m and N on each link, about its frame, along the axes of the world
+    bool holds_ = false;     ///< there is one
+    double longest_ = 0;     ///< s: the step that springs are rows for
 };
 
 } // namespace tactum

@@ -90,6 +90,13 @@ Rows::Row* Rows::addRow(Kind kind, Articulation& articulation, const Loops& loop
         return nullptr;
     }
     row.yield = moves ? 1 / softness : 0;
+    row.links = {a.link, b.link};
+    for (const std::size_t k : {0, 1}) {
+        if (row.links[k] < 0) continue;
+        const Wrench& on = k == 0 ? onA : onB;
+        const Vec3 arm = on.point - articulation.link(row.links[k]).pose.translation;
+        row.wrenches[k] = (k == 0 ? -sense : sense) * spatial(on.torque + arm.cross(on.force), on.force);
+    }
     ++count_;
     return &row;
 }

@@ -68,6 +68,7 @@ private slots:
     void aStiffPointHolds();
     void aDampedRopeUnderLoadComesToRest_data();
     void aDampedRopeUnderLoadComesToRest();
+    void nothingTurnsAThreadAboutItself();
     void aMotorHoldsItsSpeedUpToItsForce();
     void dryFrictionHoldsAndSlows();
     void aDetentSwingsAsAPendulumDoes();
@@ -320,6 +321,39 @@ void JointsTest::aDampedRopeUnderLoadComesToRest() {
         before = now;
     }
     QCOMPARE_EQ(run.dynamics().stoodStill(), std::uint64_t(0));
+}
+
+// Two threads of 0.1 g hold two bodies that a damped ball joins, one of which is pushed. What holds a thread
+// by its ends has no arm about its axis, and so it never turns about that, by Euler's equation for what is
+// round.
+void JointsTest::nothingTurnsAThreadAboutItself() {
+    const double length = 0.04;
+    const Vec3 thin(1.1e-8, 9e-11, 1.1e-8), thick = Vec3::Constant(5e-8);
+    std::vector<RigidBody> bodies;
+    std::vector<Joint> joints;
+    for (const double x : {0., 0.02}) {
+        const BodyId thread = BodyId(bodies.size() + 1), body = thread + 1;
+        bodies.push_back(bodyAt(thread, Vec3(x, length / 2, 0), 1e-4, thin));
+        bodies.push_back(bodyAt(body, Vec3(x, -0.01, 0), 1e-3, thick));
+        joints.push_back(ballAt(bodies, kWorldBody, thread, Vec3(x, length, 0)));
+        joints.push_back(ballAt(bodies, thread, body, Vec3(x, 0, 0)));
+    }
+    Joint damped = ballAt(bodies, 2, 4, Vec3(0.01, -0.01, 0));
+    for (const int axis : {0, 1, 2})
+        damped.drives.push_back({.angular = true, .axis = axis, .damping = 1e-4});
+    joints.push_back(damped);
+    Running run(bodies, joints);
+    const AppliedForce push{{run.mechanism().places[3].link, Pose{}}, Vec3(0, 0.05, 0.3)};
+    double most = 0;
+    for (int i = 0; i < 200; ++i) {
+        run.run(0.5e-3, 0.5e-3, kDown, {&push, 1});
+        for (const std::size_t thread : {0, 2}) {
+            const BodyState& now = run.bodies()[thread];
+            most = std::max(most, std::abs(now.pose.rotateInverse(now.angularVelocity).y()));
+        }
+    }
+    QCOMPARE_GT(run.bodies()[2].angularVelocity.norm(), 1.0);
+    QCOMPARE_LT(most, 1e-3);
 }
 
 void JointsTest::aMotorHoldsItsSpeedUpToItsForce() {
