@@ -110,9 +110,9 @@ private slots:
     void bodiesOfOneNameAreToldApart() {
         QByteArray nodes;
         for (const char* name : {"box", "box", "box 2", "box"})
-            nodes += (nodes.isEmpty() ? R"([{"name":")" : R"(,{"name":")") + QByteArray(name) +
-                     R"(","extensions":{"KHR_physics_rigid_bodies":{"motion":{"mass":1}}}})";
-        QByteArray text = gltf(nodes + "]");
+            nodes += QByteArray(",{'name':'") + name +
+                     "','extensions':{'KHR_physics_rigid_bodies':{'motion':{'mass':1}}}}";
+        QByteArray text = gltf("[" + nodes.mid(1).replace('\'', '"') + "]");
         text.replace("[0,1]", "[0,1,2,3]");
         const Ended run =
             runTactum({"simulate", write("boxes.gltf", text), "--seconds", "0.01", "--out", "-"});
