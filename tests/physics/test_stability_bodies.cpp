@@ -264,7 +264,7 @@ QString told(const Bench& bench, const Beside& beside, const Meeting& meeting, c
 /// All with TACTUM_SEEDS; the short check has no time for more than a few.
 int some() {
     if (qEnvironmentVariableIsSet("TACTUM_SEEDS")) return 1;
-    return qEnvironmentVariableIsSet("TACTUM_ALL") ? 7 : 89;
+    return isLong() ? 7 : 89;
 }
 
 /// Every hand, device, rate and delay with every proxy loop; of them each `every`-th.
@@ -356,37 +356,36 @@ private slots:
     void aSpinningTopIsCaught() {
         int cases = 0, bad = 0;
         double most = 0;
-        everyLoop(
-            qEnvironmentVariableIsSet("TACTUM_ALL") ? 23 : 89, [&](const Bench& bench, const Beside& beside) {
-                Proxy proxy(compile(top()).value(), beside.rate, beside.latency);
-                Servo servo(infoOf(bench), proxy);
-                ClosedLoop loop(bench, servo.control(), 3);
-                const Vec3 above(0.02, 0, kRadius + 5e-4);
-                loop.plant.place(above);
-                loop.plant.setGoal(above);
-                loop.warmUp();
-                loop.plant.voluntary.z() = -1;
-                const double before = energyOf(proxy);
-                double given = -1e300, jump = 0;
-                Vec3 last = Vec3::Zero();
-                loop.run(3, [&](const ClosedLoop& now) {
-                    given = std::max(given, now.plant.given() - std::max(0.0, before - energyOf(proxy)));
-                    jump = std::max(jump, (now.command - last).norm());
-                    last = now.command;
-                });
-                ++cases;
-                most = std::max(most, given);
-                const bool touched = energyOf(proxy) < 0.9 * before;
-                if (touched && given <= kGiven && jump <= kJump * bench.device.maxForce &&
-                    servo.state.gate.faults() == 0)
-                    return;
-                ++bad;
-                qWarning(
-                    "%s in %s, %g Hz, %d late; proxy %g Hz, %g ms: %g mJ, %g N a tick, %g of %g J, %d faults",
-                    bench.device.name, bench.hand.name, bench.timing.rate, bench.timing.delay, beside.rate,
-                    1e3 * beside.latency, 1e3 * given, jump, energyOf(proxy), before,
-                    int(servo.state.gate.faults()));
+        everyLoop(isLong() ? 23 : 89, [&](const Bench& bench, const Beside& beside) {
+            Proxy proxy(compile(top()).value(), beside.rate, beside.latency);
+            Servo servo(infoOf(bench), proxy);
+            ClosedLoop loop(bench, servo.control(), 3);
+            const Vec3 above(0.02, 0, kRadius + 5e-4);
+            loop.plant.place(above);
+            loop.plant.setGoal(above);
+            loop.warmUp();
+            loop.plant.voluntary.z() = -1;
+            const double before = energyOf(proxy);
+            double given = -1e300, jump = 0;
+            Vec3 last = Vec3::Zero();
+            loop.run(3, [&](const ClosedLoop& now) {
+                given = std::max(given, now.plant.given() - std::max(0.0, before - energyOf(proxy)));
+                jump = std::max(jump, (now.command - last).norm());
+                last = now.command;
             });
+            ++cases;
+            most = std::max(most, given);
+            const bool touched = energyOf(proxy) < 0.9 * before;
+            if (touched && given <= kGiven && jump <= kJump * bench.device.maxForce &&
+                servo.state.gate.faults() == 0)
+                return;
+            ++bad;
+            qWarning(
+                "%s in %s, %g Hz, %d late; proxy %g Hz, %g ms: %g mJ, %g N a tick, %g of %g J, %d faults",
+                bench.device.name, bench.hand.name, bench.timing.rate, bench.timing.delay, beside.rate,
+                1e3 * beside.latency, 1e3 * given, jump, energyOf(proxy), before,
+                int(servo.state.gate.faults()));
+        });
         qInfo("%d of %d, %g mJ", bad, cases, 1e3 * most);
         QCOMPARE(bad, 0);
     }
@@ -448,12 +447,11 @@ private slots:
     void withoutTheCouplingEnergyIsMade() {
         int bad = 0, restless = 0;
         for (const std::vector<Meeting> all = meetings(); const Meeting& met : all)
-            everyLoop(qEnvironmentVariableIsSet("TACTUM_ALL") ? 23 : 89,
-                      [&](const Bench& bench, const Beside& beside) {
-                          const Seen seen = meet(bench, beside, met, false);
-                          bad += seen.given > kGiven || seen.faults > 0;
-                          restless += seen.motion > 2 * bench.device.resolution;
-                      });
+            everyLoop(isLong() ? 23 : 89, [&](const Bench& bench, const Beside& beside) {
+                const Seen seen = meet(bench, beside, met, false);
+                bad += seen.given > kGiven || seen.faults > 0;
+                restless += seen.motion > 2 * bench.device.resolution;
+            });
         qInfo("%d make energy, %d do not rest", bad, restless);
         QCOMPARE_GT(bad, 0);
         QCOMPARE_GT(restless, 0);

@@ -15,9 +15,14 @@ inline int repeats(const char* variable, int ordinary) {
     return wanted;
 }
 
+/// Is it `./check --all` or `./check ROOM`?
+inline bool isLong() {
+    return qEnvironmentVariableIsSet("TACTUM_ALL");
+}
+
 /// As many as `./check --all` and `./check ROOM` try, of which the short `./check` tries a tenth.
 inline int longOnly(int all) {
-    return qEnvironmentVariableIsSet("TACTUM_ALL") ? all : all / 10;
+    return isLong() ? all : all / 10;
 }
 
 } // namespace tactum::test
