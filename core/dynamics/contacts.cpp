@@ -19,6 +19,9 @@ constexpr double kNear = 1e-4;
 constexpr double kSame = 2e-3;
 /// What approaches faster than this, m/s, is stopped before it can roll.
 constexpr double kApproaches = 1e-9;
+/// What leaves faster than this, m/s, and than it comes back within two steps, does not roll: nothing has to
+/// hold it off as it turns.
+constexpr double kLeaves = 1e-3;
 
 } // namespace
 
@@ -103,7 +106,8 @@ void Contacts::lookAhead(const Articulation& articulation, std::span<Touching> p
     for (std::size_t i = 0; i < places.size(); ++i) {
         const TouchPoint& at = (*then)[i];
         Touching& place = places[i];
-        if (place.rate < -kApproaches || at.normal.dot(place.at.normal) < kTurnsLittle) continue;
+        const bool rolls = place.rate >= -kApproaches && place.rate <= kLeaves + fallsIn(place, dt);
+        if (!rolls || at.normal.dot(place.at.normal) < kTurnsLittle) continue;
         place.normal = at.normal;
         place.onAThen = at.point - a_W.translation + poses_[a].translation;
         place.onBThen = at.point - b_W.translation + poses_[b].translation;

@@ -12,6 +12,8 @@ constexpr int kRounds = 60;
 constexpr double kSettled = 1e-12;
 /// Bounces one after the other in one moment; what still approaches then is stopped all at once.
 constexpr int kBounces = 64;
+/// What approaches slower, m/s or rad/s, is rounding.
+constexpr double kApproach = -1e-12;
 /// What lies beyond a limit comes back no faster, m/s or rad/s.
 constexpr double kFastestReturn = 0.05;
 /// Numbers of rows that there is room for.
@@ -113,42 +115,79 @@ void Rows::relax(Coordinates& v, bool placesOnly) noexcept {
     }
 }
 
-/// One blow: the approach of a row is turned round, with as much friction as the blow bears.
-void Rows::bounceOne(std::size_t i, Coordinates& v) noexcept {
-    Row& row = rows_[i];
-    const double before = velocityOf(row, v) - row.turning;
-    // What a resting body gains in a step is no bounce.
-    const double blow = -(1 + (-before > row.falls ? row.bounce : 0)) * before * row.yield;
-    push(row, blow, v);
-    if (row.kind != Kind::Contact) return;
-    row.impulse = blow;
-    rows_[i + 1].impulse = rows_[i + 2].impulse = 0;
-    relaxRubs(i, v);
+/// m/s or rad/s, below 0 where a place is not let go on.
+double Rows::approachOf(const Row& row, const Coordinates& v) const noexcept {
+    const double rate = velocityOf(row, v) - row.turning;
+    return row.low < 0 ? -std::abs(rate) : rate;
 }
 
-// The hardest blow first: so a row of balls that touch hands it on, as Newton's cradle does.
+/// Who is struck, and how fast it has to be afterwards. Whether that turns anything round.
+bool Rows::beginBlow(const Coordinates& v) noexcept {
+    bool bounces = false;
+    for (std::size_t i = 0; i < count_; ++i) {
+        Row& row = rows_[i];
+        if (row.kind != Kind::Contact) continue;
+        row.struck = approachOf(row, v) < kApproach;
+        if (!row.struck) continue;
+        row.impulse = rows_[i + 1].impulse = rows_[i + 2].impulse = 0;
+        const double rate = velocityOf(row, v);
+        // What a resting body gains in a step is no bounce.
+        const bool turns = -rate > row.falls && row.bounce > 0;
+        row.after = turns ? -row.bounce * rate : row.turning;
+        bounces |= turns;
+    }
+    return bounces;
+}
+
+// One blow: every contact that approaches is turned round at once, with as much friction as the blow bears.
+// Both ends of a rod that falls flat bounce together, and no order of blows turns it. What each contact is
+// struck by goes on to those that it makes approach in the next blow: so a row of balls that touch hands it
+// on, as Newton's cradle does. Without friction no blow gives energy: its impulses times the mean of the
+// velocities before and after, (1 - e) v / 2, is at most none.
+void Rows::strike(Coordinates& v) noexcept {
+    // What turned as it rolled does so no more.
+    if (beginBlow(v))
+        for (std::size_t i = 0; i < count_; ++i)
+            if (rows_[i].kind == Kind::Contact) rows_[i].turning = rows_[i].target = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        double largest = 0, changed = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            Row& row = rows_[i];
+            if (!row.struck) continue;
+            const double impulse = std::max(0.0, row.impulse + (row.after - velocityOf(row, v)) * row.yield);
+            push(row, impulse - row.impulse, v);
+            changed = std::max(changed, std::abs(impulse - row.impulse));
+            row.impulse = impulse;
+            largest = std::max(largest, impulse);
+            changed = std::max(changed, relaxRubs(i, v));
+        }
+        if (changed <= kSettled * largest) break;
+    }
+}
+
 bool Rows::stopApproaches(Coordinates& v) noexcept {
     bool any = false;
     for (int blow = 0; blow < kBounces; ++blow) {
         std::size_t hardest = count_;
-        double fastest = -1e-12;
+        double fastest = kApproach;
         for (std::size_t i = 0; i < count_; ++i) {
             if (!rows_[i].isPlace()) continue;
-            double rate = velocityOf(rows_[i], v) - rows_[i].turning;
-            if (rows_[i].low < 0) rate = -std::abs(rate);
-            if (rate < fastest) {
-                fastest = rate;
-                hardest = i;
-            }
+            const double rate = approachOf(rows_[i], v);
+            if (rate >= fastest) continue;
+            fastest = rate;
+            hardest = i;
         }
         if (hardest == count_) break;
         any = true;
-        if (blow + 1 < kBounces) {
-            bounceOne(hardest, v);
-        } else {
+        const Row& row = rows_[hardest];
+        if (blow + 1 == kBounces) {
             for (std::size_t i = 0; i < count_; ++i)
                 rows_[i].impulse = 0;
             relax(v, true);
+        } else if (row.kind == Kind::Contact) {
+            strike(v);
+        } else {
+            push(row, (row.turning - velocityOf(row, v)) * row.yield, v);
         }
     }
     return any;

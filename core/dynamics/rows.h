@@ -78,6 +78,8 @@ private:
         double friction = 0; ///< of a Contact
         double bounce = 0;   ///< of a Contact, for what approaches faster than
         double falls = 0;    ///< m/s
+        bool struck = false; ///< by the blow that is worked out
+        double after = 0;    ///< m/s: how fast it may be after that
         std::array<int, 2> links{-1,
                                  -1}; ///< what it acts on, and how for an impulse of 1: about their frames
         std::array<Vec6, 2> wrenches{Vec6::Zero(), Vec6::Zero()};
@@ -122,7 +124,9 @@ private:
     double relaxRow(std::size_t i, Coordinates& v) noexcept;
     double relaxRubs(std::size_t contact, Coordinates& v) noexcept;
     void relax(Coordinates& v, bool placesOnly) noexcept;
-    void bounceOne(std::size_t i, Coordinates& v) noexcept;
+    double approachOf(const Row& row, const Coordinates& v) const noexcept;
+    bool beginBlow(const Coordinates& v) noexcept;
+    void strike(Coordinates& v) noexcept;
     void keepForces(double dt) noexcept;
     void hold(const Row& row, double dt, Coordinates& along) noexcept;
 

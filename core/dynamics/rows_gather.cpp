@@ -128,7 +128,7 @@ void Rows::gatherContact(int index, Articulation& articulation, const Loops& loo
     row->impulse = dt * std::max(0.0, touching.force.dot(normal));
     row->bounce = combined(a.material.restitution, b.material.restitution, a.material.restitutionCombine,
                            b.material.restitutionCombine);
-    row->falls = 2 * std::max(0.0, -touching.bend) * dt;
+    row->falls = fallsIn(touching, dt);
     const auto velocityAt = [&](const Place& place, const Vec3& point) {
         return articulation.velocityOf(
             {place.link,
