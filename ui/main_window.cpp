@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
@@ -116,11 +117,16 @@ QWidget* MainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(recoveryBar_);
-    column->addWidget(notice_);
     column->addWidget(selectStrip_);
     column->addWidget(arrangeStrip_);
     column->addWidget(paintStrip_);
-    column->addWidget(centre_, 1);
+    // Over the view, not above it: what comes by itself must not move the model under the pointer that
+    // presses on it.
+    auto* layers = new QGridLayout;
+    layers->setContentsMargins(0, 0, 0, 0);
+    layers->addWidget(centre_, 0, 0);
+    layers->addWidget(notice_, 0, 0, Qt::AlignTop);
+    column->addLayout(layers, 1);
     column->addWidget(playbackBar_);
     centre_->addWidget(start_);
     centre_->addWidget(view_);

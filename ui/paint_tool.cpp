@@ -148,9 +148,7 @@ void PaintTool::goOn() {
         if (stroke.steps.empty()) {
             if (!stroke.ended) return;
             document_.keepTrial(stroke.gesture);
-            const QString note = stroke.note;
             strokes_.pop_front();
-            if (!note.isEmpty()) emit refused(note);
             continue;
         }
         if (!stroke.work && !start(stroke)) {
@@ -179,12 +177,12 @@ bool PaintTool::start(Stroke& stroke) {
         if (!surface) return false;
         const auto place = paintPlaceOf(*surface, stroke.goal, layerFor(ref));
         if (!place) {
-            stroke.note = QString::fromStdString(place.error().text);
+            emit refused(QString::fromStdString(place.error().text));
             return false;
         }
         if (scalesNothing(*surface, stroke.goal))
-            stroke.note = tr("%1 has none of what you paint: the brush scales it. Set it above 0 to feel it.")
-                              .arg(QString::fromStdString(surface->name));
+            emit refused(tr("%1 has none of what you paint: the brush scales it. Set it above 0 to feel it.")
+                             .arg(QString::fromStdString(surface->name)));
         const TexturePattern* now = patternAt(*surface, *place);
         const std::size_t positions = document_.scene().find(id)->geometry->positions.size();
         stroke.places.push_back(*place);

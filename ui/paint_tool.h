@@ -51,7 +51,6 @@ private:
         std::shared_ptr<BrushStroke> work; ///< null: not begun
         std::vector<Surface> seen;         ///< the surfaces as this stroke left them
         Gesture gesture = 0;               ///< 0: not begun
-        QString note; ///< for when it has ended: words above the view would move it under the pointer
         bool ended = false;
     };
 

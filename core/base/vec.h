@@ -38,4 +38,14 @@ inline Quat unitLength(const Quat& q) {
     return std::abs(q.norm() - 1) <= 1e-12 ? q : q.normalized();
 }
 
+/// The shortest turn that takes one direction to another, both of any length but 0; opposite ones go round
+/// about some axis across. (Eigen's FromTwoVectors asks a singular value decomposition for that axis, and
+/// each source for seconds to compile it.)
+inline Quat turnOnto(const Vec3& from, const Vec3& to) {
+    const Vec3 a = from.normalized(), b = to.normalized();
+    Quat turn(0.5 * (a + b).squaredNorm(), 0, 0, 0); // times |a + b|, twice the cosine of half the angle
+    turn.vec() = a.cross(b);
+    return turn.norm() < 1e-9 ? Quat(Eigen::AngleAxisd(EIGEN_PI, a.unitOrthogonal())) : turn.normalized();
+}
+
 } // namespace tactum

@@ -263,7 +263,7 @@ Joint jointFrom(const AxisJoint& axis, const Scene& scene, BodyId body) {
     Joint joint;
     joint.name = angular ? "hinge" : "slider";
     joint.a = axis.to, joint.b = body;
-    const Pose at{Quat::FromTwoVectors(Vec3::UnitX(), axis.axis), axis.at};
+    const Pose at{turnOnto(Vec3::UnitX(), axis.axis), axis.at};
     joint.frameA = poseOf(scene, axis.to).inverse() * at;
     joint.frameB = poseOf(scene, body).inverse() * at;
     joint.limits = {{false, AxisSet(angular ? kAllAxes : 6), 0, 0},

@@ -60,7 +60,7 @@ ColliderShape leastRound(const std::vector<Vec3>& points, ColliderForm form, Pos
         const double volume = massOf(shape).volume;
         if (volume >= least) continue;
         least = volume, best = shape;
-        pose.rotation = unitLength(before * Quat::FromTwoVectors(Vec3::UnitY(), Vec3::Unit(axis)));
+        pose.rotation = unitLength(before * turnOnto(Vec3::UnitY(), Vec3::Unit(axis)));
     }
     return best;
 }

@@ -1,4 +1,4 @@
-// One line above the view for what just happened or is under way. Never modal.
+// One line over the top of the view for what just happened or is under way. Never modal.
 #pragma once
 
 #include <functional>

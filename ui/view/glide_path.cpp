@@ -10,9 +10,7 @@ constexpr int kArcSteps = 12;
 
 /// From one direction to another along the great circle; opposite ones go over the top.
 Vec3 between(const Vec3& a, const Vec3& b, double part) {
-    const Quat whole = a.dot(b) > -0.999 ? Quat::FromTwoVectors(a, b)
-                                         : Quat(Eigen::AngleAxisd(EIGEN_PI, a.unitOrthogonal()));
-    return Quat::Identity().slerp(part, whole) * a;
+    return Quat::Identity().slerp(part, turnOnto(a, b)) * a;
 }
 
 Vec3 directionFrom(const Vec3& centre, const Vec3& p) {

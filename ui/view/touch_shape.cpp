@@ -69,7 +69,7 @@ void TouchShape::setVisible(bool visible) {
 }
 
 void TouchShape::place(const Vec3& p, const Vec3& axis, double across, double along) {
-    const Mat3 turn = Quat::FromTwoVectors(Vec3::UnitY(), axis).toRotationMatrix();
+    const Mat3 turn = turnOnto(Vec3::UnitY(), axis).toRotationMatrix();
     const Mat3 linear = turn * Vec3(across, along, across).asDiagonal();
     vtkNew<vtkMatrix4x4> matrix;
     for (int row = 0; row < 3; ++row) {

@@ -47,14 +47,12 @@ inline Joint jointAt(const std::vector<RigidBody>& bodies, BodyId a, BodyId b, c
 /// About the axis that x is turned to.
 inline Joint hingeAt(const std::vector<RigidBody>& bodies, BodyId a, BodyId b, const Vec3& at,
                      const Vec3& axis = Vec3::UnitZ()) {
-    return jointAt(bodies, a, b, at, Quat::FromTwoVectors(Vec3::UnitX(), axis),
-                   {lock(false, kAllAxes), lock(true, 6)});
+    return jointAt(bodies, a, b, at, turnOnto(Vec3::UnitX(), axis), {lock(false, kAllAxes), lock(true, 6)});
 }
 /// Along the axis that x is turned to.
 inline Joint sliderAt(const std::vector<RigidBody>& bodies, BodyId a, BodyId b, const Vec3& at,
                       const Vec3& axis) {
-    return jointAt(bodies, a, b, at, Quat::FromTwoVectors(Vec3::UnitX(), axis),
-                   {lock(false, 6), lock(true, kAllAxes)});
+    return jointAt(bodies, a, b, at, turnOnto(Vec3::UnitX(), axis), {lock(false, 6), lock(true, kAllAxes)});
 }
 inline Joint ballAt(const std::vector<RigidBody>& bodies, BodyId a, BodyId b, const Vec3& at) {
     return jointAt(bodies, a, b, at, Quat::Identity(), {lock(false, kAllAxes)});

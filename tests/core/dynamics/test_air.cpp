@@ -78,7 +78,7 @@ void AirTest::aFallEndsAtItsTerminalSpeed() {
     QFETCH(int, down);
     QFETCH(double, area);
     const double mass = 0.01, end = std::sqrt(2 * mass * 9.81 / (kAir * area));
-    Running run(plate(mass, Quat::FromTwoVectors(Vec3::Unit(down), -Vec3::UnitY())));
+    Running run(plate(mass, turnOnto(Vec3::Unit(down), -Vec3::UnitY())));
     for (int i = 1; i <= 20; ++i) {
         run.run(0.1, 2e-4);
         COMPARE_NEAR(run.bodies()[0].velocity, Vec3(0, -end * std::tanh(9.81 * 0.1 * i / end), 0), 1e-9,

@@ -28,7 +28,7 @@ struct Crank {
     explicit Crank(double speed) {
         const double reach = std::sqrt(rod * rod - arm * arm);
         const Vec3 pin(0, arm, 0), piston(reach, 0, 0);
-        const Quat lean = Quat::FromTwoVectors(Vec3::UnitX(), (piston - pin).normalized());
+        const Quat lean = turnOnto(Vec3::UnitX(), (piston - pin).normalized());
         bodies = {bodyAt(1, 0.5 * pin, 0.4, Vec3(1e-4, 1e-4, 2e-4)),
                   bodyAt(2, 0.5 * (pin + piston), 0.2, Vec3(1e-5, 4e-4, 4e-4)),
                   bodyAt(3, piston, 0.3, Vec3::Constant(1e-4))};

@@ -48,6 +48,7 @@ private slots:
 
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
+    void aNoticeMovesNothing();
     void selectionGoesBothWays();
     void problemsGoWithTheirObject();
     void theEyeHidesWhatIsFelt();
@@ -87,6 +88,24 @@ void TestWindow::aBrokenFileIsOneLineAndNoHarm() {
     QVERIFY(!noticeOf(program).contains(u'\n'));
     QCOMPARE(program.document.scene().objects[0].surfaces.size(), std::size_t(6));
     COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
+}
+
+// It comes by itself, perhaps while somebody presses on the model.
+void TestWindow::aNoticeMovesNothing() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const SceneView& view = program.window->view();
+    const auto placed = [&] { return QRect(view.mapTo(program.window.get(), QPoint(0, 0)), view.size()); };
+    const QRect before = placed();
+    program.window->showFault(QStringLiteral("The disk is full; make room and save again."));
+    program.frames(5);
+    QCOMPARE(placed(), before);
+    const auto* notice = program.window->findChild<QWidget*>(QStringLiteral("notice"));
+    QCOMPARE(notice->mapTo(program.window.get(), QPoint(0, 0)), before.topLeft());
+    QCOMPARE(notice->width(), before.width());
+    QVERIFY2(notice->height() < before.height() / 4, "it is one line, not a curtain");
+    const QWidget* seen = program.window->childAt(before.topLeft() + QPoint(before.width() / 2, 8));
+    QVERIFY2(seen == notice || notice->isAncestorOf(seen), "the view hides it");
 }
 
 void TestWindow::selectionGoesBothWays() {

@@ -95,7 +95,10 @@ void TouchedWindow::takeKeyboard() {
 }
 
 bool TouchedWindow::fullForce() {
-    return test::waitFor([this] { return engine.servo().gain == 1; });
+    return test::waitFor([this] {
+        if (QAction& armed = command("armed"); !armed.isChecked()) armed.trigger();
+        return engine.servo().gain == 1;
+    });
 }
 
 bool TouchedWindow::open(const QString& file) {

@@ -1,0 +1,45 @@
+// The shortest turn from one direction to another. The test is wrong if it accepts a turn that does more than
+// it must: the angle is compared with the one between the directions, by their sine and cosine.
+#include <random>
+
+#include <QTest>
+
+#include "core/base/vec.h"
+#include "tests/support/compare.h"
+#include "tests/support/test_program.h"
+
+namespace test_vec {
+
+using namespace tactum;
+
+class TestVec : public QObject {
+    Q_OBJECT
+private slots:
+    void turnsOnto_data() {
+        QTest::addColumn<double>("near"); // how far from opposite, of any direction; 0: exactly opposite
+        QTest::newRow("any") << 10.0;
+        QTest::newRow("nearly opposite") << 1e-4;
+        QTest::newRow("opposite but for rounding") << 1e-9;
+        QTest::newRow("opposite") << 0.0;
+    }
+    void turnsOnto() {
+        QFETCH(double, near);
+        std::mt19937 random(7);
+        std::normal_distribution<double> any;
+        const auto some = [&] { return Vec3(any(random), any(random), any(random)); };
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 from = 3 * some(), to = -2 * from + near * from.norm() * some();
+            const Quat turn = turnOnto(from, to);
+            COMPARE_NEAR(turn.norm(), 1, 1e-12, "");
+            COMPARE_NEAR(Vec3(turn * from.normalized()), Vec3(to.normalized()), 2e-6, "");
+            const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+            COMPARE_NEAR(2 * std::atan2(turn.vec().norm(), turn.w()), angle, 2e-6, "rad");
+        }
+    }
+};
+
+TACTUM_TEST(TestVec)
+
+} // namespace test_vec
+
+#include "test_vec.moc"
