@@ -22,6 +22,18 @@ double raisedCosineSpectrum(double frequency) noexcept {
     return std::abs(rest) < 1e-9 ? 0.5 : sinc(frequency) / rest;
 }
 
+/// Of a wave so many times as long as the smallest feature: smoothly from nothing to all.
+double keptOf(double ratio) noexcept {
+    if (!(ratio > 1)) return 0;
+    if (ratio >= kWhole) return 1;
+    double octaves = 0;
+    for (; ratio >= 2; ratio /= 2)
+        ++octaves;
+    // log2 within 0.008: a parabola for each octave, with one slope where two of them meet
+    const double x = (octaves + (ratio - 1) * (5 - ratio) * (1.0 / 3)) * (1 / kFadingOctaves);
+    return x * x * (3 - 2 * x);
+}
+
 struct WaveSample {
     double value, slope; ///< slope per repeat
 };
@@ -58,22 +70,35 @@ FlatSample sineProduct(double amplitude, const Vector2d& turns, const FlatPoint&
             kTurn * a * Vector2d(turns.x() * std::cos(angle.x()) * sy, turns.y() * sx * std::cos(angle.y()))};
 }
 
-/// A well-mixed number of a lattice point. Source: the finaliser of MurmurHash3.
-std::uint32_t hashOf(std::uint32_t x, std::uint32_t y, std::uint32_t seed) noexcept {
-    std::uint32_t h = x * 0x9E3779B1u ^ (y * 0x85EBCA77u + seed * 0xC2B2AE3Du);
+// Four numbers at once, as the compiler has them for every processor: of the corners of a lattice cell, or a
+// value and its derivatives by x and y.
+using Bits4 [[gnu::vector_size(16)]] = std::uint32_t;
+using Double4 [[gnu::vector_size(32)]] = double;
+
+/// Which of 16 unit vectors, evenly spread, stands at each corner of a cell, by the bits of the corners.
+/// Source: the finaliser of MurmurHash3.
+[[gnu::always_inline]] inline Bits4 mixedBits(Bits4 h) noexcept {
     h = (h ^ (h >> 16)) * 0x85EBCA6Bu;
     h = (h ^ (h >> 13)) * 0xC2B2AE35u;
-    return h ^ (h >> 16);
+    return (h ^ (h >> 16)) & 15u;
 }
-
-/// One of 16 unit vectors, evenly spread.
-Vector2d latticeGradient(std::uint32_t x, std::uint32_t y, std::uint32_t seed) noexcept {
-    constexpr double a = 0.9238795325112867, b = 0.7071067811865476, c = 0.3826834323650898;
-    static constexpr std::array<double, 20> kCosine{1,  a,  b, c, 0, -c, -b, -a, -1, -a,
-                                                    -b, -c, 0, c, b, a,  1,  a,  b,  c};
-    const std::uint32_t i = hashOf(x, y, seed) & 15u;
-    return {kCosine[i], kCosine[i < 4 ? i + 12 : i - 4]}; // sin a = cos(a - 90 degrees)
-}
+constexpr double kA = 0.9238795325112867, kB = 0.7071067811865476, kC = 0.3826834323650898;
+constexpr std::array<std::array<double, 2>, 16> kGradients{{{1, 0},
+                                                            {kA, kC},
+                                                            {kB, kB},
+                                                            {kC, kA},
+                                                            {0, 1},
+                                                            {-kC, kA},
+                                                            {-kB, kB},
+                                                            {-kA, kC},
+                                                            {-1, 0},
+                                                            {-kA, -kC},
+                                                            {-kB, -kB},
+                                                            {-kC, -kA},
+                                                            {0, -1},
+                                                            {kC, -kA},
+                                                            {kB, -kB},
+                                                            {kA, -kC}}};
 
 struct Fade {
     double value, slope;
@@ -81,23 +106,32 @@ struct Fade {
         : value(t * t * t * (t * (6 * t - 15) + 10)), slope(30 * t * t * (t - 1) * (t - 1)) {}
 };
 
+/// The cell that repeatPart() is a part of.
+[[gnu::always_inline]] inline std::uint32_t wholeRepeats(double x) noexcept {
+    const auto whole = std::int64_t(x);
+    return std::uint32_t(whole - (x < double(whole)));
+}
+
 /// Gradient noise of one octave, from about -1 to 1. Source: Perlin, Improving Noise (2002).
-FlatSample latticeNoise(const Vector2d& at, std::uint32_t seed) noexcept {
-    const Vector2d t(repeatPart(at.x()), repeatPart(at.y()));
-    const auto lattice = [](double cell) {
-        return std::uint32_t(std::int64_t(cell < 0 ? cell - 0.5 : cell + 0.5));
-    };
-    const std::uint32_t x = lattice(at.x() - t.x()), y = lattice(at.y() - t.y());
-    const Vector2d g00 = latticeGradient(x, y, seed), g10 = latticeGradient(x + 1, y, seed),
-                   g01 = latticeGradient(x, y + 1, seed), g11 = latticeGradient(x + 1, y + 1, seed);
-    const double n00 = g00.dot(t), n10 = g10.dot(t - Vector2d(1, 0)), n01 = g01.dot(t - Vector2d(0, 1)),
-                 n11 = g11.dot(t - Vector2d(1, 1));
-    const Fade fx(t.x()), fy(t.y());
-    const double lower = n00 + fx.value * (n10 - n00), upper = n01 + fx.value * (n11 - n01);
-    const Vector2d gLower = g00 + fx.value * (g10 - g00), gUpper = g01 + fx.value * (g11 - g01);
-    const double byX = fx.slope * ((n10 - n00) + fy.value * ((n11 - n01) - (n10 - n00)));
-    const Vector2d slope = gLower + fy.value * (gUpper - gLower) + Vector2d(byX, fy.slope * (upper - lower));
-    return {std::numbers::sqrt2 * (lower + fy.value * (upper - lower)), std::numbers::sqrt2 * slope};
+[[gnu::always_inline]] inline FlatSample latticeNoise(double u, double v, std::uint32_t seed) noexcept {
+    constexpr std::uint32_t kX = 0x9E3779B1u, kY = 0x85EBCA77u, kSeed = 0xC2B2AE3Du;
+    const double x = repeatPart(u), y = repeatPart(v);
+    const std::uint32_t left = wholeRepeats(u) * kX, right = left + kX;
+    const std::uint32_t below = wholeRepeats(v) * kY + seed * kSeed, above = below + kY;
+    const Bits4 corner = mixedBits(Bits4{left, right, left, right} ^ Bits4{below, below, above, above});
+    const auto &g00 = kGradients[corner[0]], &g10 = kGradients[corner[1]], &g01 = kGradients[corner[2]],
+               &g11 = kGradients[corner[3]];
+    // of each corner: its plane's height here, and how it rises along x and y
+    const Double4 x0{x, 1, 0, 0}, x1{x - 1, 1, 0, 0}, y0{y, 0, 1, 0}, y1{y - 1, 0, 1, 0};
+    const Double4 n00 = g00[0] * x0 + g00[1] * y0, n10 = g10[0] * x1 + g10[1] * y0,
+                  n01 = g01[0] * x0 + g01[1] * y1, n11 = g11[0] * x1 + g11[1] * y1;
+    const Fade fx(x), fy(y);
+    const Double4 alongLower = n10 - n00, alongUpper = n11 - n01;
+    const Double4 lower = n00 + fx.value * alongLower, up = (n01 + fx.value * alongUpper) - lower;
+    const Double4 sum = lower + fy.value * up;
+    const double byX = fx.slope * (alongLower[0] + fy.value * (alongUpper[0] - alongLower[0]));
+    constexpr double kScale = std::numbers::sqrt2;
+    return {kScale * sum[0], {kScale * (sum[1] + byX), kScale * (sum[2] + fy.slope * up[0])}};
 }
 
 /// How many repeats a metre has in the direction in which it has most.
@@ -127,12 +161,7 @@ WaveShape waveShape(double fill, double softness) noexcept {
 }
 
 double kept(double wavelength, double smallestFeature) noexcept {
-    if (!(smallestFeature > 0)) return 1;
-    const double ratio = wavelength / smallestFeature;
-    if (!(ratio > 1)) return 0;
-    if (ratio >= kWhole) return 1; // most are: no logarithm for them
-    const double x = std::log2(ratio) / kFadingOctaves;
-    return x * x * (3 - 2 * x);
+    return smallestFeature > 0 ? keptOf(wavelength / smallestFeature) : 1;
 }
 
 FlatSample grooves(const WaveShape& wave, const FlatPoint& point, double smallestFeature) noexcept {
@@ -160,15 +189,18 @@ FlatSample weave(const FlatPoint& point, double smallestFeature) noexcept {
             Vector2d(u.slope, v.slope) + over.slope - under.slope};
 }
 
-FlatSample noise(int octaves, std::uint32_t seed, const FlatPoint& point, double smallestFeature) noexcept {
-    const double densest = smallestFeature > 0 ? densestOf(point) : 0;
+// A third of a textured step goes here (docs/performance.md).
+[[gnu::target_clones("avx2", "default")]] FlatSample
+noise(int octaves, std::uint32_t seed, const FlatPoint& point, double smallestFeature) noexcept {
+    double ratio = smallestFeature > 0 ? 1 / (densestOf(point) * smallestFeature) : kWhole * (1 << octaves);
     FlatSample sum{0.5, Vector2d::Zero()};
-    double height = 0.5 / (2 - std::ldexp(1.0, 1 - octaves)); // all octaves together reach from 0 to 1
+    double height = 0.5 / (2 - 2 / double(1 << octaves)); // all octaves together reach from 0 to 1
     double cells = 1;
-    for (int i = 0; i < octaves; ++i, cells *= 2, height /= 2) {
-        const double amplitude = height * kept(1 / (cells * densest), smallestFeature);
+    for (int i = 0; i < octaves; ++i, cells *= 2, height /= 2, ratio /= 2) {
+        const double amplitude = height * keptOf(ratio);
         if (amplitude == 0) break; // and so are all finer ones
-        const FlatSample octave = latticeNoise(cells * point.at, seed + std::uint32_t(i));
+        const FlatSample octave =
+            latticeNoise(cells * point.at.x(), cells * point.at.y(), seed + std::uint32_t(i));
         sum.value += amplitude * octave.value;
         sum.slope += amplitude * cells * octave.slope;
     }

@@ -10,22 +10,22 @@ using Eigen::Vector2d;
 using Gradient = Eigen::Matrix<double, 2, 3>;
 
 /// A place in metres over the flat pattern, before it is moved, turned and scaled. The gradient is in the
-/// mapping frame for all but UVs.
+/// body frame.
 struct Place {
     Vector2d metres = Vector2d::Zero();
     Gradient gradient = Gradient::Zero();
 };
 
 /// Seen along an axis of the frame, upright and never mirrored from either side.
-Place alongAxis(const Vec3& p, int axis, double side) noexcept {
+Place alongAxis(const CompiledPattern& pattern, const Vec3& p, int axis, double side) noexcept {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    Place place{{side * p[u], p[v]}, Gradient::Zero()};
-    place.gradient(0, u) = side;
-    place.gradient(1, v) = 1;
+    Place place{{side * p[u], p[v]}, {}};
+    place.gradient.row(0) = side * pattern.axes.row(u);
+    place.gradient.row(1) = pattern.axes.row(v);
     return place;
 }
 
-/// The gradient of the longitude about z.
+/// The gradient of the longitude about z, in the mapping frame.
 Vec3 longitudeGradient(const Vec3& p, double pole) noexcept {
     return Vec3(-p.y(), p.x(), 0) / std::max(p.x() * p.x() + p.y() * p.y(), pole * pole);
 }
@@ -34,6 +34,7 @@ Place aroundAxis(const CompiledPattern& pattern, const Vec3& p) noexcept {
     Place place{{pattern.metresPerRadian * std::atan2(p.y(), p.x()), p.z()}, Gradient::Zero()};
     place.gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, kPole * pattern.radius);
     place.gradient(1, 2) = 1;
+    place.gradient = (place.gradient * pattern.axes).eval();
     return place;
 }
 
@@ -46,6 +47,7 @@ Place onSphere(const CompiledPattern& pattern, const Vec3& p) noexcept {
     const double away = std::max(across, 1e-3 * pole); // at the pole itself every direction leads south
     place.gradient.row(1) = pattern.radius * Vec3(-p.x() * p.z() / away, -p.y() * p.z() / away, across) /
                             std::max(p.squaredNorm(), pole * pole);
+    place.gradient = (place.gradient * pattern.axes).eval();
     return place;
 }
 
@@ -61,7 +63,8 @@ void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Vec3
     const Vec3 powers = (n.array().square().square() - 1e-4).max(0.0);
     for (int axis = 0; axis < 3; ++axis)
         if (powers[axis] > 0)
-            add(points, pattern, alongAxis(p, axis, n[axis] < 0 ? -1 : 1), powers[axis] / powers.sum());
+            add(points, pattern, alongAxis(pattern, p, axis, n[axis] < 0 ? -1 : 1),
+                powers[axis] / powers.sum());
 }
 
 void addFramed(FlatPoints& points, const CompiledPattern& pattern, const TexturePoint& point) noexcept {
@@ -77,10 +80,8 @@ void addFramed(FlatPoints& points, const CompiledPattern& pattern, const Texture
         add(points, pattern, onSphere(pattern, p), 1);
         break;
     default:
-        add(points, pattern, alongAxis(p, 2, 1), 1);
+        add(points, pattern, alongAxis(pattern, p, 2, 1), 1);
     }
-    for (int i = 0; i < points.count; ++i)
-        points.point[std::size_t(i)].perMetre = (points.point[std::size_t(i)].perMetre * pattern.axes).eval();
 }
 
 } // namespace
@@ -101,9 +102,10 @@ FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point)
         add(points, pattern, {pattern.metresPerUv * point.uv, pattern.metresPerUv * point.uvGradient}, 1);
     else
         addFramed(points, pattern, point);
-    const Mat3 tangent = Mat3::Identity() - point.normal * point.normal.transpose();
-    for (int i = 0; i < points.count; ++i)
-        points.point[std::size_t(i)].perMetre = (points.point[std::size_t(i)].perMetre * tangent).eval();
+    for (int i = 0; i < points.count; ++i) { // along the surface
+        Gradient& gradient = points.point[std::size_t(i)].perMetre;
+        gradient -= (gradient * point.normal).eval() * point.normal.transpose();
+    }
     return points;
 }
 
