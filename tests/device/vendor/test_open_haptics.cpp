@@ -1,4 +1,5 @@
 // 3D Systems' devices against a library that stands in for theirs: units, limits, faults and partings.
+#include <algorithm>
 #include <cmath>
 #include <dlfcn.h>
 #include <limits>
@@ -227,6 +228,23 @@ private slots:
         VERIFY_RESULT(made->prepare(watcher));
         COMPARE_CONTAINS(watcher.request, "inkwell");
         QCOMPARE(fake_->calibrated.load(), 1);
+    }
+
+    // Arms that are held at right angles for five seconds are zero there; how long is left is shown.
+    void theArmsAreHeldStill() {
+        fake_->calibrationStyle = 1;
+        fake_->calibration = 0x5002;
+        const auto made = device();
+        Watcher watcher;
+        VERIFY_RESULT(made->prepare(watcher));
+        COMPARE_CONTAINS(watcher.request, "right angles");
+        QCOMPARE(fake_->calibrated.load(), 1);
+        const std::vector<double>& parts = watcher.parts;
+        QVERIFY(parts.size() > 500);
+        QVERIFY(std::ranges::is_sorted(parts));
+        COMPARE_NEAR(parts.front(), 0, 1e-12, "");
+        QVERIFY(parts.back() > 0.9 && parts.back() <= 1);
+        COMPARE_NEAR(parts[parts.size() / 2], 0.5, 0.05, "");
     }
 
     void aPersonMayGiveUp() {
