@@ -11,6 +11,7 @@
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/x3d/write_x3d.h"
 #include "core/presets/preset_file.h"
+#include "core/protocol/messages.h"
 #include "core/recording/recording_file.h"
 #include "core/scene/finger_path.h"
 #include "tests/core/files/image_files.h"
@@ -97,6 +98,63 @@ void addScenes(const Corpus& corpus) {
         "<Transform USE='T'/><Shape><Box size='1 2 3'/></Shape><Shape USE='S'/></Scene></X3D>\n");
 }
 
+void setVector(v1::Vector& vector, double x, double y, double z) {
+    vector.set_x(x), vector.set_y(y), vector.set_z(z);
+}
+
+/// What clients of the server send: an edit of each kind, a mesh with all that it may have.
+void addMessages(const Corpus& corpus) {
+    v1::Transaction all;
+    v1::AddUpload& add = *all.add_edit()->mutable_add();
+    add.set_upload(1), add.set_name("a"), add.set_hidden(true);
+    setVector(*add.mutable_pose()->mutable_position(), 1, 2, 3);
+    add.mutable_pose()->mutable_rotation()->set_w(1);
+    all.add_edit()->mutable_open()->set_upload(1);
+    v1::SetMaterial& material = *all.add_edit()->mutable_material();
+    material.mutable_where()->set_object(1), material.mutable_where()->set_surface(1);
+    material.set_stiffness(500), material.set_static_friction(0.4), material.set_viscosity(1);
+    material.set_shading(true), material.set_sides("front");
+    all.add_edit()->mutable_pose()->set_object(1);
+    all.add_edit()->mutable_visible()->set_object(1);
+    v1::Layer& layer = *all.add_edit()->mutable_layers()->add_layer();
+    layer.set_source("image"), layer.set_mapping("triplanar"), layer.set_strength(1e-3), layer.set_size(0.01);
+    layer.mutable_image()->set_width(2), layer.mutable_image()->set_height(1);
+    layer.mutable_image()->set_texels("abcd");
+    v1::SetBody& body = *all.add_edit()->mutable_body();
+    body.set_object(1), body.set_mass(0.1);
+    v1::SetJoint& joint = *all.add_edit()->mutable_joint();
+    joint.set_object(1), joint.set_kind("hinge"), joint.set_low(-1), joint.set_high(1),
+        joint.set_spacing(0.5);
+    setVector(*joint.mutable_axis(), 0, 0, 1);
+    all.add_edit()->set_proxy_radius(1e-3);
+    setVector(*all.add_edit()->mutable_gravity(), 0, -9.81, 0);
+    corpus.add("edits", "all", all.SerializeAsString());
+    for (int i = 0; i < all.edit_size(); ++i) {
+        v1::Transaction one;
+        *one.add_edit() = all.edit(i);
+        corpus.add("edits", "edit-" + std::to_string(i), one.SerializeAsString());
+    }
+    for (const bool doubles : {false, true}) {
+        v1::UploadHead head;
+        v1::MeshHead& mesh = *head.mutable_mesh();
+        mesh.set_positions(3), mesh.set_triangles(1), mesh.set_doubles(doubles);
+        mesh.set_normals(doubles), mesh.set_uvs(doubles), mesh.set_surfaces(doubles);
+        std::string bytes;
+        for (const double number : {0, 0, 0, 1, 0, 0, 0, 1, 0}) {
+            const float narrow = float(number);
+            bytes += doubles ? std::string(reinterpret_cast<const char*>(&number), sizeof number)
+                             : std::string(reinterpret_cast<const char*>(&narrow), sizeof narrow);
+        }
+        bytes += std::string("\0\0\0\0\1\0\0\0\2\0\0\0", 12);
+        for (int i = 0; doubles && i < 9; ++i)
+            bytes += std::string("\0\0\x80\x3f", 4); // normals
+        if (doubles) bytes += std::string(6 * sizeof(float) + 4, '\0');
+        head.set_size(bytes.size());
+        const std::string said = head.SerializeAsString();
+        corpus.add("mesh", doubles ? "whole" : "plain", char(said.size()) + said + bytes);
+    }
+}
+
 void addPictures(const Corpus& corpus) {
     const std::vector<std::string> grey(6, "\x40"), deep(6, std::string("\x40\x80")), colour(6, "abc");
     corpus.add("image", "grey.png", asPng(3, 2, grey));
@@ -151,6 +209,7 @@ int main(int argc, char** argv) {
     const Corpus corpus(argv[1]);
     addMeshes(corpus);
     addScenes(corpus);
+    addMessages(corpus);
     addPictures(corpus);
     addPresets(corpus);
     const std::vector<FingerPoint> path{{0, {0, 0, 0}}, {0.001, {1e-3, -2, 0.5}}};

@@ -12,6 +12,8 @@
 #include "core/import/scene_transfer.h"
 #include "core/presets/preset_file.h"
 #include "core/presets/read_hatt.h"
+#include "core/protocol/edits.h"
+#include "core/protocol/uploads.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
@@ -131,6 +133,51 @@ void readRun(std::string_view bytes) {
     player->advanceTo(player->run().begin() + 0.1);
 }
 
+/// Of two triangles, as an object and as an upload: what edits of strangers are made to.
+const LoadedScene& small() {
+    static const LoadedScene made = [] {
+        auto soup = std::make_shared<TriangleSoup>();
+        soup->positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.1, 0.1, 0.02}};
+        soup->triangles = {{0, 1, 2}, {1, 3, 2}};
+        soup->surfaceOf = {0, 1};
+        SceneObject object;
+        object.name = "small";
+        object.geometry = std::move(soup);
+        object.surfaces.resize(2);
+        LoadedScene loaded;
+        loaded.scene.add(std::move(object));
+        return loaded;
+    }();
+    return made;
+}
+
+void makeStrangersEdits(std::string_view bytes) {
+    v1::Transaction transaction;
+    if (bytes.size() > (1 << 20) || !transaction.ParseFromArray(bytes.data(), int(bytes.size()))) return;
+    LoadedScene edited = small();
+    const auto upload = std::make_shared<const LoadedScene>(small());
+    const auto made = makeEdits(edited.scene, transaction.edit(),
+                                [&](std::uint64_t number) { return number == 1 ? upload : nullptr; });
+    if (!made) return demandOneLine(made.error());
+    demandSound(edited);
+}
+
+/// Behind a byte that says how long the head is.
+void takeStrangersMesh(std::string_view bytes) {
+    if (bytes.empty()) return;
+    const std::size_t length = std::min<std::size_t>(std::uint8_t(bytes[0]), bytes.size() - 1);
+    v1::UploadHead head;
+    if (!head.ParseFromArray(bytes.data() + 1, int(length)) || !head.has_mesh()) return;
+    Uploads uploads;
+    Incoming incoming(uploads);
+    const auto taken = incoming.begin(head).and_then([&] { return incoming.add(bytes.substr(1 + length)); });
+    if (!taken) return demandOneLine(taken.error());
+    if (!incoming.complete()) return;
+    const auto loaded = incoming.read({});
+    if (!loaded) return demandOneLine(loaded.error());
+    demandSound(*loaded);
+}
+
 constexpr Target kTargets[] = {
     {"obj", readObjAndMtl},
     {"ply", [](std::string_view bytes) { readAs<readPly>("a.ply", bytes); }},
@@ -146,6 +193,8 @@ constexpr Target kTargets[] = {
     {"preset", [](std::string_view bytes) { demandSoundPreset(parsePreset(bytes, "a.tactum-preset")); }},
     {"hatt", [](std::string_view bytes) { demandSoundPreset(parseHatt(bytes, "a.xml")); }},
     {"recording", readRun},
+    {"edits", makeStrangersEdits},
+    {"mesh", takeStrangersMesh},
     {"3ds", [](std::string_view bytes) { readRare("a.3ds", bytes); }},
     {"fbx", [](std::string_view bytes) { readRare("a.fbx", bytes); }},
     {"dae", [](std::string_view bytes) { readRare("a.dae", bytes); }},
