@@ -512,7 +512,7 @@ bool nextEvent(Event& event) {
     Context::Impl& c = context();
     v1::Event told;
     if (!c.link || !c.link->nextEvent(told)) return false;
-    event = {Event::Kind(told.kind()), 0, told.button(), told.text()};
+    event = {Event::Kind(told.kind()), 0, told.button(), told.text(), told.detent()};
     for (const auto& [key, one] : c.kept)
         if (one.object == told.object()) event.instance = c.instances.at(key);
     return true;

@@ -174,11 +174,13 @@ struct Event {
         Pen,
         PenAsked,
         Attends,
-        Lost
+        Lost,
+        Detent
     } kind = None;
     Instance instance = 0; ///< that is touched; 0: none of ours
     std::uint32_t button = 0;
     std::string text;
+    int detent = 0; ///< which its joint has gone on to: 0 is where its spring rests
 };
 /// The next that was not told yet; false: there is none.
 bool nextEvent(Event& event);

@@ -1,6 +1,7 @@
 #include "core/haptics/body_places.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tactum {
 namespace {
@@ -45,6 +46,14 @@ BodyPlaces::BodyPlaces(const World* world) {
     for (const Mover& mover : world->movers)
         if (mover.driven >= 0)
             places_[std::size_t(mover.driven)] = {world->bodies[mover.body].object, mover.rest};
+    for (const Joint& joint : world->scene->mechanics.joints)
+        for (const JointDrive& drive : joint.drives) {
+            const auto moved = std::ranges::find(world->scene->objects, joint.b, &SceneObject::body);
+            if (!(drive.spacing > 0) || moved == world->scene->objects.end()) continue;
+            if (!bodies_->coordinateOf(joint.b)) continue;
+            detents_.push_back({joint.b, drive.spacing, drive.position});
+            atDetents_.push_back({moved->id, 0});
+        }
 }
 
 std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
@@ -54,6 +63,17 @@ std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
     for (std::size_t i = 0; i < places_.size(); ++i)
         places_[i].pose = bodies_->motions()[i].now;
     return places_;
+}
+
+std::span<const AtDetent> BodyPlaces::detents(const BodiesState& state) {
+    if (detents_.empty()) return {};
+    BodiesState seen = state;
+    bodies_->begin(seen);
+    for (std::size_t i = 0; i < detents_.size(); ++i) {
+        const double away = bodies_->coordinateOf(detents_[i].body).value_or(0) - detents_[i].position;
+        atDetents_[i].detent = int(std::lround(std::clamp(away / detents_[i].spacing, -1e9, 1e9)));
+    }
+    return atDetents_;
 }
 
 std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body,

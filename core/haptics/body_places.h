@@ -15,6 +15,14 @@ struct PlacedObject {
     Pose pose; ///< X_WB
 };
 
+/// At which of its rests a joint with detents is nearest, counted from JointDrive::position.
+struct AtDetent {
+    ObjectId object = 0; ///< that the joint moves
+    int detent = 0;
+
+    bool operator==(const AtDetent&) const = default;
+};
+
 /// Of one World; its own memory, so that the loop's is left alone. Thread: one, any but real time.
 class BodyPlaces {
 public:
@@ -23,14 +31,23 @@ public:
 
     /// Until the next call. A state of other bodies shows them where they begin.
     std::span<const PlacedObject> at(const BodiesState& state);
+    /// Of each joint of one freedom that has detents, always in the same order. Until the next call.
+    std::span<const AtDetent> detents(const BodiesState& state);
     /// While the finger touches as it is told. Nothing for what no force moves.
     std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body,
                                          const HapticOutput& touch = {});
 
 private:
+    struct Detents {
+        BodyId body = 0;
+        double spacing = 0, position = 0; ///< m or rad
+    };
+
     std::unique_ptr<MovingBodies> bodies_;
     std::vector<PlacedObject> places_;
-    std::vector<int> driven_; ///< Mover::driven by the index of World::bodies; -1: no force moves it
+    std::vector<Detents> detents_;
+    std::vector<AtDetent> atDetents_; ///< as many
+    std::vector<int> driven_;         ///< Mover::driven by the index of World::bodies; -1: no force moves it
 };
 
 } // namespace tactum

@@ -132,6 +132,14 @@ void MovingBodies::begin(BodiesState& state) noexcept {
         motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
 }
 
+std::optional<double> MovingBodies::coordinateOf(BodyId body) const {
+    const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
+    if (found == mechanism_->bodies.end()) return std::nullopt;
+    const int place = mechanism_->places[std::size_t(found - mechanism_->bodies.begin())].link;
+    if (place < 0 || mechanism_->links[std::size_t(place)].kind == LinkKind::Ball) return std::nullopt;
+    return now_.q[mechanism_->links[std::size_t(place)].q];
+}
+
 std::optional<BodyReading> MovingBodies::readingOf(BodyId body, const FingerPushes& pushes) {
     const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
     if (found == mechanism_->bodies.end()) return std::nullopt;

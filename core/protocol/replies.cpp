@@ -77,6 +77,7 @@ void write(v1::Event& to, const StageEvent& event) {
     to.set_button(event.button);
     to.set_revision(event.revision);
     to.set_text(event.text);
+    to.set_detent(event.detent);
 }
 
 void write(v1::Device& to, const DeviceInfo& device) {

@@ -268,6 +268,7 @@ void Stage::tick(StageState& state, std::vector<StageEvent>& events) {
     fill(state);
     watchContacts(state);
     watchDevice(state);
+    watchDetents(state);
     std::swap(events, events_);
 }
 
@@ -297,6 +298,7 @@ void Stage::fill(StageState& state) {
     state.armed = engine_.armed();
     state.objects.clear();
     state.bodies.clear();
+    state.detents.clear();
     if (!felt) return;
     for (int i = 0; i < std::min(proxy.output.contacts, kMaxModelPlanes); ++i) {
         const std::uint32_t body = proxy.output.contact[std::size_t(i)].body;
@@ -309,6 +311,8 @@ void Stage::fill(StageState& state) {
     }
     const auto places = places_->at(proxy.bodies);
     state.bodies.assign(places.begin(), places.end());
+    const auto detents = places_->detents(proxy.bodies);
+    state.detents.assign(detents.begin(), detents.end());
 }
 
 void Stage::watchContacts(const StageState& state) {
@@ -321,6 +325,16 @@ void Stage::watchContacts(const StageState& state) {
     for (const ObjectId object : touched_)
         if (!std::ranges::binary_search(now, object)) say({.kind = Kind::Leave, .object = object});
     touched_ = std::move(now);
+}
+
+/// Of a scene that is new to it, it says nothing: there nothing has moved yet.
+void Stage::watchDetents(const StageState& state) {
+    const bool known = detentsOf_ == state.revision && detents_.size() == state.detents.size();
+    for (std::size_t i = 0; known && i < detents_.size(); ++i)
+        if (detents_[i] != state.detents[i])
+            say({.kind = Kind::Detent, .object = state.detents[i].object, .detent = state.detents[i].detent});
+    detents_ = state.detents;
+    detentsOf_ = state.revision;
 }
 
 void Stage::watchDevice(const StageState& state) {

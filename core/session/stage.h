@@ -30,12 +30,15 @@ struct StageEvent {
         Scene,
         Pen,
         PenAsked,
-        Attends
+        Attends,
+        Lost, ///< some that a client was too slow for; of the protocol alone
+        Detent
     };
     Kind kind = Kind::Touch;
     std::int64_t at = 0; ///< ns of monotonicNanoseconds()
     ObjectId object = 0;
     std::uint32_t button = 0;
+    int detent = 0; ///< counted from where the joint's drive rests
     std::uint64_t revision = 0;
     std::string text{}; ///< safe to print
     ClientId only = 0;  ///< for this client alone; 0: for all
@@ -48,6 +51,7 @@ struct StageState {
     HapticOutput output;
     std::vector<ObjectId> objects; ///< of each contact of `output`
     std::vector<PlacedObject> bodies;
+    std::vector<AtDetent> detents;
     ServoTelemetry servo;
     double proxyRate = 0; ///< Hz
     std::uint64_t updates = 0;
@@ -135,6 +139,7 @@ private:
     void watchHearts();
     void watchContacts(const StageState& state);
     void watchDevice(const StageState& state);
+    void watchDetents(const StageState& state);
     void fill(StageState& state);
     const Felt* feltNow(std::uint64_t worldRevision);
     void take(Scene scene, std::shared_ptr<const World> world);
@@ -156,6 +161,8 @@ private:
     std::uint64_t placesOf_ = 0;     ///< revision of the World
     std::vector<StageEvent> events_; ///< that were not told yet
     std::vector<ObjectId> touched_;
+    std::vector<AtDetent> detents_;
+    std::uint64_t detentsOf_ = 0; ///< revision of the scene
     std::uint32_t buttons_ = 0;
     InhibitReason why_ = InhibitReason::NotArmed;
     bool ending_ = false;

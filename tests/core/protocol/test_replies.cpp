@@ -78,6 +78,7 @@ private slots:
         happened.button = 3;
         happened.revision = 4;
         happened.text = "five";
+        happened.detent = 6;
         write(event, happened);
         COMPARE_SHOWN(textOf(event), "event");
     }

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "core/scene/bodies.h"
 #include "core/session/stage.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
@@ -98,6 +99,7 @@ private slots:
     void silenceFadesTheForce();
     void leavingFadesTheForce();
     void contactsAndRevisionsAreEvents();
+    void aMotorGoesFromDetentToDetent();
 };
 
 void TestStage::anEditIsFelt() {
@@ -229,6 +231,42 @@ void TestStage::contactsAndRevisionsAreEvents() {
     const std::lock_guard lock(touched.mutex);
     for (const StageEvent& event : touched.events)
         if (event.kind == StageEvent::Kind::Touch) QCOMPARE_EQ(event.object, plate);
+}
+
+// A dial that its motor turns over its detents, one way: each is told once, in their order, with the dial's
+// name. The test is wrong if the dial stands still or jumps, for then no number would follow another.
+void TestStage::aMotorGoesFromDetentToDetent() {
+    TouchedStage touched;
+    QVERIFY(touched.begin());
+    ObjectId dial = 0;
+    const auto made = touched.stage.change(touched.writer.id, 0, [&](Scene& scene) -> Result<void> {
+        SceneObject object;
+        object.geometry = test::ball(0.01, 1);
+        object.surfaces.resize(1);
+        object.pose.translation = {0, 0.5, 0};
+        dial = scene.add(object).id;
+        const BodyId body = makeBody(scene, dial);
+        AxisJoint joint;
+        joint.at = object.pose.translation;
+        joint.speed = 20, joint.strength = 1; // rad/s, N m
+        joint.spacing = 0.5, joint.detent = 1e-5;
+        setAxisJoint(scene, body, joint);
+        return {};
+    });
+    VERIFY_RESULT(made);
+    const auto told = [&] {
+        const std::lock_guard lock(touched.mutex);
+        std::vector<StageEvent> found;
+        for (const StageEvent& event : touched.events)
+            if (event.kind == StageEvent::Kind::Detent) found.push_back(event);
+        return found;
+    };
+    QVERIFY(touched.beating([&] { return told().size() >= 10; }));
+    const std::vector<StageEvent> all = told();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        QCOMPARE_EQ(all[i].object, dial);
+        QCOMPARE_EQ(all[i].detent, all[0].detent + int(i));
+    }
 }
 
 TACTUM_TEST(TestStage)
