@@ -43,6 +43,9 @@ install(FILES "${made}/tactum.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-c
 install(FILES "${made}/_tactum" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
 install(FILES "${made}/tactum.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
 
+# The add-on for Blender.
+install(FILES "${PROJECT_SOURCE_DIR}/resources/blender/tactum_haptics.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactum/blender")
+
 # Devices for whoever sits at the machine, and priority for their loops.
 install(FILES "${PROJECT_SOURCE_DIR}/resources/udev/70-tactum.rules" DESTINATION lib/udev/rules.d)
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/text.h"
+#include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/write_physics.h"
@@ -193,8 +194,12 @@ void GltfParting::strip(bool mechanics) {
         for (const std::size_t each : felt) {
             if (each >= materials->size()) continue;
             eraseLook((*materials)[each]);
+            eraseMirror((*materials)[each]);
             eraseExtension((*materials)[each], kExtension);
         }
+    if (Json* scenes = arrayIn(root_, "scenes"))
+        for (Json& scene : *scenes)
+            eraseMirror(scene);
     // What this version knows of our extension of the root is written anew; without other keys it goes.
     eraseUse(root_, kExtension);
     if (!extensionOf(root_)) return;

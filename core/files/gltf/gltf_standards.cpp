@@ -148,7 +148,7 @@ void StandardCopies::add(const SceneObject& object, int node, int mesh) {
             mpegMaterial(object, surface);
     if (physics_)
         root_["nodes"][std::size_t(node)]["extensions"][kPhysicsExtension]["collider"] = {
-            {"geometry", {{"node", node}, {"convexHull", false}}},
+            {"geometry", {{"mesh", mesh}, {"convexHull", false}}},
             {"physicsMaterial", physicsMaterial(object.surfaces[surface])}};
 }
 

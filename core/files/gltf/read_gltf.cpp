@@ -12,9 +12,11 @@
 #include "core/files/gltf/gltf_animation.h"
 #include "core/files/gltf/gltf_foreign.h"
 #include "core/files/gltf/gltf_mesh.h"
+#include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_motion.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_physics.h"
+#include "core/files/gltf/gltf_references.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
@@ -38,6 +40,7 @@ public:
 private:
     void demandOurVersion() const;
     void readRoot();
+    void readMirroredRoot();
     void readFinger(int view);
     void readMechanics(const GltfMotions& motions);
     bool hasMechanics() const { return !loaded_.scene.mechanics.bodies.empty(); }
@@ -49,6 +52,8 @@ private:
     void noteLostAttributes(const std::vector<PlacedMesh>& placed);
     void keepForeign();
     Surface surfaceOf(int material, const PlacedMesh& placed, const RawMesh& raw);
+    void sayEmptyLayers(const Surface& surface);
+    void sayMirrored();
     std::shared_ptr<const PaintedValues> paintOf(const Json& painted, const RawMesh& raw,
                                                  std::vector<std::string>& complaints);
     std::shared_ptr<const TextureImage> imageAt(int texture);
@@ -71,6 +76,9 @@ private:
     std::map<int, std::shared_ptr<const PaintedValues>> paints_; ///< by buffer view
     std::size_t painted_ = 0;                                    ///< values of these
     std::map<int, BodyId> bodyOfNode_;
+    bool wasOurs_ = false;              ///< only a copy of what we had written is left, in extras
+    std::set<int> mirrored_;            ///< materials whose feel is that copy
+    std::set<std::string> withoutFeel_; ///< surfaces without any
 };
 
 /// Scale, shear, mirroring and offset of a mesh; a mirror turns every triangle over, as glTF demands.
@@ -161,6 +169,7 @@ LoadedScene GltfReader::read() {
         place(placed, mesh->second);
     }
     noteLostAttributes(all);
+    sayMirrored();
     keepForeign();
     return std::move(loaded_);
 }
@@ -176,6 +185,7 @@ void GltfReader::readRoot() {
     loaded_.ours = ours != nullptr;
     const Json* radius = ours ? member(*ours, jsonKey(kProxyRadius.key).c_str()) : nullptr;
     if (radius && radius->is_number()) loaded_.scene.proxyRadius = radius->get<double>();
+    if (!ours) readMirroredRoot();
     if (ours && ours->contains(jsonKey(kProxyRadius.key)) && !(radius && radius->is_number()))
         say(Severity::Warning, "", std::string(kExtension) + ".proxyRadius is not a number",
             "the initial value is used");
@@ -188,6 +198,20 @@ void GltfReader::readRoot() {
         say(Severity::Warning, "", std::string(kExtension) + ".copies names what is no copy",
             "only the extensions that are written as copies are written anew");
     if (ours && member(*ours, "finger")) readFinger(indexIn(*ours, "finger", model_.bufferViews.size()));
+}
+
+void GltfReader::readMirroredRoot() {
+    const auto any = [&](const char* array) {
+        const Json* all = arrayIn(file_.json, array);
+        for (const Json& element : all ? *all : Json::array()) {
+            const Json ours = mirrored(element);
+            const auto radius = ours.find(jsonKey(kProxyRadius.key));
+            if (radius != ours.end() && radius->is_number()) loaded_.scene.proxyRadius = *radius;
+            wasOurs_ |= !ours.empty();
+        }
+    };
+    any("scenes");
+    any("materials");
 }
 
 void GltfReader::readMechanics(const GltfMotions& motions) {
@@ -318,7 +342,7 @@ Kept GltfReader::keptOf(const char* array, int index, Json primitives) const {
     if (!primitives.empty()) element["primitives"] = std::move(primitives);
     eraseCopies(element, copies_);
     if (hasMechanics()) eraseMechanics(element);
-    if (array == std::string_view("materials")) eraseLook(element);
+    if (array == std::string_view("materials")) eraseLook(element), eraseMirror(element);
     parting_->renumber(array, element);
     return {parting_->place(array, index), std::make_shared<const std::string>(
                                                element.dump(-1, ' ', false, Json::error_handler_t::replace))};
@@ -356,13 +380,18 @@ Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed, const RawM
     Surface surface = namedSurface("surface");
     const auto image = [&](int texture) { return imageAt(texture); };
     std::vector<std::string> said;
-    if (!extensionOf(file_.json))
+    const Json copy =
+        material < 0 ? Json::object() : mirrored(file_.json["materials"][std::size_t(material)]);
+    if (!extensionOf(file_.json) && copy.empty())
         readStandards(file_.json, file_.json["nodes"][std::size_t(placed.node)],
                       file_.json["meshes"][std::size_t(placed.mesh)], image, surface, said);
     for (const std::string& sentence : said)
         say(Severity::Note, printable(placed.name), sentence,
             "set it in the inspector if it should be another");
-    if (material < 0) return surface;
+    if (material < 0) {
+        withoutFeel_.insert(placed.name);
+        return surface;
+    }
     const tinygltf::Material& m = model_.materials[std::size_t(material)];
     surface.name = m.name.empty() ? "material " + std::to_string(material) : m.name;
     const std::vector<double>& base = m.pbrMetallicRoughness.baseColorFactor;
@@ -370,14 +399,44 @@ Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed, const RawM
         if (std::isfinite(base[i])) surface.colour[int(i)] = float(std::clamp(base[i], 0.0, 1.0));
     surface.kept = keptOf("materials", material);
     const Json* ours = extensionOf(file_.json["materials"][std::size_t(material)]);
-    if (!ours) return surface;
+    if (!ours && copy.empty()) withoutFeel_.insert(surface.name);
+    if (!ours && copy.empty()) return surface;
     std::vector<std::string> complaints;
     const auto paint = [&](const Json& painted) { return paintOf(painted, raw, complaints); };
-    readSurfaceJson(*ours, {image, paint}, surface, complaints);
+    readSurfaceJson(ours ? *ours : copy, {image, paint}, surface, complaints);
     for (const std::string& complaint : complaints)
         say(Severity::Warning, "", "material " + inQuotes(surface.name) + ": " + complaint,
             "the initial value is used");
+    if (!ours && mirrored_.insert(material).second) sayEmptyLayers(surface);
     return surface;
+}
+
+/// What extras cannot hold.
+void GltfReader::sayEmptyLayers(const Surface& surface) {
+    const auto isEmpty = [](const TexturePattern& pattern) {
+        return (pattern.source == TextureSource::Image && !pattern.image) ||
+               (pattern.source == TextureSource::Painted && !pattern.painted.values);
+    };
+    for (const TextureLayer& layer : surface.layers)
+        if (isEmpty(layer.pattern) || (layer.mask && isEmpty(*layer.mask)))
+            say(Severity::Warning, "",
+                "layer " + inQuotes(layer.name) + " of material " + inQuotes(surface.name) +
+                    " has lost its picture or paint on the way through another program",
+                "bring it back from the scene as it was: tactum feel");
+}
+
+void GltfReader::sayMirrored() {
+    if (!wasOurs_) return;
+    if (!mirrored_.empty())
+        say(Severity::Note, "",
+            "another program has dropped " + std::string(kExtension) + "; the feel of " +
+                counted(mirrored_.size(), "material") + " comes from extras",
+            "exact positions and motions, bodies and the finger path are not in extras: tactum feel brings "
+            "back what surfaces had");
+    for (const std::string& name : withoutFeel_)
+        say(Severity::Warning, "",
+            inQuotes(printable(name)) + " has lost its feel on the way through another program",
+            "bring it back from the scene as it was, by its name: tactum feel");
 }
 
 std::shared_ptr<const PaintedValues> GltfReader::paintOf(const Json& painted, const RawMesh& raw,

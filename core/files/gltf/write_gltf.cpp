@@ -8,6 +8,7 @@
 #include "core/files/gltf/drawn_mesh.h"
 #include "core/files/gltf/gltf_animation.h"
 #include "core/files/gltf/gltf_foreign.h"
+#include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
@@ -170,6 +171,7 @@ int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints)
     objectAt(material, "pbrMetallicRoughness")["baseColorFactor"] = colourJson(material, surface.colour);
     Json ours = surfaceJson(surface, shared);
     if (const Json* before = extensionOf(material)) keepUnknownKeys(*before, ours);
+    addMirror(material, ours);
     objectAt(material, "extensions")[kExtension] = std::move(ours);
     copies_.addLook(object, at, material);
     const int index = surface.kept.index;
@@ -313,6 +315,7 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
     else
         nodes = std::move(all);
     root_["scene"] = scene;
+    addMirror(root_["scenes"][std::size_t(scene)], {{jsonKey(kProxyRadius.key), scene_.proxyRadius}});
     Json ours{{"version", std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor)},
               {jsonKey(kProxyRadius.key), scene_.proxyRadius},
               {"foreign", foreign_},

@@ -21,7 +21,7 @@ std::string xmlText(std::string_view text) {
     std::string clean = printable(text, text.size() + 1); // never cut
     for (const std::string_view unknown : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
         for (std::size_t at = 0; (at = clean.find(unknown, at)) != std::string::npos;)
-            clean.replace(at, unknown.size(), "?");
+            clean.replace(at, unknown.size(), 1, '?');
     std::string escaped;
     for (const char c : clean)
         switch (c) {

@@ -148,7 +148,7 @@ private slots:
                   "/materials/0/pbrMetallicRoughness/baseColorTexture", "/nodes/1/extensions/THEIR_body",
                   "/nodes/3/camera", "/cameras", "/extensions/THEIR_world", "/extras", "/theirArray",
                   "/textures/0", "/samplers", "/animations/0/channels/0/target", "/scenes/1/name",
-                  "/scenes/0/extras", "/images/0/name"}) {
+                  "/scenes/0/extras/mood", "/images/0/name"}) {
                 const Json::json_pointer place(path);
                 QVERIFY2(after.contains(place), path);
                 QVERIFY2(after.at(place) == before.at(place), path);
