@@ -12,10 +12,14 @@ Finding unitGuess(const Scene& scene) {
             "scale it if that is not its size"};
 }
 
-WorldMesh::WorldMesh(const Source& source, const Eigen::Affine3d& toWorld)
-    : source_(source), toWorld_(toWorld) {
+WorldMesh::WorldMesh(const Source& source, const Eigen::Affine3d& toWorld) : source_(source) {
+    moveTo(toWorld);
+}
+
+void WorldMesh::moveTo(const Eigen::Affine3d& toWorld) {
+    toWorld_ = toWorld;
     if (!toWorld.matrix().allFinite() || !isCoordinate(toWorld.matrix().cwiseAbs().maxCoeff()))
-        source.fail("a transform leads beyond 1e6 m; scale the model");
+        source_.fail("a transform leads beyond 1e6 m; scale the model");
     const double volume = toWorld.linear().determinant();
     mirrored_ = volume < 0;
     flat_ = std::abs(volume) < 1e-30; // normals have no meaning any more

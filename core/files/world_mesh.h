@@ -18,6 +18,9 @@ public:
     /// `toWorld`: in metres.
     WorldMesh(const Source& source, const Eigen::Affine3d& toWorld);
 
+    /// What comes now is at another place.
+    void moveTo(const Eigen::Affine3d& toWorld);
+
     /// The vertex at `p`, as the file has it: a new one, or for `welded` the one that is there already.
     /// Throws ReadFault beyond 1e6 m.
     Index position(const Vec3& p, bool welded);
@@ -28,6 +31,10 @@ public:
     /// Corners counter-clockwise as the file sees it; a mirroring transform turns them over. Throws ReadFault
     /// beyond kMaxTriangles.
     void polygon(std::vector<PolygonCorner> corners, Index surface);
+    void segment(Index a, Index b, Index surface) {
+        builder_.addSegment({a, kNone, kNone}, {b, kNone, kNone}, surface);
+    }
+    void point(Index at, Index surface) { builder_.addPoint({at, kNone, kNone}, surface); }
     void addTo(LoadedScene& loaded, const std::string& name, std::vector<Surface> surfaces,
                const Progress& progress);
 

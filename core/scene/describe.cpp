@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/geometry/filing.h"
 #include "core/motion/motion_build.h"
 #include "core/scene/world_fields.h"
 
@@ -51,15 +52,17 @@ ObjectDescription described(const SceneObject& object) {
     result.id = object.id;
     result.name = object.name;
     result.visible = object.visible;
-    result.triangles = soup.triangles.size();
     result.vertices = soup.positions.size();
     result.bounds_B = boundsOf(soup);
     result.pose = object.pose;
     result.motion = describeMotion(object);
     for (const Surface& surface : object.surfaces)
         result.surfaces.push_back(described(surface));
-    for (Index surface : soup.surfaceOf)
-        ++result.surfaces[surface].triangles;
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) { // a soup has segments and points too
+        if (kindOf(soup.triangles[i]) != Kind::Triangle) continue;
+        ++result.triangles;
+        ++result.surfaces[soup.surfaceOf[i]].triangles;
+    }
     return result;
 }
 
@@ -92,7 +95,6 @@ void describeMechanics(const Mechanics& mechanics, SceneDescription& result) {
 
 SceneDescription describe(const Scene& scene) {
     SceneDescription result;
-    result.triangles = triangleCount(scene);
     result.bounds_W = boundsOf(scene);
     result.parameters.push_back(described(kProxyRadius, scene.proxyRadius));
     if (!scene.mechanics.bodies.empty())
@@ -104,6 +106,7 @@ SceneDescription describe(const Scene& scene) {
         if (isNew) health->second = healthOf(*object.geometry).value();
         result.objects.push_back(described(object));
         result.objects.back().health = health->second;
+        result.triangles += result.objects.back().triangles;
     }
     describeMechanics(scene.mechanics, result);
     return result;

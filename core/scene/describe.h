@@ -54,7 +54,7 @@ struct ObjectDescription {
     ObjectId id = 0;
     std::string name;
     bool visible = true;
-    std::size_t triangles = 0; ///< segments and points included
+    std::size_t triangles = 0; ///< segments and points are in its health
     std::size_t vertices = 0;
     Bounds bounds_B; ///< m, body frame
     Pose pose;       ///< X_WB, at the time 0

@@ -40,6 +40,16 @@ private:
         Affine toWorld = Affine::Identity();
         std::string name;
         bool isNamedByUs = false; ///< by our metadata, which no DEF below it overrules
+        bool isHidden = false;    ///< in a Switch of ours that shows nothing
+    };
+
+    /// An object that our own writer made: a Shape for each surface and kind of face.
+    struct Ours {
+        Ours(const Source& source, const Place& at) : mesh(source, at.toWorld), place(at) {}
+
+        WorldMesh mesh;
+        Place place;
+        std::vector<Surface> surfaces;
     };
 
     /// Of the file's lengths, in metres: <unit category="length" conversionFactor="0.001"/> in its head.
@@ -83,11 +93,48 @@ private:
         if (kind == "Inline" || kind == "ProtoDeclare" || kind == "Appearance") return;
         if (kind == "RigidBodyCollection") return; // shapes for bodies to meet, which nobody sees
         here.toWorld = here.toWorld * transformOf(node);
+        const bool begins = !ours_ && X3dDocument::metadata(node, kX3dObjectSet, "name");
+        if (begins)
+            ours_.emplace(source_, here), here.isHidden = false; // from here on it is a surface that is
+        const bool hides = isHiddenByUs(node);
+        here.isHidden |= hides;
         int number = 0;
         for (const X3dNode child : node.children()) {
-            if (child.type() != pugi::node_element || !isChosen(node, number++)) continue;
+            if (child.type() != pugi::node_element || !(isChosen(node, number++) || hides)) continue;
             visit(child, here, depth + 1);
         }
+        if (begins) endOurs();
+    }
+
+    /// Our writer hides an object or a surface by a Switch around it.
+    bool isHiddenByUs(X3dNode node) const {
+        if (node.name() != std::string_view("Switch") || document_.number(node, "whichChoice", -1) != -1)
+            return false;
+        return ours_ || X3dDocument::metadata(node.first_child(), kX3dObjectSet, "name");
+    }
+
+    void endOurs() {
+        Ours& ours = *ours_;
+        const std::size_t before = loaded_.scene.objects.size();
+        if (ours.mesh.positions() > 0)
+            ours.mesh.addTo(loaded_, ours.place.name, std::move(ours.surfaces), progress_);
+        if (loaded_.scene.objects.size() > before)
+            loaded_.scene.objects.back().visible = !ours.place.isHidden;
+        ours_.reset();
+    }
+
+    /// One that is there already goes on: its lines and points are Shapes of their own.
+    Index surfaceOfOurs(X3dNode shape, bool isHidden) {
+        Surface surface = surfaces_.surfaceOf(shape);
+        surface.visible = !isHidden;
+        std::vector<Surface>& all = ours_->surfaces;
+        const auto known = std::ranges::find_if(all, [&](const Surface& other) {
+            return other.name == surface.name && other.material == surface.material &&
+                   other.visible == surface.visible;
+        });
+        const Index number = Index(known - all.begin());
+        if (known == all.end()) all.push_back(std::move(surface));
+        return number;
     }
 
     /// A Switch shows one of its children, an LOD the first, which is the finest.
@@ -136,20 +183,31 @@ private:
     }
 
     void addShape(X3dNode shape, const Place& place) {
-        WorldMesh mesh(source_, place.toWorld);
-        for (const X3dNode child : shape.children()) {
-            const X3dNode geometry = document_.resolved(child);
-            const std::string_view kind = geometry.name();
-            if (!geometry || kind == "Appearance" || kind.starts_with("Metadata")) continue;
-            if (geometry.type() == pugi::node_element && !addGeometry(document_, geometry, mesh, 0))
-                ++unknown_[std::string(kind)];
+        if (ours_) {
+            const std::size_t before = ours_->mesh.positions();
+            ours_->mesh.moveTo(place.toWorld);
+            addGeometries(shape, ours_->mesh, surfaceOfOurs(shape, place.isHidden), true);
+            return demandBounded(shape, ours_->mesh.positions() - before);
         }
+        WorldMesh mesh(source_, place.toWorld);
+        addGeometries(shape, mesh, 0, false);
         if (mesh.positions() == 0) return;
         demandBounded(shape, mesh.positions());
         mesh.addTo(loaded_, place.name.empty() ? stemOf(source_) : place.name, {surfaces_.surfaceOf(shape)},
                    progress_);
         if (progress_.report)
             progress_.report(std::min(1.0, double(shape.offset_debug()) / double(source_.bytes().size())));
+    }
+
+    void addGeometries(X3dNode shape, WorldMesh& mesh, Index surface, bool welded) {
+        for (const X3dNode child : shape.children()) {
+            const X3dNode geometry = document_.resolved(child);
+            const std::string_view kind = geometry.name();
+            if (!geometry || kind == "Appearance" || kind.starts_with("Metadata")) continue;
+            if (geometry.type() == pugi::node_element &&
+                !addGeometry(document_, geometry, mesh, surface, welded))
+                ++unknown_[std::string(kind)];
+        }
     }
 
     void sayWhatIsLeftOut() {
@@ -180,6 +238,7 @@ private:
     LoadedScene loaded_;
     X3dDocument document_;
     X3dSurfaces surfaces_;
+    std::optional<Ours> ours_; ///< being read
     std::size_t visits_ = 0, inlines_ = 0, shapes_ = 0, positions_ = 0;
     std::map<std::string, std::size_t> unknown_;
 };

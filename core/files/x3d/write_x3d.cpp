@@ -194,7 +194,8 @@ private:
         XmlElement appearance(shape, "Appearance");
         XmlElement(appearance, "Material")
             .set(corners == 3 ? "diffuseColor" : "emissiveColor", surface.colour);
-        if (surface.sides == Sides::None) return; // H3D feels what has a surface node
+        if (surface.sides == Sides::None) // H3D feels what has a surface node
+            return writeUnfeltSurface(appearance, surface);
         writeSurface(appearance, corners == 3 ? flat : withoutPictures(flat), surface,
                      {files_.maps + "/" + name, result_.images, progress_});
     }

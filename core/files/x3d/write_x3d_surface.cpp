@@ -153,6 +153,10 @@ X3dSurface x3dSurfaceOf(const SceneObject& object, Index surface, const Progress
     return flat;
 }
 
+void writeUnfeltSurface(XmlElement& appearance, const Surface& surface) {
+    writeMetadata(appearance, surface);
+}
+
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
                   const X3dPictures& pictures) {
     const std::string_view kind = nodeOf(flat, surface);

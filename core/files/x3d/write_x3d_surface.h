@@ -32,6 +32,9 @@ struct X3dPictures {
     const Progress& progress;
 };
 
+/// Of a surface that is not felt: its name alone.
+void writeUnfeltSurface(XmlElement& appearance, const Surface& surface);
+
 /// Writes the node into an Appearance, and appends its pictures.
 void writeSurface(XmlElement& appearance, const X3dSurface& flat, const Surface& surface,
                   const X3dPictures& pictures);

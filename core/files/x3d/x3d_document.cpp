@@ -119,6 +119,16 @@ std::vector<std::string> X3dDocument::strings(X3dNode node, const char* field) {
     return all;
 }
 
+std::optional<double> X3dDocument::metadataNumber(X3dNode node, std::string_view set,
+                                                  std::string_view key) const {
+    for (const X3dNode each : node.children("MetadataSet")) {
+        if (each.attribute("name").value() != set) continue;
+        for (const X3dNode value : each.children("MetadataDouble"))
+            if (value.attribute("name").value() == key) return number(value, "value", 0);
+    }
+    return std::nullopt;
+}
+
 std::optional<std::string> X3dDocument::metadata(X3dNode node, std::string_view set, std::string_view key) {
     for (const X3dNode each : node.children("MetadataSet")) {
         if (each.attribute("name").value() != set) continue;

@@ -37,6 +37,9 @@ public:
     /// What a MetadataString of this key says in the node's MetadataSet of this name; nothing without one.
     static std::optional<std::string> metadata(X3dNode node, std::string_view set, std::string_view key);
 
+    /// The same of a MetadataDouble.
+    std::optional<double> metadataNumber(X3dNode node, std::string_view set, std::string_view key) const;
+
     /// Every node of a kind in the whole file.
     std::vector<X3dNode> all(std::initializer_list<std::string_view> names) const;
 

@@ -14,12 +14,12 @@ using Outline = std::vector<std::size_t>;
 /// One node with coordinates: its vertices, and how they are joined.
 class Vertices {
 public:
-    Vertices(const X3dDocument& document, X3dNode node, WorldMesh& mesh, Index surface)
+    Vertices(const X3dDocument& document, X3dNode node, WorldMesh& mesh, Index surface, bool welded)
         : document_(document), node_(node), mesh_(mesh), surface_(surface) {
         const X3dNode points = document.child(node, {"Coordinate", "CoordinateDouble"});
         const std::vector<double> xyz = points ? document.numbers(points, "point") : std::vector<double>();
         for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-            positions_.push_back(mesh.position({xyz[i], xyz[i + 1], xyz[i + 2]}, false));
+            positions_.push_back(mesh.position({xyz[i], xyz[i + 1], xyz[i + 2]}, welded));
         const X3dNode normals = document.child(node, {"Normal"});
         const std::vector<double> n = normals ? document.numbers(normals, "vector") : std::vector<double>();
         for (std::size_t i = 0; i + 2 < n.size(); i += 3)
@@ -51,6 +51,17 @@ public:
     void add(const Outline& vertices) {
         add(vertices, perVertex_ ? vertices : Outline(vertices.size(), faces_), vertices);
         ++faces_;
+    }
+
+    /// A line from vertex to vertex.
+    void addLine(const Outline& vertices) {
+        for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+            mesh_.segment(at(positions_, vertices[i], "point"), at(positions_, vertices[i + 1], "point"),
+                          surface_);
+    }
+    void addPoints() {
+        for (const Index each : positions_)
+            mesh_.point(each, surface_);
     }
 
     bool perVertex() const { return perVertex_; }
@@ -134,6 +145,10 @@ void fan(Vertices& vertices, const Outline& row) {
 void strip(Vertices& vertices, const Outline& row) {
     for (std::size_t i = 0; i + 2 < row.size(); ++i)
         vertices.add({row[i], row[i + 1 + i % 2], row[i + 2 - i % 2]});
+}
+
+void line(Vertices& vertices, const Outline& row) {
+    vertices.addLine(row);
 }
 
 using Join = void (*)(Vertices&, const Outline&);
@@ -248,7 +263,7 @@ void elevationGrid(const X3dDocument& document, X3dNode node, WorldMesh& mesh, I
 
 } // namespace
 
-bool addGeometry(const X3dDocument& document, X3dNode node, WorldMesh& mesh, Index surface) {
+bool addGeometry(const X3dDocument& document, X3dNode node, WorldMesh& mesh, Index surface, bool welded) {
     const std::string_view kind = node.name();
     if (kind == "Box") return box(document, node, mesh, surface), true;
     if (kind == "Sphere") return sphere(document, node, mesh, surface), true;
@@ -264,11 +279,14 @@ bool addGeometry(const X3dDocument& document, X3dNode node, WorldMesh& mesh, Ind
     static constexpr Rows kRows[] = {
         {"IndexedTriangleSet", triangles, "index", true},  {"IndexedTriangleFanSet", fan, "index", true},
         {"IndexedTriangleStripSet", strip, "index", true}, {"TriangleSet", triangles, "", false},
-        {"TriangleFanSet", fan, "fanCount", false},        {"TriangleStripSet", strip, "stripCount", false}};
-    if (kind != "IndexedFaceSet" && std::ranges::find(kRows, kind, &Rows::kind) == std::end(kRows))
+        {"TriangleFanSet", fan, "fanCount", false},        {"TriangleStripSet", strip, "stripCount", false},
+        {"IndexedLineSet", line, "coordIndex", true},      {"LineSet", line, "vertexCount", false}};
+    if (kind != "IndexedFaceSet" && kind != "PointSet" &&
+        std::ranges::find(kRows, kind, &Rows::kind) == std::end(kRows))
         return false;
-    Vertices vertices(document, node, mesh, surface);
+    Vertices vertices(document, node, mesh, surface, welded);
     if (kind == "IndexedFaceSet") return faceSet(document, node, vertices), true;
+    if (kind == "PointSet") return vertices.addPoints(), true;
     const Rows& rows = *std::ranges::find(kRows, kind, &Rows::kind);
     for (const Outline& row : rows.indexed ? polygonsOf(whole(document, node, rows.index))
                                            : rowsInOrder(document, node, rows.index, vertices.size()))

@@ -8,6 +8,8 @@ namespace tactum {
 
 /// Adds the polygons of a geometry node; false for a kind of node that is not read. Throws ReadFault where an
 /// index leads to nothing.
-bool addGeometry(const X3dDocument& document, X3dNode geometry, WorldMesh& mesh, Index surface);
+/// `welded`: vertices at one place are one.
+bool addGeometry(const X3dDocument& document, X3dNode geometry, WorldMesh& mesh, Index surface,
+                 bool welded = false);
 
 } // namespace tactum

@@ -92,11 +92,26 @@ Surface X3dSurfaces::surfaceOf(X3dNode shape) {
         surface.colour = Vec3(colour.data()).cwiseMax(0).cwiseMin(1).cast<float>();
     }
     const X3dNode haptic = geometryless ? document_.child(geometryless, kSurfaces) : X3dNode();
-    if (const auto ours = X3dDocument::metadata(haptic, kX3dSurfaceSet, "name")) surface.name = *ours;
+    readOurs(haptic ? haptic : geometryless, surface);
     if (haptic) feel(haptic, surface);
     for (const X3dNode geometry : shape.children())
         if (const auto sides = sidesOf(document_.resolved(geometry), bool(haptic))) surface.sides = *sides;
+    if (!haptic && X3dDocument::metadata(geometryless, kX3dSurfaceSet, "name")) surface.sides = Sides::None;
     return surface;
+}
+
+/// What our writer puts into metadata, for H3D has no field for it.
+void X3dSurfaces::readOurs(X3dNode node, Surface& surface) {
+    const auto name = X3dDocument::metadata(node, kX3dSurfaceSet, "name");
+    if (!name) return;
+    surface.name = *name;
+    const auto number = [&](const Parameter& parameter, double& value) {
+        if (const auto found = document_.metadataNumber(node, kX3dSurfaceSet, parameter.key))
+            value = kept(parameter, *found, surface);
+    };
+    number(kViscosity, surface.material.viscosity);
+    surface.shading.on = X3dDocument::metadata(node, kX3dSurfaceSet, "force-shading") == "true";
+    number(kCreaseAngle, surface.shading.creaseAngle);
 }
 
 /// H3D feels what is drawn where it says nothing else: back faces are neither when the geometry is solid.

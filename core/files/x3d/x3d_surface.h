@@ -19,6 +19,7 @@ public:
 
 private:
     void feel(X3dNode node, Surface& surface);
+    void readOurs(X3dNode node, Surface& surface);
     double stiffnessOf(X3dNode node, const char* field, double initial, const Surface& surface);
     void setFriction(Surface& surface, double fixed, double sliding);
     void depthMap(X3dNode node, Surface& surface);
