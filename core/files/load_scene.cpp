@@ -125,6 +125,11 @@ Result<LoadedScene> loadScene(const std::filesystem::path& file, const Progress&
                                 [&] { return load(file, progress); });
 }
 
+Finding noteOfCloud(std::size_t points) {
+    return {Finding::Severity::Note, "", "has vertices alone: " + counted(points, "point"),
+            "each is felt by itself; export the mesh with its faces if it has some"};
+}
+
 Surface namedSurface(std::string name) {
     Surface surface;
     surface.name = std::move(name);

@@ -32,6 +32,9 @@ void demandBounded(const Source& source, std::size_t meshes, std::uint64_t trian
 /// For a face as a sentence of its own; empty when it is fine.
 std::string complaintOfCorners(std::size_t corners);
 
+/// What is said of a file with vertices alone.
+Finding noteOfCloud(std::size_t points);
+
 /// A surface with the initial material.
 Surface namedSurface(std::string name);
 /// The name for an object that has none: that of the file without its ending.

@@ -39,10 +39,22 @@ void demandFewNodes(const Source& source, const Json& json) {
                 " are read; join meshes, and leave out nodes that show nothing");
 }
 
+/// Version 1 has objects where version 2 has arrays, and would be a file with nothing in it.
+void demandVersion2(const Source& source, const Json& json) {
+    const auto asset = json.find("asset"), meshes = json.find("meshes");
+    const bool says = asset != json.end() && asset->is_object() && asset->contains("version");
+    const Json version = says ? (*asset)["version"] : Json();
+    const bool isOld = version.is_string() ? version.get<std::string>().starts_with("1") : version == 1;
+    if (isOld || (!says && meshes != json.end() && meshes->is_object()))
+        source.fail("is glTF 1.0, and only 2.0 is read; open it in a program of its time, or convert it by "
+                    "gltf-pipeline");
+}
+
 Json parseJson(const Source& source, std::string_view text) {
     demandShallow(source, text);
     try {
         if (Json json = Json::parse(text); json.is_object()) {
+            demandVersion2(source, json);
             demandFewNodes(source, json);
             return json;
         }

@@ -49,9 +49,11 @@ bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 
 /// What a file may need that is read, or that only the eye misses.
 bool isReadable(std::string_view extension) {
-    constexpr std::array<std::string_view, 7> known{
-        "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu", "KHR_physics_rigid_bodies",
-        "KHR_implicit_shapes",   "KHR_collision_shapes",  "KHR_lights_punctual"};
+    constexpr std::array<std::string_view, 11> known{
+        "KHR_mesh_quantization",    "KHR_texture_transform",  "KHR_texture_basisu",
+        "KHR_physics_rigid_bodies", "KHR_implicit_shapes",    "KHR_collision_shapes",
+        "KHR_lights_punctual",      "EXT_texture_webp",       "EXT_texture_avif",
+        "MSFT_texture_dds",         "EXT_mesh_gpu_instancing"};
     return std::ranges::find(known, extension) != known.end() || extension.starts_with("KHR_materials_");
 }
 
@@ -108,29 +110,72 @@ tinygltf::Model parseGltf(const Source& source, const GltfFile& file) {
 
 GltfAccessor::GltfAccessor(const Source& source, const tinygltf::Model& model, int index,
                            std::size_t components) {
-    const auto fail = [&](const char* what) {
+    const Fail fail = [&](const char* what) {
         source.fail("accessors[" + std::to_string(index) + "] " + what + "; re-export the file");
     };
     if (index < 0 || std::size_t(index) >= model.accessors.size()) fail("is used but not there");
     const tinygltf::Accessor& accessor = model.accessors[std::size_t(index)];
-    if (accessor.sparse.isSparse) fail("is sparse, which is not read");
-    if (accessor.bufferView < 0 || std::size_t(accessor.bufferView) >= model.bufferViews.size())
-        fail("has no buffer view");
     const int componentSize = tinygltf::GetComponentSizeInBytes(std::uint32_t(accessor.componentType));
     if (componentSize <= 0 ||
         tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type)) != int(components))
         fail("has a type that does not fit its use");
-    const tinygltf::BufferView& view = model.bufferViews[std::size_t(accessor.bufferView)];
     const std::size_t size = std::size_t(componentSize) * components;
     count_ = accessor.count;
+    type_ = accessor.componentType;
+    normalized_ = accessor.normalized;
+    if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) readView(model, accessor, size, fail);
+    if (accessor.sparse.isSparse) replaceSparse(model, accessor, size, fail);
+}
+
+/// The elements one after the other in a buffer view.
+void GltfAccessor::readView(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                            std::size_t size, const Fail& fail) {
+    if (accessor.bufferView < 0 || std::size_t(accessor.bufferView) >= model.bufferViews.size())
+        fail("has no buffer view");
+    const tinygltf::BufferView& view = model.bufferViews[std::size_t(accessor.bufferView)];
     stride_ = view.byteStride ? view.byteStride : size;
     if (stride_ < size && count_ > 1) fail("has elements that overlap");
     const std::size_t room = view.byteLength - std::min(view.byteLength, accessor.byteOffset);
     if (count_ > 0 && (size > room || (count_ - 1) > (room - size) / stride_))
         fail("reaches beyond its buffer view");
     data_ = model.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset + accessor.byteOffset;
-    type_ = accessor.componentType;
-    normalized_ = accessor.normalized;
+}
+
+/// A copy, of zeros where there is no view, in which some elements are others.
+void GltfAccessor::replaceSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                                 std::size_t size, const Fail& fail) {
+    constexpr std::size_t kMost = std::size_t(1) << 24; // of what no byte of the file stands for
+    if (count_ > kMost) fail("is sparse and has more than 16 million elements");
+    auto all = std::make_shared<std::vector<unsigned char>>(count_ * size, 0);
+    for (std::size_t i = 0; data_ && i < count_; ++i)
+        std::memcpy(all->data() + i * size, data_ + i * stride_, size);
+    const auto& sparse = accessor.sparse;
+    const auto bytesOf = [&](int index, std::size_t offset, std::size_t each) {
+        if (index < 0 || std::size_t(index) >= model.bufferViews.size()) fail("is sparse without its values");
+        const tinygltf::BufferView& view = model.bufferViews[std::size_t(index)];
+        const std::size_t room = view.byteLength - std::min(view.byteLength, offset);
+        if (sparse.count < 0 || std::size_t(sparse.count) > room / each)
+            fail("has sparse values that reach beyond their buffer view");
+        return model.buffers[std::size_t(view.buffer)].data.data() + view.byteOffset + offset;
+    };
+    const int width = tinygltf::GetComponentSizeInBytes(std::uint32_t(sparse.indices.componentType));
+    const bool fits = sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                      sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                      sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    if (!fits) fail("has sparse indices that are not unsigned whole numbers");
+    const unsigned char* index =
+        bytesOf(sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset), std::size_t(width));
+    const unsigned char* value =
+        bytesOf(sparse.values.bufferView, std::size_t(sparse.values.byteOffset), size);
+    for (int i = 0; i < sparse.count; ++i, index += width, value += size) {
+        std::uint32_t place = 0; // little-endian, as glTF and this machine
+        std::memcpy(&place, index, std::size_t(width));
+        if (place >= count_) fail("has a sparse index beyond its elements");
+        std::memcpy(all->data() + place * size, value, size);
+    }
+    own_ = std::move(all);
+    data_ = own_->data();
+    stride_ = size;
 }
 
 template <class T> T GltfAccessor::at(std::size_t element, std::size_t component) const {

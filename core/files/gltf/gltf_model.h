@@ -1,6 +1,10 @@
 // A glTF or glb file parsed by tinygltf, after our own checks of what that library trusts.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <vector>
+
 #include <tiny_gltf.h>
 
 #include "core/base/vec.h"
@@ -26,10 +30,17 @@ public:
     bool isUnsigned() const;
 
 private:
+    using Fail = std::function<void(const char* what)>; ///< does not return
+
+    void readView(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t size,
+                  const Fail& fail);
+    void replaceSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t size,
+                       const Fail& fail);
     template <class T> T at(std::size_t element, std::size_t component) const;
     template <class T> double scaled(std::size_t element, std::size_t component) const;
 
     const unsigned char* data_ = nullptr;
+    std::shared_ptr<const std::vector<unsigned char>> own_; ///< of a sparse one
     std::size_t count_ = 0, stride_ = 0;
     int type_ = 0;
     bool normalized_ = false;

@@ -81,6 +81,10 @@ GltfMotions::GltfMotions(const Source& source, const tinygltf::Model& model)
             motion.local =
                 makeMotion(std::move(found.translation), std::move(found.rotation), found.duration);
     }
+    const std::string_view file = source_.name(), first = firstFault_;
+    const std::size_t from = first.starts_with(file) ? file.size() + 2 : 0; // "file: what; remedy"
+    note(broken_, "damaged channel", "left out: " + firstFault_.substr(from, first.find(';') - from),
+         "what it moves stands still; export the animation again");
     note(scaled_, "channel", "that animates a scale", "left out; only rigid motion is felt");
     note(weighted_, "channel", "that animates morph targets", "left out; only rigid motion is felt");
     note(doubled_, "channel", "that animates what another one animates already",
@@ -102,7 +106,11 @@ void GltfMotions::readAnimation(int index, std::vector<Tracks>& tracks) {
     std::vector<Tracks*> animated;
     const auto take = [&](auto& track, Tracks& of, int sampler) {
         if (!track.times.empty()) return void(++doubled_);
-        track = readTrack<typename std::decay_t<decltype(track.values)>::value_type>(index, sampler);
+        try {
+            track = readTrack<typename std::decay_t<decltype(track.values)>::value_type>(index, sampler);
+        } catch (const ReadFault& fault) { // the shape is as it should be
+            if (++broken_ == 1) firstFault_ = fault.error.text;
+        }
         if (track.times.empty()) return;
         if constexpr (std::is_same_v<decltype(track), Track<QuatCoefficients>&>)
             stretched_ += std::size_t(std::ranges::count_if(track.values, needsUnitLength));
@@ -111,8 +119,10 @@ void GltfMotions::readAnimation(int index, std::vector<Tracks>& tracks) {
     };
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
         if (channel.target_node < 0) continue; // glTF: to be ignored
-        if (std::size_t(channel.target_node) >= tracks.size())
-            source_.fail(nameOf(index) + "moves a node that is not there; re-export the file");
+        if (std::size_t(channel.target_node) >= tracks.size()) {
+            if (++broken_ == 1) firstFault_ = nameOf(index) + "moves a node that is not there";
+            continue;
+        }
         Tracks& node = tracks[std::size_t(channel.target_node)];
         if (channel.target_path == "translation") take(node.translation, node, channel.sampler);
         if (channel.target_path == "rotation") take(node.rotation, node, channel.sampler);

@@ -14,7 +14,7 @@ namespace tactum {
 /// of one node the first one counts, each runs over its own duration, and all of them at once.
 class GltfMotions {
 public:
-    /// Throws ReadFault where an animation lies about its accessors or its times do not rise.
+    /// What is damaged, because it lies about its accessors or its times do not rise, is left out.
     GltfMotions(const Source& source, const tinygltf::Model& model);
 
     bool moves(int node) const { return bool(motions_[std::size_t(node)].local); }
@@ -64,7 +64,9 @@ private:
     std::vector<NodeMotion> motions_;
     std::vector<Finding> findings_;
     std::size_t scaled_ = 0, weighted_ = 0, doubled_ = 0; ///< channels left out
-    std::size_t stretched_ = 0;                           ///< rotations of keys that had to be made unit
+    std::size_t broken_ = 0;
+    std::string firstFault_;
+    std::size_t stretched_ = 0; ///< rotations of keys that had to be made unit
 };
 
 } // namespace tactum

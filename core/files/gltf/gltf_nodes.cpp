@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "core/files/gltf/gltf_motion.h"
+#include "core/files/readers.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum {
@@ -43,13 +44,53 @@ private:
         if (!here.matrix().allFinite() || !isCoordinate(here.matrix().cwiseAbs().maxCoeff()))
             source_.fail(where + "has a transform beyond 1e6 m; scale the model");
         chain_.push_back(index);
-        if (node.mesh >= 0) place(node, here, where);
+        if (node.mesh >= 0) placeAll(node, here, where);
         for (int child : node.children)
             visit(child, here, depth + 1);
         chain_.pop_back();
     }
 
-    void place(const tinygltf::Node& node, const Affine& here, const std::string& where) {
+    /// One, or as many as the extension says.
+    void placeAll(const tinygltf::Node& node, const Affine& here, const std::string& where) {
+        const auto instanced = node.extensions.find(kInstancing);
+        if (instanced == node.extensions.end()) return place(node, here, where, std::nullopt);
+        const tinygltf::Value& attributes = instanced->second.Get("attributes");
+        const auto attribute = [&](const char* name, std::size_t width) -> std::optional<GltfAccessor> {
+            if (!attributes.IsObject() || !attributes.Has(name)) return std::nullopt;
+            return GltfAccessor(source_, model_, attributes.Get(name).GetNumberAsInt(), width);
+        };
+        const auto translation = attribute("TRANSLATION", 3), rotation = attribute("ROTATION", 4),
+                   scale = attribute("SCALE", 3);
+        std::optional<std::size_t> count;
+        for (const auto* each : {&translation, &rotation, &scale})
+            if (*each) count = std::min(count.value_or((*each)->size()), (*each)->size());
+        if (!count) return place(node, here, where, std::nullopt);
+        for (std::size_t i = 0; i < *count; ++i) {
+            Affine instance = Affine::Identity();
+            if (translation) instance.translate(vectorOf<3>(*translation, i));
+            if (rotation) {
+                const QuatCoefficients q = vectorOf<4>(*rotation, i);
+                if (!isUsable(q)) source_.fail(where + "has an instance without a usable rotation");
+                instance.rotate(Quat(q).normalized());
+            }
+            if (scale) instance.scale(vectorOf<3>(*scale, i));
+            if (!instance.matrix().allFinite() || !isCoordinate(instance.matrix().cwiseAbs().maxCoeff()))
+                source_.fail(where + "has an instance beyond 1e6 m; scale the model");
+            place(node, here, where, instance);
+            placed_.back().name += " " + std::to_string(i + 1);
+        }
+    }
+
+    template <int N> static Eigen::Matrix<double, N, 1> vectorOf(const GltfAccessor& from, std::size_t i) {
+        Eigen::Matrix<double, N, 1> v;
+        for (int k = 0; k < N; ++k)
+            v[k] = from.number(i, std::size_t(k));
+        return v;
+    }
+
+    void place(const tinygltf::Node& node, const Affine& here, const std::string& where,
+               const std::optional<Affine>& instance) {
+        demandBounded(source_, placed_.size() + 1, 0);
         if (std::size_t(node.mesh) >= model_.meshes.size())
             source_.fail(where + "names a mesh that is not there");
         const tinygltf::Mesh& mesh = model_.meshes[std::size_t(node.mesh)];
@@ -57,18 +98,18 @@ private:
         placed.name = node.name.empty() ? mesh.name : node.name;
         placed.node = chain_.back();
         placed.mesh = node.mesh;
-        placed.rest = poseAbove();
+        if (!instance) placed.rest = poseAbove();
         placed.deforms = node.skin >= 0 || std::ranges::any_of(mesh.primitives, [](const auto& primitive) {
                              return !primitive.targets.empty();
                          });
         const auto mover =
             std::find_if(chain_.rbegin(), chain_.rend(), [&](int i) { return motions_.moves(i); });
-        if (mover == chain_.rend() && chain_.size() == 1 && isRigid(chain_[0]))
+        if (mover == chain_.rend() && chain_.size() == 1 && isRigid(chain_[0]) && !instance)
             placed.pose = rigidOf(source_, model_, chain_[0]); // to the bit
         else if (mover == chain_.rend())
-            placeAtRest(placed, here);
+            placeAtRest(placed, instance ? here * *instance : here);
         else
-            placeOnMover(placed, mover.base());
+            placeOnMover(placed, mover.base(), instance.value_or(Affine::Identity()));
         placed_.push_back(std::move(placed));
     }
 
@@ -96,11 +137,12 @@ private:
     }
 
     // The body's frame is that of the last node that moves; all below it goes into the vertices.
-    void placeOnMover(PlacedMesh& placed, std::vector<int>::const_iterator below) {
+    void placeOnMover(PlacedMesh& placed, std::vector<int>::const_iterator below, const Affine& instance) {
         GltfMotions::Course course = motions_.courseOf({chain_.cbegin(), below});
         Affine rest(scaleOf(model_, *std::prev(below)));
         for (auto node = below; node != chain_.cend(); ++node)
             rest = rest * transformOf(source_, model_, *node);
+        rest = rest * instance;
         const Mat3 stretch = course.stretch * rest.linear();
         placed.pose = course.rest;
         placed.stretch = stretch.isIdentity(1e-12) ? Mat3::Identity().eval() : stretch;

@@ -12,6 +12,9 @@ namespace tactum {
 
 class GltfMotions;
 
+/// A mesh of such a node is there many times: a glTF of trees or screws.
+inline constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
 /// One mesh at one place: p_W = pose.apply(stretch * p + offset), p as in the file.
 struct PlacedMesh {
     std::string name; ///< of the node, or of the mesh

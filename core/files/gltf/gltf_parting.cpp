@@ -5,6 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_mirror.h"
+#include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/write_physics.h"
@@ -41,6 +42,18 @@ void eraseMotions(Json& root, const auto& isMoved) {
         left.push_back(std::move(animation));
     }
     *animations = std::move(left);
+}
+
+/// Whoever still needs it is a node that nobody shows.
+void eraseInstancing(Json& root) {
+    if (const Json* nodes = arrayIn(root, "nodes"))
+        for (const Json& node : *nodes)
+            if (extensionOf(node, kInstancing)) return;
+    eraseUse(root, kInstancing);
+    Json* required = arrayIn(root, "extensionsRequired");
+    if (!required) return;
+    required->erase(std::remove(required->begin(), required->end(), Json(kInstancing)), required->end());
+    if (required->empty()) root.erase("extensionsRequired");
 }
 
 /// What of a mesh is kept beside its object.
@@ -184,6 +197,7 @@ void GltfParting::strip(bool mechanics) {
             node.update(*pose);
         visitMaterials(node, [&](std::size_t material) { felt.insert(material); });
         eraseExtension(node, kExtension);
+        eraseExtension(node, kInstancing);
         for (const char* key : {"mesh", "skin", "weights"})
             node.erase(key);
     }
@@ -202,6 +216,7 @@ void GltfParting::strip(bool mechanics) {
             eraseMirror(scene);
     // What this version knows of our extension of the root is written anew; without other keys it goes.
     eraseUse(root_, kExtension);
+    eraseInstancing(root_);
     if (!extensionOf(root_)) return;
     for (const char* key : {"version", "foreign", "copies", "finger", "gravity"})
         root_["extensions"][kExtension].erase(key);

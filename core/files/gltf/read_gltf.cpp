@@ -39,6 +39,7 @@ public:
 
 private:
     void demandOurVersion() const;
+    void noteInstances(std::size_t meshes);
     void readRoot();
     void readMirroredRoot();
     void readFinger(int view);
@@ -156,6 +157,7 @@ LoadedScene GltfReader::read() {
     for (const PlacedMesh& placed : all)
         objectNodes_.push_back(placed.node);
     std::ranges::sort(objectNodes_);
+    noteInstances(all.size());
     parting_.emplace(file_.json, objectNodes_, hasMechanics());
     loaded_.findings.insert(loaded_.findings.end(), parting_->findings().begin(), parting_->findings().end());
     for (const PlacedMesh& placed : all) {
@@ -172,6 +174,15 @@ LoadedScene GltfReader::read() {
     sayMirrored();
     keepForeign();
     return std::move(loaded_);
+}
+
+/// A node can be there many times, and is one for whatever else is in the file.
+void GltfReader::noteInstances(std::size_t meshes) {
+    objectNodes_.erase(std::unique(objectNodes_.begin(), objectNodes_.end()), objectNodes_.end());
+    if (meshes > objectNodes_.size())
+        say(Severity::Note, "",
+            counted(meshes - objectNodes_.size(), "further instance") + " of a mesh by " + kInstancing,
+            "each is an object of its own, and is written as one");
 }
 
 void GltfReader::demandOurVersion() const {
@@ -341,6 +352,7 @@ Kept GltfReader::keptOf(const char* array, int index, Json primitives) const {
         element.erase(key);
     if (!primitives.empty()) element["primitives"] = std::move(primitives);
     eraseCopies(element, copies_);
+    eraseExtension(element, kInstancing);
     if (hasMechanics()) eraseMechanics(element);
     if (array == std::string_view("materials")) eraseLook(element), eraseMirror(element);
     parting_->renumber(array, element);

@@ -102,6 +102,7 @@ PlyType HeaderReader::type(std::string_view word) const {
         {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
         {"float64", PlyType::Float64}};
     const auto* found = std::ranges::find(kTypes, word, &std::pair<std::string_view, PlyType>::first);
+    if (found == std::end(kTypes) && header_.encoding == PlyHeader::Encoding::Ascii) return PlyType::Unknown;
     if (found == std::end(kTypes)) fail("unknown type " + inQuotes(word) + "; re-export the file");
     return found->second;
 }

@@ -10,10 +10,11 @@
 
 namespace tactum {
 
-enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+/// Unknown: of text, where it is one word.
+enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64, Unknown };
 
 constexpr std::size_t sizeOf(PlyType type) {
-    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8, 1};
     return sizes[std::size_t(type)];
 }
 constexpr bool isInteger(PlyType type) {

@@ -57,7 +57,11 @@ public:
     LoadedScene read() {
         readPools();
         readElements();
-        return finish();
+        const std::size_t alone = drafts_.empty() ? pools_.positions.size() : 0;
+        if (alone > 0) readCloud();
+        LoadedScene loaded = finish();
+        if (alone > 0) loaded.findings.push_back(noteOfCloud(alone));
+        return loaded;
     }
 
 private:
@@ -78,7 +82,9 @@ private:
     void readFace(Fields fields);
     void readLine(Fields fields);
     void readPoints(Fields fields);
-    bool nextCorner(Fields& fields, PolygonCorner& corner) const;
+    void readCloud();
+    bool nextCorner(Fields& fields, PolygonCorner& corner);
+    Index resolve(const char*& at, const char* end, std::size_t seen, std::size_t total);
     Index resolve(const char*& at, const char* end, std::size_t seen, std::size_t total,
                   const char* what) const;
     Draft& draft();
@@ -100,8 +106,8 @@ private:
     VertexPools pools_;
     std::size_t line_ = 0;
     std::size_t seenPositions_ = 0, seenUvs_ = 0, seenNormals_ = 0; ///< so far in the second pass
-    std::size_t freeForms_ = 0;
-    std::vector<std::string> libraries_; ///< of materials
+    std::size_t freeForms_ = 0, missing_ = 0; ///< missing: coordinates and normals of corners
+    std::vector<std::string> libraries_;      ///< of materials
     MtlMaterials library_;
     BumpLayers bumps_;
     Names groups_, materials_;
@@ -226,7 +232,7 @@ void ObjReader::readPoints(Fields fields) {
 }
 
 /// Reads "position", "position/uv", "position//normal" or "position/uv/normal". False at the end of the line.
-bool ObjReader::nextCorner(Fields& fields, PolygonCorner& corner) const {
+bool ObjReader::nextCorner(Fields& fields, PolygonCorner& corner) {
     const std::string_view field = fields.next();
     if (field.empty() || field[0] == '#') return false;
     const char *at = field.data(), *end = at + field.size();
@@ -234,9 +240,8 @@ bool ObjReader::nextCorner(Fields& fields, PolygonCorner& corner) const {
     corner.position = resolve(at, end, seenPositions_, pools_.positions.size(), "vertex");
     const auto slash = [&] { return at != end && *at == '/' && ++at; };
     if (slash() && at != end) {
-        if (*at != '/') corner.uv = resolve(at, end, seenUvs_, pools_.uvs.size(), "texture coordinate");
-        if (slash() && at != end)
-            corner.normal = resolve(at, end, seenNormals_, pools_.normals.size(), "vertex normal");
+        if (*at != '/') corner.uv = resolve(at, end, seenUvs_, pools_.uvs.size());
+        if (slash() && at != end) corner.normal = resolve(at, end, seenNormals_, pools_.normals.size());
     }
     if (at != end) fail("face has the corner " + inQuotes(field) + "; re-export the file");
     return true;
@@ -255,6 +260,26 @@ Index ObjReader::resolve(const char*& at, const char* end, std::size_t seen, std
         fail("face refers to " + std::string(what) + " " + std::to_string(number) + ", but only " +
              std::to_string(number < 0 ? seen : total) + " are defined; re-export the file");
     return Index(place);
+}
+
+/// The same of what a corner can be without.
+Index ObjReader::resolve(const char*& at, const char* end, std::size_t seen, std::size_t total) {
+    std::int64_t number = 0;
+    const auto [last, fault] = std::from_chars(at, end, number);
+    const std::int64_t place = number > 0 ? number - 1 : std::int64_t(seen) + number;
+    if (fault == std::errc() && number != 0 && place >= 0 && place < std::int64_t(total)) {
+        at = last;
+        return Index(place);
+    }
+    if (fault == std::errc()) at = last, ++missing_; // else the corner is no corner at all
+    return kNone;
+}
+
+/// A scan of points alone.
+void ObjReader::readCloud() {
+    demandBounded(source_, 1, pools_.positions.size());
+    for (Index i = 0; i < pools_.positions.size(); ++i)
+        draft().builder.addPoint({i, kNone, kNone}, surface());
 }
 
 void ObjReader::startObject(std::string_view name) {
@@ -288,6 +313,10 @@ LoadedScene ObjReader::finish() {
         loaded.findings.push_back({Finding::Severity::Warning, "",
                                    counted(freeForms_, "free-form curve or surface") + " cannot be read",
                                    "convert them to polygons in the modelling program"});
+    CountedFindings(loaded.findings, "")
+        .add(Finding::Severity::Warning, missing_, "corner",
+             "without the texture coordinate or normal that the file names",
+             "(0, 0) and the face's own stand for it");
     readLibraries(loaded);
     for (auto& draft : drafts_)
         finishObject(loaded, *draft, drafts_.size() == 1);

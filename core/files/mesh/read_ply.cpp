@@ -24,6 +24,7 @@ public:
         if (type == PlyType::Float64) return take<double>();
         return double(integer(type));
     }
+    void skip(PlyType type) { number(type); }
     std::int64_t integer(PlyType type) {
         switch (type) {
         case PlyType::Int8:
@@ -75,6 +76,7 @@ public:
           end_(source.bytes().data() + source.bytes().size()) {}
 
     double number(PlyType) { return take<double>(); }
+    void skip(PlyType) { word(); }
     std::int64_t integer(PlyType) { return take<std::int64_t>(); }
     void demand(std::int64_t count, PlyType) const {
         if (std::uint64_t(count) > (std::uint64_t(end_ - at_) + 1) / 2)
@@ -84,15 +86,18 @@ public:
     [[noreturn]] void fail(const std::string& text) const { source_.failAtLine(source_.lineAt(at_), text); }
 
 private:
-    template <class T> T take() {
+    std::string_view word() {
         while (at_ != end_ && (isBlank(*at_) || *at_ == '\n'))
             ++at_;
         const char* start = at_;
         while (at_ != end_ && !isBlank(*at_) && *at_ != '\n')
             ++at_;
-        const std::string_view token(start, std::size_t(at_ - start));
+        if (start == at_) fail("the file ends inside its data; it was cut short, copy it again");
+        return {start, std::size_t(at_ - start)};
+    }
+    template <class T> T take() {
+        const std::string_view token = word();
         T value{};
-        if (token.empty()) fail("the file ends inside its data; it was cut short, copy it again");
         if (!parseNumber(token, value))
             fail("a number is needed where " + inQuotes(token) + " is; re-export the file");
         return value;
@@ -123,6 +128,10 @@ public:
                 readOther(element);
         }
         LoadedScene loaded;
+        if (builder_.triangles() == 0 && !pools_.positions.empty()) {
+            readCloud();
+            loaded.findings.push_back(noteOfCloud(pools_.positions.size()));
+        }
         BuildReport report;
         TriangleSoup soup = builder_.finish(std::move(pools_.positions), report);
         addObject(loaded, stemOf(source_), report, std::move(soup), {namedSurface("surface")}, rest_);
@@ -138,6 +147,7 @@ private:
     void readStrips(const PlyElement& element);
     void readEdges(const PlyElement& element);
     void readOther(const PlyElement& element);
+    void readCloud();
     void skip(const PlyProperty& property);
     /// Reads one element's properties; calls list(count) at the wanted one, which takes its values.
     template <class F> void eachWithList(const PlyElement& element, std::size_t wanted, F list);
@@ -164,7 +174,7 @@ template <class Cursor> std::int64_t PlyReader<Cursor>::listLength(const PlyProp
 template <class Cursor> void PlyReader<Cursor>::skip(const PlyProperty& property) {
     const std::int64_t count = property.countType ? listLength(property) : 1;
     for (std::int64_t i = 0; i < count; ++i)
-        cursor_.number(property.type);
+        cursor_.skip(property.type);
 }
 
 template <class Cursor> void PlyReader<Cursor>::readOther(const PlyElement& element) {
@@ -192,12 +202,12 @@ template <class Cursor> void PlyReader<Cursor>::readVertices(const PlyElement& e
     for (std::size_t i = 0; i < places.size(); ++i)
         if (places[i] && !element.properties[*places[i]].countType) targetOf[*places[i]] = i;
     pools_.positions.reserve(pools_.positions.size() + element.count);
-    std::array<double, 8 + 1> values{}; // the last one takes what nobody wants
+    std::array<double, 8> values{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
         demandGoingOn(meter_, cursor_.offset());
         for (std::size_t k = 0; k < element.properties.size(); ++k) {
             const PlyProperty& property = element.properties[k];
-            if (property.countType)
+            if (property.countType || targetOf[k] == places.size())
                 skip(property);
             else
                 values[targetOf[k]] = cursor_.number(property.type);
@@ -271,6 +281,13 @@ template <class Cursor> void PlyReader<Cursor>::readStrips(const PlyElement& ele
             if (!stitch) builder_.add(t, 0); // stitches only join strips
         }
     });
+}
+
+/// A scan: every vertex is a point.
+template <class Cursor> void PlyReader<Cursor>::readCloud() {
+    demandBounded(source_, 1, pools_.positions.size());
+    for (std::size_t i = 0; i < pools_.positions.size(); ++i)
+        builder_.addPoint(corner(std::int64_t(i)), 0);
 }
 
 template <class Cursor> void PlyReader<Cursor>::readEdges(const PlyElement& element) {

@@ -44,6 +44,12 @@ TriangleSoup inWorld(const Scene& scene) {
     return all;
 }
 
+bool hasTriangles(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+        return std::ranges::any_of(object.geometry->triangles, [](auto& t) { return cornersOf(t) == 3; });
+    });
+}
+
 /// Little-endian, whatever the machine.
 template <std::size_t N> void appendBytes(std::string& out, std::uint64_t bits) {
     for (std::size_t i = 0; i < N; ++i)
@@ -69,6 +75,7 @@ struct PlyMesh {
         for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
             const int corners = cornersOf(soup.triangles[i]);
             auto& list = corners == 3 ? triangles : edges;
+            if (corners == 1) vertex(soup, i, 0); // a vertex that no face names
             for (int k = 0; k < corners && corners > 1; ++k)
                 list.push_back(vertex(soup, i, std::size_t(k)));
         }
@@ -181,6 +188,9 @@ Result<std::vector<MeshFile>> meshFilesOf(const Scene& scene, std::string_view e
         return std::vector<MeshFile>{{std::string(stem) + "." + std::string(ending), std::move(bytes)}};
     };
     if (ending == "ply") return alone(asPly(scene));
+    if (ending == "stl" && !scene.objects.empty() && !hasTriangles(scene))
+        return inputError(
+            "the scene has no triangles, and STL holds nothing else; export it as .ply or .obj");
     if (ending == "stl") return alone(asStl(scene));
     if (ending == "off") return alone(asOff(scene));
     return inputError(inQuotes(ending) + " is no mesh format that can be written; use obj, ply, stl or off");

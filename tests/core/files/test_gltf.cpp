@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "core/files/gltf/gltf_file.h"
+#include "core/files/gltf/write_gltf.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -73,6 +74,90 @@ private slots:
         COMPARE_CONTAINS(refusal(25'000, {{"mesh", 0}}),
                          "more than 67 million triangles with all its copies");
         QCOMPARE(refusal(20, {{"mesh", 0}}), std::string("read"));
+    }
+
+    void version1IsNamed() {
+        for (const char* text : {R"({"asset":{"version":"1.0"},"meshes":{"a":{}}})", R"({"meshes":{"a":{}}})",
+                                 R"({"asset":{"version":1},"meshes":{}})"}) {
+            const auto loaded = folder_.load("old.gltf", text);
+            QVERIFY(!loaded);
+            COMPARE_CONTAINS(loaded.error().text, "old.gltf: is glTF 1.0, and only 2.0 is read; ");
+        }
+    }
+
+    void whatOnlyTheEyeMissesMayBeRequired() {
+        Json json = Json::parse(asGltf(tetrahedron()));
+        json["extensionsRequired"] = {"EXT_texture_webp"};
+        QVERIFY(folder_.load("webp.gltf", json.dump()));
+        json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+        const auto packed = folder_.load("packed.gltf", json.dump());
+        QVERIFY(!packed);
+        COMPARE_CONTAINS(packed.error().text,
+                         "needs the extension \"KHR_draco_mesh_compression\", which is not read");
+    }
+
+    /// Vertex 1 is moved by a sparse accessor: over a view, and over zeros.
+    void sparseAccessorsAreRead() {
+        Json json = Json::parse(asGltf(tetrahedron()));
+        // The bytes of 1, and of 2, 3, 4 in single precision.
+        json["buffers"].push_back(
+            {{"byteLength", 16}, {"uri", "data:application/octet-stream;base64,AQAAAAAAAEAAAEBAAACAQA=="}});
+        const int buffer = int(json["buffers"].size()) - 1, view = int(json["bufferViews"].size());
+        json["bufferViews"].push_back({{"buffer", buffer}, {"byteLength", 4}});
+        json["bufferViews"].push_back({{"buffer", buffer}, {"byteOffset", 4}, {"byteLength", 12}});
+        const std::size_t positions = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+        Json& accessor = json["accessors"][positions];
+        accessor["sparse"] = {{"count", 1},
+                              {"indices", {{"bufferView", view}, {"componentType", 5121}}},
+                              {"values", {{"bufferView", view + 1}}}};
+        const TriangleSoup before = tetrahedron();
+        const auto positionsOf = [&] { return read(json.dump()).objects.at(0).geometry->positions; };
+        std::vector<Vec3> wanted = before.positions;
+        wanted[1] = {2, 3, 4};
+        QVERIFY(positionsOf() == wanted);
+        accessor["bufferView"] = nullptr;
+        accessor.erase("bufferView"), accessor.erase("byteOffset");
+        std::ranges::fill(wanted, Vec3::Zero());
+        wanted[1] = {2, 3, 4};
+        QVERIFY(positionsOf() == wanted);
+        for (const auto& [place, wrong] : {std::pair<const char*, int>{"/sparse/count", 2},
+                                           {"/sparse/indices/bufferView", 99},
+                                           {"/sparse/values/bufferView", -7},
+                                           {"/sparse/indices/componentType", 5126},
+                                           {"/sparse/indices/byteOffset", 4},
+                                           {"/count", 1 << 30}}) {
+            Json damaged = json;
+            damaged["accessors"][positions][Json::json_pointer(place)] = wrong;
+            const auto loaded = folder_.load("sparse.gltf", damaged.dump());
+            QVERIFY2(!loaded, place);
+            COMPARE_CONTAINS(loaded.error().text, "sparse");
+        }
+    }
+
+    /// Each is an object where it stands, and saving writes each once.
+    void instancesAreObjects() {
+        Json json =
+            Json::parse(asGltf(tetrahedron(), R"("scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"screw",
+            "mesh":0,"translation":[10,0,0],"scale":[2,2,2],"extensions":{"EXT_mesh_gpu_instancing":
+            {"attributes":{"TRANSLATION":0}}}}],"extensionsUsed":["EXT_mesh_gpu_instancing"],
+            "extensionsRequired":["EXT_mesh_gpu_instancing"])"));
+        const std::size_t positions = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+        json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = positions;
+        const Scene scene = read(json.dump());
+        const std::vector<Vec3> offsets = tetrahedron().positions; // the corners stand for four places
+        QCOMPARE(scene.objects.size(), offsets.size());
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            QVERIFY(scene.objects[i].pose.translation.isApprox(Vec3(10, 0, 0) + 2 * offsets[i]));
+            QVERIFY(scene.objects[i].geometry->positions[1].isApprox(2 * tetrahedron().positions[1]));
+        }
+        QCOMPARE(scene.objects[1].name, std::string("screw 2"));
+        const auto glb = glbOf(scene);
+        QVERIFY(glb);
+        COMPARE_LACKS(*glb, "EXT_mesh_gpu_instancing");
+        const auto again = folder_.load("again.glb", *glb);
+        QVERIFY(again);
+        QCOMPARE(again->scene.objects.size(), offsets.size());
+        QCOMPARE_EQ(boundsOf(again->scene).high, boundsOf(scene).high);
     }
 
     void rigidTransformsBecomeThePose() {

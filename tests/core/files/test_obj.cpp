@@ -1,6 +1,7 @@
 // Wavefront OBJ: objects, surfaces, corners, and its errors.
 #include <QTest>
 
+#include "core/files/corner_pool.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -144,6 +145,28 @@ private slots:
         QCOMPARE(scene.objects[0].surfaces[0].name, std::string("b\xc3\xa9?"));
     }
 
+    void verticesAloneArePoints() {
+        const auto loaded = folder_.load("mesh.obj", kSquare);
+        QVERIFY(loaded);
+        QCOMPARE(loaded->scene.objects.at(0).geometry->triangles.size(), std::size_t(4));
+        QCOMPARE(cornersOf(loaded->scene.objects[0].geometry->triangles[3]), 1);
+        COMPARE_CONTAINS(said(*loaded), "has vertices alone: 4 points");
+    }
+
+    /// One wrong number of a coordinate costs that corner its coordinate, not the person the file.
+    void missingCoordinatesAndNormalsAreSaid() {
+        const auto loaded = folder_.load(
+            "mesh.obj", kSquare + "vt 0.5 0.5\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/-9\nf 1/1/1 3/0/1 4/1/1\n");
+        QVERIFY(loaded);
+        const TriangleSoup& soup = *loaded->scene.objects.at(0).geometry;
+        QCOMPARE(soup.triangles.size(), std::size_t(2));
+        QVERIFY(soup.cornerUvs.at(0) == Eigen::Vector2f(0.5f, 0.5f));
+        QVERIFY(soup.cornerUvs.at(1) == Eigen::Vector2f(0, 0));
+        QVERIFY(soup.cornerNormals.at(2) == Eigen::Vector3f::UnitZ());
+        COMPARE_CONTAINS(said(*loaded),
+                         "3 corners without the texture coordinate or normal that the file names");
+    }
+
     void errorsNameTheLine_data() {
         QTest::addColumn<QString>("content");
         QTest::addColumn<QString>("error");
@@ -155,8 +178,6 @@ private slots:
         row("index zero", kSquare + "\n\nf 0 1 2\n", "mesh.obj:7: face refers to vertex 0,");
         row("too far back", "v 0 0 0\nf -1 -2 -3\n",
             "mesh.obj:2: face refers to vertex -2, but only 1 are defined");
-        row("no normal there", kSquare + "f 1//1 2//1 3//1\n",
-            "mesh.obj:5: face refers to vertex normal 1, but only 0");
         row("huge index", kSquare + "f 1 2 99999999999999999999\n", "mesh.obj:5: face has the corner");
         row("word in a face", kSquare + "f 1 2 three\n", "mesh.obj:5: face has the corner \"three\"");
         row("word in a vertex", "v 0 0 zero\n", "mesh.obj:1: vertex needs a number where \"zero\" is");
@@ -166,7 +187,8 @@ private slots:
         row("infinite", "v 0 inf 0\n", "mesh.obj:1: coordinate");
         row("too far", "v 0 0 1.1e6\n", "mesh.obj:1: coordinate");
         row("beyond double", "v 0 0 1e999\n", "mesh.obj:1: vertex needs a number");
-        row("nothing to touch", kSquare, "mesh.obj: has no faces, lines or points");
+        row("no coordinate", kSquare + "f 1/x 2 3\n", "mesh.obj:5: face has the corner \"1/x\"");
+        row("nothing to touch", "o nothing\n", "mesh.obj: has no faces, lines or points");
     }
     void errorsNameTheLine() {
         QFETCH(QString, content);

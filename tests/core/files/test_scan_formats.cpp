@@ -1,6 +1,7 @@
 // PLY, STL and OFF: what is special in each, and their errors.
 #include <QTest>
 
+#include "core/files/corner_pool.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -47,6 +48,23 @@ private slots:
                     "a.ply", plyText(kVertices, face, kCorners + "0.5 4 0 1 2 3 2 0.1 0.2\n1 3 0 1 2 0\n"));
                 QCOMPARE(soup.triangles.size(), std::size_t(3));
             }
+    }
+
+    void plyVerticesAloneArePoints() {
+        const TriangleSoup soup =
+            read("a.ply",
+                 plyText(kVertices, "element face 0\nproperty list uchar int vertex_indices\n", kCorners));
+        QCOMPARE(soup.triangles.size(), std::size_t(4));
+        QCOMPARE(cornersOf(soup.triangles[1]), 1);
+    }
+
+    /// In a text file a column of a kind that nobody knows is a word.
+    void plyColumnsOfUnknownKindsAreSkipped() {
+        const TriangleSoup soup = read(
+            "a.ply", plyText(kVertices + "property string name\nproperty list uchar thing more\n", kFaces,
+                             "0 0 0 red 0\n1 0 0 blue 2 x y\n1 1 0 9,5 1 z\n0 1 0 - 0\n3 0 1 2\n"));
+        QCOMPARE(soup.triangles.size(), std::size_t(1));
+        QCOMPARE(soup.positions[2], Vec3(1, 1, 0));
     }
 
     void plySkipsElementsThatItDoesNotKnow() {
@@ -119,11 +137,10 @@ private slots:
         const std::string body = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n";
         QCOMPARE(read("a.off", "OFF " + body).triangles.size(), std::size_t(1));
         QCOMPARE(read("a.off", "OFF" + body).triangles.size(), std::size_t(1)); // a common slip
-        QCOMPARE(
-            read("a.off",
-                 "# hi\nCOFF\n# more\n3 1 0\n\n0 0 0 1 1 1 1 # red\n1 0 0 1 0 0 1\n0 1 0 0 0 0 1\n3 0 1 2\n")
-                .triangles.size(),
-            std::size_t(1));
+        QCOMPARE(read("a.off", "# hi\nCOFF\n# more\n3 1 0\n\n0 0 0 1 1 1 1 # red\n1 0 0 1 0 0 1\n0 1 0 0 "
+                               "0 0 1\n3 0 1 2\n")
+                     .triangles.size(),
+                 std::size_t(1));
         const TriangleSoup soup =
             read("a.off", "NOFF\n3 1 0\n0 0 0 0 0 3\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n");
         QCOMPARE(soup.cornerNormals[0], Eigen::Vector3f(0, 0, 1));
@@ -161,7 +178,8 @@ private slots:
         row("ply: type", "a.ply", replaced(little, "float y", "quad y"), "a.ply:6: unknown type \"quad\"");
         // The first of them has normals, the second none: a face that asked for one read past their end.
         row("ply: two lists of vertices", "a.ply",
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+            "z\n"
             "property float nx\nproperty float ny\nproperty float nz\n" +
                 kVertices + kFaces + "end_header\n0 0 0 0 0 1\n" + kCorners + "3 2 3 4\n",
             "a.ply:10: a second element \"vertex\"");
@@ -203,7 +221,13 @@ private slots:
             "a.off:5: the file ends before its last face");
         row("off: inf", "a.off", "OFF\n3 1 0\n0 0 inf\n1 0 0\n0 1 0\n3 0 1 2\n",
             "a.off:3: coordinate of a vertex");
-        row("no faces", "a.ply", plyText(kVertices, "", kCorners), "a.ply: has no faces, lines or points");
+        row("nothing", "a.ply",
+            plyText("element vertex 0\nproperty float x\nproperty float y\nproperty float z\n", "", ""),
+            "a.ply: has no faces, lines or points");
+        row("ply: words in a binary file", "a.ply",
+            "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty string "
+            "name\nend_header\nabc",
+            "a.ply:4: unknown type \"string\"");
     }
     void errorsNameThePlace() {
         QFETCH(QString, file);

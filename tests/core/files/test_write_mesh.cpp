@@ -107,6 +107,7 @@ private slots:
     void hostileNamesStayOnTheirLine();
     void oneMeshAtRestComesBackAsItWas();
     void anotherEndingIsRefused();
+    void pointsAloneComeBackAsPoints();
     void everyStemFindsItsLibrary();
 
 private:
@@ -218,6 +219,23 @@ void TestWriteMesh::anotherEndingIsRefused() {
     QVERIFY(!meshFilesOf({}, "dwg", "mesh"));
     for (const std::string& ending : writableMeshEndings())
         VERIFY_RESULT(meshFilesOf({}, ending, "mesh"));
+}
+
+void TestWriteMesh::pointsAloneComeBackAsPoints() {
+    TriangleSoup soup;
+    soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.3}};
+    soup.triangles = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+    soup.surfaceOf = {0, 0, 0};
+    Scene scene;
+    scene.add(bodyOf("scan", std::make_shared<const TriangleSoup>(soup)));
+    for (const char* ending : {"ply", "obj", "off"}) {
+        const Scene back = folder_.roundTrip(scene, ending).scene;
+        QVERIFY2(back.objects[0].geometry->positions == soup.positions, ending);
+        QVERIFY2(back.objects[0].geometry->triangles == soup.triangles, ending);
+    }
+    const auto stl = meshFilesOf(scene, "stl", "scan");
+    QVERIFY(!stl);
+    COMPARE_CONTAINS(stl.error().text, "has no triangles");
 }
 
 void TestWriteMesh::everyStemFindsItsLibrary() {
