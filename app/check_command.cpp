@@ -5,8 +5,8 @@
 
 #include "app/commands.h"
 #include "app/results.h"
+#include "app/streams.h"
 #include "core/files/source.h"
-#include "core/import/import_scene.h"
 
 namespace tactum {
 
@@ -38,7 +38,7 @@ Result<int> runCheck(const CheckOptions& options) {
     Json files = Json::array();
     std::size_t wrong = 0;
     for (const std::filesystem::path& scene : options.scenes) {
-        const auto loaded = importScene(scene);
+        const auto loaded = importGiven(scene);
         if (!loaded) return tl::unexpected(loaded.error());
         const std::vector<Finding> findings = findingsOf(*loaded);
         const std::size_t errors = countOf(findings, Finding::Severity::Error),

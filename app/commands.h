@@ -58,6 +58,7 @@ struct SimulateOptions {
 
 struct ConvertOptions {
     std::filesystem::path in, out;
+    std::optional<std::string> to;               ///< the ending of a result that goes to standard output
     std::optional<std::filesystem::path> report; ///< what was kept, degraded and lost, as JSON
     std::optional<double> fitDiagonal;           ///< m
     std::optional<double> unit;                  ///< m that one unit of the input is

@@ -1,16 +1,18 @@
+#include <fstream>
 #include <iostream>
 
 #include "app/commands.h"
 #include "app/output_files.h"
 #include "app/results.h"
+#include "app/streams.h"
 #include "core/base/text.h"
 #include "core/bundle/bundle.h"
+#include "core/files/gltf/write_gltf.h"
 #include "core/files/loss_report.h"
 #include "core/files/mesh/write_mesh.h"
 #include "core/files/read_finger_path.h"
 #include "core/files/save_scene.h"
 #include "core/files/x3d/write_x3d.h"
-#include "core/import/import_scene.h"
 #include "core/scene/placing.h"
 
 namespace tactum {
@@ -24,10 +26,24 @@ struct Writer {
     std::string_view ending; ///< lower case
     ExportTarget target;
     Result<void> (*write)(const Scene&, const ConvertOptions&, std::vector<Loss>&);
+    bool alone = true; ///< one file, that names no other
 };
 
 Result<void> writeGlb(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
     return saveScene(scene, options.out, {}, 0);
+}
+
+/// Text, with the data in a file beside it.
+Result<void> writeGltf(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
+    const fs::path& out = options.out;
+    if (const auto free = demandReplaceable(out); !free) return free;
+    auto gltf = gltfFilesOf(scene, out.stem().string());
+    if (!gltf) return tl::unexpected<Error>(gltf.error());
+    std::vector<OutFile> files;
+    if (!gltf->binary.empty())
+        files.push_back({out.parent_path() / gltf->binaryName, std::move(gltf->binary)});
+    files.push_back({out, std::move(gltf->json)});
+    return writeAll(options, files);
 }
 
 Result<void> writeBundle(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
@@ -71,10 +87,11 @@ Result<void> writeMesh(const Scene& scene, const ConvertOptions& options, std::v
 }
 
 constexpr Writer kWriters[] = {
-    {"glb", ExportTarget::Glb, writeGlb},    {"tactum", ExportTarget::Glb, writeBundle},
-    {"zip", ExportTarget::Glb, writeBundle}, {"x3d", ExportTarget::X3d, writeX3d},
-    {"obj", ExportTarget::Obj, writeMesh},   {"ply", ExportTarget::Ply, writeMesh},
-    {"stl", ExportTarget::Stl, writeMesh},   {"off", ExportTarget::Off, writeMesh}};
+    {"glb", ExportTarget::Glb, writeGlb},        {"gltf", ExportTarget::Glb, writeGltf, false},
+    {"tactum", ExportTarget::Glb, writeBundle},  {"zip", ExportTarget::Glb, writeBundle},
+    {"x3d", ExportTarget::X3d, writeX3d, false}, {"obj", ExportTarget::Obj, writeMesh, false},
+    {"ply", ExportTarget::Ply, writeMesh},       {"stl", ExportTarget::Stl, writeMesh},
+    {"off", ExportTarget::Off, writeMesh}};
 
 const Writer* writerFor(const fs::path& out) {
     for (const Writer& writer : kWriters)
@@ -107,16 +124,14 @@ void sayLosses(const std::vector<Loss>& losses) {
                       << loss.sentence << '\n';
 }
 
-} // namespace
-
-Result<int> runConvert(const ConvertOptions& options) {
+Result<int> convert(const ConvertOptions& options) {
     const Writer* writer = writerFor(options.out);
     if (!writer)
         return tl::unexpected(Error{
             Error::Kind::Usage,
             options.out.string() + ": cannot be written by its ending; writable are " + writableEndings()});
     if (const auto folder = checkFolder(options.out); !folder) return tl::unexpected(folder.error());
-    auto loaded = importScene(options.in);
+    auto loaded = importGiven(options.in);
     if (!loaded) return tl::unexpected(loaded.error());
     Scene& scene = loaded->scene;
     if (options.unit) scaleScene(scene, *options.unit, Vec3::Zero());
@@ -140,6 +155,39 @@ Result<int> runConvert(const ConvertOptions& options) {
         if (const auto written = writeFile(*options.report, reportJson(losses)); !written)
             return tl::unexpected(written.error());
     return 0;
+}
+
+/// By way of a file. A format whose files name each other cannot go through a pipe.
+Result<int> convertToOutput(ConvertOptions options) {
+    const PipeFolder folder;
+    if (folder.path().empty())
+        return machineError("standard output: there is no folder for temporary files; set TMPDIR to one");
+    const std::string name = "standard output";
+    const auto usage = [&](const std::string& text) {
+        return tl::unexpected(Error{Error::Kind::Usage, name + ": " + text});
+    };
+    options.out = folder.path() / ("standard-output." + options.to.value_or(""));
+    const Writer* writer = writerFor(options.out);
+    if (!writer || lowerCase(*options.to) != writer->ending) // an ending, and no part of a path
+        return usage("needs --to with one of " + writableEndings());
+    if (!writer->alone)
+        return usage("." + *options.to + " is several files that name each other; write it to a file");
+    const auto code = convert(options);
+    if (!code) return tl::unexpected(folder.renamed(code.error(), name));
+    std::ifstream in(options.out, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    if (const auto written = writeFile("-", bytes); !written) return tl::unexpected(written.error());
+    return code;
+}
+
+} // namespace
+
+Result<int> runConvert(const ConvertOptions& options) {
+    if (isStandardOutput(options.out)) return convertToOutput(options);
+    if (options.to)
+        return tl::unexpected(
+            Error{Error::Kind::Usage, "--to: is for - alone, a file says its format by its ending"});
+    return convert(options);
 }
 
 } // namespace tactum

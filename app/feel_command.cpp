@@ -2,9 +2,9 @@
 
 #include "app/commands.h"
 #include "app/results.h"
+#include "app/streams.h"
 #include "core/files/save_scene.h"
 #include "core/files/source.h"
-#include "core/import/import_scene.h"
 #include "core/scene/carry_feel.h"
 
 namespace tactum {
@@ -14,9 +14,9 @@ Result<int> runFeel(const FeelOptions& options) {
         return tl::unexpected(Error{Error::Kind::Usage, shownPath(options.out) +
                                                             ": cannot be written by its ending; only .glb "
                                                             "keeps how everything feels"});
-    const auto from = importScene(options.from);
+    const auto from = importGiven(options.from);
     if (!from) return tl::unexpected(from.error());
-    auto onto = importScene(options.onto);
+    auto onto = importGiven(options.onto);
     if (!onto) return tl::unexpected(onto.error());
     const CarriedFeel carried = carryFeel(from->scene, onto->scene);
     if (carried.surfaces == 0)

@@ -6,9 +6,9 @@
 
 #include "app/commands.h"
 #include "app/results.h"
+#include "app/streams.h"
 #include "core/base/numbers.h"
 #include "core/files/source.h"
-#include "core/import/import_scene.h"
 #include "core/scene/describe.h"
 
 namespace tactum {
@@ -135,7 +135,8 @@ Json jointJson(const JointDescription& joint) {
 }
 
 Json sceneJson(const SceneDescription& scene) {
-    Json json{{"triangles", scene.triangles},
+    Json json{{"version", 1}, // of docs/schema
+              {"triangles", scene.triangles},
               {"bounds_m", boundsJson(scene.bounds_W)},
               {"parameters", parametersJson(scene.parameters)},
               {"objects", Json::array()},
@@ -245,7 +246,7 @@ void printInfo(const SceneDescription& scene) {
 Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json) {
     Json all = Json::array();
     for (const std::filesystem::path& scene : scenes) {
-        const auto loaded = importScene(scene);
+        const auto loaded = importGiven(scene);
         if (!loaded) return tl::unexpected(loaded.error());
         const SceneDescription description = describe(loaded->scene);
         if (json) {

@@ -129,7 +129,8 @@ void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Output
 
 void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
-    addFile(*touch, "SCENE", options.scene, "Any file that the program opens")->required();
+    addFile(*touch, "SCENE", options.scene, "Any file that the program opens; - is standard input")
+        ->required();
     addFile(*touch, "--path", options.path, "The finger: CSV with the header t,x,y,z in seconds and metres")
         ->required();
     addFile(*touch, "--out", options.out,
@@ -257,11 +258,14 @@ std::optional<double> metresOf(std::string_view unit) {
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
-    addFile(*convert, "IN", options.in, "Any file that the program opens")->required();
-    addFile(*convert, "OUT", options.out,
-            "Ends in .glb (everything), .tactum or .zip (a bundle for others), .x3d (for H3D), .obj, .ply, "
-            ".stl or .off")
+    addFile(*convert, "IN", options.in, "Any file that the program opens; - is standard input")->required();
+    addFile(
+        *convert, "OUT", options.out,
+        "Ends in .glb or .gltf (everything), .tactum or .zip (a bundle for others), .x3d (for H3D), .obj, "
+        ".ply, .stl or .off; - is standard output")
         ->required();
+    convert->add_option("--to", options.to, "The format where OUT is -, as its ending would be")
+        ->type_name("ENDING");
     addFile(*convert, "--report", options.report, "Write what is kept, degraded and lost as JSON");
     addFile(*convert, "--path", options.path,
             "The finger that shows the scene, kept in .glb and in bundles: CSV with the header t,x,y,z");
@@ -275,7 +279,8 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
             });
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
-        "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl.");
+        "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl, beside "
+        "a.gltf a.bin.");
     convert->final_callback([&] {
         std::vector<std::filesystem::path> inputs{options.in};
         if (options.path) inputs.push_back(*options.path);
@@ -309,7 +314,7 @@ void addScenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
                     scenes.emplace_back(name);
                 }
             },
-            "Files that the program opens, one or more")
+            "Files that the program opens, one or more; - is standard input")
         ->required()
         ->expected(1, -1);
 }

@@ -125,7 +125,7 @@ std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::
                                              const std::vector<std::filesystem::path>& outputs) {
     std::vector<std::filesystem::path> taken;
     for (const auto& input : inputs)
-        taken.push_back(placeOf(input));
+        if (!isStandardOutput(input)) taken.push_back(placeOf(input)); // there it is standard input
     for (const auto& output : outputs) {
         const auto file = placeOf(output);
         if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))

@@ -9,10 +9,10 @@
 #include "app/commands.h"
 #include "app/results.h"
 #include "app/simulated_forces.h"
+#include "app/streams.h"
 #include "core/base/numbers.h"
 #include "core/dynamics/dynamics.h"
 #include "core/dynamics/mechanism_build.h"
-#include "core/import/import_scene.h"
 
 namespace tactum {
 
@@ -75,7 +75,7 @@ std::int64_t nanoseconds() {
 } // namespace
 
 Result<int> runSimulate(const SimulateOptions& options) {
-    auto loaded = importScene(options.scene);
+    auto loaded = importGiven(options.scene);
     if (!loaded) return tl::unexpected(loaded.error());
     for (const Finding& finding : loaded->findings)
         if (finding.severity != Finding::Severity::Note) std::cerr << lineOf(finding) << '\n';

@@ -8,10 +8,10 @@
 #include "app/commands.h"
 #include "app/picture.h"
 #include "app/results.h"
+#include "app/streams.h"
 #include "core/files/read_finger_path.h"
 #include "core/haptics/compile.h"
 #include "core/haptics/replay.h"
-#include "core/import/import_scene.h"
 
 namespace tactum {
 
@@ -54,6 +54,7 @@ nlohmann::ordered_json summaryOfTouch(const World& world, const TouchTrace& rows
         triangles += body.mesh->soup->triangles.size();
     const UpdateTimes times = updateTimes(rows);
     nlohmann::ordered_json json;
+    json["version"] = 1; // of docs/schema
     json["triangles"] = triangles;
     json["load_s"] = load;
     json["build_s"] = build;
@@ -85,7 +86,7 @@ Result<int> runTouch(const TouchOptions& options) {
     const auto path = readFingerPath(options.path);
     if (!path) return tl::unexpected(path.error());
     const auto loading = Clock::now();
-    auto loaded = importScene(options.scene);
+    auto loaded = importGiven(options.scene);
     if (!loaded) return tl::unexpected(loaded.error());
     applyOverrides(loaded->scene, options);
     const double load = secondsSince(loading);

@@ -31,12 +31,17 @@ std::optional<std::string> laterSceneFormat(std::string_view bytes) {
     }
 }
 
+Result<void> demandReplaceable(const std::filesystem::path& file) {
+    if (const auto later = laterFormatOf(file))
+        return inputError(shownPath(file) + ": holds a scene of a later Tactum (version " + *later +
+                          " of the format), which would be lost; choose another name");
+    return {};
+}
+
 Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
                        int backups) {
     try {
-        if (const auto later = laterFormatOf(file))
-            return inputError(shownPath(file) + ": holds a scene of a later Tactum (version " + *later +
-                              " of the format), which would be lost; choose another name");
+        if (const auto free = demandReplaceable(file); !free) return free;
         const auto glb = glbOf(scene, partOf(progress, 0, 0.8));
         if (!glb) return tl::unexpected<Error>(glb.error());
         if (progress.isCancelled()) return cancelledError();

@@ -23,6 +23,9 @@ Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, co
 Result<void> saveScene(const Scene& scene, const std::filesystem::path& file, const Progress& progress,
                        int backups);
 
+/// Error for a file that holds a scene of a later major version of the format, which must not be replaced.
+Result<void> demandReplaceable(const std::filesystem::path& file);
+
 /// The version of the format that a later program wrote these bytes in; none for ours, and for what is no
 /// glTF file.
 std::optional<std::string> laterSceneFormat(std::string_view bytes);

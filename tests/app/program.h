@@ -16,8 +16,8 @@ struct Ended {
 };
 
 // No display, and a locale with a decimal comma: neither may matter to a verb.
-inline Ended runTactum(const QStringList& arguments, const QString& display = {},
-                       const QString& folder = {}) {
+inline Ended runTactum(const QStringList& arguments, const QString& display = {}, const QString& folder = {},
+                       const QByteArray& input = {}) {
     QProcess process;
     process.setWorkingDirectory(folder);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -27,6 +27,8 @@ inline Ended runTactum(const QStringList& arguments, const QString& display = {}
     environment.insert("LC_ALL", "de_DE.UTF-8");
     process.setProcessEnvironment(environment);
     process.start(TACTUM_PROGRAM, arguments);
+    process.write(input);
+    process.closeWriteChannel();
     if (!process.waitForFinished(120000)) return {};
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,
             process.readAllStandardOutput(), process.readAllStandardError()};

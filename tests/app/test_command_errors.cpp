@@ -211,7 +211,7 @@ private slots:
             QVERIFY(in.open(QIODevice::ReadOnly));
             const QList<QByteArray> lines = in.readAll().split('\n');
             QCOMPARE(lines.size(), 5); // a header, two rows, the summary, and nothing after it
-            QVERIFY2(lines[0].startsWith("t,finger_x") && lines[3].startsWith("{\"triangles\""), lines[0]);
+            QVERIFY2(lines[0].startsWith("t,finger_x") && lines[3].startsWith("{\"version\""), lines[0]);
         }
         QCOMPARE(runTactum({"touch", plate(), "--path", path, "--out", "/dev/null"}).code, 0);
         QVERIFY(!QFileInfo("/dev/null").isFile());

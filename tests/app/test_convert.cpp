@@ -25,7 +25,7 @@ using namespace test_program;
 
 namespace {
 
-const QStringList kEndings{"glb", "tactum", "zip", "x3d", "obj", "ply", "stl", "off"};
+const QStringList kEndings{"glb", "gltf", "tactum", "zip", "x3d", "obj", "ply", "stl", "off"};
 
 // Grey pictures of one texel, and of two: black beside white.
 const char* const kGrain =
@@ -177,6 +177,54 @@ private slots:
         COMPARE_CONTAINS(bytesOf(file("cam.json")), "\"cameras\"");
         const Ended kept = convert("cam.gltf", "cam.glb");
         QVERIFY2(kept.code == 0 && !kept.error.contains("cameras"), kept.error);
+    }
+
+    void gltfIsTextWithItsDataBesideIt() {
+        plate("in.obj");
+        QCOMPARE(convert("in.obj", "a.glb").code, 0);
+        QCOMPARE(convert("a.glb", "b c.gltf").code, 0);
+        QCOMPARE(names(), QStringList({"a.glb", "b c.gltf", "b~20c.bin", "in.obj"}));
+        COMPARE_CONTAINS(bytesOf(file("b c.gltf")), "\"uri\": \"b~20c.bin\"");
+        QCOMPARE(convert("b c.gltf", "again.glb").code, 0);
+        QCOMPARE(bytesOf(file("again.glb")), bytesOf(file("a.glb")));
+        QByteArray later = bytesOf(file("b c.gltf")); // of a program that is not written yet
+        write("b c.gltf", later.replace("\"version\": \"1.0\"", "\"version\": \"9.0\""));
+        QCOMPARE(convert("in.obj", "b c.gltf").code, 1);
+        QCOMPARE(bytesOf(file("b c.gltf")), later);
+    }
+
+    void scenesGoThroughPipes() {
+        plate("in.obj");
+        const QString in = file("in.obj");
+        QCOMPARE(convert("in.obj", "a.glb").code, 0);
+        const QByteArray glb = bytesOf(file("a.glb"));
+        for (const char* ending : {"glb", "ply", "stl", "off", "tactum"}) {
+            const Ended out = runTactum({"convert", "-", "-", "--to", ending}, {}, {}, glb);
+            QVERIFY2(out.code == 0, out.error);
+            const Ended told = runTactum({"info", "-"}, {}, {}, out.out);
+            QVERIFY2(told.code == 0, told.error);
+            COMPARE_CONTAINS(told.out, "2 triangles");
+        }
+        QCOMPARE(runTactum({"convert", "-", "-", "--to", "glb"}, {}, {}, glb).out, glb);
+        QCOMPARE(runTactum({"check", "-"}, {}, {}, bytesOf(in)).code, 0);
+        const auto refused = [](const QStringList& arguments, const QByteArray& input, int code,
+                                const char* part) {
+            const Ended ended = runTactum(arguments, {}, {}, input);
+            QCOMPARE(ended.code, code);
+            QVERIFY(ended.out.isEmpty());
+            QVERIFY2(oneLine(ended.error).contains(part), ended.error);
+            QVERIFY2(!ended.error.contains("/tmp"), ended.error);
+        };
+        refused({"info", "-"}, {}, 1, "standard input: is empty");
+        refused({"info", "-"}, "ply\nformat ascii 1.0\n", 1,
+                "standard input:2: the header has no end_header");
+        refused({"info", "-"}, QByteArray("\1\0\2", 3), 1, "standard input: cannot tell its format");
+        refused({"convert", in, "-"}, {}, 2, "standard output: needs --to");
+        refused({"convert", in, "-", "--to", "x3d"}, {}, 2, "standard output: .x3d is several files");
+        refused({"convert", in, "-", "--to", "dwg"}, {}, 2,
+                "standard output: needs --to with one of glb, gltf,");
+        refused({"convert", in, "-", "--to", "/../../a.ply"}, {}, 2, "standard output: needs --to");
+        refused({"convert", in, file("b.glb"), "--to", "glb"}, {}, 2, "--to: is for - alone");
     }
 
     void nothingLeavesBackups() {

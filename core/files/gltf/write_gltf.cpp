@@ -13,6 +13,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/soup_shelf.h"
 #include "core/files/gltf/write_physics.h"
+#include "core/files/unique_names.h"
 #include "core/scene/world_fields.h"
 
 namespace tactum {
@@ -385,6 +386,21 @@ Result<std::string> GltfWriter::write() {
 }
 
 } // namespace
+
+Result<GltfFiles> gltfFilesOf(const Scene& scene, std::string_view stem, const Progress& progress) {
+    const auto glb = glbOf(scene, progress);
+    if (!glb) return tl::unexpected<Error>(glb.error());
+    const Source whole = Source::ofBytes("scene", *glb);
+    GltfFile parts = openGltf(whole); // its binary is a part of it
+    GltfFiles files;
+    if (!parts.binary.empty()) {
+        files.binary = parts.binary.substr(0, parts.json["buffers"][0]["byteLength"].get<std::size_t>());
+        files.binaryName = sideFileStem(stem) + ".bin"; // nothing in it needs a % in a URI
+        parts.json["buffers"][0]["uri"] = files.binaryName;
+    }
+    files.json = parts.json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return files;
+}
 
 Result<std::string> glbOf(const Scene& scene, const Progress& progress) {
     try {
