@@ -57,6 +57,17 @@ bool isReadable(std::string_view extension) {
     return std::ranges::find(known, extension) != known.end() || extension.starts_with("KHR_materials_");
 }
 
+/// Elements that no byte of the file stands for: a short file could ask for any number of them.
+void demandFewZeros(const Source& source, const tinygltf::Model& model) {
+    constexpr std::size_t kMost = std::size_t(1) << 22;
+    std::size_t zeros = 0;
+    for (const tinygltf::Accessor& accessor : model.accessors)
+        if (accessor.sparse.isSparse && accessor.bufferView < 0) zeros += std::min(accessor.count, kMost + 1);
+    if (zeros > kMost)
+        source.fail(
+            "has more than 4 million sparse elements that are zero; export them without sparse accessors");
+}
+
 void demandReadable(const Source& source, const tinygltf::Model& model) {
     for (const std::string& extension : model.extensionsRequired)
         if (!isReadable(extension))
@@ -105,6 +116,7 @@ tinygltf::Model parseGltf(const Source& source, const GltfFile& file) {
         source.fail("cannot be parsed (" + printable(error.substr(0, error.find('\n')), 160) +
                     "); re-export it");
     demandReadable(source, model);
+    demandFewZeros(source, model);
     return model;
 }
 
@@ -144,8 +156,6 @@ void GltfAccessor::readView(const tinygltf::Model& model, const tinygltf::Access
 /// A copy, of zeros where there is no view, in which some elements are others.
 void GltfAccessor::replaceSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
                                  std::size_t size, const Fail& fail) {
-    constexpr std::size_t kMost = std::size_t(1) << 24; // of what no byte of the file stands for
-    if (count_ > kMost) fail("is sparse and has more than 16 million elements");
     auto all = std::make_shared<std::vector<unsigned char>>(count_ * size, 0);
     for (std::size_t i = 0; data_ && i < count_; ++i)
         std::memcpy(all->data() + i * size, data_ + i * stride_, size);

@@ -123,8 +123,8 @@ std::uint64_t trianglesOf(const tinygltf::Model& model, const std::vector<Placed
         bytes += buffer.data.size();
     const auto countOf = [&](int accessor) -> std::uint64_t {
         if (accessor < 0 || std::size_t(accessor) >= model.accessors.size()) return 0;
-        const std::uint64_t count = model.accessors[std::size_t(accessor)].count;
-        return count <= bytes ? count : 0;
+        const tinygltf::Accessor& of = model.accessors[std::size_t(accessor)];
+        return of.count <= bytes || of.sparse.isSparse ? of.count : 0;
     };
     std::vector<std::uint64_t> ofMesh;
     for (const tinygltf::Mesh& mesh : model.meshes) {

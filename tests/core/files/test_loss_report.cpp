@@ -4,7 +4,9 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include "core/base/text.h"
 #include "core/files/loss_report.h"
+#include "core/scene/world_fields.h"
 #include "tests/core/files/bodies.h"
 #include "tests/core/files/x3d_scenes.h"
 #include "tests/support/compare.h"
@@ -43,6 +45,7 @@ private slots:
     void likeThingsStandOnOneLine();
     void hostileNamesBreakNeitherText();
     void sentencesAreWhole();
+    void everyParameterHasItsRow();
     void partsOfOtherProgramsAreSpokenOf();
 };
 
@@ -136,6 +139,48 @@ void TestLossReport::sentencesAreWhole() {
     const std::string report = reportMarkdown(lossesOf(scene));
     COMPARE_CONTAINS(report, "the standard says no unit, ours beside it does |");
     COMPARE_CONTAINS(report, scene.objects[0].name + " / skin |");
+}
+
+/// A number that an author can set and that the table forgets would be lost without a word.
+void TestLossReport::everyParameterHasItsRow() {
+    const auto demand = [](const Scene& scene, const std::string& what) {
+        for (std::size_t target = 0; target < kExportTargets.size(); ++target) {
+            const auto losses = lossesOf(scene, ExportTarget(target));
+            QVERIFY2(said(losses, ExportTarget(target), what), (what + " has no row").c_str());
+        }
+    };
+    demand(plainScene(), lowerCase(kProxyRadius.label));
+    for (const MaterialField& field : kMaterialFields) {
+        Scene scene = plainScene();
+        scene.objects[0].surfaces[0].material.*field.value = 0.5;
+        demand(scene, lowerCase(field.parameter->label));
+    }
+    for (std::size_t target = 0; target < kTextureTargets.size(); ++target) {
+        Scene scene = plainScene();
+        TextureLayer layer;
+        layer.target = TextureTarget(target);
+        scene.objects[0].surfaces[0].layers = {layer};
+        const bool found = std::ranges::any_of(lossesOf(scene, ExportTarget::Obj), [](const Loss& loss) {
+            return loss.what.starts_with("layers of ") && loss.kind == LossKind::Lost;
+        });
+        QVERIFY2(found, std::string(kTextureTargets[target].key).c_str());
+    }
+    for (const WorldField& field : kWorldFields) {
+        Scene scene = plainScene();
+        scene.mechanics.bodies.emplace_back().id = 1;
+        const auto before = lossesOf(scene, ExportTarget::X3d);
+        scene.mechanics.*field.value = 2 + 2 * field.parameter->initial;
+        QVERIFY2(lossesOf(scene, ExportTarget::X3d).size() > before.size(),
+                 std::string(field.parameter->label).c_str());
+    }
+    const auto changed = [&](const std::string& what, auto&& change) {
+        Scene scene = plainScene();
+        change(scene.objects[0].surfaces[0]);
+        demand(scene, what);
+    };
+    changed("force shading", [](Surface& surface) { surface.shading.on = true; });
+    changed("felt side", [](Surface& surface) { surface.sides = Sides::Front; });
+    changed("hidden surface", [](Surface& surface) { surface.visible = false; });
 }
 
 void TestLossReport::partsOfOtherProgramsAreSpokenOf() {
