@@ -52,6 +52,7 @@ std::string_view toldEnding(std::string_view bytes) {
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
     while (!head.empty() && (isBlank(head.front()) || head.front() == '\n'))
         head.remove_prefix(1);
+    if (head.starts_with("PK") && head.find("[Content_Types].xml") != std::string_view::npos) return "3mf";
     for (const Beginning& beginning : kBeginnings)
         if (head.starts_with(beginning.bytes)) return beginning.ending;
     if (head.find("<X3D") != std::string_view::npos) return "x3d";

@@ -60,4 +60,8 @@ Result<std::vector<ZipEntry>> readZip(std::string_view bytes);
 /// caller to see to. Thread: any but real time. Throws std::bad_alloc.
 std::string writeZip(std::span<const ZipEntry> entries);
 
+/// The first bytes, at most `most`, of the first file whose name ends so, in a zip of any program, which our
+/// own rules need not hold for. Empty where there is none, or no zip. Throws std::bad_alloc.
+std::string headInZip(std::string_view zip, std::string_view ending, std::size_t most);
+
 } // namespace tactum
