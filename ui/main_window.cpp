@@ -233,9 +233,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
-    engine_.setArmed(false);
     saver_->flush();
     if (leaving_ || !document_.modified()) {
+        engine_.setArmed(false);
         journal_->discard();
         return QMainWindow::closeEvent(event);
     }

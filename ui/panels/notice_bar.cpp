@@ -46,8 +46,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(close_, &QToolButton::clicked, this, &QWidget::hide);
     connect(cancel_, &QPushButton::clicked, this, &NoticeBar::cancelled);
     connect(act_, &QPushButton::clicked, this, [this] {
+        const auto action = message_ ? message_->action : nullptr;
         hide();
-        const auto action = std::exchange(action_, nullptr);
         if (action) action();
     });
     fading_.setSingleShot(true);
@@ -75,32 +75,38 @@ void NoticeBar::setSeverity(const QString& severity) {
     icon_->setVisible(!progress);
 }
 
-void NoticeBar::showMessage(const QString& sentence, const QString& severity) {
-    const bool note = severity == QLatin1String("note");
-    icon_->setPixmap(icon(severity, note ? theme().accent : theme().fault).pixmap(16, 16));
-    text_->setText(sentence);
+void NoticeBar::showMessage(Message message) {
+    const bool note = message.severity == QLatin1String("note");
+    icon_->setPixmap(icon(message.severity, note ? theme().accent : theme().fault).pixmap(16, 16));
+    text_->setText(message.sentence);
     cancel_->hide();
-    act_->hide();
-    setSeverity(severity);
-    setAccessibleName(sentence);
-    show();
-    if (note)
+    act_->setText(message.button);
+    act_->setVisible(!message.button.isEmpty());
+    setSeverity(message.severity);
+    setAccessibleName(message.sentence);
+    if (note && message.button.isEmpty())
         fading_.start(kNoteTime);
     else
         fading_.stop();
+    message_ = std::move(message);
+    show();
 }
 
 void NoticeBar::offer(const QString& sentence, const QString& severity, const QString& button,
                       std::function<void()> action) {
-    showMessage(sentence, severity);
-    fading_.stop();
-    action_ = std::move(action);
-    act_->setText(button);
-    act_->show();
+    showMessage({sentence, severity, button, std::move(action)});
 }
 
 void NoticeBar::withdraw(const QString& button) {
-    if (!act_->isHidden() && act_->text() == button) hide();
+    if (!message_ || message_->button != button) return;
+    message_.reset();
+    if (property("severity") != QLatin1String("progress")) hide();
+}
+
+/// Whoever hides it has done with its message, too.
+void NoticeBar::hideEvent(QHideEvent* event) {
+    if (!event->spontaneous()) message_.reset();
+    QWidget::hideEvent(event);
 }
 
 void NoticeBar::showProgress(const QString& what, double fraction, double secondsLeft, bool cancellable) {
@@ -108,12 +114,17 @@ void NoticeBar::showProgress(const QString& what, double fraction, double second
     bar_->setValue(int(1000 * fraction));
     cancel_->setVisible(cancellable);
     act_->hide();
+    fading_.stop();
     setSeverity(QStringLiteral("progress"));
     show();
 }
 
 void NoticeBar::endProgress() {
-    if (property("severity").toString() == QLatin1String("progress")) hide();
+    if (property("severity").toString() != QLatin1String("progress")) return;
+    if (message_)
+        showMessage(*message_);
+    else
+        hide();
 }
 
 } // namespace tactum

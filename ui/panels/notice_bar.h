@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <QTimer>
 #include <QWidget>
@@ -13,14 +14,15 @@ class QToolButton;
 
 namespace tactum {
 
-/// Shows either a message, until it is closed or replaced, or the progress of work with a cancel button.
+/// Shows either a message, until it is closed or replaced, or the progress of work with a cancel button,
+/// behind which a message waits for its end.
 class NoticeBar : public QWidget {
     Q_OBJECT
 public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    void showError(const QString& sentence) { showMessage(sentence, QStringLiteral("error")); }
-    void showNote(const QString& sentence) { showMessage(sentence, QStringLiteral("note")); }
+    void showError(const QString& sentence) { showMessage({sentence, QStringLiteral("error")}); }
+    void showNote(const QString& sentence) { showMessage({sentence, QStringLiteral("note")}); }
     /// With a button that does something about it; pressing it closes the message first.
     void offer(const QString& sentence, const QString& severity, const QString& button,
                std::function<void()> action);
@@ -37,9 +39,16 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override; ///< another theme
+    void hideEvent(QHideEvent* event) override;
 
 private:
-    void showMessage(const QString& sentence, const QString& severity);
+    struct Message {
+        QString sentence, severity;
+        QString button{}; ///< empty: it offers nothing
+        std::function<void()> action{};
+    };
+
+    void showMessage(Message message);
     void setSeverity(const QString& severity);
 
     QLabel* icon_;
@@ -47,7 +56,7 @@ private:
     QProgressBar* bar_;
     QPushButton* cancel_;
     QPushButton* act_;
-    std::function<void()> action_;
+    std::optional<Message> message_; ///< shown, or waiting behind progress
     QTimer fading_;
     QToolButton* close_;
 };

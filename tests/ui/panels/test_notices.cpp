@@ -104,6 +104,10 @@ private slots:
         bar.findChild<QPushButton*>(QStringLiteral("notice-cancel"))->click();
         QCOMPARE(cancelled.size(), 1);
         bar.endProgress();
+        QCOMPARE(bar.text(), "It is done."); // nobody had time to read it
+        bar.hide();
+        bar.showProgress(QStringLiteral("Opening"), 0.25, -1, false);
+        bar.endProgress();
         QVERIFY(bar.isHidden());
         QCOMPARE(bar.text(), "");
         bar.showError(QStringLiteral("Again."));
@@ -133,11 +137,22 @@ private slots:
         QVERIFY(bar.isVisible());
         bar.withdraw(QStringLiteral("Undo"));
         QVERIFY(bar.isHidden());
+        bar.offer(QStringLiteral("Removed."), QStringLiteral("note"), QStringLiteral("Undo"), act);
+        bar.showProgress(QStringLiteral("Opening"), 0.25, -1, false);
+        QVERIFY(button.isHidden());
+        bar.endProgress();
+        button.click(); // it is there again
+        QCOMPARE(done, 2);
+        bar.offer(QStringLiteral("Removed."), QStringLiteral("note"), QStringLiteral("Undo"), act);
+        bar.showProgress(QStringLiteral("Opening"), 0.25, -1, false);
+        bar.withdraw(QStringLiteral("Undo")); // from behind the progress
+        bar.endProgress();
+        QVERIFY(bar.isHidden());
         bar.offer(QStringLiteral("Removed."), QStringLiteral("error"), QStringLiteral("Undo"), act);
         bar.showError(QStringLiteral("Other"));
         bar.withdraw(QStringLiteral("Undo")); // it is not shown any more
         QVERIFY(bar.isVisible());
-        QCOMPARE(done, 1);
+        QCOMPARE(done, 2);
     }
 
     void eventsAreListed() {
