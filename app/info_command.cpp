@@ -197,8 +197,9 @@ void printInfo(const MotionDescription& motion) {
 }
 
 void printInfo(const ObjectDescription& object) {
-    std::cout << "object " << object.name << (object.visible ? "" : " (hidden)") << ": " << object.triangles
-              << " triangles, " << object.vertices << " vertices, "
+    std::cout << "object " << object.name << (object.visible ? "" : " (hidden)") << ": "
+              << counted(object.triangles, "triangle") << ", " << object.vertices
+              << (object.vertices == 1 ? " vertex, " : " vertices, ")
               << (object.health.closed() ? "closed" : "open") << '\n';
     if (object.motion) printInfo(*object.motion);
     for (const HealthField& field : kHealthFields)
@@ -206,7 +207,8 @@ void printInfo(const ObjectDescription& object) {
             std::cout << "  " << field.key << ' ' << object.health.*field.count << '\n';
     for (const SurfaceDescription& surface : object.surfaces) {
         std::cout << "  surface " << surface.name << (surface.visible ? "" : " (hidden)")
-                  << (surface.locked ? " (locked)" : "") << ": " << surface.triangles << " triangles\n"
+                  << (surface.locked ? " (locked)" : "") << ": " << counted(surface.triangles, "triangle")
+                  << '\n'
                   << "    sides " << nameOf(surface.sides) << '\n';
         printInfo(surface.parameters, "    ");
         printInfo(surface.shading);
@@ -230,8 +232,8 @@ void printInfo(const JointDescription& joint) {
 void printInfo(const SceneDescription& scene) {
     std::string diagonal;
     appendReadable(diagonal, scene.bounds_W.diagonal());
-    std::cout << "scene: " << scene.objects.size() << " objects, " << scene.triangles
-              << " triangles, diagonal " << diagonal << " m\n";
+    std::cout << "scene: " << counted(scene.objects.size(), "object") << ", "
+              << counted(scene.triangles, "triangle") << ", diagonal " << diagonal << " m\n";
     printInfo(scene.parameters, "  ");
     for (const ObjectDescription& object : scene.objects)
         printInfo(object);

@@ -259,10 +259,10 @@ private slots:
     void infoCountsLinesAndPointsByThemselves() {
         const QString mixed = write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 1\np 2\n");
         const QByteArray text = runTactum({"info", mixed}).out;
-        COMPARE_CONTAINS(text, "object mixed: 1 triangles, 3 vertices");
+        COMPARE_CONTAINS(text, "object mixed: 1 triangle, 3 vertices");
         COMPARE_CONTAINS(text, "  segments 1\n  points 2\n");
-        COMPARE_CONTAINS(text, "scene: 1 objects, 1 triangles,");
-        COMPARE_CONTAINS(text, "  surface surface: 1 triangles\n");
+        COMPARE_CONTAINS(text, "scene: 1 object, 1 triangle,");
+        COMPARE_CONTAINS(text, "  surface surface: 1 triangle\n");
     }
 
     void infoShowsBodiesAndJoints() {
