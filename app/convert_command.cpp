@@ -99,10 +99,10 @@ const Writer* writerFor(const fs::path& out) {
     return nullptr;
 }
 
-std::string writableEndings() {
+std::string writableEndings(bool toPipe = false) {
     std::string text;
     for (const Writer& writer : kWriters)
-        text += (text.empty() ? "" : ", ") + std::string(writer.ending);
+        if (writer.alone || !toPipe) text += (text.empty() ? "" : ", ") + std::string(writer.ending);
     return text;
 }
 
@@ -159,23 +159,27 @@ Result<int> convert(const ConvertOptions& options) {
 
 /// By way of a file. A format whose files name each other cannot go through a pipe.
 Result<int> convertToOutput(ConvertOptions options) {
-    const PipeFolder folder;
-    if (folder.path().empty())
-        return machineError("standard output: there is no folder for temporary files; set TMPDIR to one");
     const std::string name = "standard output";
     const auto usage = [&](const std::string& text) {
         return tl::unexpected(Error{Error::Kind::Usage, name + ": " + text});
     };
-    options.out = folder.path() / ("standard-output." + options.to.value_or(""));
-    const Writer* writer = writerFor(options.out);
-    if (!writer || lowerCase(*options.to) != writer->ending) // an ending, and no part of a path
-        return usage("needs --to with one of " + writableEndings());
-    if (!writer->alone)
-        return usage("." + *options.to + " is several files that name each other; write it to a file");
-    const auto code = convert(options);
-    if (!code) return tl::unexpected(folder.renamed(code.error(), name));
-    std::ifstream in(options.out, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    std::string bytes;
+    Result<int> code = 0;
+    { // the folder is gone when the bytes go out, whoever is no longer there to read them
+        const PipeFolder folder;
+        if (folder.path().empty())
+            return machineError(name + ": there is no folder for temporary files; set TMPDIR to one");
+        options.out = folder.path() / ("standard-output." + options.to.value_or(""));
+        const Writer* writer = writerFor(options.out);
+        if (!writer || lowerCase(*options.to) != writer->ending) // an ending, and no part of a path
+            return usage("needs --to with one of " + writableEndings(true));
+        if (!writer->alone)
+            return usage("." + *options.to + " is several files that name each other; write it to a file");
+        code = convert(options);
+        if (!code) return tl::unexpected(folder.renamed(code.error(), name));
+        std::ifstream in(options.out, std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(in), {});
+    }
     if (const auto written = writeFile("-", bytes); !written) return tl::unexpected(written.error());
     return code;
 }

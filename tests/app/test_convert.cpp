@@ -222,7 +222,7 @@ private slots:
         refused({"convert", in, "-"}, {}, 2, "standard output: needs --to");
         refused({"convert", in, "-", "--to", "x3d"}, {}, 2, "standard output: .x3d is several files");
         refused({"convert", in, "-", "--to", "dwg"}, {}, 2,
-                "standard output: needs --to with one of glb, gltf,");
+                "standard output: needs --to with one of glb, tactum,");
         refused({"convert", in, "-", "--to", "/../../a.ply"}, {}, 2, "standard output: needs --to");
         refused({"convert", in, file("b.glb"), "--to", "glb"}, {}, 2, "--to: is for - alone");
     }

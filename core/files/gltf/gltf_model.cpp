@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/text.h"
+#include "core/files/gltf/gltf_surface.h"
 
 namespace tactum {
 namespace {
@@ -54,7 +55,8 @@ bool isReadable(std::string_view extension) {
         "KHR_physics_rigid_bodies", "KHR_implicit_shapes",    "KHR_collision_shapes",
         "KHR_lights_punctual",      "EXT_texture_webp",       "EXT_texture_avif",
         "MSFT_texture_dds",         "EXT_mesh_gpu_instancing"};
-    return std::ranges::find(known, extension) != known.end() || extension.starts_with("KHR_materials_");
+    return extension == kExtension || std::ranges::find(known, extension) != known.end() ||
+           extension.starts_with("KHR_materials_");
 }
 
 /// Elements that no byte of the file stands for: a short file could ask for any number of them.
@@ -64,8 +66,8 @@ void demandFewZeros(const Source& source, const tinygltf::Model& model) {
     for (const tinygltf::Accessor& accessor : model.accessors)
         if (accessor.sparse.isSparse && accessor.bufferView < 0) zeros += std::min(accessor.count, kMost + 1);
     if (zeros > kMost)
-        source.fail(
-            "has more than 4 million sparse elements that are zero; export them without sparse accessors");
+        source.fail("has more than 4 million sparse elements that are zero; export them without sparse "
+                    "accessors");
 }
 
 void demandReadable(const Source& source, const tinygltf::Model& model) {

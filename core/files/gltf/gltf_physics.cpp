@@ -1,4 +1,5 @@
 #include "core/files/gltf/gltf_physics.h"
+#include "core/files/gltf/gltf_mirror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -448,6 +449,12 @@ GltfPhysics PhysicsReader::run() {
                 .warn("whose gravity is not three numbers", "9.81 m/s^2 down is used; correct it");
         for (const WorldField& field : kWorldFields)
             readWorld(*ours, field);
+    } else if (const Json* scenes = member(root_, "scenes"); scenes && scenes->is_array()) {
+        for (const Json& scene : *scenes) {
+            const Json copy = mirrored(scene);
+            for (const WorldField& field : kWorldFields)
+                readWorld(copy, field);
+        }
     }
     noteTriggers();
     return std::move(made_);

@@ -441,9 +441,9 @@ void GltfReader::sayMirrored() {
     if (!wasOurs_) return;
     if (!mirrored_.empty())
         say(Severity::Note, "",
-            "another program has dropped " + std::string(kExtension) + "; the feel of " +
-                counted(mirrored_.size(), "material") + " comes from extras",
-            "exact positions and motions, bodies and the finger path are not in extras: tactum feel brings "
+            std::string(kExtension) + " is not there; the feel of " + counted(mirrored_.size(), "material") +
+                " comes from extras",
+            "exact positions and motions, gravity and the finger path are not in extras: tactum feel brings "
             "back what surfaces had");
     for (const std::string& name : withoutFeel_)
         say(Severity::Warning, "",

@@ -316,18 +316,20 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
     else
         nodes = std::move(all);
     root_["scene"] = scene;
-    addMirror(root_["scenes"][std::size_t(scene)], {{jsonKey(kProxyRadius.key), scene_.proxyRadius}});
     Json ours{{"version", std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor)},
               {jsonKey(kProxyRadius.key), scene_.proxyRadius},
               {"foreign", foreign_},
               {"copies", copies_.wrote()}};
     const bool moves = !scene_.mechanics.bodies.empty();
+    Json numbers{{jsonKey(kProxyRadius.key), scene_.proxyRadius}}; // what extras can hold
     ours["gravity"] = moves ? vectorJson(scene_.mechanics.gravity) : Json(nullptr);
     for (const WorldField& field : kWorldFields) {
         const double value = scene_.mechanics.*field.value;
         ours[jsonKey(field.parameter->key)] =
             moves && value != field.parameter->initial ? Json(value) : Json(nullptr);
+        if (moves && value != field.parameter->initial) numbers[jsonKey(field.parameter->key)] = value;
     }
+    addMirror(root_["scenes"][std::size_t(scene)], numbers);
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);
     objectAt(root_, "extensions").merge_patch({{kExtension, ours}});
     Json& used = root_["extensionsUsed"];

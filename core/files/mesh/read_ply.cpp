@@ -128,6 +128,12 @@ public:
                 readOther(element);
         }
         LoadedScene loaded;
+        std::size_t unknown = 0;
+        for (const PlyElement& element : header_.elements)
+            unknown +=
+                std::size_t(std::ranges::count(element.properties, PlyType::Unknown, &PlyProperty::type));
+        CountedFindings(loaded.findings, "")
+            .add(Finding::Severity::Note, unknown, "column", "of an unknown type", "left out");
         if (builder_.triangles() == 0 && !pools_.positions.empty()) {
             readCloud();
             loaded.findings.push_back(noteOfCloud(pools_.positions.size()));

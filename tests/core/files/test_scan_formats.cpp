@@ -1,7 +1,10 @@
 // PLY, STL and OFF: what is special in each, and their errors.
+#include <algorithm>
+
 #include <QTest>
 
 #include "core/files/corner_pool.h"
+#include "core/files/readers.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -60,11 +63,15 @@ private slots:
 
     /// In a text file a column of a kind that nobody knows is a word.
     void plyColumnsOfUnknownKindsAreSkipped() {
-        const TriangleSoup soup = read(
-            "a.ply", plyText(kVertices + "property string name\nproperty list uchar thing more\n", kFaces,
-                             "0 0 0 red 0\n1 0 0 blue 2 x y\n1 1 0 9,5 1 z\n0 1 0 - 0\n3 0 1 2\n"));
+        const LoadedScene loaded = readPly(
+            Source::ofBytes(
+                "a.ply", plyText(kVertices + "property string name\nproperty list uchar thing more\n", kFaces,
+                                 "0 0 0 red 0\n1 0 0 blue 2 x y\n1 1 0 9,5 1 z\n0 1 0 - 0\n3 0 1 2\n")),
+            {});
+        const TriangleSoup& soup = *loaded.scene.objects[0].geometry;
         QCOMPARE(soup.triangles.size(), std::size_t(1));
         QCOMPARE(soup.positions[2], Vec3(1, 1, 0));
+        QCOMPARE(std::ranges::count(loaded.findings, "2 columns of an unknown type", &Finding::sentence), 1);
     }
 
     void plySkipsElementsThatItDoesNotKnow() {
