@@ -166,7 +166,7 @@ Result<int> convertToOutput(ConvertOptions options) {
     std::string bytes;
     Result<int> code = 0;
     { // the folder is gone when the bytes go out, whoever is no longer there to read them
-        const PipeFolder folder;
+        const ScratchFolder folder("pipe");
         if (folder.path().empty())
             return machineError(name + ": there is no folder for temporary files; set TMPDIR to one");
         options.out = folder.path() / ("standard-output." + options.to.value_or(""));
@@ -176,7 +176,7 @@ Result<int> convertToOutput(ConvertOptions options) {
         if (!writer->alone)
             return usage("." + *options.to + " is several files that name each other; write it to a file");
         code = convert(options);
-        if (!code) return tl::unexpected(folder.renamed(code.error(), name));
+        if (!code) return tl::unexpected(renamed(code.error(), folder, name));
         std::ifstream in(options.out, std::ios::binary);
         bytes.assign(std::istreambuf_iterator<char>(in), {});
     }
@@ -187,7 +187,7 @@ Result<int> convertToOutput(ConvertOptions options) {
 } // namespace
 
 Result<int> runConvert(const ConvertOptions& options) {
-    if (isStandardOutput(options.out)) return convertToOutput(options);
+    if (isDash(options.out)) return convertToOutput(options);
     if (options.to)
         return tl::unexpected(
             Error{Error::Kind::Usage, "--to: is for - alone, a file says its format by its ending"});

@@ -91,8 +91,7 @@ Result<int> runPlay(const PlayOptions& options) {
         if (auto written = writeFile(*options.summary, summaryOf(*recording, events, check).dump() + '\n');
             !written)
             return tl::unexpected(written.error());
-    if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
-        print(*recording, events, check);
+    if (!isDash(options.out) && !isDash(options.summary)) print(*recording, events, check);
     return check.differ > 0 ? 1 : 0;
 }
 

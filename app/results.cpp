@@ -125,7 +125,7 @@ std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::
                                              const std::vector<std::filesystem::path>& outputs) {
     std::vector<std::filesystem::path> taken;
     for (const auto& input : inputs)
-        if (!isStandardOutput(input)) taken.push_back(placeOf(input)); // there it is standard input
+        if (!isDash(input)) taken.push_back(placeOf(input)); // that one is standard input
     for (const auto& output : outputs) {
         const auto file = placeOf(output);
         if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
@@ -135,12 +135,12 @@ std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::
     return std::nullopt;
 }
 
-bool isStandardOutput(const std::optional<std::filesystem::path>& file) {
+bool isDash(const std::optional<std::filesystem::path>& file) {
     return file == "-";
 }
 
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text) {
-    if (isStandardOutput(file)) return writeInto(std::cout, "standard output", text);
+    if (isDash(file)) return writeInto(std::cout, "standard output", text);
     struct stat there {};
     const bool isThere = stat(file.c_str(), &there) == 0;
     if (isThere && isOurOutput(there)) return writeInto(std::cout, file, text);

@@ -16,8 +16,8 @@ namespace tactum {
 
 /// The columns of the contract, full double precision.
 std::string touchCsv(const TouchTrace& rows);
-/// "-" is standard output.
-bool isStandardOutput(const std::optional<std::filesystem::path>& file);
+/// "-": standard output, and for a scene that is read standard input.
+bool isDash(const std::optional<std::filesystem::path>& file);
 /// One line: "warning: lid: 3 faces left out; export it again".
 std::string lineOf(const Finding& finding);
 /// The same for all of them; what is said of more than three objects is said of the first, and the others are

@@ -169,7 +169,7 @@ Result<int> runSimulate(const SimulateOptions& options) {
     if (options.summary)
         if (const auto written = writeFile(*options.summary, text); !written)
             return tl::unexpected(written.error());
-    if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
+    if (!isDash(options.out) && !isDash(options.summary))
         if (const auto written = writeFile("-", text); !written) return tl::unexpected(written.error());
     if (lostAt >= 0) {
         std::string when;

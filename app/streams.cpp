@@ -1,12 +1,11 @@
 #include "app/streams.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
 #include "app/results.h"
-#include "core/base/text.h"
+#include "core/files/tell_format.h"
 #include "core/import/import_scene.h"
 
 namespace tactum {
@@ -15,51 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kInput = "standard input";
-
-/// How files of a format begin, and its ending.
-struct Beginning {
-    std::string_view bytes, ending;
-};
-constexpr Beginning kBeginnings[] = {{"glTF", "glb"},
-                                     {"PK\x03\x04", "tactum"},
-                                     {"ply", "ply"},
-                                     {"solid", "stl"},
-                                     {"Kaydara FBX Binary", "fbx"},
-                                     {"; FBX", "fbx"},
-                                     {"MM", "3ds"},
-                                     {"{", "gltf"},
-                                     {"OFF", "off"},
-                                     {"COFF", "off"},
-                                     {"NOFF", "off"},
-                                     {"STOFF", "off"},
-                                     {"CNOFF", "off"},
-                                     {"STNOFF", "off"},
-                                     {"STCNOFF", "off"}};
-
-bool isBinaryStl(std::string_view bytes) {
-    constexpr std::size_t kHead = 84, kFacet = 50;
-    if (bytes.size() < kHead) return false;
-    std::size_t count = 0;
-    for (std::size_t i = 4; i-- > 0;)
-        count = count << 8 | std::uint8_t(bytes[80 + i]);
-    return bytes.size() == kHead + kFacet * count;
-}
-
-/// The ending that the file would have; empty for what cannot be told.
-std::string_view toldEnding(std::string_view bytes) {
-    std::string_view head = bytes.substr(0, 4096);
-    if (isBinaryStl(bytes)) return "stl";
-    if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
-    while (!head.empty() && (isBlank(head.front()) || head.front() == '\n'))
-        head.remove_prefix(1);
-    if (head.starts_with("PK") && head.find("[Content_Types].xml") != std::string_view::npos) return "3mf";
-    for (const Beginning& beginning : kBeginnings)
-        if (head.starts_with(beginning.bytes)) return beginning.ending;
-    if (head.find("<X3D") != std::string_view::npos) return "x3d";
-    if (head.find("<COLLADA") != std::string_view::npos) return "dae";
-    if (head.starts_with("<") || head.find('\0') != std::string_view::npos) return {};
-    return "obj"; // which has no beginning
-}
 
 Result<std::string> wholeInput() {
     constexpr std::size_t kMost = std::size_t(2) << 30, kBlock = std::size_t(1) << 20;
@@ -76,19 +30,8 @@ Result<std::string> wholeInput() {
 
 } // namespace
 
-PipeFolder::PipeFolder() {
-    std::error_code fault;
-    std::string name = (fs::temp_directory_path(fault) / "tactum-XXXXXX").string();
-    if (!fault && mkdtemp(name.data())) path_ = name;
-}
-
-PipeFolder::~PipeFolder() {
-    std::error_code fault;
-    if (!path_.empty()) fs::remove_all(path_, fault);
-}
-
-Error PipeFolder::renamed(Error error, const std::string& name) const {
-    const std::string folder = path_.string() + "/";
+Error renamed(Error error, const ScratchFolder& of, const std::string& name) {
+    const std::string folder = of.path().string() + "/";
     for (std::size_t at = error.text.find(folder); at != std::string::npos;
          at = error.text.find(folder, at)) {
         const std::size_t end = error.text.find(':', at);
@@ -98,13 +41,13 @@ Error PipeFolder::renamed(Error error, const std::string& name) const {
 }
 
 Result<LoadedScene> importGiven(const fs::path& file) {
-    if (!isStandardOutput(file)) return importScene(file);
+    if (!isDash(file)) return importScene(file);
     const auto bytes = wholeInput();
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     const std::string_view ending = toldEnding(*bytes);
     if (ending.empty())
         return inputError(std::string(kInput) + ": cannot tell its format; give the file by its name");
-    const PipeFolder folder;
+    const ScratchFolder folder("pipe");
     const fs::path copy = folder.path() / ("standard-input." + std::string(ending));
     std::ofstream out(copy, std::ios::binary);
     out << *bytes;
@@ -113,7 +56,7 @@ Result<LoadedScene> importGiven(const fs::path& file) {
         return machineError(std::string(kInput) +
                             ": cannot be kept in the folder for temporary files; make room there");
     auto loaded = importScene(copy);
-    if (!loaded) return tl::unexpected<Error>(folder.renamed(loaded.error(), kInput));
+    if (!loaded) return tl::unexpected<Error>(renamed(loaded.error(), folder, kInput));
     return loaded;
 }
 

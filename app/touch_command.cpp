@@ -100,7 +100,7 @@ Result<int> runTouch(const TouchOptions& options) {
     const std::string summary = summaryOfTouch(**world, rows, load, build).dump();
     if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
         return tl::unexpected(written.error());
-    if (!isStandardOutput(options.out) && !isStandardOutput(options.summary))
+    if (!isDash(options.out) && !isDash(options.summary))
         if (const auto written = writeFile("-", summary + '\n'); !written)
             return tl::unexpected(written.error());
     return 0;

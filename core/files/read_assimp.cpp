@@ -1,7 +1,6 @@
 // 3DS, FBX, DAE and 3MF, read by Assimp out of memory: it opens no file. Every node with meshes is an object
 // in the world's frame, every material of it a surface. Assimp takes the axes and the unit of DAE into the
-// root's transform; those of FBX it hands over as numbers, those of
-// 3MF it leaves alone.
+// root's transform; those of FBX it hands over as numbers, those of 3MF it leaves alone.
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>

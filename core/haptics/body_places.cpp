@@ -62,18 +62,11 @@ std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
     bodies_->begin(seen);
     for (std::size_t i = 0; i < places_.size(); ++i)
         places_[i].pose = bodies_->motions()[i].now;
-    return places_;
-}
-
-std::span<const AtDetent> BodyPlaces::detents(const BodiesState& state) {
-    if (detents_.empty()) return {};
-    BodiesState seen = state;
-    bodies_->begin(seen);
     for (std::size_t i = 0; i < detents_.size(); ++i) {
         const double away = bodies_->coordinateOf(detents_[i].body).value_or(0) - detents_[i].position;
         atDetents_[i].detent = int(std::lround(std::clamp(away / detents_[i].spacing, -1e9, 1e9)));
     }
-    return atDetents_;
+    return places_;
 }
 
 std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body,

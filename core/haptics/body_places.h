@@ -31,8 +31,8 @@ public:
 
     /// Until the next call. A state of other bodies shows them where they begin.
     std::span<const PlacedObject> at(const BodiesState& state);
-    /// Of each joint of one freedom that has detents, always in the same order. Until the next call.
-    std::span<const AtDetent> detents(const BodiesState& state);
+    /// Of each joint of one freedom that has detents, always in the same order, as at() was last told.
+    std::span<const AtDetent> detents() const { return atDetents_; }
     /// While the finger touches as it is told. Nothing for what no force moves.
     std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body,
                                          const HapticOutput& touch = {});

@@ -132,23 +132,28 @@ void MovingBodies::begin(BodiesState& state) noexcept {
         motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
 }
 
-std::optional<double> MovingBodies::coordinateOf(BodyId body) const {
+/// Which of the mechanism it is; nothing for what stands still.
+std::optional<std::size_t> MovingBodies::indexOf(BodyId body) const {
     const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
-    if (found == mechanism_->bodies.end()) return std::nullopt;
-    const int place = mechanism_->places[std::size_t(found - mechanism_->bodies.begin())].link;
-    if (place < 0 || mechanism_->links[std::size_t(place)].kind == LinkKind::Ball) return std::nullopt;
-    return now_.q[mechanism_->links[std::size_t(place)].q];
+    const std::size_t index = std::size_t(found - mechanism_->bodies.begin());
+    if (found == mechanism_->bodies.end() || mechanism_->places[index].link < 0) return std::nullopt;
+    return index;
+}
+
+std::optional<double> MovingBodies::coordinateOf(BodyId body) const {
+    const auto index = indexOf(body);
+    if (!index) return std::nullopt;
+    const Link& link = mechanism_->links[std::size_t(mechanism_->places[*index].link)];
+    return link.kind == LinkKind::Ball ? std::nullopt : std::optional(now_.q[link.q]);
 }
 
 std::optional<BodyReading> MovingBodies::readingOf(BodyId body, const FingerPushes& pushes) {
-    const auto found = std::ranges::find(mechanism_->bodies, body, &RigidBody::id);
-    if (found == mechanism_->bodies.end()) return std::nullopt;
-    const std::size_t index = std::size_t(found - mechanism_->bodies.begin());
-    const int place = mechanism_->places[index].link;
-    if (place < 0) return std::nullopt;
+    const auto index = indexOf(body);
+    if (!index) return std::nullopt;
+    const int place = mechanism_->places[*index].link;
     std::vector<BodyState> all(mechanism_->bodies.size());
     dynamics_.describe(now_, gravity_, all);
-    BodyReading reading{.kinetic = all[index].kinetic, .potential = all[index].potential};
+    BodyReading reading{.kinetic = all[*index].kinetic, .potential = all[*index].potential};
     const Link& link = mechanism_->links[std::size_t(place)];
     if (link.kind == LinkKind::Ball) return reading;
     reading.turns = link.kind == LinkKind::Turn;

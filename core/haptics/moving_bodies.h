@@ -94,13 +94,15 @@ public:
         advance(state, dt);
     }
     void forget() noexcept { dynamics_.forget(); }
-    /// Of the joint of one freedom that moves a body as begin() has it: m or rad; nothing for any other body.
+    /// Of the joint of one freedom that moves a body, as in the last begin() or step(): m or rad. Nothing for
+    /// any other body. Thread: any but real time.
     std::optional<double> coordinateOf(BodyId body) const;
     /// As in the last begin() or step(), while the finger pushes; of its pushes the obstacle is
     /// Mover::driven here. Nothing for what stands still. Thread: any but real time.
     std::optional<BodyReading> readingOf(BodyId body, const FingerPushes& pushes = {});
 
 private:
+    std::optional<std::size_t> indexOf(BodyId body) const;
     void addForce(AppliedForce force, int driven) noexcept;
     void advance(BodiesState& state, double dt) noexcept;
     int partsFor(double dt) noexcept;

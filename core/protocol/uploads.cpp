@@ -1,38 +1,17 @@
 #include "core/protocol/uploads.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/scratch_folder.h"
 #include "core/base/text.h"
 #include "core/geometry/soup_builder.h"
 #include "core/import/import_scene.h"
 
 namespace tactum {
 namespace {
-
-/// A folder of ours, gone with its object.
-class PrivateFolder {
-public:
-    PrivateFolder() {
-        std::error_code fault;
-        std::string name = (std::filesystem::temp_directory_path(fault) / "tactum-upload-XXXXXX").string();
-        if (!fault && mkdtemp(name.data())) path_ = name;
-    }
-    ~PrivateFolder() {
-        std::error_code fault;
-        if (!path_.empty()) std::filesystem::remove_all(path_, fault);
-    }
-    PrivateFolder(const PrivateFolder&) = delete;
-    PrivateFolder& operator=(const PrivateFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// Letters, digits and what harms nobody in the name of a file.
 std::string safeName(std::string_view name) {
@@ -60,7 +39,7 @@ std::string withoutFolder(std::string text, const std::filesystem::path& folder)
 }
 
 Result<LoadedScene> readFile(const std::string& name, const std::string& bytes, const Progress& progress) {
-    const PrivateFolder folder;
+    const ScratchFolder folder("upload");
     const auto file = folder.path() / safeName(name);
     std::ofstream out(file, std::ios::binary);
     out.write(bytes.data(), std::streamsize(bytes.size()));

@@ -311,7 +311,7 @@ void Stage::fill(StageState& state) {
     }
     const auto places = places_->at(proxy.bodies);
     state.bodies.assign(places.begin(), places.end());
-    const auto detents = places_->detents(proxy.bodies);
+    const auto detents = places_->detents();
     state.detents.assign(detents.begin(), detents.end());
 }
 

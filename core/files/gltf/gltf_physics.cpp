@@ -1,5 +1,4 @@
 #include "core/files/gltf/gltf_physics.h"
-#include "core/files/gltf/gltf_mirror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/dynamics/convex.h"
 #include "core/dynamics/weigh.h"
+#include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_nodes.h"
 #include "core/files/gltf/gltf_physics_values.h"
 #include "core/files/gltf/gltf_standards.h"

@@ -325,9 +325,9 @@ void GltfWriter::finishRoot(const std::vector<int>& roots) {
     ours["gravity"] = moves ? vectorJson(scene_.mechanics.gravity) : Json(nullptr);
     for (const WorldField& field : kWorldFields) {
         const double value = scene_.mechanics.*field.value;
-        ours[jsonKey(field.parameter->key)] =
-            moves && value != field.parameter->initial ? Json(value) : Json(nullptr);
-        if (moves && value != field.parameter->initial) numbers[jsonKey(field.parameter->key)] = value;
+        const std::string key = jsonKey(field.parameter->key);
+        ours[key] = nullptr;
+        if (moves && value != field.parameter->initial) ours[key] = numbers[key] = value;
     }
     addMirror(root_["scenes"][std::size_t(scene)], numbers);
     ours["finger"] = scene_.finger ? Json(data_.addRawView(fingerNumbers(*scene_.finger))) : Json(nullptr);

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "core/base/text.h"
@@ -84,9 +85,14 @@ private:
     void readPoints(Fields fields);
     void readCloud();
     bool nextCorner(Fields& fields, PolygonCorner& corner);
-    Index resolve(const char*& at, const char* end, std::size_t seen, std::size_t total);
-    Index resolve(const char*& at, const char* end, std::size_t seen, std::size_t total,
-                  const char* what) const;
+    struct Reference {
+        std::int64_t number; ///< as the file has it
+        Index place;         ///< kNone: there is no such thing
+    };
+    static std::optional<Reference> reference(const char*& at, const char* end, std::size_t seen,
+                                              std::size_t total);
+    Index positionAt(const char*& at, const char* end) const;
+    Index optionalAt(const char*& at, const char* end, std::size_t seen, std::size_t total);
     Draft& draft();
     Index surface();
     void startObject(std::string_view name);
@@ -237,42 +243,45 @@ bool ObjReader::nextCorner(Fields& fields, PolygonCorner& corner) {
     if (field.empty() || field[0] == '#') return false;
     const char *at = field.data(), *end = at + field.size();
     corner = {};
-    corner.position = resolve(at, end, seenPositions_, pools_.positions.size(), "vertex");
+    corner.position = positionAt(at, end);
     const auto slash = [&] { return at != end && *at == '/' && ++at; };
     if (slash() && at != end) {
-        if (*at != '/') corner.uv = resolve(at, end, seenUvs_, pools_.uvs.size());
-        if (slash() && at != end) corner.normal = resolve(at, end, seenNormals_, pools_.normals.size());
+        if (*at != '/') corner.uv = optionalAt(at, end, seenUvs_, pools_.uvs.size());
+        if (slash() && at != end) corner.normal = optionalAt(at, end, seenNormals_, pools_.normals.size());
     }
     if (at != end) fail("face has the corner " + inQuotes(field) + "; re-export the file");
     return true;
 }
 
-/// The place in a pool that a number from 1, or one from -1 back from here, means.
-Index ObjReader::resolve(const char*& at, const char* end, std::size_t seen, std::size_t total,
-                         const char* what) const {
+/// The place in a pool that a number from 1, or one from -1 back from here, means. Nothing for what is no
+/// number.
+std::optional<ObjReader::Reference> ObjReader::reference(const char*& at, const char* end, std::size_t seen,
+                                                         std::size_t total) {
     std::int64_t number = 0;
     const auto [last, fault] = std::from_chars(at, end, number);
-    if (fault != std::errc())
-        fail("face has the corner " + inQuotes({at, std::size_t(end - at)}) + "; re-export the file");
+    if (fault != std::errc()) return std::nullopt;
     at = last;
     const std::int64_t place = number > 0 ? number - 1 : std::int64_t(seen) + number;
-    if (number == 0 || place < 0 || place >= std::int64_t(total))
-        fail("face refers to " + std::string(what) + " " + std::to_string(number) + ", but only " +
-             std::to_string(number < 0 ? seen : total) + " are defined; re-export the file");
-    return Index(place);
+    const bool exists = number != 0 && place >= 0 && place < std::int64_t(total);
+    return Reference{number, exists ? Index(place) : kNone};
 }
 
-/// The same of what a corner can be without.
-Index ObjReader::resolve(const char*& at, const char* end, std::size_t seen, std::size_t total) {
-    std::int64_t number = 0;
-    const auto [last, fault] = std::from_chars(at, end, number);
-    const std::int64_t place = number > 0 ? number - 1 : std::int64_t(seen) + number;
-    if (fault == std::errc() && number != 0 && place >= 0 && place < std::int64_t(total)) {
-        at = last;
-        return Index(place);
-    }
-    if (fault == std::errc()) at = last, ++missing_; // else the corner is no corner at all
-    return kNone;
+Index ObjReader::positionAt(const char*& at, const char* end) const {
+    const std::size_t total = pools_.positions.size();
+    const auto found = reference(at, end, seenPositions_, total);
+    if (!found) fail("face has the corner " + inQuotes({at, std::size_t(end - at)}) + "; re-export the file");
+    if (found->place == kNone)
+        fail("face refers to vertex " + std::to_string(found->number) + ", but only " +
+             std::to_string(found->number < 0 ? seenPositions_ : total) + " are defined; re-export the file");
+    return found->place;
+}
+
+/// Of what a corner can be without.
+Index ObjReader::optionalAt(const char*& at, const char* end, std::size_t seen, std::size_t total) {
+    const auto found = reference(at, end, seen, total);
+    if (!found) return kNone; // whoever reads the corner sees that it goes on
+    missing_ += found->place == kNone;
+    return found->place;
 }
 
 /// A scan of points alone.

@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/files/source.h"
+#include "core/files/tell_format.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -65,6 +66,18 @@ class TestEveryFormat : public QObject {
     Q_OBJECT
 
 private slots:
+    // What comes by a pipe has no name.
+    void theFirstBytesTellTheFormat() {
+        TriangleSoup soup = randomSoup(1);
+        for (const WrittenMesh& mesh : inEveryFormat(soup)) {
+            const std::string ending = mesh.name.substr(mesh.name.rfind('.') + 1);
+            QCOMPARE(std::string(toldEnding(mesh.content)), ending);
+        }
+        QCOMPARE(std::string(toldEnding("\xEF\xBB\xBF\n <?xml version='1.0'?>\n<X3D>")), "x3d");
+        QCOMPARE(std::string(toldEnding("<html>")), "");
+        QCOMPARE(std::string(toldEnding(std::string("v 0 0 0\0", 8))), "");
+    }
+
     void aFaceOfTooManyCornersIsRefused() {
         std::string ring = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf", off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n200000";
         std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

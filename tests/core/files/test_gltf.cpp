@@ -147,8 +147,10 @@ private slots:
         const std::vector<Vec3> offsets = tetrahedron().positions; // the corners stand for four places
         QCOMPARE(scene.objects.size(), offsets.size());
         for (std::size_t i = 0; i < offsets.size(); ++i) {
-            QVERIFY(scene.objects[i].pose.translation.isApprox(Vec3(10, 0, 0) + 2 * offsets[i]));
-            QVERIFY(scene.objects[i].geometry->positions[1].isApprox(2 * tetrahedron().positions[1]));
+            COMPARE_NEAR(scene.objects[i].pose.translation, Vec3(Vec3(10, 0, 0) + 2 * offsets[i]), 1e-12,
+                         "m");
+            COMPARE_NEAR(scene.objects[i].geometry->positions[1], Vec3(2 * tetrahedron().positions[1]), 1e-12,
+                         "m");
         }
         QCOMPARE(scene.objects[1].name, std::string("screw 2"));
         const auto glb = glbOf(scene);

@@ -139,7 +139,7 @@ private slots:
                     layers += int(felt->layers.size());
                 }
         }
-        QVERIFY(layers > 50);
+        QCOMPARE_GT(layers, 50);
     }
 
     void itIsSaidWhatComesFromExtrasAndWhatIsLost() {

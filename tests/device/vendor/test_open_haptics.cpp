@@ -240,10 +240,11 @@ private slots:
         COMPARE_CONTAINS(watcher.request, "right angles");
         QCOMPARE(fake_->calibrated.load(), 1);
         const std::vector<double>& parts = watcher.parts;
-        QVERIFY(parts.size() > 500);
+        QCOMPARE_GT(parts.size(), std::size_t(500));
         QVERIFY(std::ranges::is_sorted(parts));
         COMPARE_NEAR(parts.front(), 0, 1e-12, "");
-        QVERIFY(parts.back() > 0.9 && parts.back() <= 1);
+        QCOMPARE_GT(parts.back(), 0.9);
+        QCOMPARE_LE(parts.back(), 1);
         COMPARE_NEAR(parts[parts.size() / 2], 0.5, 0.05, "");
     }
 

@@ -96,7 +96,7 @@ private slots:
         QTRY_VERIFY(!question(program));
         QVERIFY(program.window->isVisible());
         QVERIFY(program.fullForce()); // as the button says
-        QVERIFY(program.command("armed").isChecked() && program.engine.armed());
+        QCOMPARE(program.command("armed").isChecked(), program.engine.armed());
         QVERIFY(!program.window->close());
         question(program)->button(QMessageBox::Discard)->click();
         QTRY_VERIFY(!program.window->isVisible());
