@@ -57,13 +57,19 @@ private:
         const tinygltf::Value& attributes = instanced->second.Get("attributes");
         const auto attribute = [&](const char* name, std::size_t width) -> std::optional<GltfAccessor> {
             if (!attributes.IsObject() || !attributes.Has(name)) return std::nullopt;
+            if (!attributes.Get(name).IsInt())
+                source_.fail(where + "has instances whose " + name + " names no accessor; export it again");
             return GltfAccessor(source_, model_, attributes.Get(name).GetNumberAsInt(), width);
         };
         const auto translation = attribute("TRANSLATION", 3), rotation = attribute("ROTATION", 4),
                    scale = attribute("SCALE", 3);
         std::optional<std::size_t> count;
         for (const auto* each : {&translation, &rotation, &scale})
-            if (*each) count = std::min(count.value_or((*each)->size()), (*each)->size());
+            if (*each && count.value_or((*each)->size()) != (*each)->size())
+                source_.fail(where +
+                             "has attributes of its instances that are not of one length; export it again");
+            else if (*each)
+                count = (*each)->size();
         if (!count) return place(node, here, where, std::nullopt);
         for (std::size_t i = 0; i < *count; ++i) {
             Affine instance = Affine::Identity();

@@ -143,6 +143,18 @@ private slots:
             "extensionsRequired":["EXT_mesh_gpu_instancing"])"));
         const std::size_t positions = json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
         json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = positions;
+        Json uneven = json, word = json;
+        uneven["accessors"].push_back(json["accessors"][positions]);
+        uneven["accessors"].back()["count"] = 3;
+        uneven["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+            uneven["accessors"].size() - 1;
+        word["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = "x";
+        for (const auto& [damaged, part] :
+             {std::pair{uneven, "not of one length"}, {word, "names no accessor"}}) {
+            const auto loaded = folder_.load("uneven.gltf", damaged.dump());
+            QVERIFY2(!loaded, part);
+            COMPARE_CONTAINS(loaded.error().text, part);
+        }
         const Scene scene = read(json.dump());
         const std::vector<Vec3> offsets = tetrahedron().positions; // the corners stand for four places
         QCOMPARE(scene.objects.size(), offsets.size());
