@@ -6,14 +6,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/fingerprint.h"
 #include "core/base/realtime.h"
 #include "core/base/text.h"
 #include "core/files/source.h"
 #include "core/import/import_scene.h"
 #include "core/port/device_figures.h"
-#include "core/recording/fingerprint.h"
 #include "core/recording/row_checks.h"
-#include "core/recording/scene_bytes.h"
+#include "core/recording/scene_list_bytes.h"
 
 namespace tactum {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 17;
+constexpr std::uint32_t kVersion = 18;
 /// Of each loop; a state is much larger in memory than it may be in the file.
 constexpr std::uint64_t kMaxStates = 2 * std::uint64_t(kRecorded / kStateEvery);
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
@@ -109,10 +109,10 @@ KnownParts partsOf(const std::vector<std::filesystem::path>& sources, const std:
         for (const auto& place : {folder / source.filename(), source}) {
             const auto loaded = importScene(place);
             if (!loaded) continue;
-            parts.addAllOf(loaded->scene);
+            parts.add(loaded->scene);
             Scene fitted = loaded->scene;
             fitDiagonal(fitted, kHandDiagonal);
-            parts.addAllOf(fitted);
+            parts.add(fitted);
             break;
         }
     return parts;

@@ -7,18 +7,9 @@
 
 #include "core/base/byte_stream.h"
 #include "core/runtime/recorded_run.h"
+#include "core/scene/known_parts.h"
 
 namespace tactum {
-
-/// What a scene file offers for what was left out of a recording.
-struct KnownParts {
-    std::vector<std::shared_ptr<const TriangleSoup>> soups;
-    std::vector<std::shared_ptr<const TextureImage>> images;
-    std::vector<std::shared_ptr<const PaintedValues>> paints;
-
-    void addAllOf(const Scene& scene);
-    void add(const TexturePattern& pattern);
-};
 
 /// With all geometry and images but what is in `elsewhere`: who reads them has to find it.
 std::string sceneBytes(const std::vector<RecordedScene>& scenes, const KnownParts& elsewhere);

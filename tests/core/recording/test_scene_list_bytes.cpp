@@ -2,11 +2,11 @@
 // refused.
 #include <QTest>
 
-#include "core/recording/scene_bytes.h"
+#include "core/recording/scene_list_bytes.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
-namespace test_scene_bytes {
+namespace test_scene_list_bytes {
 
 using namespace tactum;
 
@@ -62,7 +62,7 @@ std::vector<RecordedScene> again(const std::string& bytes, const KnownParts& kno
 
 } // namespace
 
-class TestSceneBytes : public QObject {
+class TestSceneListBytes : public QObject {
     Q_OBJECT
 
 private slots:
@@ -139,18 +139,16 @@ private slots:
 
     void whatIsElsewhereIsLookedForOnce() {
         const Scene scene = twoObjects();
-        KnownParts known;
-        known.addAllOf(scene);
-        QCOMPARE(known.soups.size(), 2u);
+        const KnownParts known(scene);
         const std::string bytes = sceneBytes({recorded(scene, 1)}, known);
         QCOMPARE_LT(bytes.size(), sceneBytes({recorded(scene, 1)}, {}).size());
         int asked = 0;
         const auto read = again(bytes, known, &asked);
         QCOMPARE(asked, 1);
-        QCOMPARE(read[0].scene->objects[0].geometry, known.soups[0]); // the very same
-        KnownParts changed;
-        changed.soups = {meshOf(4), meshOf(3)};
-        QVERIFY_EXCEPTION_THROWN(again(bytes, changed), ByteFault);
+        QCOMPARE(read[0].scene->objects[0].geometry, scene.objects[0].geometry); // the very same
+        Scene changed = scene;
+        changed.objects[0].geometry = meshOf(4);
+        QVERIFY_EXCEPTION_THROWN(again(bytes, KnownParts(changed)), ByteFault);
         asked = 0;
         (void)again(sceneBytes({recorded(scene, 1)}, {}), {}, &asked);
         QCOMPARE(asked, 0); // it is all there
@@ -190,8 +188,8 @@ private slots:
     }
 };
 
-TACTUM_TEST(TestSceneBytes)
+TACTUM_TEST(TestSceneListBytes)
 
-} // namespace test_scene_bytes
+} // namespace test_scene_list_bytes
 
-#include "test_scene_bytes.moc"
+#include "test_scene_list_bytes.moc"

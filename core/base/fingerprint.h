@@ -1,14 +1,10 @@
-// Tells bytes apart and finds damage; no protection against malice. For this folder only.
+// Tells bytes apart and finds damage; no protection against malice.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <vector>
-
-#include "core/geometry/triangle_soup.h"
-#include "core/surface/painted_values.h"
-#include "core/surface/texture_image.h"
 
 namespace tactum {
 
@@ -36,11 +32,5 @@ private:
     }
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
-
-/// Geometry, images and painted values that a file does not hold are told by the fingerprint of their
-/// content.
-std::uint64_t fingerprintOf(const TriangleSoup& soup);
-std::uint64_t fingerprintOf(const TextureImage& image);
-std::uint64_t fingerprintOf(const PaintedValues& painted);
 
 } // namespace tactum
