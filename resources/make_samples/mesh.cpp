@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/single_precision.h"
 namespace tactum::samples {
 namespace {
 
@@ -37,7 +38,7 @@ std::vector<Eigen::Vector3f> normalsOf(const TriangleSoup& soup) {
 
 Index Mesh::point(const Vec3& p, const Uv& uv) {
     const Vec3 rounded = (p * 1e9).array().round() / 1e9 + 0.0; // 0 has no sign then
-    soup_.positions.push_back(rounded.cast<float>().cast<double>());
+    soup_.positions.push_back(asSingle(rounded));
     uvs_.push_back(uv);
     return Index(soup_.positions.size() - 1);
 }

@@ -4,6 +4,7 @@
 #include "resources/make_samples/samples.h"
 #include "resources/make_samples/teapot_finger.h"
 
+#include "core/base/single_precision.h"
 namespace tactum::samples {
 namespace {
 
@@ -25,7 +26,7 @@ SceneObject objectOf(std::string name, const std::vector<std::pair<Part, Materia
         std::vector<Eigen::Vector3f> normals;
         for (std::size_t i = 0; i <= part.rings; ++i)
             for (std::size_t k = 0; k < part.pointsOf(i); ++k) {
-                soup.positions.push_back(yUp(part.pointAt(i, k)).cast<float>().cast<double>());
+                soup.positions.push_back(asSingle(yUp(part.pointAt(i, k))));
                 normals.push_back(yUp(part.normalAt(i, k)).cast<float>().normalized());
             }
         for (const auto& corners : part.triangles()) {

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/base/single_precision.h"
 #include "core/motion/motion_build.h"
 #include "core/scene/scene.h"
 #include "tests/support/random_mechanics.h"
@@ -107,7 +108,7 @@ private:
         const bool exact = chance(2), normals = chance(2), uvs = chance(2);
         for (int i = count(4, 30); i > 0; --i) {
             const Vec3 p = vector(0.1);
-            soup.positions.push_back(exact ? p : p.cast<float>().cast<double>().eval());
+            soup.positions.push_back(exact ? p : asSingle(p));
         }
         for (int i = count(1, 60); i > 0; --i) {
             const Index n = Index(soup.positions.size()), a = random_() % n;

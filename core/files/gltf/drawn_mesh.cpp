@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/single_precision.h"
 #include "core/files/corner_pool.h"
 
 namespace tactum {
@@ -112,7 +113,7 @@ DrawnMesh drawn(const TriangleSoup& soup, std::size_t surfaces) {
     }
     if (std::ranges::is_sorted(mesh.order)) mesh.order.clear();
     for (const Vec3& p : soup.positions)
-        mesh.positionsAreExact &= p.cast<float>().cast<double>() == p;
+        mesh.positionsAreExact &= asSingle(p) == p;
     flipUvs(mesh);
     return mesh;
 }

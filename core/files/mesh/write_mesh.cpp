@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/realtime.h"
+#include "core/base/single_precision.h"
 #include "core/base/text.h"
 #include "core/files/corner_pool.h"
 
@@ -63,7 +64,7 @@ void appendDouble(std::string& out, double value) {
 }
 
 bool isFloat(const Vec3& p) {
-    return p.cast<float>().cast<double>() == p;
+    return asSingle(p) == p;
 }
 
 /// A vertex of the PLY file: position, normal, coordinates.

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/base/single_precision.h"
 #include "core/base/vec.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -16,6 +17,16 @@ using namespace tactum;
 class TestVec : public QObject {
     Q_OBJECT
 private slots:
+    /// 0.1, 0.2 and 0.3 as floats, from a table of IEEE 754 and not from a compiler: g++ 12.2 leaves two of
+    /// three as they are.
+    void aFloatHasSevenDigits() {
+        const Vec3 single = asSingle(Vec3(0.1, 0.2, 0.3));
+        QCOMPARE_EQ(single.x(), 0x1.99999ap-4);
+        QCOMPARE_EQ(single.y(), 0x1.99999ap-3);
+        QCOMPARE_EQ(single.z(), 0x1.333334p-2);
+        QCOMPARE_EQ(asSingle(0.5), 0.5);
+    }
+
     // Eigen is the other hand here: the same bits, for turns of any kind.
     void turnsAsEigenDoes() {
         std::mt19937 random(3);

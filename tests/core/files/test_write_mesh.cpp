@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "core/base/single_precision.h"
 #include "core/files/corner_pool.h"
 #include "core/files/mesh/write_mesh.h"
 #include "tests/core/files/bodies.h"
@@ -171,7 +172,7 @@ void TestWriteMesh::stlKeepsTrianglesInFloats() {
         QCOMPARE(found.size(), wanted.size());
         for (std::size_t i = 0; i < wanted.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                QVERIFY(found[i].corners[k] == wanted[i].corners[k].cast<float>().cast<double>());
+                QVERIFY(found[i].corners[k] == asSingle(wanted[i].corners[k]));
     }
 }
 
