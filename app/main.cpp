@@ -19,6 +19,7 @@
 #include "app/screen.h"
 #include "app/window.h"
 #include "core/base/child_program.h"
+#include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/scene/scene.h"
 
@@ -360,6 +361,27 @@ void addDevices(CLI::App& program, Request& request) {
     server->group("")->add_option("ID", request.device)->required();
 }
 
+void addConnect(CLI::App& program, WindowRequest& window) {
+    CLI::Option* connect =
+        program
+            .add_option_function<std::string>(
+                "--connect",
+                [&window](const std::string& text) {
+                    const auto place = hostPortOf(text);
+                    if (!place || place->port == 0)
+                        throw CLI::ValidationError("--connect",
+                                                   "'" + text + "' is not HOST:PORT, as in 127.0.0.1:51270");
+                    window.connect = text;
+                },
+                "Open the window on the scene and the device of a tactum serve")
+            ->type_name("HOST:PORT");
+    program
+        .add_option("--credentials", window.credentials,
+                    "Where certificate.pem and token of a server on another machine are")
+        ->type_name("FOLDER")
+        ->needs(connect);
+}
+
 /// What an installation brings beside the program; not listed.
 void addManual(CLI::App& program, Request& request) {
     program.add_subcommand("manual", "The man page, and what shells complete")
@@ -409,6 +431,8 @@ int runVerb(int argc, char** argv) {
     addFeel(program, request.feel);
     program.set_version_flag("--version", "tactum " TACTUM_VERSION);
     addDevices(program, request);
+    WindowRequest window;
+    addConnect(program, window);
     program.add_subcommand("serve", "A device and a scene for programs elsewhere, without a window");
     addManual(program, request);
     program.require_subcommand(0, 1);
@@ -421,6 +445,11 @@ int runVerb(int argc, char** argv) {
         std::ranges::replace(sentence, '\n', ' ');
         const std::string verb = argc > 1 && isVerb(argv[1]) ? argv[1] + std::string(" ") : "";
         return fail(sentence + "; see tactum " + verb + "--help", kUsage);
+    }
+    if (!window.connect.empty()) {
+        if (const auto screen = reachScreen(argv); !screen)
+            return fail(screen.error().text, int(screen.error().kind));
+        return runWindow(argc, argv, window);
     }
     if (request.touch.picture) // before the work, not after it
         if (const auto screen = reachScreen(argv); !screen)
@@ -467,7 +496,7 @@ int runProgram(int argc, char** argv) {
         return failMissing(*scene);
     if (const auto screen = reachScreen(argv); !screen)
         return fail(screen.error().text, int(screen.error().kind));
-    return runWindow(argc, argv, scene);
+    return runWindow(argc, argv, {scene, {}, {}});
 }
 
 } // namespace

@@ -20,7 +20,7 @@ Result<void> reachScreen(char** argv) {
 }
 
 // Nobody comes here: reachScreen() stands before.
-int runWindow(int, char**, const std::optional<std::filesystem::path>&) {
+int runWindow(int, char**, const WindowRequest&) {
     assert(false);
     return 3;
 }

@@ -7,6 +7,9 @@
 #include <QIcon>
 #include <QLocale>
 
+#include "core/protocol/credentials.h"
+#include "core/protocol/remote_engine.h"
+#include "core/runtime/local_engine.h"
 #include "device/registry.h"
 #include "device/simulated_hand.h"
 #include "ui/main_window.h"
@@ -36,9 +39,29 @@ void useNumbersOfC() {
     QLocale::setDefault(QLocale::c());
 }
 
+/// The loops are the server's, and so is the device.
+int runConnected(const WindowRequest& request, const std::shared_ptr<HandTarget>& hand) {
+    RemoteSettings settings;
+    settings.target = request.connect;
+    const auto secrets =
+        request.credentials.empty() ? Result<Credentials>() : loadClientCredentials(request.credentials);
+    if (secrets) settings.certificate = secrets->certificate, settings.token = secrets->token;
+    RemoteEngine engine(std::move(settings), hand);
+    const auto started = secrets ? engine.start() : Result<void>(tl::unexpected(secrets.error()));
+    // As at home: a simulated hand can hurt nobody. Where another client edits, it is theirs to say.
+    if (started && engine.holdsPen() && !engine.device().real) engine.setArmed(true);
+    Document document;
+    MainWindow window(document, engine, hand, sampleScenes());
+    window.setShared(engine);
+    QApplication::setWindowIcon(logo(128));
+    window.show();
+    if (!started) window.showFault(QString::fromStdString(started.error().text));
+    return QApplication::exec();
+}
+
 } // namespace
 
-int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>& scene) {
+int runWindow(int argc, char** argv, const WindowRequest& request) {
     useViewSurfaceFormat();
     QApplication app(argc, argv);
     useNumbersOfC(); // after the application, which takes over the user's locale
@@ -47,7 +70,8 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     applyTheme(rememberedTheme());
 
     auto hand = std::make_shared<HandTarget>();
-    Engine engine(std::make_unique<SimulatedHand>(hand));
+    if (!request.connect.empty()) return runConnected(request, hand);
+    LocalEngine engine(std::make_unique<SimulatedHand>(hand));
     const auto started = engine.start();
     engine.setArmed(started.has_value()); // a simulated hand can hurt nobody
     Document document;
@@ -62,7 +86,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     QApplication::setWindowIcon(logo(128));
     window.show();
     if (!started) window.showFault(QString::fromStdString(started.error().text));
-    if (scene) window.open(QString::fromStdU16String(scene->u16string()));
+    if (request.scene) window.open(QString::fromStdU16String(request.scene->u16string()));
     return QApplication::exec();
 }
 

@@ -163,6 +163,10 @@ public:
     /// whether hasOwnFile() held. Ends with opened().
     void adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own);
 
+    /// Goes on with a scene that is kept elsewhere, at a haptic server: nothing of it is unsaved. `file`:
+    /// where to offer to save it. Ends with opened().
+    void adoptShared(Scene scene, const std::filesystem::path& file);
+
     /// Writes the scene as it is now, on a worker, and makes `file` its file. Ends with saved() or
     /// saveFailed(); edits, and opening another scene, can go on meanwhile. One save at a time: the others
     /// wait for their turn.

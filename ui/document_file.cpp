@@ -40,6 +40,13 @@ void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool ow
     emit opened();
 }
 
+void Document::adoptShared(Scene scene, const std::filesystem::path& file) {
+    job_.cancel();
+    adopt({std::move(scene), {}, true}, FileStamp(file));
+    own_ = false;
+    emit opened();
+}
+
 bool Document::hasOwnFile() const {
     const QString ending = QString::fromStdU16String(path().extension().u16string());
     return own_ && ending.compare(u'.' + QString::fromUtf8(kSceneEnding), Qt::CaseInsensitive) == 0;

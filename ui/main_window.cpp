@@ -22,6 +22,7 @@
 #include "ui/journal.h"
 #include "ui/layer_edits.h"
 #include "ui/paint_tool.h"
+#include "ui/panels/connection_bar.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
@@ -36,6 +37,7 @@
 #include "ui/recording_saver.h"
 #include "ui/recovery.h"
 #include "ui/select_tool.h"
+#include "ui/shared_link.h"
 #include "ui/sound/sound_link.h"
 #include "ui/touch_hint.h"
 #include "ui/usb_permission.h"
@@ -62,7 +64,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
       painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
       centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
-      status_(new StatusStrip), hint_(new TouchHint(view_)),
+      connection_(new ConnectionBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
       hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
       playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
       journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
@@ -126,6 +128,7 @@ QWidget* MainWindow::makeCentre() {
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     layers->addWidget(notice_, 0, 0, Qt::AlignTop);
+    layers->addWidget(connection_, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
     column->addLayout(layers, 1);
     column->addWidget(playbackBar_);
     centre_->addWidget(start_);
@@ -205,6 +208,7 @@ void MainWindow::showArmed(bool armed) {
 
 void MainWindow::frame() {
     engine_.poll();
+    if (shared_) shared_->frame();
     saver_->watch(); // before a fault switches the forces off
     watchHealth();
     watchDevice();

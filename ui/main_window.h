@@ -27,6 +27,7 @@ namespace tactum {
 
 class ArrangeTool;
 class Comparison;
+class ConnectionBar;
 class DeviceCatalogue;
 class DeviceLink;
 class DevicePanel;
@@ -45,6 +46,8 @@ struct Preset;
 class RecordingSaver;
 class SelectTool;
 class ToolStrip;
+class SharedLink;
+class SharedScene;
 class Recovery;
 class RecoveryBar;
 class SceneView;
@@ -67,6 +70,8 @@ public:
     /// What devices a person can choose from; it outlives the window. Without one the engine keeps its
     /// device.
     void setCatalogue(DeviceCatalogue& catalogue);
+    /// The other side of an engine at a haptic server; it outlives the window.
+    void setShared(SharedScene& shared);
     void open(const QString& file);
     /// One line above the view: what happened and how to go on.
     void showFault(const QString& sentence);
@@ -145,6 +150,7 @@ private:
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
     void connectRecovery(); ///< main_window_recovery.cpp
+    void connectToServer(); ///< main_window_shared.cpp
     // Of the command palette: main_window_palette.cpp.
     void connectPalette();
     void openPalette();
@@ -227,6 +233,8 @@ private:
     QStackedWidget* centre_;
     StartPage* start_;
     PlaybackBar* playbackBar_;
+    ConnectionBar* connection_;
+    SharedLink* shared_ = nullptr; ///< null: the engine is here
     StatusStrip* status_;
     TouchHint* hint_;
     HandLink* hand_;

@@ -123,6 +123,7 @@ void MainWindow::setTheme(ThemeChoice choice) {
 
 void MainWindow::connectFile() {
     connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
+    connect(&actions_["connect"], &QAction::triggered, this, &MainWindow::connectToServer);
     connect(&actions_["save-picture"], &QAction::triggered, this, &MainWindow::savePicture);
     connect(&actions_["quit"], &QAction::triggered, this, &QWidget::close);
     connect(&actions_["guide"], &QAction::triggered, this, [this] { showGuide(this); });

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/hl/link.h"
 #include "app/hl/model.h"
+#include "core/protocol/connection.h"
 
 namespace hl {
 namespace {
@@ -44,26 +44,26 @@ bool same(const Place& a, const Place& b) {
     return a.position == b.position && a.turn == b.turn;
 }
 
-void write(v1::Vector* to, const Vec& v) {
+void write(tactum::v1::Vector* to, const Vec& v) {
     to->set_x(v[0]);
     to->set_y(v[1]);
     to->set_z(v[2]);
 }
 
-Vec vecOf(const v1::Vector& v) {
+Vec vecOf(const tactum::v1::Vector& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-void write(v1::Pose* to, const Place& place) {
+void write(tactum::v1::Pose* to, const Place& place) {
     write(to->mutable_position(), place.position);
-    v1::Rotation* turn = to->mutable_rotation();
+    tactum::v1::Rotation* turn = to->mutable_rotation();
     turn->set_w(place.turn[0]);
     turn->set_x(place.turn[1]);
     turn->set_y(place.turn[2]);
     turn->set_z(place.turn[3]);
 }
 
-void write(v1::SetMaterial* to, const Feel& feel) {
+void write(tactum::v1::SetMaterial* to, const Feel& feel) {
     constexpr std::array<const char*, 3> kSides{"both", "front", "back"};
     to->set_stiffness(feel.values[Stiffness]);
     to->set_damping(feel.values[Damping]);
@@ -74,14 +74,14 @@ void write(v1::SetMaterial* to, const Feel& feel) {
     to->set_sides(kSides[feel.sides]);
 }
 
-void write(v1::SetLayers* to, const std::shared_ptr<const Texture>& texture) {
+void write(tactum::v1::SetLayers* to, const std::shared_ptr<const Texture>& texture) {
     if (!texture) return; // none: no layers
-    v1::Layer* layer = to->add_layer();
+    tactum::v1::Layer* layer = to->add_layer();
     layer->set_source("image");
     layer->set_target(texture->friction ? "dynamic-friction" : "height");
     layer->set_strength(texture->strength);
     layer->set_size(texture->size);
-    v1::Image* image = layer->mutable_image();
+    tactum::v1::Image* image = layer->mutable_image();
     image->set_width(texture->width);
     image->set_height(texture->height);
     for (const float value : texture->values) {
@@ -90,7 +90,7 @@ void write(v1::SetLayers* to, const std::shared_ptr<const Texture>& texture) {
     }
 }
 
-void write(v1::SetJoint* to, const Joint& joint) {
+void write(tactum::v1::SetJoint* to, const Joint& joint) {
     constexpr double kEndless = 1e29;
     if (joint.kind == Joint::Loose) return;
     to->set_kind(joint.kind == Joint::Hinge ? "hinge" : "slider");
@@ -106,7 +106,7 @@ void write(v1::SetJoint* to, const Joint& joint) {
 } // namespace
 
 struct Context::Impl {
-    std::unique_ptr<Link> link; ///< null: nobody hears
+    std::unique_ptr<tactum::Connection> link; ///< null: nobody hears
     std::string fault;
 
     // Models.
@@ -142,7 +142,7 @@ struct Context::Impl {
     Instance instanceOf(const Key& key) {
         return instances.try_emplace(key, Instance(instances.size() + 1)).first->second;
     }
-    bool add(v1::Transaction& transaction, const Wanted& one);
+    bool add(tactum::v1::Transaction& transaction, const Wanted& one);
     bool addAll(std::map<Key, Kept>& now);
     bool change(std::map<Key, Kept>& now);
 };
@@ -166,7 +166,9 @@ bool isAnother(const Wanted& a, const Wanted& b) {
 
 Context::Context(const std::string& target, const std::string& name, const Options& options)
     : impl_(std::make_unique<Impl>()) {
-    impl_->link = std::make_unique<Link>(target, name, options);
+    impl_->link = std::make_unique<tactum::Connection>(
+        target, name,
+        tactum::ConnectionOptions{options.certificate, options.token, options.stateRate, options.patience});
     if (!impl_->link->open()) impl_->fail(impl_->link->fault());
     makeCurrent(*this);
 }
@@ -338,11 +340,11 @@ Instance callList(List list) {
 }
 
 /// The mesh of one, and an edit that adds it.
-bool Context::Impl::add(v1::Transaction& transaction, const Wanted& one) {
+bool Context::Impl::add(tactum::v1::Transaction& transaction, const Wanted& one) {
     const Model& model = lists[one.list];
     MeshBytes mesh = bytesOf(model, one.scale);
-    v1::UploadHead head;
-    v1::MeshHead* about = head.mutable_mesh();
+    tactum::v1::UploadHead head;
+    tactum::v1::MeshHead* about = head.mutable_mesh();
     about->set_positions(mesh.positions);
     about->set_triangles(mesh.triangles);
     about->set_doubles(true);
@@ -350,7 +352,7 @@ bool Context::Impl::add(v1::Transaction& transaction, const Wanted& one) {
     about->set_uvs(model.uvs);
     std::uint64_t number = 0;
     if (!done(link->upload(head, mesh.bytes, number))) return false;
-    v1::AddUpload* to = transaction.add_edit()->mutable_add();
+    tactum::v1::AddUpload* to = transaction.add_edit()->mutable_add();
     to->set_upload(number);
     to->set_hidden(true); // until its material is known
     to->set_name("list " + std::to_string(one.list));
@@ -360,7 +362,7 @@ bool Context::Impl::add(v1::Transaction& transaction, const Wanted& one) {
 
 /// What the last frame did not have: the server gives their numbers.
 bool Context::Impl::addAll(std::map<Key, Kept>& now) {
-    v1::Transaction transaction;
+    tactum::v1::Transaction transaction;
     std::vector<Key> keys;
     for (const auto& [key, one] : wanted) {
         const auto before = kept.find(key);
@@ -369,7 +371,7 @@ bool Context::Impl::addAll(std::map<Key, Kept>& now) {
         keys.push_back(key);
     }
     if (keys.empty()) return true;
-    v1::Applied applied;
+    tactum::v1::Applied applied;
     if (!done(link->apply(transaction, applied))) return false;
     if (std::size_t(applied.added_size()) != keys.size()) return done("the server added something else");
     for (std::size_t i = 0; i < keys.size(); ++i)
@@ -379,7 +381,7 @@ bool Context::Impl::addAll(std::map<Key, Kept>& now) {
 
 /// Everything else in one transaction.
 bool Context::Impl::change(std::map<Key, Kept>& now) {
-    v1::Transaction transaction;
+    tactum::v1::Transaction transaction;
     for (const auto& [key, before] : kept)
         if (const auto found = now.find(key); found == now.end() || found->second.object != before.object)
             transaction.add_edit()->set_remove(before.object);
@@ -387,30 +389,30 @@ bool Context::Impl::change(std::map<Key, Kept>& now) {
         const Wanted& want = wanted.at(key);
         const bool isNew = one.as.list == 0;
         if (isNew || !(want.feel == one.as.feel)) {
-            v1::SetMaterial* material = transaction.add_edit()->mutable_material();
+            tactum::v1::SetMaterial* material = transaction.add_edit()->mutable_material();
             material->mutable_where()->set_object(one.object);
             write(material, want.feel);
         }
         if (isNew ? want.feel.texture != nullptr : want.feel.texture != one.as.feel.texture) {
-            v1::SetLayers* layers = transaction.add_edit()->mutable_layers();
+            tactum::v1::SetLayers* layers = transaction.add_edit()->mutable_layers();
             layers->mutable_where()->set_object(one.object);
             write(layers, want.feel.texture);
         }
         if (isNew && want.mass > 0) {
-            v1::SetBody* body = transaction.add_edit()->mutable_body();
+            tactum::v1::SetBody* body = transaction.add_edit()->mutable_body();
             body->set_object(one.object);
             body->set_mass(want.mass);
-            v1::SetJoint* hold = transaction.add_edit()->mutable_joint();
+            tactum::v1::SetJoint* hold = transaction.add_edit()->mutable_joint();
             hold->set_object(one.object);
             write(hold, want.joint);
         }
         if (isNew) {
-            v1::SetVisible* visible = transaction.add_edit()->mutable_visible();
+            tactum::v1::SetVisible* visible = transaction.add_edit()->mutable_visible();
             visible->set_object(one.object);
             visible->set_visible(true);
         }
         if (!isNew && want.mass == 0 && !same(want.place, one.as.place)) {
-            v1::SetPose* pose = transaction.add_edit()->mutable_pose();
+            tactum::v1::SetPose* pose = transaction.add_edit()->mutable_pose();
             pose->set_object(one.object);
             write(pose->mutable_pose(), want.place);
         }
@@ -418,7 +420,7 @@ bool Context::Impl::change(std::map<Key, Kept>& now) {
     }
     if (gravity) write(transaction.add_edit()->mutable_gravity(), *gravity);
     if (radius) transaction.add_edit()->set_proxy_radius(*radius);
-    v1::Applied applied;
+    tactum::v1::Applied applied;
     if (transaction.edit_size() > 0 && !done(link->apply(transaction, applied))) return false;
     gravity.reset();
     radius.reset();
@@ -446,30 +448,31 @@ bool endFrame() {
 
 namespace {
 
-bool order(v1::OrderRequest& request) {
+bool order(tactum::v1::OrderRequest& request) {
     Context::Impl& c = context();
-    return c.link && c.done(c.link->order(request));
+    tactum::v1::OrderReply reply;
+    return c.link && c.done(c.link->order(request, reply));
 }
 
 } // namespace
 
 bool arm(bool on) {
-    v1::OrderRequest request;
+    tactum::v1::OrderRequest request;
     request.set_arm(on);
     return order(request);
 }
 bool stop() {
-    v1::OrderRequest request;
+    tactum::v1::OrderRequest request;
     request.mutable_stop();
     return order(request);
 }
 void push(double x, double y, double z) {
-    v1::Word word;
+    tactum::v1::Word word;
     write(word.mutable_push()->mutable_force(), Vec{x, y, z});
     if (context().link) context().link->say(word);
 }
 bool leadHand(double x, double y, double z) {
-    v1::OrderRequest request;
+    tactum::v1::OrderRequest request;
     write(request.mutable_hand(), Vec{x, y, z});
     return order(request);
 }
@@ -479,7 +482,7 @@ bool leadHand(double x, double y, double z) {
 State state() {
     State out;
     if (!context().link) return out;
-    const v1::State state = context().link->state();
+    const tactum::v1::State state = context().link->state();
     out.number = state.number();
     out.revision = state.revision();
     out.finger = vecOf(state.finger());
@@ -498,10 +501,10 @@ bool placeOf(Instance instance, Place& place) {
     std::uint32_t object = 0;
     for (const auto& [key, one] : c.kept)
         if (c.instances.at(key) == instance) object = one.object;
-    const v1::State state = c.link->state();
-    for (const v1::Placed& body : state.body()) {
+    const tactum::v1::State state = c.link->state();
+    for (const tactum::v1::Placed& body : state.body()) {
         if (object == 0 || body.object() != object) continue;
-        const v1::Rotation& turn = body.pose().rotation();
+        const tactum::v1::Rotation& turn = body.pose().rotation();
         place = {vecOf(body.pose().position()), {turn.w(), turn.x(), turn.y(), turn.z()}};
         return true;
     }
@@ -510,7 +513,7 @@ bool placeOf(Instance instance, Place& place) {
 
 bool nextEvent(Event& event) {
     Context::Impl& c = context();
-    v1::Event told;
+    tactum::v1::Event told;
     if (!c.link || !c.link->nextEvent(told)) return false;
     event = {Event::Kind(told.kind()), 0, told.button(), told.text(), told.detent()};
     for (const auto& [key, one] : c.kept)

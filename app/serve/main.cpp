@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/import/import_scene.h"
@@ -33,17 +34,6 @@ int fail(const Error& error) {
     return int(error.kind);
 }
 
-/// "[::1]:51270" and "localhost:0" alike.
-bool readListen(const std::string& text, std::string& host, std::uint16_t& port) {
-    const std::size_t colon = text.rfind(':');
-    const auto number = colon == text.npos ? std::nullopt : parseNumber(text.substr(colon + 1));
-    if (!number || *number < 0 || *number > 65535 || *number != std::uint16_t(*number)) return false;
-    host = text.substr(0, colon);
-    if (host.size() > 1 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
-    port = std::uint16_t(*number);
-    return !host.empty();
-}
-
 std::filesystem::path folderOf(const Options& options) {
     return options.credentials.empty() ? credentialsFolder() : options.credentials;
 }
@@ -62,7 +52,7 @@ int makeCertificate(const Options& options) {
 
 Result<ServerSettings> settingsOf(const Options& options) {
     ServerSettings settings;
-    readListen(options.listen, settings.host, settings.port);
+    if (const auto at = hostPortOf(options.listen)) settings.host = at->host, settings.port = at->port;
     settings.service.pushLimit = options.outsideForce;
     if (isLoopback(settings.host) && options.credentials.empty()) return settings;
     auto credentials = loadCredentials(folderOf(options));
@@ -118,9 +108,7 @@ void addOptions(CLI::App& program, Options& options) {
         .add_option_function<std::string>(
             "--listen",
             [&](const std::string& text) {
-                std::string host;
-                std::uint16_t port = 0;
-                if (!readListen(text, host, port))
+                if (!hostPortOf(text))
                     throw CLI::ValidationError("--listen",
                                                "'" + text + "' is not HOST:PORT, as in " + kListen);
                 options.listen = text;

@@ -10,8 +10,8 @@
 namespace tactum {
 namespace {
 
-constexpr double kLeastRate = 0.1, kMostRate = 1000; // Hz
-constexpr std::size_t kMostEvents = 256;
+constexpr double kLeastRate = 0.1, kMostRate = 1000;        // Hz
+constexpr std::size_t kMostEvents = 256, kMostTrace = 4096; // ticks of the servo
 constexpr std::int64_t kBeat = std::int64_t(1e9 * kHeartbeat);
 
 } // namespace
@@ -36,6 +36,7 @@ void Attendant::begin() {
     if (!welcome) return end(statusOf(welcome.error()));
     client_ = welcome->id;
     bodies_ = word_.bodies();
+    telemetry_ = word_.telemetry();
     v1::Welcome& to = *news_.mutable_welcome();
     to.set_key(welcome->key);
     to.set_server(service_.settings().name);
@@ -53,6 +54,7 @@ void Attendant::hear() {
     if (const double rate = word_.state_rate(); std::isfinite(rate) && rate != 0)
         rate_ = rate < 0 ? 0 : std::clamp(rate, kLeastRate, kMostRate);
     if (word_.has_push()) push();
+    if (word_.has_hand()) lead();
     if (word_.seen() > seen_ && word_.seen() <= sent_) {
         seen_ = word_.seen();
         const double trip = 1e-9 * double(monotonicNanoseconds() - sentAt_[seen_ % sentAt_.size()]);
@@ -66,6 +68,13 @@ void Attendant::push() {
     if (!force) return;
     const double size = force->norm(), limit = service_.settings().pushLimit;
     service_.stage().push(client_, size > limit ? Vec3(limit / size * *force) : *force);
+}
+
+/// What cannot be led is left alone.
+void Attendant::lead() {
+    const v1::HandGoal& goal = word_.hand();
+    if (const auto to = vectorOf(goal.position()))
+        (void)service_.stage().leadHand(client_, {*to, goal.jumps(), goal.number(), goal.held()});
 }
 
 /// How many states may be under way: as many as fit into a round trip, and one.
@@ -90,9 +99,17 @@ void Attendant::tell(const StageState& state, std::span<const StageEvent> events
         else
             lostEvents_ = true;
     }
+    if (telemetry_) {
+        trace_.insert(trace_.end(), state.engine.trace.begin(), state.engine.trace.end());
+        if (trace_.size() > kMostTrace) trace_.erase(trace_.begin(), trace_.end() - kMostTrace);
+    }
     if (writing_) return;
     const bool due = mayState(state.at);
-    if (due) state_ = state;
+    if (due) {
+        state_ = state;
+        state_.engine.trace.assign(trace_.begin(), trace_.end());
+        trace_.clear();
+    }
     write(due);
 }
 
@@ -108,6 +125,8 @@ void Attendant::write(bool stateIsNew) {
         lostEvents_ = false;
     } else if (stateIsNew) {
         tactum::write(*news_.mutable_state(), state_, bodies_);
+        news_.mutable_state()->set_pen(state_.pen == client_);
+        if (telemetry_) news_.mutable_state()->set_telemetry(bytesOf(state_.engine));
         news_.mutable_state()->set_number(++sent_);
         sentAt_[sent_ % sentAt_.size()] = now;
         lastState_ = now;

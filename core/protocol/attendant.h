@@ -27,6 +27,7 @@ private:
     void begin();
     void hear();
     void push();
+    void lead();
     void end(const grpc::Status& status);
     void write(bool stateIsNew);
     bool mayState(std::int64_t now) const;
@@ -37,11 +38,12 @@ private:
     v1::Word word_;    ///< of gRPC while it reads
     v1::News news_;    ///< of gRPC while it writes
     ClientId client_ = 0;
-    bool writing_ = false, ended_ = false, bodies_ = false;
+    bool writing_ = false, ended_ = false, bodies_ = false, telemetry_ = false;
     double rate_ = 60; ///< Hz
     std::deque<StageEvent> events_;
     bool lostEvents_ = false;
     StageState state_;
+    std::deque<TracePoint> trace_; ///< of a window, that was not sent yet
     std::uint64_t sent_ = 0, seen_ = 0;
     std::array<std::int64_t, 64> sentAt_{}; ///< ns, by the number of the state
     double roundTrip_ = 0;                  ///< s

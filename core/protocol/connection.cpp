@@ -1,8 +1,8 @@
-#include "app/hl/link.h"
+#include "core/protocol/connection.h"
 
 #include <algorithm>
 
-namespace hl {
+namespace tactum {
 namespace {
 
 constexpr auto kBeat = std::chrono::milliseconds(200); // a heartbeat each 250 ms is what the server wants
@@ -23,7 +23,7 @@ private:
     std::string token_;
 };
 
-std::shared_ptr<grpc::ChannelCredentials> credentialsOf(const Options& options) {
+std::shared_ptr<grpc::ChannelCredentials> credentialsOf(const ConnectionOptions& options) {
     if (options.certificate.empty()) return grpc::InsecureChannelCredentials();
     grpc::SslCredentialsOptions ssl;
     ssl.pem_root_certs = options.certificate;
@@ -39,8 +39,31 @@ std::string sentenceOf(const grpc::Status& status) {
 
 } // namespace
 
+/// One that ends when the connection does.
+class Connection::Call {
+public:
+    explicit Call(Connection& by) : by_(by) {
+        const std::lock_guard lock(by.mutex_);
+        key = by.key_;
+        by.calls_.insert(&context);
+        if (by.leaving_) context.TryCancel();
+    }
+    ~Call() {
+        const std::lock_guard lock(by_.mutex_);
+        by_.calls_.erase(&context);
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+    grpc::ClientContext context;
+    std::string key;
+
+private:
+    Connection& by_;
+};
+
 // Channels that share nothing: an upload never holds up what is said meanwhile.
-std::shared_ptr<grpc::Channel> Link::channel() const {
+std::shared_ptr<grpc::Channel> Connection::channel() const {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
     arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
@@ -48,16 +71,18 @@ std::shared_ptr<grpc::Channel> Link::channel() const {
     return grpc::CreateCustomChannel(target_, credentials_, arguments);
 }
 
-Link::Link(const std::string& target, const std::string& name, const Options& options)
-    : target_(target), credentials_(credentialsOf(options)), stub_(v1::Haptics::NewStub(channel())),
-      uploads_(v1::Haptics::NewStub(channel())) {
+Connection::Connection(const std::string& target, const std::string& name, const ConnectionOptions& options)
+    : target_(target), heardBy_(options.heard), credentials_(credentialsOf(options)),
+      stub_(v1::Haptics::NewStub(channel())), uploads_(v1::Haptics::NewStub(channel())) {
     context_.set_wait_for_ready(true);
+    context_.set_initial_metadata_corked(true); // else Attend() itself waits for the server, for ever
     call_ = stub_->Attend(&context_);
     v1::Word word;
     word.set_name(name);
     word.set_wants_pen(true);
     word.set_bodies(true);
     word.set_state_rate(options.stateRate);
+    word.set_telemetry(options.telemetry);
     reader_ = std::thread([this] { read(); });
     heart_ = std::thread([this, word] {
         say(word);
@@ -72,28 +97,34 @@ Link::Link(const std::string& target, const std::string& name, const Options& op
     context_.TryCancel();
 }
 
-Link::~Link() {
+void Connection::leave() {
     {
         const std::lock_guard lock(mutex_);
         leaving_ = true;
+        for (grpc::ClientContext* call : calls_)
+            call->TryCancel();
     }
     changed_.notify_all();
     context_.TryCancel();
+}
+
+Connection::~Connection() {
+    leave();
     heart_.join();
     reader_.join();
 }
 
-bool Link::open() const {
+bool Connection::open() const {
     const std::lock_guard lock(mutex_);
     return !key_.empty() && !ended_ && Clock::now() - heard_ < kSilence;
 }
 
-std::string Link::fault() const {
+std::string Connection::fault() const {
     const std::lock_guard lock(mutex_);
     return fault_;
 }
 
-void Link::read() {
+void Connection::read() {
     v1::News news;
     while (call_->Read(&news))
         hear(news);
@@ -104,7 +135,7 @@ void Link::read() {
     changed_.notify_all();
 }
 
-void Link::hear(const v1::News& news) {
+void Connection::hear(const v1::News& news) {
     std::unique_lock lock(mutex_);
     heard_ = Clock::now();
     if (news.has_welcome()) key_ = news.welcome().key();
@@ -112,13 +143,14 @@ void Link::hear(const v1::News& news) {
     if (news.has_state()) state_ = news.state();
     changed_.notify_all();
     lock.unlock();
+    if (heardBy_) heardBy_(news);
     if (!news.has_state()) return;
     v1::Word seen;
     seen.set_seen(news.state().number());
     say(seen);
 }
 
-void Link::beat() {
+void Connection::beat() {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, kBeat, [this] { return leaving_ || ended_; })) {
         lock.unlock();
@@ -127,51 +159,72 @@ void Link::beat() {
     }
 }
 
-void Link::say(const v1::Word& word) {
+void Connection::say(const v1::Word& word) {
     const std::lock_guard lock(writing_);
     call_->Write(word);
 }
 
-std::string Link::apply(v1::Transaction& transaction, v1::Applied& applied) {
-    grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + kLongest);
-    transaction.set_key(key_);
-    return sentenceOf(stub_->Apply(&context, transaction, &applied));
+std::string Connection::apply(v1::Transaction& transaction, v1::Applied& applied) {
+    Call call(*this);
+    call.context.set_deadline(std::chrono::system_clock::now() + kLongest);
+    transaction.set_key(call.key);
+    return sentenceOf(stub_->Apply(&call.context, transaction, &applied));
 }
 
-std::string Link::order(v1::OrderRequest& request) {
-    grpc::ClientContext context;
-    context.set_deadline(std::chrono::system_clock::now() + kLongest);
-    request.set_key(key_);
-    v1::OrderReply reply;
-    return sentenceOf(stub_->Order(&context, request, &reply));
+std::string Connection::order(v1::OrderRequest& request, v1::OrderReply& reply) {
+    Call call(*this);
+    call.context.set_deadline(std::chrono::system_clock::now() + kLongest);
+    request.set_key(call.key);
+    return sentenceOf(stub_->Order(&call.context, request, &reply));
 }
 
-std::string Link::upload(v1::UploadHead head, const std::string& bytes, std::uint64_t& number) {
-    grpc::ClientContext context;
-    auto call = uploads_->Upload(&context);
-    head.set_key(key_);
+std::string Connection::upload(v1::UploadHead head, const std::string& bytes, std::uint64_t& number) {
+    Call call(*this);
+    auto stream = uploads_->Upload(&call.context);
+    head.set_key(call.key);
     head.set_size(bytes.size());
     // What the server says meanwhile is little: it waits until all is written.
     for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
         v1::Piece piece;
         if (at == 0) *piece.mutable_head() = head;
         piece.set_bytes(bytes.substr(at, kPiece));
-        if (!call->Write(piece)) break;
+        if (!stream->Write(piece)) break;
     }
-    call->WritesDone();
+    stream->WritesDone();
     v1::UploadNews news;
-    while (call->Read(&news))
+    while (stream->Read(&news))
         if (news.has_done()) number = news.done().upload();
-    return sentenceOf(call->Finish());
+    return sentenceOf(stream->Finish());
 }
 
-v1::State Link::state() const {
+std::string Connection::fetch(std::string& bytes, std::uint64_t& revision) {
+    Call call(*this);
+    v1::FetchRequest request;
+    request.set_key(call.key);
+    const auto stream = uploads_->Fetch(&call.context, request);
+    bytes.clear();
+    for (v1::SceneBytes piece; stream->Read(&piece); bytes += piece.bytes())
+        if (bytes.empty()) revision = piece.revision();
+    return sentenceOf(stream->Finish());
+}
+
+std::string Connection::record(std::string& bytes) {
+    Call call(*this);
+    v1::RecordRequest request;
+    request.set_key(call.key);
+    const auto stream = uploads_->Record(&call.context, request);
+    bytes.clear();
+    for (v1::RecordBytes piece; stream->Read(&piece);)
+        bytes += piece.bytes();
+    return sentenceOf(stream->Finish());
+}
+
+v1::State Connection::state() const {
     const std::lock_guard lock(mutex_);
     return state_;
 }
 
-bool Link::nextEvent(v1::Event& event) {
+bool Connection::nextEvent(v1::Event& event) {
     const std::lock_guard lock(mutex_);
     if (events_.empty()) return false;
     event = std::move(events_.front());
@@ -179,4 +232,4 @@ bool Link::nextEvent(v1::Event& event) {
     return true;
 }
 
-} // namespace hl
+} // namespace tactum

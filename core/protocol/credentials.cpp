@@ -125,12 +125,15 @@ Result<void> saveCredentials(const Credentials& credentials, const std::filesyst
     return writeFileAtomically(folder / "certificate.pem", credentials.certificate, 0);
 }
 
-Result<Credentials> loadCredentials(const std::filesystem::path& folder) {
+namespace {
+
+Result<Credentials> load(const std::filesystem::path& folder, bool withKey) {
     constexpr std::size_t kDigits = 32;
     Credentials credentials;
     for (const auto& [name, text] : {std::pair{"certificate.pem", &credentials.certificate},
-                                     {"key.pem", &credentials.key},
+                                     {"key.pem", withKey ? &credentials.key : nullptr},
                                      {"token", &credentials.token}}) {
+        if (!text) continue;
         auto content = contentOf(folder / name);
         if (!content) return tl::unexpected(content.error());
         *text = std::move(*content);
@@ -147,6 +150,15 @@ Result<Credentials> loadCredentials(const std::filesystem::path& folder) {
             return inputError(path.string() + ": others may read it; chmod 600 it, or make it anew");
     }
     return credentials;
+}
+
+} // namespace
+
+Result<Credentials> loadCredentials(const std::filesystem::path& folder) {
+    return load(folder, true);
+}
+Result<Credentials> loadClientCredentials(const std::filesystem::path& folder) {
+    return load(folder, false);
 }
 
 std::filesystem::path credentialsFolder() {

@@ -25,6 +25,8 @@ Result<Credentials> makeCredentials(const std::vector<std::string>& names);
 Result<void> saveCredentials(const Credentials& credentials, const std::filesystem::path& folder);
 /// Errors: one of them is missing, a key that others may read, a token that is none.
 Result<Credentials> loadCredentials(const std::filesystem::path& folder);
+/// The same for a client, who has no key.
+Result<Credentials> loadClientCredentials(const std::filesystem::path& folder);
 
 /// ~/.config/Tactum/server, or below XDG_CONFIG_HOME; empty where there is neither.
 std::filesystem::path credentialsFolder();

@@ -207,7 +207,7 @@ void setPose(Scene& scene, const v1::SetPose& set) {
     object.pose = pose;
 }
 
-void makeEdit(Scene& scene, const v1::Edit& edit, const UploadOf& uploadOf) {
+void makeEdit(Scene& scene, const v1::Edit& edit, const UploadOf& uploadOf, SceneParts& parts) {
     switch (edit.what_case()) {
     case v1::Edit::kAdd:
         return addUpload(scene, edit.add(), uploadOf);
@@ -237,6 +237,9 @@ void makeEdit(Scene& scene, const v1::Edit& edit, const UploadOf& uploadOf) {
     case v1::Edit::kClear:
         scene = Scene{};
         return;
+    case v1::Edit::kScene:
+        scene = valueOr(parts.read(edit.scene(), scene));
+        return;
     case v1::Edit::WHAT_NOT_SET:
         break;
     }
@@ -263,13 +266,26 @@ Result<Pose> poseOf(const v1::Pose& pose) {
     return made;
 }
 
+Result<Workspace> workspaceOf(const v1::Workspace& workspace) {
+    const auto offset = vectorOf(workspace.offset());
+    if (!offset) return tl::unexpected(offset.error());
+    if (workspace.axis_size() != 3) return inputError("a workspace has three axes");
+    Workspace made{.scale = workspace.scale(), .offset = *offset, .clutch = workspace.clutch()};
+    for (int i = 0; i < 3; ++i)
+        made.axes[std::size_t(i)] =
+            std::int8_t(std::clamp(workspace.axis(i), -4, 4)); // 4 is none, and is refused
+    made.bump = workspace.bump();
+    made.centring = workspace.centring();
+    return checkWorkspace(made).map([&] { return made; });
+}
+
 Result<void> makeEdits(Scene& scene, const google::protobuf::RepeatedPtrField<v1::Edit>& edits,
-                       const UploadOf& uploadOf) {
+                       const UploadOf& uploadOf, SceneParts& parts) {
     int place = 0;
     try {
         for (const v1::Edit& edit : edits) {
             ++place;
-            makeEdit(scene, edit, uploadOf);
+            makeEdit(scene, edit, uploadOf, parts);
         }
         return {};
     } catch (const Refused& refused) {

@@ -47,21 +47,24 @@ void write(v1::SurfaceDescription* to, const Surface& surface) {
 void write(v1::State& to, const StageState& state, bool bodies) {
     to.set_time_ns(state.at);
     to.set_revision(state.revision);
-    write(to.mutable_finger(), state.servo.finger);
-    write(to.mutable_proxy(), state.output.proxy);
-    write(to.mutable_force(), state.servo.force);
-    to.set_contacts(std::uint32_t(std::max(0, state.output.contacts)));
+    write(to.mutable_finger(), state.engine.servo.finger);
+    write(to.mutable_proxy(), state.engine.proxy.output.proxy);
+    write(to.mutable_force(), state.engine.servo.force);
+    to.set_contacts(std::uint32_t(std::max(0, state.engine.proxy.output.contacts)));
     for (std::size_t i = 0; i < state.objects.size(); ++i)
-        write(to.add_contact(), state.output.contact[i], state.objects[i]);
-    to.set_buttons(state.servo.buttons);
-    to.set_armed(state.armed);
-    to.set_gain(state.servo.gain);
-    if (state.servo.inhibit != InhibitReason::Nothing) to.set_why(inhibitWords(state.servo.inhibit).brief);
-    to.set_proxy_rate(state.proxyRate);
-    to.set_servo_rate(state.servo.rate);
-    to.set_ticks(state.servo.ticks);
-    to.set_missed(state.servo.misses);
-    to.set_machine_missed(state.servo.machineMisses);
+        write(to.add_contact(), state.engine.proxy.output.contact[i], state.objects[i]);
+    to.set_buttons(state.engine.servo.buttons);
+    to.set_armed(state.engine.armed);
+    to.set_gain(state.engine.servo.gain);
+    if (state.engine.servo.inhibit != InhibitReason::Nothing)
+        to.set_why(inhibitWords(state.engine.servo.inhibit).brief);
+    to.set_proxy_rate(state.engine.proxy.rate);
+    to.set_servo_rate(state.engine.servo.rate);
+    to.set_ticks(state.engine.servo.ticks);
+    to.set_missed(state.engine.servo.misses);
+    to.set_machine_missed(state.engine.servo.machineMisses);
+    to.set_attending(std::uint32_t(state.attending));
+    to.set_pen_holder(state.penHolder);
     if (!bodies) return;
     for (const PlacedObject& placed : state.bodies) {
         v1::Placed* body = to.add_body();

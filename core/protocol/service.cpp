@@ -9,7 +9,10 @@
 #include "core/haptics/replay.h"
 #include "core/protocol/attendant.h"
 #include "core/protocol/edits.h"
+#include "core/protocol/pieces.h"
 #include "core/protocol/replies.h"
+#include "core/recording/recording_file.h"
+#include "core/scene/scene_bytes.h"
 
 namespace tactum {
 namespace {
@@ -30,7 +33,10 @@ template <class Work> auto withinMemory(Work work) -> decltype(work()) {
 class UploadCall final : public grpc::ServerBidiReactor<v1::Piece, v1::UploadNews> {
 public:
     UploadCall(HapticsService& service, Workers& workers)
-        : service_(service), workers_(workers), incoming_(service.uploads()) {
+        : service_(service), workers_(workers),
+          incoming_(service.uploads(), [&service](std::string_view bytes) {
+              return service.parts().read(bytes, *service.stage().scenery().scene);
+          }) {
         StartRead(&piece_);
     }
 
@@ -243,8 +249,9 @@ grpc::ServerUnaryReactor* HapticsService::Apply(grpc::CallbackServerContext* con
         if (who == 0) return reactor->Finish(kUnknown);
         const auto uploadOf = [&](std::uint64_t number) { return uploads_.find(who, number); };
         const auto done = withinMemory([&] {
-            return stage_.change(who, request->base(),
-                                 [&](Scene& scene) { return makeEdits(scene, request->edit(), uploadOf); });
+            return stage_.change(who, request->base(), [&](Scene& scene) {
+                return makeEdits(scene, request->edit(), uploadOf, parts_);
+            });
         });
         if (!done) return reactor->Finish(statusOf(done.error()));
         reply->set_revision(done->revision);
@@ -272,9 +279,27 @@ Result<void> HapticsService::obey(ClientId who, const v1::OrderRequest& request)
         return stage_.order(who, [](Engine& engine) { engine.beginBodies(); });
     case Request::kRestart:
         return stage_.order(who, [](Engine& engine) { engine.restartProxy(); });
+    case Request::kStep:
+        return stage_.order(who, [](Engine& engine) { engine.stepBodies(); });
+    case Request::kFade:
+        return stage_.order(who, [](Engine& engine) { engine.fade(); });
+    case Request::kDeadMan:
+        return stage_.order(who, [&](Engine& engine) { engine.setDeadMan(request.dead_man()); });
+    case Request::kOverrideCeiling:
+        return stage_.order(who,
+                            [&](Engine& engine) { engine.setOverrideCeiling(request.override_ceiling()); });
+    case Request::kGrasped:
+        return stage_.order(who, [&](Engine& engine) { engine.setGrasped(request.grasped()); });
+    case Request::kWorkspace: {
+        const auto workspace = workspaceOf(request.workspace());
+        if (!workspace) return tl::unexpected(workspace.error());
+        Result<void> set;
+        return stage_.order(who, [&](Engine& engine) { set = engine.setWorkspace(*workspace); })
+            .and_then([&] { return set; });
+    }
     case Request::kHand: {
         const auto to = vectorOf(request.hand());
-        return to ? stage_.leadHand(who, *to) : Result<void>(tl::unexpected(to.error()));
+        return to ? stage_.leadHand(who, {.position = *to}) : Result<void>(tl::unexpected(to.error()));
     }
     default:
         return inputError("says nothing that this server knows: is the client newer?");
@@ -315,6 +340,24 @@ grpc::ServerUnaryReactor* HapticsService::Describe(grpc::CallbackServerContext* 
 
 grpc::ServerBidiReactor<v1::Piece, v1::UploadNews>* HapticsService::Upload(grpc::CallbackServerContext*) {
     return new UploadCall(*this, slow_);
+}
+
+grpc::ServerWriteReactor<v1::SceneBytes>* HapticsService::Fetch(grpc::CallbackServerContext*,
+                                                                const v1::FetchRequest* request) {
+    if (stage_.whoHas(request->key()) == 0) return new Pieces<v1::SceneBytes>(kUnknown);
+    return new Pieces<v1::SceneBytes>(slow_, [this](v1::SceneBytes& first) {
+        const auto scenery = stage_.scenery();
+        first.set_revision(scenery.revision);
+        return bytesOf(withoutKept(*scenery.scene));
+    });
+}
+
+grpc::ServerWriteReactor<v1::RecordBytes>* HapticsService::Record(grpc::CallbackServerContext*,
+                                                                  const v1::RecordRequest* request) {
+    if (stage_.whoHas(request->key()) == 0) return new Pieces<v1::RecordBytes>(kUnknown);
+    return new Pieces<v1::RecordBytes>(slow_, [this](v1::RecordBytes&) {
+        return recordingBytes({stage_.recorded(), "A client asked for it.", {}});
+    });
 }
 
 grpc::ServerWriteReactor<v1::ReplayRows>* HapticsService::Replay(grpc::CallbackServerContext*,

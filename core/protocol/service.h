@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/protocol/messages.h"
+#include "core/protocol/scene_pieces.h"
 #include "core/protocol/uploads.h"
 #include "core/protocol/workers.h"
 #include "core/session/stage.h"
@@ -38,9 +39,14 @@ public:
     grpc::ServerBidiReactor<v1::Piece, v1::UploadNews>* Upload(grpc::CallbackServerContext* context) override;
     grpc::ServerWriteReactor<v1::ReplayRows>* Replay(grpc::CallbackServerContext* context,
                                                      const v1::ReplayRequest* request) override;
+    grpc::ServerWriteReactor<v1::SceneBytes>* Fetch(grpc::CallbackServerContext* context,
+                                                    const v1::FetchRequest* request) override;
+    grpc::ServerWriteReactor<v1::RecordBytes>* Record(grpc::CallbackServerContext* context,
+                                                      const v1::RecordRequest* request) override;
 
     Stage& stage() { return stage_; }
     Uploads& uploads() { return uploads_; }
+    SceneParts& parts() { return parts_; }
     const ServiceSettings& settings() const { return settings_; }
     /// Of an attendant that is about to end.
     void forget(Attendant* attendant);
@@ -51,6 +57,7 @@ private:
     Stage& stage_;
     ServiceSettings settings_;
     Uploads uploads_;
+    SceneParts parts_;
     std::mutex mutex_;
     std::vector<Attendant*> attendants_;
     Workers quick_{1}, slow_{2}; ///< last: they end first

@@ -131,7 +131,7 @@ Result<void> Incoming::begin(const v1::UploadHead& head) {
     if (head.size() == 0 || head.size() > uploads_.limits_.one)
         return inputError("an upload has from 1 to " + std::to_string(uploads_.limits_.one) + " bytes");
     if (head.what_case() == v1::UploadHead::WHAT_NOT_SET)
-        return inputError("an upload is a file or a mesh: its head has to say which");
+        return inputError("an upload is a file, a mesh or a scene: its head has to say which");
     if (head.has_file() && !isReadable(safeName(head.file())))
         return inputError(inQuotes(head.file()) + " has no ending that can be read");
     head_ = head;
@@ -152,6 +152,8 @@ Result<void> Incoming::add(std::string_view bytes) {
 Result<LoadedScene> Incoming::read(const Progress& progress) {
     if (!complete()) return inputError("the upload ended before it was complete");
     if (head_.has_file()) return readFile(head_.file(), bytes_, progress);
+    if (head_.scene())
+        return sceneOf_(bytes_).map([](Scene&& scene) { return LoadedScene{std::move(scene), {}, true}; });
     auto soup = meshOf(head_.mesh(), bytes_);
     if (!soup) return tl::unexpected(soup.error());
     const std::size_t surfaces = std::max<std::size_t>(head_.mesh().surface_count(), 1);

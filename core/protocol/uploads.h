@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -49,7 +50,10 @@ private:
 /// One upload as it comes in. Its memory is what has come, whatever its head says. Thread: one at a time.
 class Incoming {
 public:
-    explicit Incoming(Uploads& uploads) : uploads_(uploads) {}
+    /// What SceneParts::read() makes of the bytes of a scene.
+    using SceneOf = std::function<Result<Scene>(std::string_view)>;
+
+    Incoming(Uploads& uploads, SceneOf sceneOf) : uploads_(uploads), sceneOf_(std::move(sceneOf)) {}
     ~Incoming();
     Incoming(const Incoming&) = delete;
     Incoming& operator=(const Incoming&) = delete;
@@ -64,6 +68,7 @@ public:
 
 private:
     Uploads& uploads_;
+    SceneOf sceneOf_;
     v1::UploadHead head_;
     std::string bytes_;
 };

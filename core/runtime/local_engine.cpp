@@ -1,4 +1,4 @@
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 
 #include <algorithm>
 #include <cstring>
@@ -72,7 +72,7 @@ struct PastScene {
 
 } // namespace
 
-struct Engine::Impl {
+struct LocalEngine::Impl {
     std::unique_ptr<HapticDevice> device;
     DeviceInfo info;
     std::shared_ptr<Channels> channels; ///< fresh at every start
@@ -108,7 +108,7 @@ struct Engine::Impl {
 };
 
 // A device that start() will refuse has nothing to record.
-void Engine::Impl::freshChannels() {
+void LocalEngine::Impl::freshChannels() {
     const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
     channels = std::make_shared<Channels>(rate, kUpdatesPerTick * rate);
     channels->workspace.write(workspace);
@@ -121,13 +121,13 @@ void Engine::Impl::freshChannels() {
     if (!kept.empty()) remember(*kept.back());
 }
 
-void Engine::Impl::askForButton() {
+void LocalEngine::Impl::askForButton() {
     constexpr int kMax = 31;
     const std::uint32_t all = (std::uint32_t(1) << std::clamp(info.buttons, 0, kMax)) - 1;
     channels->deadMan.store(deadMan ? all : 0, std::memory_order_relaxed);
 }
 
-void Engine::Impl::remember(const World& world) {
+void LocalEngine::Impl::remember(const World& world) {
     const double now = channels->recorder.now();
     if (!past.empty()) past.back().until = now;
     past.push_back({0, {numbersOf(world), world.scene}});
@@ -136,7 +136,7 @@ void Engine::Impl::remember(const World& world) {
         past.pop_front();
 }
 
-Result<void> Engine::Impl::startLoops() {
+Result<void> LocalEngine::Impl::startLoops() {
     return servoThread
         .start("tactum-servo", kServoPriority,
                [this] { servoLoop(*channels, *device, info, motors, watchdog); })
@@ -148,7 +148,7 @@ Result<void> Engine::Impl::startLoops() {
 }
 
 /// False: the servo has not come back, and may use device, channels and device watchdog whenever it does.
-bool Engine::Impl::endLoops() {
+bool LocalEngine::Impl::endLoops() {
     channels->stop.store(true, std::memory_order_relaxed);
     proxyThread.join();
     if (!servoThread.joinWithin(kExchangePatience)) {
@@ -162,7 +162,7 @@ bool Engine::Impl::endLoops() {
 }
 
 /// Makes the newest World the next that the proxy loop takes. One that it never took is released at once.
-void Engine::Impl::handOver() {
+void LocalEngine::Impl::handOver() {
     if (kept.empty()) return;
     publishedAfter = channels->proxyTelemetry.read().updates;
     if (const World* skipped = channels->worldIn.exchange(kept.back().get(), std::memory_order_acq_rel))
@@ -170,29 +170,29 @@ void Engine::Impl::handOver() {
 }
 
 /// Drops one reference; the same World may have been published twice.
-void Engine::Impl::release(const World* world) {
+void LocalEngine::Impl::release(const World* world) {
     const auto found = std::find_if(kept.begin(), kept.end(),
                                     [world](const auto& candidate) { return candidate.get() == world; });
     if (found != kept.end()) kept.erase(found);
 }
 
-void Engine::Impl::releaseRetired() {
+void LocalEngine::Impl::releaseRetired() {
     const World* retired = nullptr;
     while (channels->worldOut.pop(retired))
         release(retired);
 }
 
-Engine::Engine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Impl>()) {
+LocalEngine::LocalEngine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Impl>()) {
     impl_->device = std::move(device);
     impl_->info = impl_->device->info();
     impl_->freshChannels();
 }
 
-Engine::~Engine() {
+LocalEngine::~LocalEngine() {
     (void)stop();
 }
 
-Result<void> Engine::start() {
+Result<void> LocalEngine::start() {
     assertNotRealtime();
     if (impl_->running) return {};
     if (Result<void> opened = impl_->device->open(); !opened) return opened;
@@ -219,7 +219,7 @@ Result<void> Engine::start() {
     return {};
 }
 
-Result<void> Engine::stop() {
+Result<void> LocalEngine::stop() {
     assertNotRealtime();
     if (!impl_->running) return {};
     impl_->awake.reset();
@@ -235,7 +235,7 @@ Result<void> Engine::stop() {
 
 /// What the servo may still touch stays as it is until the process ends; what the person decided goes along.
 /// Its device watchdog has stopped the device already, and stays to do so when the program dies.
-void Engine::abandon() {
+void LocalEngine::abandon() {
     impl_->device->emergencyStop();
     impl_->servoThread.abandon();
     auto fresh = std::make_unique<Impl>();
@@ -253,7 +253,7 @@ void Engine::abandon() {
     abandoned.push_back(std::exchange(impl_, std::move(fresh)));
 }
 
-Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
+Result<void> LocalEngine::setDevice(std::unique_ptr<HapticDevice> device) {
     (void)stop(); // whom it concerns stops it first
     impl_->device = std::move(device);
     impl_->info = impl_->device->info();
@@ -262,15 +262,15 @@ Result<void> Engine::setDevice(std::unique_ptr<HapticDevice> device) {
     return start();
 }
 
-std::string Engine::trouble() const {
+std::string LocalEngine::trouble() const {
     return impl_->device->trouble();
 }
 
-std::string Engine::caution() const {
+std::string LocalEngine::caution() const {
     return impl_->device->caution();
 }
 
-Result<void> Engine::setWorkspace(const Workspace& workspace) {
+Result<void> LocalEngine::setWorkspace(const Workspace& workspace) {
     assertNotRealtime();
     if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
     impl_->workspace = workspace;
@@ -278,15 +278,15 @@ Result<void> Engine::setWorkspace(const Workspace& workspace) {
     return {};
 }
 
-const Workspace& Engine::workspace() const {
+const Workspace& LocalEngine::workspace() const {
     return impl_->workspace;
 }
 
-bool Engine::running() const {
+bool LocalEngine::running() const {
     return impl_->running;
 }
 
-void Engine::publish(std::shared_ptr<const World> world) {
+void LocalEngine::publish(std::shared_ptr<const World> world) {
     assertNotRealtime();
     if (!world) return;
     impl_->releaseRetired();
@@ -295,70 +295,70 @@ void Engine::publish(std::shared_ptr<const World> world) {
     impl_->handOver();
 }
 
-std::uint64_t Engine::publishedAfter() const {
+std::uint64_t LocalEngine::publishedAfter() const {
     return impl_->publishedAfter;
 }
 
-void Engine::fade() {
+void LocalEngine::fade() {
     impl_->channels->fading.store(true, std::memory_order_relaxed);
     impl_->channels->armed.store(false, std::memory_order_release);
 }
 
-void Engine::setArmed(bool armed) {
+void LocalEngine::setArmed(bool armed) {
     impl_->channels->fading.store(false, std::memory_order_relaxed);
     impl_->channels->armed.store(armed, std::memory_order_relaxed);
 }
-bool Engine::armed() const {
+bool LocalEngine::armed() const {
     return impl_->channels->armed.load(std::memory_order_relaxed);
 }
 
-void Engine::setDeadMan(bool on) {
+void LocalEngine::setDeadMan(bool on) {
     impl_->deadMan = on;
     impl_->askForButton();
 }
-bool Engine::deadMan() const {
+bool LocalEngine::deadMan() const {
     return impl_->channels->deadMan.load(std::memory_order_relaxed) != 0;
 }
 
-void Engine::setOverrideCeiling(bool on) {
+void LocalEngine::setOverrideCeiling(bool on) {
     impl_->channels->overrideCeiling.store(on, std::memory_order_relaxed);
 }
-bool Engine::overridesCeiling() const {
+bool LocalEngine::overridesCeiling() const {
     return impl_->channels->overrideCeiling.load(std::memory_order_relaxed);
 }
 
-void Engine::push(const Vec3& force) {
+void LocalEngine::push(const Vec3& force) {
     impl_->channels->outside.write({force, monotonicNanoseconds()});
 }
 
 /// A full queue holds the same order already.
-void Engine::setGrasped(bool on) {
+void LocalEngine::setGrasped(bool on) {
     impl_->grasped = on;
     impl_->channels->grasped.store(on, std::memory_order_relaxed);
 }
 
-void Engine::restartProxy() {
+void LocalEngine::restartProxy() {
     impl_->channels->commands.push({EngineCommand::Kind::RestartProxy});
 }
 
-void Engine::setPace(double pace) {
+void LocalEngine::setPace(double pace) {
     impl_->pace = std::clamp(pace, 0.0, 1.0);
     impl_->channels->pace.store(impl_->pace, std::memory_order_relaxed);
 }
 
-double Engine::pace() const {
+double LocalEngine::pace() const {
     return impl_->pace;
 }
 
-void Engine::beginBodies() {
+void LocalEngine::beginBodies() {
     impl_->channels->commands.push({EngineCommand::Kind::BeginBodies});
 }
 
-void Engine::stepBodies() {
+void LocalEngine::stepBodies() {
     impl_->channels->commands.push({EngineCommand::Kind::StepBodies});
 }
 
-void Engine::poll() {
+void LocalEngine::poll() {
     assertNotRealtime();
     impl_->releaseRetired();
     impl_->proxy = impl_->channels->proxyTelemetry.read();
@@ -375,20 +375,20 @@ void Engine::poll() {
     if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
 }
 
-bool Engine::servoStandsStill() const {
+bool LocalEngine::servoStandsStill() const {
     return impl_->running && impl_->servoBeats.still;
 }
 
-const ProxyTelemetry& Engine::proxy() const {
+const ProxyTelemetry& LocalEngine::proxy() const {
     return impl_->proxy;
 }
-const ServoTelemetry& Engine::servo() const {
+const ServoTelemetry& LocalEngine::servo() const {
     return impl_->servo;
 }
-bool Engine::popTrace(TracePoint& point) {
+bool LocalEngine::popTrace(TracePoint& point) {
     return impl_->channels->trace.pop(point);
 }
-RecordedRun Engine::recorded() const {
+RecordedRun LocalEngine::recorded() const {
     assertNotRealtime();
     RecordedRun run = impl_->channels->recorder.copy();
     run.device = impl_->info;
@@ -397,13 +397,13 @@ RecordedRun Engine::recorded() const {
     trim(run);
     return run;
 }
-const DeviceInfo& Engine::device() const {
+const DeviceInfo& LocalEngine::device() const {
     return impl_->info;
 }
-bool Engine::hasRealtimePriority() const {
+bool LocalEngine::hasRealtimePriority() const {
     return impl_->realtime;
 }
-const std::string& Engine::priorityNote() const {
+const std::string& LocalEngine::priorityNote() const {
     return impl_->priorityNote;
 }
 

@@ -23,6 +23,8 @@ enum class InhibitReason : std::uint8_t {
     Stopped,     ///< a button of the device has ended all force
 };
 
+inline constexpr std::size_t kInhibitReasons = std::size_t(InhibitReason::Stopped) + 1;
+
 /// What cannot be true, or must not be: stays until the person arms anew.
 constexpr bool isFault(InhibitReason why) noexcept {
     return why >= InhibitReason::DeviceLost && why <= InhibitReason::Unguarded;

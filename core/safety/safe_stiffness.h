@@ -28,6 +28,7 @@ inline double lateness(const LoopFigures& loop) noexcept {
 }
 
 enum class CeilingReason : std::uint8_t { Damping, SurfaceDamping, Resolution, Hand, Maker };
+inline constexpr std::size_t kCeilingReasons = std::size_t(CeilingReason::Maker) + 1;
 
 struct StiffnessCeiling {
     double value = 0; ///< N/m

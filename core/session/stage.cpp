@@ -226,9 +226,19 @@ void Stage::push(ClientId who, const Vec3& force) {
     if (who != 0 && attendance_.pen() == who) engine_.push(force);
 }
 
-Result<void> Stage::leadHand(ClientId who, const Vec3& to) {
+Result<void> Stage::leadHand(ClientId who, HandGoal goal) {
     if (!hand_) return inputError("only the simulated hand can be led");
-    return order(who, [&](Engine&) { hand_->write({.position = to}); });
+    return order(who, [&](Engine&) {
+        if (goal.teleport && (jump_.who != who || jump_.theirs != goal.sequence))
+            jump_ = {who, goal.sequence, jump_.ours + 1};
+        goal.sequence = jump_.ours;
+        hand_->write(goal);
+    });
+}
+
+RecordedRun Stage::recorded() const {
+    const std::lock_guard lock(mutex_);
+    return engine_.recorded();
 }
 
 bool Stage::armed() const {
@@ -287,15 +297,14 @@ const Stage::Felt* Stage::feltNow(std::uint64_t worldRevision) {
 }
 
 void Stage::fill(StageState& state) {
-    const ProxyTelemetry& proxy = engine_.proxy();
+    report(engine_, state.engine);
+    const ProxyTelemetry& proxy = state.engine.proxy;
     const Felt* felt = feltNow(proxy.worldRevision);
     state.at = monotonicNanoseconds();
     state.revision = felt ? felt->revision : 0;
-    state.output = proxy.output;
-    state.servo = engine_.servo();
-    state.proxyRate = proxy.rate;
-    state.updates = proxy.updates;
-    state.armed = engine_.armed();
+    state.attending = attendance_.count();
+    state.pen = attendance_.pen();
+    state.penHolder = nameOf(state.pen);
     state.objects.clear();
     state.bodies.clear();
     state.detents.clear();
@@ -338,14 +347,14 @@ void Stage::watchDetents(const StageState& state) {
 }
 
 void Stage::watchDevice(const StageState& state) {
-    const std::uint32_t changed = state.servo.buttons ^ buttons_;
+    const std::uint32_t changed = state.engine.servo.buttons ^ buttons_;
     for (std::uint32_t button = 0; button < 32; ++button)
         if (changed >> button & 1)
-            say({.kind = state.servo.buttons >> button & 1 ? Kind::Pressed : Kind::Released,
+            say({.kind = state.engine.servo.buttons >> button & 1 ? Kind::Pressed : Kind::Released,
                  .button = button});
-    buttons_ = state.servo.buttons;
-    if (state.servo.inhibit == why_) return;
-    why_ = state.servo.inhibit;
+    buttons_ = state.engine.servo.buttons;
+    if (state.engine.servo.inhibit == why_) return;
+    why_ = state.engine.servo.inhibit;
     say({.kind = Kind::Force, .text = inhibitWords(why_).brief});
 }
 

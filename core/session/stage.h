@@ -14,7 +14,8 @@
 #include "core/base/progress.h"
 #include "core/haptics/body_places.h"
 #include "core/port/hand_target.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/engine_report.h"
+#include "core/runtime/local_engine.h"
 #include "core/session/attendance.h"
 
 namespace tactum {
@@ -48,14 +49,13 @@ struct StageEvent {
 struct StageState {
     std::int64_t at = 0;        ///< ns of monotonicNanoseconds()
     std::uint64_t revision = 0; ///< of the scene that is felt; 0: of none
-    HapticOutput output;
-    std::vector<ObjectId> objects; ///< of each contact of `output`
+    EngineReport engine;
+    std::vector<ObjectId> objects; ///< of each contact of the proxy's output
     std::vector<PlacedObject> bodies;
     std::vector<AtDetent> detents;
-    ServoTelemetry servo;
-    double proxyRate = 0; ///< Hz
-    std::uint64_t updates = 0;
-    bool armed = false;
+    std::size_t attending = 0;
+    ClientId pen = 0;      ///< who has it; 0: nobody
+    std::string penHolder; ///< its name
 };
 
 /// What a change did.
@@ -120,8 +120,11 @@ public:
     void push(ClientId who, const Vec3& force);
     /// For who has the pen: an order to the engine.
     Result<void> order(ClientId who, const std::function<void(Engine&)>& order);
-    /// For who has the pen: where the simulated hand goes, m in frame D.
-    Result<void> leadHand(ClientId who, const Vec3& to);
+    /// For who has the pen: where the simulated hand goes. A jump is made once for each number that this
+    /// client gives it.
+    Result<void> leadHand(ClientId who, HandGoal goal);
+    /// Engine::recorded().
+    RecordedRun recorded() const;
 
     const DeviceInfo& device() const { return device_; } ///< as it was when the loops started
     bool armed() const;
@@ -149,9 +152,13 @@ private:
 
     mutable std::mutex mutex_; ///< of everything below, the engine too
     std::condition_variable wake_;
-    Engine engine_;
+    LocalEngine engine_;
     DeviceInfo device_;
     std::shared_ptr<HandTarget> hand_;
+    struct Jump {
+        ClientId who = 0;
+        std::uint32_t theirs = 0, ours = 0; ///< its number to the client, and to the hand
+    } jump_;
     Attendance attendance_;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const World> world_;

@@ -24,6 +24,9 @@ private slots:
         QTest::newRow("no scene") << QStringList{"info"};
         QTest::newRow("unknown option") << QStringList{"check", "x.obj", "--nonsense"};
         QTest::newRow("unknown flag without verb") << QStringList{"--nonsense"};
+        QTest::newRow("server without a port") << QStringList{"--connect", "localhost"};
+        QTest::newRow("server of port 0") << QStringList{"--connect", "localhost:0"};
+        QTest::newRow("credentials for nobody") << QStringList{"--credentials", "/tmp"};
         QTest::newRow("not a number") << QStringList{"touch", "x", "--path", "y", "--stiffness", "1,5"};
         QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};
         QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};

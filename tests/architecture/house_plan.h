@@ -36,7 +36,7 @@ inline const std::vector<Room> kRooms{
     {"core/bundle", {"core/haptics", "core/files"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"core/session", {"core/runtime"}},
-    {"core/protocol", {"core/session", "core/import"}},
+    {"core/protocol", {"core/session", "core/recording"}},
     {"device/usb", {"core/base"}},
     {"device/falcon", {"core/port", "core/archive", "device/usb"}},
     {"device/wooden_haptics", {"core/port", "device/usb"}},
@@ -46,7 +46,7 @@ inline const std::vector<Room> kRooms{
     {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets"}},
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
-    {"app", {"ui", "device", "core/runtime", "core/bundle"}},
+    {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol"}},
 };
 
 /// Includes that begin with `prefix` are seen only by files whose path begins with one of `places`.

@@ -14,6 +14,7 @@
 #include "core/protocol/messages.h"
 #include "core/recording/recording_file.h"
 #include "core/scene/finger_path.h"
+#include "core/scene/scene_bytes.h"
 #include "tests/core/files/image_files.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/rare_files.h"
@@ -155,6 +156,34 @@ void addMessages(const Corpus& corpus) {
     }
 }
 
+/// As a window sends it to a server: one of everything, and the same with its parts only named.
+void addSharedScenes(const Corpus& corpus) {
+    auto soup = std::make_shared<TriangleSoup>();
+    soup->positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}};
+    soup->triangles = {{0, 1, 2}};
+    soup->surfaceOf = {0};
+    soup->cornerUvs.assign(3, Eigen::Vector2f(0.5f, 0.5f));
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Image;
+    layer.pattern.image = std::make_shared<const TextureImage>(2, 1, std::vector<std::uint16_t>{1, 65535});
+    layer.mask = TexturePattern{};
+    layer.mask->source = TextureSource::Painted;
+    layer.mask->painted.values = std::make_shared<const PaintedValues>(std::vector<float>{0, 0.5, 1});
+    SceneObject object;
+    object.name = "a";
+    object.geometry = std::move(soup);
+    object.surfaces.resize(1);
+    object.surfaces[0].layers = {layer};
+    RigidBody body;
+    body.id = object.body = 1;
+    Scene scene;
+    scene.add(std::move(object));
+    scene.mechanics.bodies = {body};
+    corpus.add("scene", "whole", bytesOf(scene));
+    corpus.add("scene", "named", bytesOf(scene, KnownParts(scene)));
+    corpus.add("scene", "empty", bytesOf(Scene()));
+}
+
 void addPictures(const Corpus& corpus) {
     const std::vector<std::string> grey(6, "\x40"), deep(6, std::string("\x40\x80")), colour(6, "abc");
     corpus.add("image", "grey.png", asPng(3, 2, grey));
@@ -210,6 +239,7 @@ int main(int argc, char** argv) {
     addMeshes(corpus);
     addScenes(corpus);
     addMessages(corpus);
+    addSharedScenes(corpus);
     addPictures(corpus);
     addPresets(corpus);
     const std::vector<FingerPoint> path{{0, {0, 0, 0}}, {0.001, {1e-3, -2, 0.5}}};

@@ -156,10 +156,20 @@ void makeStrangersEdits(std::string_view bytes) {
     if (bytes.size() > (1 << 20) || !transaction.ParseFromArray(bytes.data(), int(bytes.size()))) return;
     LoadedScene edited = small();
     const auto upload = std::make_shared<const LoadedScene>(small());
-    const auto made = makeEdits(edited.scene, transaction.edit(),
-                                [&](std::uint64_t number) { return number == 1 ? upload : nullptr; });
+    SceneParts parts;
+    const auto made = makeEdits(
+        edited.scene, transaction.edit(),
+        [&](std::uint64_t number) { return number == 1 ? upload : nullptr; }, parts);
     if (!made) return demandOneLine(made.error());
     demandSound(edited);
+}
+
+/// As a window sends it.
+void takeStrangersScene(std::string_view bytes) {
+    SceneParts parts;
+    const auto made = parts.read(bytes, small().scene);
+    if (!made) return demandOneLine(made.error());
+    demandSound({*made, {}, true});
 }
 
 /// Behind a byte that says how long the head is.
@@ -169,7 +179,7 @@ void takeStrangersMesh(std::string_view bytes) {
     v1::UploadHead head;
     if (!head.ParseFromArray(bytes.data() + 1, int(length)) || !head.has_mesh()) return;
     Uploads uploads;
-    Incoming incoming(uploads);
+    Incoming incoming(uploads, {});
     const auto taken = incoming.begin(head).and_then([&] { return incoming.add(bytes.substr(1 + length)); });
     if (!taken) return demandOneLine(taken.error());
     if (!incoming.complete()) return;
@@ -195,6 +205,7 @@ constexpr Target kTargets[] = {
     {"recording", readRun},
     {"edits", makeStrangersEdits},
     {"mesh", takeStrangersMesh},
+    {"scene", takeStrangersScene},
     {"3ds", [](std::string_view bytes) { readRare("a.3ds", bytes); }},
     {"fbx", [](std::string_view bytes) { readRare("a.fbx", bytes); }},
     {"dae", [](std::string_view bytes) { readRare("a.dae", bytes); }},

@@ -21,7 +21,7 @@
 
 #include "core/base/realtime.h"
 #include "core/haptics/compile.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "device/simulated_hand.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/realtime/bumpy_scene.h"
@@ -286,7 +286,7 @@ private slots:
 
     void theRunningEngine() {
         const auto target = std::make_shared<HandTarget>();
-        Engine engine(std::make_unique<SimulatedHand>(target));
+        LocalEngine engine(std::make_unique<SimulatedHand>(target));
         EditedWorlds worlds;
         worlds.edit();
         interposer::reset();

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "core/haptics/compile.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "tests/support/hand.h"
 #include "tests/system/watched_device.h"
 
@@ -64,7 +64,7 @@ extern "C" const char* __ubsan_default_options() {
 int main(int argc, char** argv) {
     Motors* motors = argc == 3 ? mapMotors(argv[1]) : nullptr;
     if (!motors) return 2;
-    Engine engine(std::make_unique<WatchedDevice>(*motors, -0.002));
+    LocalEngine engine(std::make_unique<WatchedDevice>(*motors, -0.002));
     engine.publish(worldOf(sheet(0.1), frictionless(), 1e-3));
     if (!engine.start()) return 3;
     while (motors->push < 1)

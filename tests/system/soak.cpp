@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/haptics/compile.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "core/safety/inhibit_words.h"
 #include "device/simulated_hand.h"
 #include "tests/support/hand.h"
@@ -77,7 +77,7 @@ struct Soak {
     std::shared_ptr<HandTarget> target = std::make_shared<HandTarget>();
     std::array<Scene, 2> scenes;
     std::array<std::shared_ptr<const World>, 2> worlds;
-    Engine engine;
+    LocalEngine engine;
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "tests/support/compare.h"
@@ -47,6 +48,19 @@ class TestText : public QObject {
     Q_OBJECT
 
 private slots:
+    void hostAndPort() {
+        const auto is = [](const char* text, const char* host, int port) {
+            const auto place = hostPortOf(text);
+            return place && place->host == host && place->port == port;
+        };
+        QVERIFY(is("localhost:0", "localhost", 0));
+        QVERIFY(is("10.0.0.7:65535", "10.0.0.7", 65535));
+        QVERIFY(is("[::1]:51270", "::1", 51270));
+        for (const char* none : {"", ":", "localhost", "localhost:", ":1", "a:65536", "a:-1", "a:+1", "a:1.0",
+                                 "a:1e3", "::1:5", "[]:1", "a b:1", "a:b", "a: 1"})
+            QVERIFY2(!hostPortOf(none), none);
+    }
+
     /// The bounds of each length of UTF-8: the last that is right and the first that is not.
     void whatIsNoUtf8IsAQuestionMark_data() {
         QTest::addColumn<QByteArray>("text");

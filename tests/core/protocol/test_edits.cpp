@@ -38,7 +38,8 @@ Result<void> make(
     Scene& scene, const v1::Edit& edit, const UploadOf& uploadOf = [](auto) { return nullptr; }) {
     v1::Transaction transaction;
     *transaction.add_edit() = edit;
-    return makeEdits(scene, transaction.edit(), uploadOf);
+    SceneParts parts;
+    return makeEdits(scene, transaction.edit(), uploadOf, parts);
 }
 
 v1::Edit material(std::uint32_t object, std::optional<std::uint32_t> surface, double stiffness) {
@@ -233,10 +234,13 @@ void TestEdits::theErrorNamesTheEdit() {
     v1::Transaction transaction;
     *transaction.add_edit() = material(0, {}, 300);
     *transaction.add_edit() = material(99, {}, 300);
-    const auto made = makeEdits(scene, transaction.edit(), [](auto) { return nullptr; });
+    SceneParts parts;
+    const auto made = makeEdits(
+        scene, transaction.edit(), [](auto) { return nullptr; }, parts);
     COMPARE_BEGINS(test::refusal(made), "edit 2: there is no object 99");
     *transaction.mutable_edit(1) = v1::Edit{}; // of a newer client, say
-    COMPARE_CONTAINS(test::refusal(makeEdits(scene, transaction.edit(), [](auto) { return nullptr; })),
+    COMPARE_CONTAINS(test::refusal(makeEdits(
+                         scene, transaction.edit(), [](auto) { return nullptr; }, parts)),
                      "newer");
 }
 

@@ -41,7 +41,7 @@ v1::UploadHead headOf(const Mesh& mesh) {
 }
 
 Result<LoadedScene> readAll(Uploads& uploads, const v1::UploadHead& head, const std::string& bytes) {
-    Incoming incoming(uploads);
+    Incoming incoming(uploads, {});
     if (auto begun = incoming.begin(head); !begun) return tl::unexpected(begun.error());
     for (std::size_t at = 0; at < bytes.size(); at += 1000)
         if (auto added = incoming.add(std::string_view(bytes).substr(at, 1000)); !added)
@@ -194,7 +194,7 @@ void TestUploads::sizesAreBounded() {
     v1::UploadHead head;
     head.set_file("a.obj");
     head.set_size(1001);
-    Incoming first(uploads), second(uploads);
+    Incoming first(uploads, {}), second(uploads, {});
     QVERIFY(!first.begin(head));
     head.set_size(0);
     QVERIFY(!first.begin(head));

@@ -10,7 +10,7 @@
 #include "core/haptics/compile.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "device/simulated_hand.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
@@ -35,7 +35,7 @@ struct Felt {
 
 Felt feltRun(std::uint64_t ticks) {
     const auto target = std::make_shared<HandTarget>();
-    Engine engine(std::make_unique<SimulatedHand>(target));
+    LocalEngine engine(std::make_unique<SimulatedHand>(target));
     const auto first = bumpyPlate(1), second = bumpyPlate(2);
     std::shared_ptr<const World> world = compile(bumpyScene(first, 0)).value();
     engine.publish(world);
@@ -107,7 +107,7 @@ private slots:
     // middle.
     void bodiesThatForcesMoveGiveTheSameBits() {
         const auto target = std::make_shared<HandTarget>();
-        Engine engine(std::make_unique<SimulatedHand>(target));
+        LocalEngine engine(std::make_unique<SimulatedHand>(target));
         Scene scene = bumpyScene(bumpyPlate(1), 0);
         RigidBody body;
         body.id = 1;
@@ -282,7 +282,7 @@ private slots:
 
     void faultsAreReplayed() {
         const auto probe = std::make_shared<Probe>();
-        Engine engine(std::make_unique<ProbeDevice>(probe));
+        LocalEngine engine(std::make_unique<ProbeDevice>(probe));
         engine.publish(compile(bumpyScene(bumpyPlate(1), 3)).value());
         QVERIFY(engine.start().has_value());
         engine.setArmed(true);
@@ -308,7 +308,7 @@ private slots:
     void aRunThatBeganHotGivesTheSameBits() {
         const auto probe = std::make_shared<Probe>();
         probe->continuousForce = 0.05;
-        Engine engine(std::make_unique<ProbeDevice>(probe));
+        LocalEngine engine(std::make_unique<ProbeDevice>(probe));
         engine.publish(compile(bumpyScene(bumpyPlate(1), 3)).value());
         QVERIFY(engine.start().has_value());
         const auto polled = [&] {

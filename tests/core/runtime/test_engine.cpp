@@ -9,7 +9,7 @@
 #include "core/haptics/compile.h"
 #include "core/loop/metronome.h"
 #include "core/loop/realtime_thread.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
 #include "tests/support/compare.h"
@@ -90,7 +90,7 @@ struct TouchedPlate {
 
     std::shared_ptr<Probe> probe = std::make_shared<Probe>();
     std::shared_ptr<const World> world;
-    Engine engine{std::make_unique<ProbeDevice>(probe)};
+    LocalEngine engine{std::make_unique<ProbeDevice>(probe)};
 };
 
 /// Counts the Worlds alive and the ones that died on a thread other than the test's.
@@ -116,7 +116,7 @@ class TestEngine : public QObject {
 private slots:
     void runsWithoutAWorld() {
         const auto probe = std::make_shared<Probe>();
-        Engine engine(std::make_unique<ProbeDevice>(probe));
+        LocalEngine engine(std::make_unique<ProbeDevice>(probe));
         QVERIFY(!engine.running());
         QVERIFY(engine.start().has_value());
         engine.setArmed(true);
@@ -217,7 +217,7 @@ private slots:
     }
 
     void beforeTheFirstTouchNothingIsRecorded() {
-        Engine untouched(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
+        LocalEngine untouched(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
         QVERIFY(untouched.recorded().proxy.rows.empty());
         QVERIFY(untouched.start().has_value()); // and without a World
         QVERIFY(eventually([&] { return untouched.poll(), untouched.servo().ticks > 10; }));
@@ -452,7 +452,7 @@ private slots:
     void deviceThatDoesNotOpenIsReported() {
         const auto probe = std::make_shared<Probe>();
         probe->refusesToOpen = true;
-        Engine engine(std::make_unique<ProbeDevice>(probe));
+        LocalEngine engine(std::make_unique<ProbeDevice>(probe));
         const Result<void> started = engine.start();
         QVERIFY(!started);
         QCOMPARE(started.error().kind, Error::Kind::Machine);
@@ -498,7 +498,7 @@ private slots:
         for (const double rate : {0.0, -1.0, std::nan(""), 1e12}) {
             const auto probe = std::make_shared<Probe>();
             probe->rate = rate;
-            Engine engine(std::make_unique<ProbeDevice>(probe));
+            LocalEngine engine(std::make_unique<ProbeDevice>(probe));
             const auto refused = engine.start();
             QVERIFY(!refused.has_value());
             QVERIFY(!engine.running());
@@ -512,7 +512,7 @@ private slots:
     void worldsPublishedBeforeTheStartAreReleasedToo() {
         Census census;
         {
-            Engine engine(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
+            LocalEngine engine(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
             const std::shared_ptr<const World> twice = census.watched(plateWorld(500));
             for (int i = 0; i < 5; ++i)
                 engine.publish(census.watched(plateWorld(500)));

@@ -39,11 +39,11 @@ Result<void> setStiffness(Scene& scene, double stiffness) {
 /// A stage over a plate, with a finger that rests inside of it, and one client that has the pen.
 struct TouchedStage {
     std::shared_ptr<Probe> probe = std::make_shared<Probe>();
-    Stage stage{std::make_unique<ProbeDevice>(probe), nullptr, plateScene()};
     std::mutex mutex;
     StageState newest;
     std::vector<StageEvent> events;
     Stage::Welcome writer;
+    Stage stage{std::make_unique<ProbeDevice>(probe), nullptr, plateScene()}; ///< last: it ends first
 
     bool begin() {
         if (!stage.start()) return false;
@@ -60,7 +60,7 @@ struct TouchedStage {
     /// The finger goes in, the force is on and all there.
     bool press() {
         if (!begin() || !stage.arm(writer.id, true)) return false;
-        return beating([&] { return state().servo.gain == 1; }) && beating([&] {
+        return beating([&] { return state().engine.servo.gain == 1; }) && beating([&] {
                    probe->height = kRadius - kDepth;
                    return std::abs(probe->push - kStiffness * kDepth) < 1e-3;
                });
@@ -186,16 +186,16 @@ void TestStage::anybodyStopsTheForce() {
 void TestStage::silenceFadesTheForce() {
     TouchedStage touched;
     QVERIFY(touched.press());
-    const std::uint64_t pauses = touched.state().servo.pauses;
+    const std::uint64_t pauses = touched.state().engine.servo.pauses;
     const std::size_t pressed = touched.probe->log.size();
     QVERIFY(test::eventually([&] { return !touched.stage.armed() && touched.probe->push == 0; }));
     QVERIFY(!touched.stage.hasPen(touched.writer.id));
     const std::size_t gone = touched.probe->log.size();
     QVERIFY(test::eventually([&] {
-        const ServoTelemetry servo = touched.state().servo;
+        const ServoTelemetry servo = touched.state().engine.servo;
         return servo.inhibit == InhibitReason::NotArmed && servo.gain == 0;
     }));
-    if (touched.state().servo.pauses != pauses) return;
+    if (touched.state().engine.servo.pauses != pauses) return;
     const double full = kStiffness * kDepth;
     double falling = 0, silent = 0, steepest = 0, last = full;
     for (std::size_t i = pressed; i < gone; ++i) {

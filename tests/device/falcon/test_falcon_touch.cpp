@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/surface/texture_rig.h"
 #include "tests/device/falcon/falcon_bench.h"
@@ -61,7 +61,7 @@ struct Touch {
         }
         bench.device->putGrip({0, 0, 0.01});
         driver = falcon.get();
-        engine = std::make_unique<Engine>(std::move(falcon));
+        engine = std::make_unique<LocalEngine>(std::move(falcon));
         engine->publish(world);
         if (const auto started = engine->start(); !started) {
             qWarning("%s", started.error().text.c_str());
@@ -121,7 +121,7 @@ struct Touch {
     FalconBench bench;
     std::shared_ptr<const World> world;
     Falcon* driver = nullptr;
-    std::unique_ptr<Engine> engine;
+    std::unique_ptr<LocalEngine> engine;
 };
 
 /// How far apart commands reached the device, ms, sorted.

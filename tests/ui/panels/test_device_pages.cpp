@@ -14,7 +14,7 @@
 #include <QTreeWidget>
 
 #include "core/port/hand_target.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "device/simulated_hand.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
@@ -54,7 +54,7 @@ public:
 };
 
 struct Loops {
-    Engine engine{std::make_unique<SimulatedHand>(std::make_shared<HandTarget>())};
+    LocalEngine engine{std::make_unique<SimulatedHand>(std::make_shared<HandTarget>())};
 };
 
 } // namespace

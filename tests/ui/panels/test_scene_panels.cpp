@@ -20,6 +20,7 @@
 
 #include "core/port/hand_target.h"
 #include "core/presets/preset_file.h"
+#include "core/runtime/local_engine.h"
 #include "device/simulated_hand.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
@@ -528,7 +529,7 @@ private slots:
 
     void twoStatesAreCompared() {
         Document document;
-        Engine engine(std::make_unique<SimulatedHand>(std::make_shared<HandTarget>()));
+        LocalEngine engine(std::make_unique<SimulatedHand>(std::make_shared<HandTarget>()));
         WorldPublisher publisher(document, engine);
         tactum::Comparison comparison(document, engine, publisher);
         ComparePanel panel(comparison);

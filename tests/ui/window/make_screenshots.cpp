@@ -17,6 +17,7 @@
 
 #include "core/base/process_mark.h"
 #include "core/files/journal.h"
+#include "tests/ui/window/connected_picture.h"
 #include "tests/ui/window/device_pictures.h"
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/layer_pictures.h"
@@ -340,9 +341,10 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|device|devices]]]: with the last word
-// only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a
-// device; `devices`: every page of its dock in both themes; `moving`: every scene in which bodies move.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|device|devices]]]: with the
+// last word only the pictures of what is felt, of layers, of painting, of presets and problems, of what
+// moves, or of a device; `devices`: every page of its dock in both themes; `moving`: every scene in which
+// bodies move.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -364,6 +366,8 @@ int main(int argc, char** argv) {
     if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (wanted("connected")) takeConnectedPicture(folder, scenes, size);
+    if (only == "connected") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);
     if (only == "moving") takeMoving(folder, scenes, size);
     if (only == "bodies" || only == "moving") return 0;

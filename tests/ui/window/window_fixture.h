@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 
 #include "core/port/hand_target.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/local_engine.h"
 #include "core/safety/force_gate.h"
 #include "tests/support/waiting.h"
 #include "ui/document.h"
@@ -74,7 +74,7 @@ public:
     const Vec3& finger() { return engine.servo().finger; }
 
     std::shared_ptr<HandTarget> hand;
-    Engine engine;
+    LocalEngine engine;
     Document document;
     std::unique_ptr<MainWindow> window;
 

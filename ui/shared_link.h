@@ -1,0 +1,56 @@
+// Between a scene at a haptic server and the document: what others make of it arrives, and is said.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/runtime/shared_scene.h"
+
+namespace tactum {
+
+class Document;
+class Engine;
+
+/// How the window stands to the server, for the person.
+struct SharedState {
+    QString place;
+    bool connected = false, pen = false;
+    QString holder; ///< of the pen; empty: nobody
+    int attending = 0;
+    bool armed = false; ///< whoever has switched the force on
+
+    bool operator==(const SharedState&) const = default;
+};
+
+/// Thread: ui.
+class SharedLink : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it; `engine` and `shared` are two sides of one.
+    SharedLink(Document& document, const Engine& engine, SharedScene& shared, QObject* parent = nullptr);
+
+    /// Once a frame.
+    void frame();
+    const SharedState& state() const { return state_; }
+    void askForPen() { shared_.askForPen(); }
+    void givePen(const QString& to) { shared_.givePen(to.toStdString()); }
+
+signals:
+    void changed();
+    /// One line: why an edit or an order was not done there.
+    void refused(const QString& sentence);
+    /// Somebody else has changed the scene; it is as they made it.
+    void changedByOthers(const QString& sentence);
+    void penAskedBy(const QString& name);
+
+private:
+    void take(Scene scene);
+
+    Document& document_;
+    const Engine& engine_;
+    SharedScene& shared_;
+    SharedState state_;
+    bool began_ = false; ///< a scene of the server was taken over already
+};
+
+} // namespace tactum
