@@ -26,6 +26,13 @@ std::size_t countOf(const std::vector<Finding>& findings, Finding::Severity seve
     return std::size_t(std::ranges::count(findings, severity, &Finding::severity));
 }
 
+Json entryOf(const std::string& name, std::size_t errors, const std::vector<Finding>& findings) {
+    return {{"file", name},
+            {"errors", errors},
+            {"warnings", countOf(findings, Finding::Severity::Warning)},
+            {"findings", findingsJson(findings)}};
+}
+
 void print(const std::string& prefix, const std::vector<Finding>& findings) {
     for (const std::string& line : linesOf(findings))
         std::cout << prefix << line << '\n';
@@ -36,28 +43,28 @@ void print(const std::string& prefix, const std::vector<Finding>& findings) {
 
 Result<int> runCheck(const CheckOptions& options) {
     Json files = Json::array();
-    std::size_t wrong = 0;
+    int worst = 0;
     for (const std::filesystem::path& scene : options.scenes) {
-        const auto loaded = importGiven(scene);
-        if (!loaded) return tl::unexpected(loaded.error());
-        const std::vector<Finding> findings = findingsOf(*loaded);
-        const std::size_t errors = countOf(findings, Finding::Severity::Error),
-                          warnings = countOf(findings, Finding::Severity::Warning);
-        wrong += errors + (options.strict ? warnings : 0);
         const std::string name = shownPath(scene);
-        if (options.json)
-            files.push_back({{"file", name},
-                             {"errors", errors},
-                             {"warnings", warnings},
-                             {"findings", findingsJson(findings)}});
-        else
-            print(options.scenes.size() > 1 ? name + ": " : "", findings);
+        const auto loaded = importGiven(scene);
+        if (!loaded) { // the others are checked all the same
+            worst = std::max(worst, sayError(loaded.error()));
+            files.push_back(entryOf(name, 1, {}));
+            files.back()["error"] = loaded.error().text;
+            continue;
+        }
+        const std::vector<Finding> findings = findingsOf(*loaded);
+        const std::size_t errors = countOf(findings, Finding::Severity::Error);
+        if (errors > 0 || (options.strict && countOf(findings, Finding::Severity::Warning) > 0))
+            worst = std::max(worst, 1);
+        files.push_back(entryOf(name, errors, findings));
+        if (!options.json) print(options.scenes.size() > 1 ? name + ": " : "", findings);
     }
     if (options.json)
-        std::cout << Json{{"version", 1}, {"ok", wrong == 0}, {"files", files}}.dump(
+        std::cout << Json{{"version", 1}, {"ok", worst == 0}, {"files", files}}.dump(
                          2, ' ', false, Json::error_handler_t::replace)
                   << '\n';
-    return wrong > 0 ? 1 : 0;
+    return worst;
 }
 
 } // namespace tactum

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <iostream>
@@ -44,6 +45,12 @@ Json boundsJson(const Bounds& bounds) {
     if (bounds.empty()) return nullptr;
     return {
         {"low", vectorJson(bounds.low)}, {"high", vectorJson(bounds.high)}, {"diagonal", bounds.diagonal()}};
+}
+
+Json poseJson(const Pose& X_WB) {
+    const Quat& q = X_WB.rotation;
+    return {{"translation_m", vectorJson(X_WB.translation)},
+            {"rotation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
 }
 
 Json parametersJson(const std::vector<ParameterDescription>& parameters) {
@@ -115,6 +122,7 @@ Json objectJson(const ObjectDescription& object) {
               {"triangles", object.triangles},
               {"vertices", object.vertices},
               {"bounds_m", boundsJson(object.bounds_B)},
+              {"pose", poseJson(object.pose)},
               {"health", healthJson(object.health)},
               {"surfaces", Json::array()}};
     for (const SurfaceDescription& surface : object.surfaces)
@@ -134,7 +142,8 @@ Json jointJson(const JointDescription& joint) {
     return {{"name", joint.name}, {"a", nameOrNone(joint.a)}, {"b", nameOrNone(joint.b)}};
 }
 
-Json sceneJson(const SceneDescription& scene) {
+Json loadedJson(const LoadedScene& loaded) {
+    const SceneDescription scene = describe(loaded.scene);
     Json json{{"version", 1}, // of docs/schema
               {"triangles", scene.triangles},
               {"bounds_m", boundsJson(scene.bounds_W)},
@@ -148,6 +157,7 @@ Json sceneJson(const SceneDescription& scene) {
         json["bodies"].push_back(bodyJson(body));
     for (const JointDescription& joint : scene.joints)
         json["joints"].push_back(jointJson(joint));
+    json["findings"] = findingsJson(loaded.findings);
     return json;
 }
 
@@ -229,7 +239,8 @@ void printInfo(const JointDescription& joint) {
     std::cout << "joint " << joint.name << ": " << nameOf(joint.a) << " to " << nameOf(joint.b) << '\n';
 }
 
-void printInfo(const SceneDescription& scene) {
+void printInfo(const LoadedScene& loaded) {
+    const SceneDescription scene = describe(loaded.scene);
     std::string diagonal;
     appendReadable(diagonal, scene.bounds_W.diagonal());
     std::cout << "scene: " << counted(scene.objects.size(), "object") << ", "
@@ -241,32 +252,32 @@ void printInfo(const SceneDescription& scene) {
         printInfo(body);
     for (const JointDescription& joint : scene.joints)
         printInfo(joint);
+    for (const std::string& line : linesOf(loaded.findings))
+        std::cout << line << '\n';
 }
 
 } // namespace
 
 Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json) {
     Json all = Json::array();
+    int worst = 0;
     for (const std::filesystem::path& scene : scenes) {
         const auto loaded = importGiven(scene);
-        if (!loaded) return tl::unexpected(loaded.error());
-        const SceneDescription description = describe(loaded->scene);
+        if (!loaded) worst = std::max(worst, sayError(loaded.error())); // the others are told all the same
         if (json) {
-            all.push_back(sceneJson(description));
-            all.back()["findings"] = findingsJson(loaded->findings);
+            all.push_back(loaded ? loadedJson(*loaded)
+                                 : Json{{"version", 1}, {"error", loaded.error().text}});
             if (scenes.size() > 1) all.back()["file"] = shownPath(scene);
-            continue;
+        } else if (loaded) {
+            if (scenes.size() > 1) std::cout << shownPath(scene) << ":\n";
+            printInfo(*loaded);
         }
-        if (scenes.size() > 1) std::cout << shownPath(scene) << ":\n";
-        printInfo(description);
-        for (const std::string& line : linesOf(loaded->findings))
-            std::cout << line << '\n';
     }
     if (json)
         std::cout
             << (scenes.size() > 1 ? all : all.front()).dump(2, ' ', false, Json::error_handler_t::replace)
             << '\n';
-    return 0;
+    return worst;
 }
 
 } // namespace tactum

@@ -31,8 +31,7 @@ constexpr int kUsage = 2;
 constexpr const char* kEmptyName = "is an empty name; name a file";
 
 int fail(const std::string& sentence, int code) {
-    std::cerr << "tactum: " << sentence << '\n';
-    return code;
+    return sayError({Error::Kind(code), sentence});
 }
 
 // A number in the C locale within a parameter's range. CLI11's own conversion follows the user's locale.
@@ -447,15 +446,13 @@ int runVerb(int argc, char** argv) {
         return fail(sentence + "; see tactum " + verb + "--help", kUsage);
     }
     if (!window.connect.empty()) {
-        if (const auto screen = reachScreen(argv); !screen)
-            return fail(screen.error().text, int(screen.error().kind));
+        if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
         return runWindow(argc, argv, window);
     }
     if (request.touch.picture) // before the work, not after it
-        if (const auto screen = reachScreen(argv); !screen)
-            return fail(screen.error().text, int(screen.error().kind));
+        if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
     const Result<int> code = run(program, request);
-    if (!code) return fail(code.error().text, int(code.error().kind));
+    if (!code) return sayError(code.error());
     std::cout.flush();
     if (!std::cout) return fail("standard output: cannot be written; check where it leads", 3);
     return *code;
@@ -494,8 +491,7 @@ int runProgram(int argc, char** argv) {
     std::error_code unknown; // then the reader says more
     if (scene && std::filesystem::status(*scene, unknown).type() == std::filesystem::file_type::not_found)
         return failMissing(*scene);
-    if (const auto screen = reachScreen(argv); !screen)
-        return fail(screen.error().text, int(screen.error().kind));
+    if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
     return runWindow(argc, argv, {scene, {}, {}});
 }
 

@@ -86,6 +86,11 @@ std::string touchCsv(const TouchTrace& rows) {
     return out;
 }
 
+int sayError(const Error& error) {
+    std::cerr << "tactum: " << error.text << '\n';
+    return int(error.kind);
+}
+
 std::string lineOf(const Finding& finding) {
     std::string line = nameOf(finding.severity) + std::string(": ");
     if (!finding.object.empty()) line += finding.object + ": ";

@@ -18,6 +18,8 @@ namespace tactum {
 std::string touchCsv(const TouchTrace& rows);
 /// "-": standard output, and for a scene that is read standard input.
 bool isDash(const std::optional<std::filesystem::path>& file);
+/// One line on standard error; returns the exit code that goes with it.
+int sayError(const Error& error);
 /// One line: "warning: lid: 3 faces left out; export it again".
 std::string lineOf(const Finding& finding);
 /// The same for all of them; what is said of more than three objects is said of the first, and the others are

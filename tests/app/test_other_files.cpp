@@ -168,6 +168,37 @@ private slots:
         COMPARE_CONTAINS(all[1].toObject()["file"].toString(), "second.obj");
     }
 
+    /// What cannot be read is said in its place, and the others are read all the same.
+    void oneBadFileDoesNotEndTheList() {
+        const QString good = model("good.obj", "clay"), last = model("last.obj", "clay");
+        const QString bad = write("bad.obj", "v 0 0 0\nf 1 2 9\n");
+        for (const char* verb : {"info", "check"}) {
+            const Ended text = runTactum({verb, bad, good, file("gone.obj"), last});
+            QCOMPARE(text.code, 1);
+            QCOMPARE(text.error.count('\n'), 2);
+            COMPARE_CONTAINS(text.error, "tactum: " + bad.toUtf8() + ":2: face refers to vertex");
+            COMPARE_CONTAINS(text.error, "gone.obj: no such file");
+            COMPARE_CONTAINS(text.out, "good.obj:");
+            COMPARE_CONTAINS(text.out, "last.obj:");
+        }
+        const Ended info = runTactum({"info", bad, good, "--json"});
+        QCOMPARE(info.code, 1);
+        const QJsonArray all = QJsonDocument::fromJson(info.out).array();
+        QCOMPARE(all.size(), 2);
+        COMPARE_CONTAINS(all[0].toObject()["file"].toString(), "bad.obj");
+        COMPARE_CONTAINS(all[0].toObject()["error"].toString(), "face refers to vertex");
+        QCOMPARE(all[1].toObject()["triangles"].toInt(), 2);
+        const Ended check = runTactum({"check", bad, good, "--json"});
+        QCOMPARE(check.code, 1);
+        const QJsonArray files = objectOf(check.out)["files"].toArray();
+        QCOMPARE(files.size(), 2);
+        QCOMPARE(objectOf(check.out)["ok"].toBool(true), false);
+        QCOMPARE(files[0].toObject()["errors"].toInt(), 1);
+        COMPARE_CONTAINS(files[0].toObject()["error"].toString(), "face refers to vertex");
+        QCOMPARE(files[1].toObject()["errors"].toInt(-1), 0);
+        QVERIFY(!files[1].toObject().contains("error"));
+    }
+
     /// "cod" and "gpj.exe", turned round: a terminal would show another name.
     void namesDoNotTurnTheTerminal() {
         const QByteArray name = "cod\u202Egpj\u2066x\u200F";

@@ -45,11 +45,14 @@ private slots:
              {"teapot.glb", "layered-leather.glb", "moving/crank.glb", "moving/roller-coaster.glb"})
             fits("info", runTactum({"info", "--json", kScenes + scene}).out);
         fits("info", runTactum({"info", "--json", kScenes + "teapot.glb", kScenes + "teapot.obj"}).out);
+        fits("info", runTactum({"info", "--json", kScenes + "teapot.glb", "no-such.obj"}).out);
+        fits("info", runTactum({"info", "--json", "no-such.obj"}).out);
     }
 
     void checkIsAsItsSchema() {
         fits("check", runTactum({"check", "--json", kScenes + "teapot.glb", kScenes + "teapot.obj"}).out);
         fits("check", runTactum({"check", "--json", "--strict", folder_.plate()}).out);
+        fits("check", runTactum({"check", "--json", "no-such.obj", folder_.plate()}).out);
     }
 
     void touchIsAsItsSchema() {
