@@ -19,26 +19,28 @@ tl::unexpected<Error> usageError(const fs::path& file, const std::string& senten
     return tl::unexpected<Error>(Error{Error::Kind::Usage, file.string() + ": " + sentence});
 }
 
-/// Whether the text of a file has this word between characters that are none of a name.
+bool isOfName(char c) {
+    return std::isalnum(std::uint8_t(c)) || std::uint8_t(c) >= 0x80 ||
+           std::string_view("_-.~").find(c) != std::string_view::npos;
+}
+
+/// Whether the text of a file has this word between characters that are none of a name; a full stop may
+/// follow.
 bool hasWord(const fs::path& file, const std::string& word) {
-    const auto isOfName = [](int c) {
-        return std::isalnum(c) || c >= 0x80 ||
-               std::string_view("_-.~").find(char(c)) != std::string_view::npos;
-    };
     std::ifstream in(file, std::ios::binary);
     std::string text(1, '\n'); // what is before the file
     std::string block(1 << 20, '\0');
     while (in) {
         in.read(block.data(), std::streamsize(block.size()));
         text.append(block, 0, std::size_t(in.gcount()));
-        if (!in) text += '\n';
+        if (!in) text += "\n\n";
         for (std::size_t at = text.find(word, 1); at != std::string::npos; at = text.find(word, at + 1)) {
             const std::size_t end = at + word.size();
-            if (end < text.size() && !isOfName(std::uint8_t(text[at - 1])) &&
-                !isOfName(std::uint8_t(text[end])))
+            if (end + 1 < text.size() && !isOfName(text[at - 1]) &&
+                !isOfName(text[text[end] == '.' ? end + 1 : end]))
                 return true;
         }
-        text.erase(0, text.size() - std::min(text.size(), word.size() + 1));
+        text.erase(0, text.size() - std::min(text.size(), word.size() + 2));
     }
     return false;
 }
@@ -54,6 +56,20 @@ bool isNamedBy(const fs::path& input, const fs::path& file) {
     return !fault && !name.empty() && !name.starts_with("..") && hasWord(input, name); // readers stay inside
 }
 
+bool holds(const fs::path& file, const std::string& bytes) {
+    std::error_code fault;
+    if (fs::file_size(file, fault) != bytes.size() || fault) return false;
+    std::ifstream in(file, std::ios::binary);
+    return std::equal(bytes.begin(), bytes.end(), std::istreambuf_iterator<char>(in));
+}
+
+/// Whether it is there already and is neither what an earlier result of this name has beside it nor the same.
+bool isStrangers(const fs::path& result, const OutFile& file) {
+    std::error_code fault;
+    return file.path != result && fs::exists(file.path, fault) && !isNamedBy(result, file.path) &&
+           !holds(file.path, file.bytes);
+}
+
 /// Before anything is written: files that were not asked for by name must not cost what was there either.
 Result<void> checkFiles(const ConvertOptions& options, const std::vector<OutFile>& files) {
     std::vector<fs::path> inputs{options.in}, outputs;
@@ -67,6 +83,11 @@ Result<void> checkFiles(const ConvertOptions& options, const std::vector<OutFile
         if (file.path != options.out && isNamedBy(options.in, file.path))
             return usageError(file.path, "belongs to " + options.in.string() +
                                              " and would be replaced; choose another name for the result");
+    for (const OutFile& file : files)
+        if (isStrangers(options.out, file))
+            return usageError(file.path, "is there already, and would be replaced by what lies beside " +
+                                             options.out.filename().string() +
+                                             "; move it away, or choose another name for the result");
     return {};
 }
 
@@ -81,8 +102,8 @@ public:
         for (auto old = olds_.rbegin(); old != olds_.rend(); ++old) {
             if (old->keep.empty())
                 fs::remove(old->place, fault);
-            else
-                fs::rename(old->keep, old->place, fault);
+            else if (fs::rename(old->keep, old->place, fault); !fault)
+                fs::remove(old->keep, fault); // which stays where both still name the same file
         }
         for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder)
             fs::remove(*folder, fault); // only when nothing is in it

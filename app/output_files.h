@@ -16,7 +16,8 @@ struct OutFile {
 
 /// All of them or none: when one cannot be written, what was there before is there again. The last one is the
 /// one that was asked for, so that it is there only when all others are. None is written when one would
-/// replace an input, what an input reads beside itself, or another output.
+/// replace an input, what an input reads beside itself, another output, or what was there beside the result
+/// and is not of it.
 Result<void> writeAll(const ConvertOptions& options, const std::vector<OutFile>& files);
 
 } // namespace tactum

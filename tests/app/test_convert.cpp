@@ -193,6 +193,42 @@ private slots:
         QCOMPARE(bytesOf(file("b c.gltf")), later);
     }
 
+    /// A URI is cut at some signs and read by others; both files have to be found again.
+    void gltfOfAnyNameFindsItsData() {
+        plate("in.obj");
+        QCOMPARE(convert("in.obj", "a.glb").code, 0);
+        for (const char* stem : {"a#b", "50%", "50%25", "a?b", "two  words", "tässchen", "a&b=c", "\"q\""}) {
+            QCOMPARE(convert("a.glb", stem + QString(".gltf")).code, 0);
+            const Ended back = convert(stem + QString(".gltf"), "again.glb");
+            QVERIFY2(back.code == 0, back.error);
+            QCOMPARE(bytesOf(file("again.glb")), bytesOf(file("a.glb")));
+        }
+    }
+
+    /// What has the name of a file beside the result is replaced only where the result before named it.
+    void whatLiesBesideAResultIsKeptWhereItIsAnothers() {
+        plate("in.obj");
+        for (const auto& [out, beside] :
+             {std::pair{"a.gltf", "a.bin"}, {"b.obj", "b.mtl"}, {"c.x3d", "c-deviceinfo.x3d"}}) {
+            write(beside, "another's");
+            const Ended refused = convert("in.obj", out);
+            QCOMPARE(refused.code, 2);
+            QVERIFY2(oneLine(refused.error).contains(beside + QByteArray(": is there already")),
+                     refused.error);
+            QCOMPARE(bytesOf(file(beside)), "another's");
+            QVERIFY(!QFile::exists(file(out)));
+            write(out, "a file that names none");
+            QCOMPARE(convert("in.obj", out).code, 2);
+            QFile::remove(file(out)), QFile::remove(file(beside));
+            QCOMPARE(convert("in.obj", out).code, 0);
+            write(beside, "of the result before");
+            QCOMPARE(convert("in.obj", out, {"--fit-diagonal", "2"}).code, 0);
+            QVERIFY(bytesOf(file(beside)) != "of the result before");
+            QFile::remove(file(out)); // the same bytes are no loss
+            QCOMPARE(convert("in.obj", out, {"--fit-diagonal", "2"}).code, 0);
+        }
+    }
+
     void scenesGoThroughPipes() {
         plate("in.obj");
         const QString in = file("in.obj");

@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QStandardPaths>
 #include <QTest>
+#include <sys/resource.h>
 
 #include "tests/app/program.h"
 #include "tests/support/compare.h"
@@ -212,13 +213,27 @@ private slots:
         COMPARE_CONTAINS(runTactum({"info", evil}).out, "cod?gpj?x?");
     }
 
-    /// All files of an export or none: the main one cannot be written, for a folder has its name.
+    /// All files of an export or none: the main one cannot be written, for it is too long, or a folder has
+    /// its name.
     void anExportThatFailsLeavesWhatWasThere() {
         const QString plate = model("plate.obj", "clay");
-        QDir().mkpath(file("a.obj"));
+        QByteArray points;
+        for (int i = 0; i < 4500; ++i)
+            points += (i % 3 == 0 ? "\nv " : " ") + QByteArray::number(std::sin(i), 'g', 17);
+        QCOMPARE(runTactum({"convert", plate, file("a.obj")}).code, 0);
+        const QByteArray before = bytesOf(file("a.obj"));
         write("a.mtl", "the old materials");
-        QCOMPARE(runTactum({"convert", plate, file("a.obj")}).code, 3);
+        QProcess program;
+        program.setChildProcessModifier([] {
+            constexpr rlimit kMost{80'000, 80'000};
+            setrlimit(RLIMIT_FSIZE, &kMost);
+        });
+        program.start(TACTUM_PROGRAM, {"convert", write("points.obj", points), file("a.obj")});
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitCode(), 3);
+        COMPARE_CONTAINS(program.readAllStandardError(), "a.obj");
         QCOMPARE(bytesOf(file("a.mtl")), QByteArray("the old materials"));
+        QCOMPARE(bytesOf(file("a.obj")), before);
         QDir().mkpath(file("b.x3d"));
         QCOMPARE(runTactum({"convert", plate, file("b.x3d")}).code, 3);
         QVERIFY(!QFile::exists(file("b-deviceinfo.x3d"))); // nothing was there before
