@@ -195,7 +195,8 @@ void readNumbers(const char* name, std::string_view text, std::span<double> numb
 void addSimulate(CLI::App& program, SimulateOptions& options) {
     CLI::App* simulate =
         program.add_subcommand("simulate", "Let the bodies of a scene move by forces and joints");
-    addFile(*simulate, "SCENE", options.scene, "Any file with KHR_physics_rigid_bodies")->required();
+    addFile(*simulate, "SCENE", options.scene, "Any file with KHR_physics_rigid_bodies; - is standard input")
+        ->required();
     addNumber(*simulate, kSeconds, [&](double value) { options.seconds = value; });
     simulate->get_option("--seconds")->required();
     addNumber(*simulate, kRate, [&](double value) { options.rate = value; });
@@ -346,8 +347,9 @@ void addVerify(CLI::App& program, Request& request) {
 void addFeel(CLI::App& program, FeelOptions& options) {
     CLI::App* feel =
         program.add_subcommand("feel", "Give a model, exported again elsewhere, the feel that it had");
-    addFile(*feel, "FROM", options.from, "The scene with the feel")->required();
-    addFile(*feel, "ONTO", options.onto, "The model, any file that the program opens")->required();
+    addFile(*feel, "FROM", options.from, "The scene with the feel; - is standard input")->required();
+    addFile(*feel, "ONTO", options.onto, "The model, any file that the program opens; - is standard input")
+        ->required();
     addFile(*feel, "OUT", options.out, "The result, a .glb; it may be FROM or ONTO")->required();
     feel->footer("Surfaces find each other by name; what finds no partner goes to standard error.");
 }

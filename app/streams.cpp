@@ -15,17 +15,44 @@ namespace fs = std::filesystem;
 
 constexpr const char* kInput = "standard input";
 
-Result<std::string> wholeInput() {
-    constexpr std::size_t kMost = std::size_t(2) << 30, kBlock = std::size_t(1) << 20;
-    std::string bytes;
-    for (std::string block(kBlock, '\0'); std::cin;) {
-        std::cin.read(block.data(), std::streamsize(kBlock));
-        bytes.append(block, 0, std::size_t(std::cin.gcount()));
-        if (bytes.size() > kMost)
-            return inputError(std::string(kInput) + ": is longer than 2 GiB; give the file by its name");
-    }
-    if (bytes.empty()) return inputError(std::string(kInput) + ": is empty; send it a scene");
+constexpr std::uint64_t kMost = std::uint64_t(2) << 30;
+
+tl::unexpected<Error> refused(const std::string& why) {
+    return inputError(std::string(kInput) + ": " + why);
+}
+
+/// At most `count` bytes, fewer at the end.
+std::string taken(std::size_t count) {
+    std::string bytes(count, '\0');
+    std::cin.read(bytes.data(), std::streamsize(count));
+    bytes.resize(std::size_t(std::cin.gcount()));
     return bytes;
+}
+
+/// All of it goes to `file`, a block at a time, for it may go on for ever: what is of no format ends with its
+/// head, and no other goes beyond the size that it announces. Gives the ending.
+Result<std::string> keepInput(const fs::path& file) {
+    constexpr const char* kUntold = "cannot tell its format; give the file by its name";
+    std::string head = taken(kTellingHead);
+    if (head.empty()) return refused("is empty; send it a scene");
+    const auto announced = announcedSize(head);
+    if (toldEnding(head, head.size()).empty() &&
+        (!announced || *announced < head.size() || *announced > kMost))
+        return refused(kUntold);
+    std::ofstream out(file, std::ios::binary);
+    std::uint64_t size = 0;
+    for (std::string block = head; !block.empty() && out; block = taken(std::size_t(1) << 20)) {
+        if ((size += block.size()) > kMost) return refused("is longer than 2 GiB; give the file by its name");
+        if (announced && size > *announced) return refused("is longer than its head says; export it again");
+        out << block;
+    }
+    out.close();
+    if (!out)
+        return machineError(std::string(kInput) +
+                            ": cannot be kept in the folder for temporary files; make room there");
+    const std::string_view ending = toldEnding(head, size);
+    if (ending.empty()) return refused(kUntold);
+    return std::string(ending);
 }
 
 } // namespace
@@ -42,19 +69,16 @@ Error renamed(Error error, const ScratchFolder& of, const std::string& name) {
 
 Result<LoadedScene> importGiven(const fs::path& file) {
     if (!isDash(file)) return importScene(file);
-    const auto bytes = wholeInput();
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
-    const std::string_view ending = toldEnding(*bytes);
-    if (ending.empty())
-        return inputError(std::string(kInput) + ": cannot tell its format; give the file by its name");
     const ScratchFolder folder("pipe");
-    const fs::path copy = folder.path() / ("standard-input." + std::string(ending));
-    std::ofstream out(copy, std::ios::binary);
-    out << *bytes;
-    out.close();
-    if (folder.path().empty() || !out)
+    if (folder.path().empty())
         return machineError(std::string(kInput) +
-                            ": cannot be kept in the folder for temporary files; make room there");
+                            ": there is no folder for temporary files; set TMPDIR to one");
+    const fs::path kept = folder.path() / "standard-input";
+    const auto ending = keepInput(kept);
+    if (!ending) return tl::unexpected<Error>(ending.error());
+    const fs::path copy = folder.path() / ("standard-input." + *ending);
+    std::error_code fault; // which the import says
+    fs::rename(kept, copy, fault);
     auto loaded = importScene(copy);
     if (!loaded) return tl::unexpected<Error>(renamed(loaded.error(), folder, kInput));
     return loaded;

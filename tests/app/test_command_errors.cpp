@@ -18,6 +18,11 @@ class TestCommandErrors : public QObject, WorkFolder {
     Q_OBJECT
 
 private slots:
+    void whereStandardInputIsReadIsSaid() {
+        for (const char* verb : {"touch", "simulate", "convert", "info", "check", "feel"})
+            COMPARE_CONTAINS(runTactum({verb, "--help"}).out, "- is standard input");
+    }
+
     void wrongUsageIsTwo_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("no path") << QStringList{"touch", "x.obj"};
@@ -194,6 +199,18 @@ private slots:
                 QVERIFY2(oneLine(ended.error).contains(name.toUtf8() + ": cannot be read as a file"),
                          ended.error);
             }
+    }
+
+    /// The first bytes are of no format that is known: there is no reason to wait for the last ones.
+    void whatGoesOnForEverIsNotReadToItsEnd() {
+        for (const char* input : {"cat /dev/zero", "yes"}) {
+            QProcess shell;
+            shell.start("sh", {"-c", QStringLiteral("%1 | '%2' info -").arg(input, TACTUM_PROGRAM)});
+            QVERIFY(shell.waitForFinished(60000));
+            QCOMPARE(shell.exitCode(), 1);
+            const QByteArray error = shell.readAllStandardError();
+            QVERIFY2(oneLine(error).contains("standard input: cannot tell its format"), error);
+        }
     }
 
     // A new file would take the place of a pipe; or of the file with everything else that we say.

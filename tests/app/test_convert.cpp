@@ -255,6 +255,8 @@ private slots:
         refused({"info", "-"}, "ply\nformat ascii 1.0\n", 1,
                 "standard input:2: the header has no end_header");
         refused({"info", "-"}, QByteArray("\1\0\2", 3), 1, "standard input: cannot tell its format");
+        refused({"info", "-"}, "hello\n", 1, "standard input: cannot tell its format");
+        refused({"info", "-"}, glb + "more", 1, "standard input: is longer than its head says");
         refused({"convert", in, "-"}, {}, 2, "standard output: needs --to");
         refused({"convert", in, "-", "--to", "x3d"}, {}, 2, "standard output: .x3d is several files");
         refused({"convert", in, "-", "--to", "dwg"}, {}, 2,

@@ -56,6 +56,10 @@ std::vector<Places> placesOf(const TriangleSoup& soup) {
     return all;
 }
 
+std::string told(const std::string& file) {
+    return std::string(toldEnding(file, file.size()));
+}
+
 bool isOneLine(const std::string& text) {
     return !text.empty() && text.find('\n') == std::string::npos;
 }
@@ -71,11 +75,25 @@ private slots:
         TriangleSoup soup = randomSoup(1);
         for (const WrittenMesh& mesh : inEveryFormat(soup)) {
             const std::string ending = mesh.name.substr(mesh.name.rfind('.') + 1);
-            QCOMPARE(std::string(toldEnding(mesh.content)), ending);
+            QCOMPARE(told(mesh.content), ending);
         }
-        QCOMPARE(std::string(toldEnding("\xEF\xBB\xBF\n <?xml version='1.0'?>\n<X3D>")), "x3d");
-        QCOMPARE(std::string(toldEnding("<html>")), "");
-        QCOMPARE(std::string(toldEnding(std::string("v 0 0 0\0", 8))), "");
+        QCOMPARE(told("\xEF\xBB\xBF\n <?xml version='1.0'?>\n<X3D>"), "x3d");
+        QCOMPARE(told("\n  # a comment\n"), "obj");
+        for (const std::string& nothing :
+             {std::string("<html>"), std::string("v 0 0 0\0", 8), std::string("y\ny\ny\n"), std::string()})
+            QCOMPARE(told(nothing), "");
+    }
+
+    /// How much of a pipe has to be read at most.
+    void aHeadMaySayHowLongTheFileIs() {
+        TriangleSoup soup = randomSoup(1);
+        for (const WrittenMesh& mesh : inEveryFormat(soup)) {
+            const auto size = announcedSize(mesh.content);
+            QVERIFY2(!size || *size == mesh.content.size(), mesh.name.c_str());
+            if (mesh.name.ends_with(".glb")) QVERIFY(size);
+        }
+        QCOMPARE(announcedSize(std::string(5000, '\0')).value_or(0), std::uint64_t(84));
+        QVERIFY(!announcedSize("v 0 0 0\n"));
     }
 
     void aFaceOfTooManyCornersIsRefused() {
@@ -289,7 +307,7 @@ private slots:
         for (const std::string& ending : readableEndings()) {
             refused(folder_.load("packed." + ending, "PK\x03\x04 and more"),
                     ending == "zip" || ending == "tactum" ? "zip"
-                    : ending == "3mf"                     ? "the file may be damaged" // it is one by right
+                    : ending == "3mf"                     ? "is no zip archive" // it is one by right
                                                           : "is a ZIP archive; unpack it");
             refused(folder_.load("packed." + ending, "\x1f\x8b\x08 and more"), "is compressed by gzip");
             refused(folder_.load("photo." + ending, "\xFF\xD8\xFF\xE0 and more"), "is a JPEG picture");
