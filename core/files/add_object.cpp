@@ -38,6 +38,11 @@ void demandBounded(const Source& source, std::size_t meshes, std::uint64_t trian
         source.fail("has more than 67 million triangles with all its copies; split or simplify it");
 }
 
+std::string complaintOfPlace(const Vec3& p) {
+    if (!p.allFinite()) return " is not a finite number; export it again";
+    return p.cwiseAbs().maxCoeff() <= kFarthest ? "" : " is beyond 1e6 m; scale the model";
+}
+
 std::string complaintOfCorners(std::size_t corners) {
     if (corners <= kMaxCorners) return {};
     return "a face has more than " + std::to_string(kMaxCorners) +

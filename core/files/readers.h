@@ -29,6 +29,8 @@ inline constexpr std::uint64_t kMaxShownTriangles = std::uint64_t(1) << 26;
 inline constexpr std::size_t kMaxCorners = 100'000; ///< of one face
 /// Throws ReadFault where there is more.
 void demandBounded(const Source& source, std::size_t meshes, std::uint64_t triangles);
+/// What is wrong with a coordinate of a place, behind what it is of, and the remedy; empty when it is fine.
+std::string complaintOfPlace(const Vec3& p);
 /// For a face as a sentence of its own; empty when it is fine.
 std::string complaintOfCorners(std::size_t corners);
 

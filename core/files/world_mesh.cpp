@@ -28,9 +28,8 @@ void WorldMesh::moveTo(const Eigen::Affine3d& toWorld) {
 
 Index WorldMesh::position(const Vec3& p, bool welded) {
     const Vec3 p_W = toWorld_ * p;
-    if (!isCoordinate(p_W.x()) || !isCoordinate(p_W.y()) || !isCoordinate(p_W.z()))
-        source_.fail("coordinate of vertex " + std::to_string(positions()) +
-                     " is not a number of at most 1e6 m; scale the model");
+    if (const std::string wrong = complaintOfPlace(p_W); !wrong.empty())
+        source_.fail("coordinate of vertex " + std::to_string(positions()) + wrong);
     const Index next = Index(positions());
     if (welded) {
         const Index place = places_.numberOf(p_W);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/files/gltf/gltf_surface.h"
-#include "core/files/load_scene.h"
+#include "core/files/readers.h"
 
 namespace tactum {
 
@@ -219,9 +219,8 @@ GltfMeshReader::Vertices GltfMeshReader::readVertices(const tinygltf::Primitive&
     for (std::size_t i = 0; i < count; ++i) {
         demandGoingOn(meter_, ++done_);
         const Vec3 p(positions->number(i, 0), positions->number(i, 1), positions->number(i, 2));
-        if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
-            source_.fail("coordinate of vertex " + std::to_string(i) +
-                         " is not a number of at most 1e6 m; scale the model");
+        if (const std::string wrong = complaintOfPlace(p); !wrong.empty())
+            source_.fail("coordinate of vertex " + std::to_string(i) + wrong);
         pools_.positions.push_back(p);
     }
     pools_.normals.resize(first + count, Eigen::Vector3f::Zero());

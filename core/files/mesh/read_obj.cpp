@@ -5,6 +5,7 @@
 // several materials. Where that makes more than kMaxSurfaces, surfaces are told apart by material alone.
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxSurfaces = 1024;
 constexpr std::size_t kMaxObjects = 100'000;
+constexpr double kUnusable = std::numeric_limits<double>::quiet_NaN();
 
 /// Words numbered in the order in which they first come; number 0 is "no word".
 class Names {
@@ -75,8 +77,8 @@ private:
     void readPosition(Fields fields);
     void readNormal(Fields fields);
     void readUv(Fields fields);
-    double number(Fields& fields, std::string_view what) const;
-    double numberOr(Fields& fields, double otherwise) const;
+    double number(Fields& fields) const;
+    static double numberOr(Fields& fields, double otherwise);
     // Second pass.
     void readElements();
     void readElement(std::string_view word, Fields fields);
@@ -123,6 +125,7 @@ private:
     std::string objectName_;
     Draft* draft_ = nullptr;             ///< nothing until the object has its first face
     Index surface_ = kNone;              ///< of draft_; kNone after a change of group or material
+    const char* element_ = "face";       ///< what this line makes, in words
     std::vector<PolygonCorner> corners_; ///< scratch
 };
 
@@ -150,42 +153,41 @@ void ObjReader::readPools() {
     });
 }
 
-double ObjReader::number(Fields& fields, std::string_view what) const {
+double ObjReader::number(Fields& fields) const {
     const std::string_view field = fields.next();
     double value = 0;
     if (field.empty() || !parseNumber(field, value))
-        fail(std::string(what) + " needs a number where " +
-             (field.empty() ? "the line ends" : inQuotes(field) + " is") + "; re-export the file");
+        fail("vertex needs a number where " + (field.empty() ? "the line ends" : inQuotes(field) + " is") +
+             "; re-export the file");
     return value;
 }
 
-double ObjReader::numberOr(Fields& fields, double otherwise) const {
-    double value = otherwise;
+/// Of what a corner can be without: what is no number makes it unusable, which whoever builds the faces
+/// counts.
+double ObjReader::numberOr(Fields& fields, double otherwise) {
     const std::string_view field = fields.next();
-    if (!field.empty() && field[0] != '#' && !parseNumber(field, value))
-        fail("texture coordinate is " + inQuotes(field) + "; re-export the file");
-    return value;
+    double value = 0;
+    if (field.empty() || field[0] == '#') return otherwise;
+    return parseNumber(field, value) ? value : kUnusable;
 }
 
 void ObjReader::readPosition(Fields fields) {
     Vec3 p;
     for (int i = 0; i < 3; ++i)
-        p[i] = number(fields, "vertex");
-    for (int i = 0; i < 3; ++i)
-        if (!isCoordinate(p[i]))
-            fail("coordinate of a vertex is not a number of at most 1e6 m; scale the model");
+        p[i] = number(fields);
+    if (const std::string wrong = complaintOfPlace(p); !wrong.empty()) fail("coordinate of a vertex" + wrong);
     pools_.positions.push_back(p);
 }
 
 void ObjReader::readNormal(Fields fields) {
     Vec3 n;
     for (int i = 0; i < 3; ++i)
-        n[i] = number(fields, "vertex normal");
+        n[i] = numberOr(fields, kUnusable);
     pools_.normals.push_back(n.cast<float>());
 }
 
 void ObjReader::readUv(Fields fields) {
-    const double u = number(fields, "texture coordinate");
+    const double u = numberOr(fields, kUnusable);
     pools_.uvs.push_back(Eigen::Vector2d(u, numberOr(fields, 0)).cast<float>());
 }
 
@@ -204,9 +206,9 @@ void ObjReader::readElements() {
 }
 
 void ObjReader::readElement(std::string_view word, Fields fields) {
-    if (word == "f" || word == "fo") return readFace(fields);
-    if (word == "l") return readLine(fields);
-    if (word == "p") return readPoints(fields);
+    if (word == "f" || word == "fo") return element_ = "face", readFace(fields);
+    if (word == "l") return element_ = "polyline", readLine(fields);
+    if (word == "p") return element_ = "point", readPoints(fields);
     if (word == "o") return startObject(fields.rest());
     if (word == "g" || word == "usemtl") {
         const std::string_view name = fields.rest() == "default" ? "" : fields.rest();
@@ -249,7 +251,7 @@ bool ObjReader::nextCorner(Fields& fields, PolygonCorner& corner) {
         if (*at != '/') corner.uv = optionalAt(at, end, seenUvs_, pools_.uvs.size());
         if (slash() && at != end) corner.normal = optionalAt(at, end, seenNormals_, pools_.normals.size());
     }
-    if (at != end) fail("face has the corner " + inQuotes(field) + "; re-export the file");
+    if (at != end) fail(element_ + (" has the corner " + inQuotes(field)) + "; re-export the file");
     return true;
 }
 
@@ -269,11 +271,15 @@ std::optional<ObjReader::Reference> ObjReader::reference(const char*& at, const 
 Index ObjReader::positionAt(const char*& at, const char* end) const {
     const std::size_t total = pools_.positions.size();
     const auto found = reference(at, end, seenPositions_, total);
-    if (!found) fail("face has the corner " + inQuotes({at, std::size_t(end - at)}) + "; re-export the file");
-    if (found->place == kNone)
-        fail("face refers to vertex " + std::to_string(found->number) + ", but only " +
-             std::to_string(found->number < 0 ? seenPositions_ : total) + " are defined; re-export the file");
-    return found->place;
+    if (!found)
+        fail(element_ + (" has the corner " + inQuotes({at, std::size_t(end - at)})) +
+             "; re-export the file");
+    if (found->place != kNone) return found->place;
+    const bool back = found->number < 0; // counted from this line
+    const std::size_t defined = back ? seenPositions_ : total;
+    fail(element_ + (" refers to vertex " + std::to_string(found->number)) + ", but only " +
+         std::to_string(defined) + (defined == 1 ? " is" : " are") + " defined" + (back ? " before it" : "") +
+         "; re-export the file");
 }
 
 /// Of what a corner can be without.

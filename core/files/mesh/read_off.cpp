@@ -101,9 +101,7 @@ void OffReader::readVertex() {
     Vec3 p;
     for (int i = 0; i < 3; ++i)
         p[i] = number(fields);
-    for (int i = 0; i < 3; ++i)
-        if (!isCoordinate(p[i]))
-            fail("coordinate of a vertex is not a number of at most 1e6 m; scale the model");
+    if (const std::string wrong = complaintOfPlace(p); !wrong.empty()) fail("coordinate of a vertex" + wrong);
     pools_.positions.push_back(p);
     if (!hasNormals_) return;
     Vec3 n;

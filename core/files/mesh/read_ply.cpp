@@ -219,9 +219,8 @@ template <class Cursor> void PlyReader<Cursor>::readVertices(const PlyElement& e
                 values[targetOf[k]] = cursor_.number(property.type);
         }
         const Vec3 p(values[0], values[1], values[2]);
-        if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
-            cursor_.fail("coordinate of vertex " + std::to_string(i) +
-                         " is not a number of at most 1e6 m; scale the model");
+        if (const std::string wrong = complaintOfPlace(p); !wrong.empty())
+            cursor_.fail("coordinate of vertex " + std::to_string(i) + wrong);
         pools_.positions.push_back(p);
         if (hasNormals) pools_.normals.push_back(Vec3(values[3], values[4], values[5]).cast<float>());
         if (hasUvs) pools_.uvs.push_back(Eigen::Vector2d(values[6], values[7]).cast<float>());

@@ -81,9 +81,8 @@ LoadedScene StlReader::readBinary() {
             Vec3 p;
             for (int i = 0; i < 3; ++i, at += 4)
                 p[i] = std::bit_cast<float>(littleEndian32(at));
-            if (!isCoordinate(p.x()) || !isCoordinate(p.y()) || !isCoordinate(p.z()))
-                source_.failAtByte(offset, "coordinate of triangle " + std::to_string(f) +
-                                               " is not a number of at most 1e6 m; scale the model");
+            if (const std::string wrong = complaintOfPlace(p); !wrong.empty())
+                source_.failAtByte(offset, "coordinate of triangle " + std::to_string(f) + wrong);
             corner = table_.numberOf(p);
         }
     }
@@ -116,9 +115,8 @@ Index StlReader::vertex() {
         const std::string_view field = word();
         if (!parseNumber(field, p[i]))
             fail("vertex needs a number where " + inQuotes(field) + " is; re-export the file");
-        if (!isCoordinate(p[i]))
-            fail("coordinate of a vertex is not a number of at most 1e6 m; scale the model");
     }
+    if (const std::string wrong = complaintOfPlace(p); !wrong.empty()) fail("coordinate of a vertex" + wrong);
     const Index index = table_.numberOf(p);
     if (index == pools_.positions.size()) pools_.positions.push_back(p);
     return index;

@@ -18,6 +18,9 @@ public:
         : document_(document), node_(node), mesh_(mesh), surface_(surface) {
         const X3dNode points = document.child(node, {"Coordinate", "CoordinateDouble"});
         const std::vector<double> xyz = points ? document.numbers(points, "point") : std::vector<double>();
+        if (xyz.size() % 3 != 0)
+            document.fail(points, "point has " + std::to_string(xyz.size()) +
+                                      " numbers, which are not three for each point; export it again");
         for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
             positions_.push_back(mesh.position({xyz[i], xyz[i + 1], xyz[i + 2]}, welded));
         const X3dNode normals = document.child(node, {"Normal"});

@@ -167,6 +167,21 @@ private slots:
                          "3 corners without the texture coordinate or normal that the file names");
     }
 
+    /// What is not felt by itself is no reason to refuse what is.
+    void wrongNumbersOfCoordinatesAndNormalsAreSaid() {
+        const auto loaded =
+            folder_.load("mesh.obj", kSquare + "vt 0.5 0.25\nvt x 1\nvt 1 y\nvt\nvn 0 0 1\nvn 0 zero 1\n"
+                                               "f 1/1/1 2/2/2 3/3/1\nf 1/4/1 3/1/1 4/1/1\n");
+        VERIFY_RESULT(loaded);
+        const TriangleSoup& soup = *loaded->scene.objects.at(0).geometry;
+        QCOMPARE(soup.cornerUvs.at(0), Eigen::Vector2f(0.5f, 0.25f));
+        for (const std::size_t corner : {1, 2, 3})
+            QCOMPARE(soup.cornerUvs.at(corner), Eigen::Vector2f(0, 0));
+        QCOMPARE(soup.cornerNormals.at(1), Eigen::Vector3f(0, 0, 1));
+        COMPARE_CONTAINS(said(*loaded), "3 corners without a usable texture coordinate");
+        COMPARE_CONTAINS(said(*loaded), "1 corner without a usable normal");
+    }
+
     void errorsNameTheLine_data() {
         QTest::addColumn<QString>("content");
         QTest::addColumn<QString>("error");
@@ -177,15 +192,21 @@ private slots:
             "mesh.obj:5: face refers to vertex 99999, but only 4 are defined; re-export the file");
         row("index zero", kSquare + "\n\nf 0 1 2\n", "mesh.obj:7: face refers to vertex 0,");
         row("too far back", "v 0 0 0\nf -1 -2 -3\n",
-            "mesh.obj:2: face refers to vertex -2, but only 1 are defined");
+            "mesh.obj:2: face refers to vertex -2, but only 1 is defined before it");
+        row("far back before more", kSquare + "f -1 -2 -5\nv 0 0 1\n",
+            "mesh.obj:5: face refers to vertex -5, but only 4 are defined before it; re-export the file");
+        row("polyline", kSquare + "l 1 9\n",
+            "mesh.obj:5: polyline refers to vertex 9, but only 4 are defined");
+        row("point", kSquare + "p x\n", "mesh.obj:5: point has the corner \"x\"");
         row("huge index", kSquare + "f 1 2 99999999999999999999\n", "mesh.obj:5: face has the corner");
         row("word in a face", kSquare + "f 1 2 three\n", "mesh.obj:5: face has the corner \"three\"");
         row("word in a vertex", "v 0 0 zero\n", "mesh.obj:1: vertex needs a number where \"zero\" is");
         row("short vertex", "v 0 0\n", "mesh.obj:1: vertex needs a number where the line ends");
         row("not a number", "# one\nv 0 nan 0\n",
-            "mesh.obj:2: coordinate of a vertex is not a number of at most 1e6 m");
-        row("infinite", "v 0 inf 0\n", "mesh.obj:1: coordinate");
-        row("too far", "v 0 0 1.1e6\n", "mesh.obj:1: coordinate");
+            "mesh.obj:2: coordinate of a vertex is not a finite number; export it again");
+        row("infinite", "v 0 inf 0\n", "mesh.obj:1: coordinate of a vertex is not a finite number");
+        row("too far", "v 0 0 1.1e6\n",
+            "mesh.obj:1: coordinate of a vertex is beyond 1e6 m; scale the model");
         row("beyond double", "v 0 0 1e999\n", "mesh.obj:1: vertex needs a number");
         row("no coordinate", kSquare + "f 1/x 2 3\n", "mesh.obj:5: face has the corner \"1/x\"");
         row("nothing to touch", "o nothing\n", "mesh.obj: has no faces, lines or points");

@@ -262,7 +262,8 @@ private slots:
         COMPARE_SHOWN(read("rich.obj", rich), "read-obj");
         QString faults;
         for (const char* text :
-             {"v 1 2\n", "v 1 2 x\n", "v 1 2 2e6\n", "vn 1 2\n", "vt\n", "vt 1 x\n", "vt x\n",
+             {"v 1 2\n", "v 1 2 x\n", "v 1 2 2e6\n", "v 0 0 0\nvn 1 2\nf 1//1 1 1\n",
+              "v 0 0 0\nvt\nf 1/1 1 1\n", "v 0 0 0\nvt 1 x\nf 1/1 1 1\n", "v 0 0 0\nvt x\nf 1/1 1 1\n",
               "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nf 0 1 1\n", "v 0 0 0\nf 1 1 -2\n", "v 0 0 0\nf 1x 1 1\n",
               "v 0 0 0\nf 1/2 1 1\n", "v 0 0 0\nf 1//2 1 1\n", "v 0 0 0\nf 1/ 1 1\n", "v 0 0 0\nf x 1 1\n",
               "v 0 0 0\nvt 0\nvn 0 0 1\nf 1/1/1/1 1 1\n", "", "# nothing\n",

@@ -201,7 +201,9 @@ private slots:
                              << "beyond 1e6 m";
         QTest::newRow("nan") << "<Shape><IndexedFaceSet coordIndex='0 0 0'><Coordinate point='nan 0 0'/>"
                                 "</IndexedFaceSet></Shape>"
-                             << "is not a number of at most 1e6 m";
+                             << "is not a finite number";
+        QTest::newRow("five numbers") << "<Shape><PointSet><Coordinate point='0 0 0 1 0'/></PointSet></Shape>"
+                                      << "point has 5 numbers, which are not three for each point";
         QTest::newRow("word") << "<Shape><Box size='1 two 3'/></Shape>"
                               << "\"two\", which is no number";
         QTest::newRow("grid")
