@@ -112,14 +112,8 @@ private:
         std::vector<std::string> complaints;
         const ReadShared shared{[this](int index) { return picture(index); },
                                 [](const Json&) { return std::shared_ptr<const PaintedValues>(); }};
-        readSurfaceJson(*feel, shared, surface, complaints);
-        if (!complaints.empty()) {
-            // It names the place by the extension in which it usually stands.
-            std::string complaint = complaints.front();
-            if (complaint.starts_with(kExtension))
-                complaint.replace(0, std::string_view(kExtension).size(), "feel");
-            source_.fail(complaint + "; repair or remove it");
-        }
+        readSurfaceJson(*feel, "feel", shared, surface, complaints);
+        if (!complaints.empty()) source_.fail(complaints.front() + "; repair or remove it");
         takeValues(*feel, surface.material);
         if (member(*feel, kShadingPart)) {
             check("feel.shading", kCreaseAngle, surface.shading.creaseAngle);

@@ -1,6 +1,9 @@
 #include "core/files/gltf/gltf_file.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "core/base/text.h"
 
 namespace tactum {
 namespace {
@@ -39,15 +42,28 @@ void demandFewNodes(const Source& source, const Json& json) {
                 " are read; join meshes, and leave out nodes that show nothing");
 }
 
-/// Version 1 has objects where version 2 has arrays, and would be a file with nothing in it.
+/// What the asset says under a key, as text; nothing where it says nothing.
+std::optional<std::string> saidOfAsset(const Json& json, const char* key) {
+    const auto asset = json.find("asset");
+    const bool says = asset != json.end() && asset->is_object() && asset->contains(key);
+    if (!says) return std::nullopt;
+    const Json& said = (*asset)[key];
+    return said.is_string() ? said.get<std::string>() : said.dump();
+}
+
+/// A later version may say that readers of 2.0 do. Version 1 has objects where version 2 has arrays, and
+/// would be a file with nothing in it.
 void demandVersion2(const Source& source, const Json& json) {
-    const auto asset = json.find("asset"), meshes = json.find("meshes");
-    const bool says = asset != json.end() && asset->is_object() && asset->contains("version");
-    const Json version = says ? (*asset)["version"] : Json();
-    const bool isOld = version.is_string() ? version.get<std::string>().starts_with("1") : version == 1;
-    if (isOld || (!says && meshes != json.end() && meshes->is_object()))
+    const auto meshes = json.find("meshes");
+    const auto version = saidOfAsset(json, "version"), least = saidOfAsset(json, "minVersion");
+    const bool isUnsaidOld = !version && meshes != json.end() && meshes->is_object();
+    if (isUnsaidOld || (version && (*version == "1" || version->starts_with("1."))))
         source.fail("is glTF 1.0, and only 2.0 is read; open it in a program of its time, or convert it by "
                     "gltf-pipeline");
+    const bool fits = least ? *least == "2.0" : !version || *version == "2" || version->starts_with("2.");
+    if (!fits)
+        source.fail("asks for a reader of glTF " + inQuotes(least.value_or(version.value_or(""))) +
+                    ", and only 2.0 is read; export it as glTF 2.0");
 }
 
 Json parseJson(const Source& source, std::string_view text) {

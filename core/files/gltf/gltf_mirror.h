@@ -6,6 +6,9 @@
 
 namespace tactum {
 
+/// Where they are, in sentences.
+inline constexpr const char* kMirror = "extras";
+
 /// Writes the numbers and words of our extension of an element into its extras: "staticFriction" as
 /// "tactum_static_friction"; layers as one text, without what lies elsewhere in the file. Extras that are no
 /// object stay as they are.

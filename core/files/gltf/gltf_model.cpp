@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
@@ -179,9 +180,11 @@ void GltfAccessor::replaceSparse(const tinygltf::Model& model, const tinygltf::A
         bytesOf(sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset), std::size_t(width));
     const unsigned char* value =
         bytesOf(sparse.values.bufferView, std::size_t(sparse.values.byteOffset), size);
+    std::int64_t last = -1;
     for (int i = 0; i < sparse.count; ++i, index += width, value += size) {
         std::uint32_t place = 0; // little-endian, as glTF and this machine
         std::memcpy(&place, index, std::size_t(width));
+        if (std::exchange(last, place) >= place) fail("has sparse indices that do not rise");
         if (place >= count_) fail("has a sparse index beyond its elements");
         std::memcpy(all->data() + place * size, value, size);
     }

@@ -149,7 +149,10 @@ template <class Value> Track<Value> GltfMotions::readTrack(int animation, int sa
     if (!interpolation) fail("has the unknown interpolation " + inQuotes(sampler.interpolation));
     track.interpolation = *interpolation;
     const bool cubic = track.interpolation == Interpolation::CubicSpline;
-    if (values.size() < times.size() * (cubic ? 3 : 1)) fail("has fewer values than times");
+    const std::size_t wanted = times.size() * (cubic ? 3 : 1);
+    if (values.size() != wanted)
+        fail("has " + std::to_string(values.size()) + " values for its times, which need " +
+             std::to_string(wanted));
     const auto value = [&](std::size_t element) {
         Value v;
         for (int i = 0; i < kSize; ++i)

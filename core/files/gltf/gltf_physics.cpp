@@ -122,7 +122,7 @@ private:
     void addNodeMeshes(int node, const Affine& to, ShapeMesh& mesh, int depth);
     void fillMasses();
     void addJoint(int node, const Json& json);
-    void readWorld(const Json& ours, const WorldField& field);
+    void readWorld(const Json& ours, const char* where, const WorldField& field);
 
     const Source& source_;
     const tinygltf::Model& model_;
@@ -359,15 +359,14 @@ void PhysicsReader::fillMasses() {
     }
 }
 
-void PhysicsReader::readWorld(const Json& ours, const WorldField& field) {
+void PhysicsReader::readWorld(const Json& ours, const char* where, const WorldField& field) {
     const std::string key = jsonKey(field.parameter->key);
     if (!ours.contains(key) || ours[key].is_null()) return;
     const auto value = numberIn(ours, key.c_str());
     if (value && field.parameter->allows(*value))
         made_.mechanics.*field.value = *value;
     else
-        warn("", std::string(kExtension) + "." + key + " is not a number that it may be",
-             "the initial value is used");
+        warn("", where + ("." + key) + " is not a number that it may be", "the initial value is used");
 }
 
 void PhysicsReader::addJoint(int node, const Json& json) {
@@ -448,12 +447,12 @@ GltfPhysics PhysicsReader::run() {
             Values(*ours, "the file", kExtension, made_.findings)
                 .warn("whose gravity is not three numbers", "9.81 m/s^2 down is used; correct it");
         for (const WorldField& field : kWorldFields)
-            readWorld(*ours, field);
+            readWorld(*ours, kExtension, field);
     } else if (const Json* scenes = member(root_, "scenes"); scenes && scenes->is_array()) {
         for (const Json& scene : *scenes) {
             const Json copy = mirrored(scene);
             for (const WorldField& field : kWorldFields)
-                readWorld(copy, field);
+                readWorld(copy, kMirror, field);
         }
     }
     noteTriggers();

@@ -279,9 +279,9 @@ Json surfaceJson(const Surface& surface, const WriteShared& shared) {
     return json;
 }
 
-void readSurfaceJson(const Json& extension, const ReadShared& shared, Surface& surface,
+void readSurfaceJson(const Json& json, const char* where, const ReadShared& shared, Surface& surface,
                      std::vector<std::string>& complaints) {
-    Members members(extension, kExtension, complaints);
+    Members members(json, where, complaints);
     members.table(kMaterialFields, surface.material);
     std::string sides(nameOf(surface.sides));
     members("sides", sides);

@@ -69,10 +69,11 @@ struct ReadShared {
 
 Json surfaceJson(const Surface& surface, const WriteShared& shared);
 
-/// Fills material, sides, shading and layers; what is missing stays initial. `complaints`: a sentence for
-/// each member that has a wrong type or an unknown word, which stays initial too. Numbers out of range are
+/// Fills material, sides, shading and layers; what is missing stays initial. `where`: what the JSON is called
+/// where it was found. `complaints`: a sentence for each member that has a wrong type or an unknown word,
+/// which stays initial too. Numbers out of range are
 /// kept as they are: validation speaks of them.
-void readSurfaceJson(const Json& extension, const ReadShared& shared, Surface& surface,
+void readSurfaceJson(const Json& json, const char* where, const ReadShared& shared, Surface& surface,
                      std::vector<std::string>& complaints);
 
 /// Translation and rotation under the keys of a glTF node; nothing for what is not there.

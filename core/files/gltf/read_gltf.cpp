@@ -19,6 +19,7 @@
 #include "core/files/gltf/gltf_references.h"
 #include "core/files/gltf/gltf_standards.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/files/gltf/gltf_weed.h"
 #include "core/files/gltf/soup_shelf.h"
 #include "core/files/gltf/write_physics.h"
 #include "core/files/images/read_image.h"
@@ -29,11 +30,18 @@ namespace {
 
 using Severity = Finding::Severity;
 
+GltfFile weeded(const Source& source, std::size_t& damagedAnimations) {
+    GltfFile file = openGltf(source);
+    damagedAnimations = eraseDamagedAnimations(file.json);
+    erasePackedMeshes(source, file.json);
+    return file;
+}
+
 class GltfReader {
 public:
     GltfReader(const Source& source, const Progress& progress)
-        : source_(source), progress_(progress), file_(openGltf(source)), model_(parseGltf(source, file_)),
-          meshes_(source, file_, model_, progress) {}
+        : source_(source), progress_(progress), file_(weeded(source, damagedAnimations_)),
+          model_(parseGltf(source, file_)), meshes_(source, file_, model_, progress) {}
 
     LoadedScene read();
 
@@ -65,6 +73,7 @@ private:
 
     const Source& source_;
     const Progress& progress_;
+    std::size_t damagedAnimations_ = 0; ///< which file_ has no more
     GltfFile file_;
     tinygltf::Model model_;
     GltfMeshReader meshes_;
@@ -148,6 +157,9 @@ LoadedScene GltfReader::read() {
     demandOurVersion();
     readRoot();
     std::map<int, RawMesh> meshes;
+    CountedFindings(loaded_.findings, "")
+        .add(Severity::Warning, damagedAnimations_, "animation", "that is damaged left out",
+             "what it moves stands still; export it again");
     const GltfMotions motions(source_, model_);
     loaded_.findings.insert(loaded_.findings.end(), motions.findings().begin(), motions.findings().end());
     noteStretchedRotations(model_, loaded_.findings);
@@ -316,10 +328,8 @@ void GltfReader::readNode(SceneObject& object, const PlacedMesh& placed, const J
 
 /// What others have put into the primitives of a mesh, by the surfaces and kinds that these become.
 Json GltfReader::keptPrimitives(int mesh, const RawMesh& raw) {
-    constexpr const char* kPacked = "KHR_draco_mesh_compression"; // names the data of old
     Json kept = Json::array();
-    for (Json primitive : file_.json["meshes"][std::size_t(mesh)]["primitives"]) {
-        eraseExtension(primitive, kPacked);
+    for (const Json& primitive : file_.json["meshes"][std::size_t(mesh)]["primitives"]) {
         if (!member(primitive, "extensions") && !member(primitive, "extras")) continue;
         const int material = indexIn(primitive, "material", model_.materials.size());
         const auto surface = std::ranges::find(raw.materials, material) - raw.materials.begin();
@@ -415,7 +425,7 @@ Surface GltfReader::surfaceOf(int material, const PlacedMesh& placed, const RawM
     if (!ours && copy.empty()) return surface;
     std::vector<std::string> complaints;
     const auto paint = [&](const Json& painted) { return paintOf(painted, raw, complaints); };
-    readSurfaceJson(ours ? *ours : copy, {image, paint}, surface, complaints);
+    readSurfaceJson(ours ? *ours : copy, ours ? kExtension : kMirror, {image, paint}, surface, complaints);
     for (const std::string& complaint : complaints)
         say(Severity::Warning, "", "material " + inQuotes(surface.name) + ": " + complaint,
             "the initial value is used");

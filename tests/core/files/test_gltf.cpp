@@ -85,6 +85,24 @@ private slots:
         }
     }
 
+    /// A later minor version says nothing that a reader of 2.0 has to know, unless it says so.
+    void laterVersionsAreNamed() {
+        Json json = Json::parse(asGltf(tetrahedron()));
+        const auto with = [&](const Json& asset) {
+            json["asset"] = asset;
+            return json.dump();
+        };
+        for (const Json& asset : {Json{{"version", "2.0"}},
+                                  {{"version", "2.1"}},
+                                  {{"version", "2"}},
+                                  {{"version", "3.0"}, {"minVersion", "2.0"}}})
+            QVERIFY(folder_.load("a.gltf", with(asset)));
+        refused("a.gltf", with({{"version", "3.0"}}),
+                "asks for a reader of glTF \"3.0\", and only 2.0 is read");
+        refused("a.gltf", with({{"version", ""}}), "asks for a reader of glTF \"\"");
+        refused("a.gltf", with({{"version", "2.1"}, {"minVersion", "2.1"}}), "glTF \"2.1\"");
+    }
+
     void whatOnlyTheEyeMissesMayBeRequired() {
         Json json = Json::parse(asGltf(tetrahedron()));
         json["extensionsRequired"] = {"EXT_texture_webp"};
@@ -94,6 +112,24 @@ private slots:
         QVERIFY(!packed);
         COMPARE_CONTAINS(packed.error().text,
                          "needs the extension \"KHR_draco_mesh_compression\", which is not read");
+    }
+
+    /// A second copy of what is there anyway; nobody needs it, and it is not kept.
+    void packedMeshesWithAFallbackAreRead() {
+        Json json = Json::parse(asGltf(tetrahedron()));
+        json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+        json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+            {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+        const auto loaded = folder_.load("packed.gltf", json.dump());
+        VERIFY_RESULT(loaded);
+        QCOMPARE(loaded->scene.objects.at(0).geometry->triangles.size(), tetrahedron().triangles.size());
+        COMPARE_LACKS(said(*loaded), "stay in the file");
+        QVERIFY(loaded->scene.kept.foreign);
+        COMPARE_LACKS(loaded->scene.kept.foreign->json, "draco");
+        for (Json& accessor : json["accessors"])
+            accessor.erase("bufferView");
+        refused("packed.gltf", json.dump(),
+                "needs the extension \"KHR_draco_mesh_compression\", which is not read");
     }
 
     /// Vertex 1 is moved by a sparse accessor: over a view, and over zeros.
@@ -131,6 +167,13 @@ private slots:
             const auto loaded = folder_.load("sparse.gltf", damaged.dump());
             QVERIFY2(!loaded, place);
             COMPARE_CONTAINS(loaded.error().text, "sparse");
+        }
+        // 1 and then 0, and twice 0: which of two values would be meant?
+        json["accessors"][positions]["sparse"]["count"] = 2;
+        json["accessors"][positions]["sparse"]["values"]["bufferView"] = 0;
+        for (const int offset : {0, 1}) {
+            json["accessors"][positions]["sparse"]["indices"]["byteOffset"] = offset;
+            refused("sparse.gltf", json.dump(), "has sparse indices that do not rise");
         }
     }
 

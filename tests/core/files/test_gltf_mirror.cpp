@@ -10,6 +10,7 @@
 #include "core/scene/world_fields.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
+#include "tests/support/compare.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/test_program.h"
 
@@ -108,6 +109,8 @@ private slots:
         QCOMPARE(loaded.scene.mechanics.bodies.size(), std::size_t(1));
         for (const WorldField& field : kWorldFields)
             QCOMPARE(loaded.scene.mechanics.*field.value, scene.mechanics.*field.value);
+        parts.json["scenes"][0]["extras"]["tactum_air_density"] = "thick";
+        COMPARE_CONTAINS(said(load(parts)), "extras.airDensity is not a number that it may be");
     }
 
     void everyValueComesBackWithoutOurExtension() {
@@ -211,7 +214,7 @@ private slots:
             Parts parts = passedOn(plate());
             parts.extras()[std::string("tactum_") + key] = wrong;
             const LoadedScene loaded = load(parts);
-            COMPARE_CONTAINS(said(loaded), "material \"cork\": ");
+            COMPARE_CONTAINS(said(loaded), "material \"cork\": extras");
             QVERIFY(loaded.scene.objects[0].surfaces[0].layers.empty());
         }
     }

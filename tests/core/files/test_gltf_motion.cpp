@@ -1,6 +1,7 @@
 // glTF animations as rigid motions: against the node transforms multiplied out, in every place of the tree.
 #include <QTest>
 
+#include "core/files/gltf/gltf_file.h"
 #include "core/motion/body_motion.h"
 #include "core/scene/describe.h"
 #include "tests/core/files/mesh_files.h"
@@ -264,10 +265,12 @@ private slots:
         row("times before the beginning", channel, "times that do not rise");
         channel = sliding(0);
         channel.values.pop_back();
-        row("values run out", channel, "fewer values than times");
+        row("values run out", channel, "values for its times, which need 3");
+        channel.values.resize(5, channel.values[0]);
+        row("values without times", channel, "has 5 values for its times, which need 3");
         channel = sliding(0);
         channel.interpolation = "CUBICSPLINE";
-        row("slopes run out", channel, "fewer values than times");
+        row("slopes run out", channel, "has 3 values for its times, which need 9");
         channel = sliding(0);
         channel.values[1][2] = INFINITY;
         row("values are no numbers", channel, "not a number of at most 1e6");
@@ -298,6 +301,38 @@ private slots:
         COMPARE_CONTAINS(said->sentence, error.toStdString());
         COMPARE_LACKS(said->sentence, "\n");
         COMPARE_LACKS(said->sentence, "a.glb");
+    }
+
+    /// Of another form than glTF gives them: the shape is read, and what else moves goes on moving.
+    void animationsOfAnotherFormAreLeftOut() {
+        const Source whole = Source::ofBytes(
+            "a.glb", asAnimatedGlb(tetrahedron(), R"("nodes":[{"mesh":0},{"mesh":0}])", {sliding(0)}));
+        const GltfFile file = openGltf(whole);
+        const auto loadedWith = [&](const char* place, const Json& wrong) {
+            Json json = file.json;
+            json[Json::json_pointer(place)] = wrong;
+            return folder_.load("a.glb", packGlb(json, file.binary));
+        };
+        for (const auto& [place, wrong] : {std::pair<const char*, Json>{"/animations", 5},
+                                           {"/animations/0", 5},
+                                           {"/animations/0/channels", "none"},
+                                           {"/animations/0/channels/0", nullptr},
+                                           {"/animations/0/channels/0/target", 1},
+                                           {"/animations/0/channels/0/target/node", "first"},
+                                           {"/animations/0/channels/0/target/node", -1},
+                                           {"/animations/0/channels/0/target/path", 7},
+                                           {"/animations/0/channels/0/sampler", 1.5},
+                                           {"/animations/0/samplers/0/input", "a"},
+                                           {"/animations/0/samplers/0/interpolation", 2}}) {
+            const auto loaded = loadedWith(place, wrong);
+            VERIFY_RESULT(loaded);
+            QVERIFY2(!loaded->scene.objects.at(0).motion, place);
+            COMPARE_CONTAINS(said(*loaded), "1 animation that is damaged left out");
+        }
+        const auto beside = loadedWith("/animations/1", 5);
+        VERIFY_RESULT(beside);
+        QVERIFY(beside->scene.objects.at(0).motion);
+        COMPARE_CONTAINS(said(*beside), "1 animation that is damaged left out");
     }
 
 private:

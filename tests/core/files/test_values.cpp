@@ -511,7 +511,7 @@ private slots:
             Surface surface;
             surface.name = "s";
             std::vector<std::string> complaints;
-            readSurfaceJson(Json::parse(text), shared, surface, complaints);
+            readSurfaceJson(Json::parse(text), kExtension, shared, surface, complaints);
             LoadedScene one;
             SceneObject object;
             object.geometry = std::make_shared<const TriangleSoup>();
