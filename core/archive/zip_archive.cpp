@@ -167,24 +167,25 @@ std::string writeZip(std::span<const ZipEntry> entries) {
     return contentOf(result.get());
 }
 
-std::string headInZip(std::string_view zip, std::string_view ending, std::size_t most) {
-    Source source = sourceOf(zip);
-    const std::unique_ptr<zip_t, decltype(&zip_discard)> library(
-        zip_open_from_source(source.get(), ZIP_RDONLY, nullptr), &zip_discard);
-    if (!library) return {};
-    source.release(); // the library's now
-    const zip_int64_t count = zip_get_num_entries(library.get(), 0);
-    for (zip_int64_t i = 0; i < count; ++i) {
-        const char* name = zip_get_name(library.get(), zip_uint64_t(i), 0);
-        if (!name || !std::string_view(name).ends_with(ending)) continue;
+Result<std::string> fileInZip(std::string_view zip, const std::string& name, std::size_t most) {
+    assertNotRealtime();
+    try {
+        Source source = sourceOf(zip);
+        const std::unique_ptr<zip_t, decltype(&zip_discard)> library(
+            zip_open_from_source(source.get(), ZIP_RDONLY, nullptr), &zip_discard);
+        if (!library) throw ZipFault{"is no zip archive, or one that was cut off"};
+        source.release(); // the library's now
+        const zip_int64_t place = zip_name_locate(library.get(), name.c_str(), ZIP_FL_NOCASE);
+        zip_stat_t stat{};
+        if (place < 0 || zip_stat_index(library.get(), zip_uint64_t(place), 0, &stat) != 0)
+            failZipEntry(name, "is not there");
+        if (stat.size > most) failZipEntry(name, "is larger than " + std::to_string(most) + " bytes");
         const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> file(
-            zip_fopen_index(library.get(), zip_uint64_t(i), 0), &zip_fclose);
-        std::string head(most, '\0');
-        const zip_int64_t read = file ? zip_fread(file.get(), head.data(), head.size()) : 0;
-        head.resize(std::size_t(std::max(read, zip_int64_t(0))));
-        return head;
+            zip_fopen_index(library.get(), zip_uint64_t(place), 0), &zip_fclose);
+        return unpacked(file.get(), name, stat.size);
+    } catch (const ZipFault& fault) {
+        return inputError(fault.text + kRemedy);
     }
-    return {};
 }
 
 } // namespace tactum

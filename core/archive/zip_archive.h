@@ -60,8 +60,9 @@ Result<std::vector<ZipEntry>> readZip(std::string_view bytes);
 /// caller to see to. Thread: any but real time. Throws std::bad_alloc.
 std::string writeZip(std::span<const ZipEntry> entries);
 
-/// The first bytes, at most `most`, of the first file whose name ends so, in a zip of any program, which our
-/// own rules need not hold for. Empty where there is none, or no zip. Throws std::bad_alloc.
-std::string headInZip(std::string_view zip, std::string_view ending, std::size_t most);
+/// One file of a zip of any program, which our own rules need not hold for; capitals of its name do not
+/// matter. Errors: one line; there is none of that name, it is longer than `most`, or damaged. Throws
+/// std::bad_alloc.
+Result<std::string> fileInZip(std::string_view zip, const std::string& name, std::size_t most);
 
 } // namespace tactum

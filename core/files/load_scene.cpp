@@ -28,7 +28,7 @@ constexpr Format kFormats[] = {{"obj", readObj, Beside::Materials},   {"ply", re
                                {"gltf", readGltf, Beside::Buffers},   {"glb", readGltf, Beside::Buffers},
                                {"x3d", readX3d, Beside::Pictures},    {"3ds", readAssimp, Beside::Pictures},
                                {"fbx", readAssimp, Beside::Pictures}, {"dae", readAssimp, Beside::Pictures},
-                               {"3mf", readAssimp, Beside::Nothing},  {"tactum", readBundle, Beside::Nothing},
+                               {"3mf", read3mf, Beside::Nothing},     {"tactum", readBundle, Beside::Nothing},
                                {"zip", readBundle, Beside::Nothing}};
 
 const Format* formatOf(const std::filesystem::path& file) {
@@ -89,7 +89,7 @@ LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
     const Format* format = formatOf(file);
     if (!format) source.fail("cannot tell its format by its ending; readable are " + allEndings());
-    refuseDisguises(source, format->read == readBundle || format->ending == "3mf");
+    refuseDisguises(source, format->read == readBundle || format->read == read3mf);
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
     if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");

@@ -19,10 +19,10 @@ struct LoadedScene {
 };
 
 /// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb, x3d, 3ds,
-/// fbx, dae.
+/// fbx, dae, 3mf, tactum, zip.
 const std::vector<std::string>& readableEndings();
 
-/// Reads a file by its ending. FBX and DAE say their unit; one unit of the others is a metre. Groups and
+/// Reads a file by its ending. FBX, DAE and 3MF say their unit; one unit of the others is a metre. Groups and
 /// materials become surfaces; no face is lost without a finding that counts it. Errors: one line that names
 /// the file, the place in it (line or byte) and the remedy. Thread: any but real time; long files report
 /// progress and stop when cancelled.

@@ -1,6 +1,6 @@
-// 3DS, FBX, DAE and 3MF, read by Assimp out of memory: it opens no file. Every node with meshes is an object
-// in the world's frame, every material of it a surface. Assimp takes the axes and the unit of DAE into the
-// root's transform; those of FBX it hands over as numbers, those of 3MF it leaves alone.
+// 3DS, FBX and DAE, read by Assimp out of memory: it opens no file. Every node with meshes is an object in
+// the world's frame, every material of it a surface. Assimp takes the axes and the unit of DAE into the
+// root's transform; those of FBX it hands over as numbers.
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
@@ -11,13 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 
-#include "core/archive/zip_archive.h"
 #include "core/base/text.h"
 #include "core/files/bump_layers.h"
 #include "core/files/fbx_head.h"
@@ -94,7 +92,6 @@ public:
     LoadedScene read() {
         if (ending_ == "fbx")
             if (const auto refusal = fbxRefusal(source_.bytes())) source_.fail(*refusal);
-        if (ending_ == "3mf") demandFewParts();
         keepReaderOf(importer_, ending_);
         // Without pivots Assimp hands a node's geometric transform down to its children.
         importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
@@ -120,19 +117,6 @@ private:
         return said.empty() || said.find("$$$") != std::string_view::npos ? "" : ": " + printable(said, 300);
     }
 
-    /// Assimp takes time by the square of the number of parts.
-    void demandFewParts() const {
-        constexpr std::size_t kLookedAt = std::size_t(16) << 20, kMostParts = 10'000;
-        const std::string model = headInZip(source_.bytes(), ".model", kLookedAt);
-        std::size_t parts = 0;
-        for (const char* word : {"<item", "<component "})
-            for (std::size_t at = model.find(word); at != std::string::npos; at = model.find(word, at + 1))
-                ++parts;
-        if (parts > kMostParts)
-            source_.fail("has " + std::to_string(parts) + " parts, and at most " +
-                         std::to_string(kMostParts) + " are read; join some of them");
-    }
-
     /// What one unit of the vertices is beyond the transforms, in metres.
     double unit() const {
         float centimetres = 0;
@@ -140,25 +124,8 @@ private:
         return known && centimetres > 0 ? 0.01 * double(centimetres) : 1;
     }
 
-    /// Of 3MF, in metres: what the head of its model says, else millimetres.
-    double printersUnit() const {
-        constexpr std::pair<std::string_view, double> kUnits[] = {
-            {"micron", 1e-6}, {"centimeter", 1e-2}, {"inch", 0.0254}, {"foot", 0.3048}, {"meter", 1.0}};
-        constexpr std::size_t kHead = 4096;
-        const std::string head = headInZip(source_.bytes(), ".model", kHead);
-        for (const auto& [name, metres] : kUnits)
-            for (const std::string quote : {"\"", "'"})
-                if (head.find(" unit=" + quote + std::string(name) + quote) != std::string::npos)
-                    return metres;
-        return 1e-3;
-    }
-
     /// From the file's axes and unit to ours.
     Eigen::Affine3d toOurs() {
-        if (ending_ == "3mf") { // z is up from the bed of the printer
-            const Eigen::AngleAxisd upright(-std::numbers::pi / 2, Vec3::UnitX());
-            return Eigen::Affine3d(Mat3(printersUnit() * upright.toRotationMatrix()));
-        }
         const aiMetadata* const data = scene_->mMetaData;
         const auto axes = fromFbxAxes(axisOf(data, "CoordAxis", "CoordAxisSign", 0),
                                       axisOf(data, "UpAxis", "UpAxisSign", 1),
@@ -170,7 +137,6 @@ private:
     }
 
     bool hasUnit() const {
-        if (ending_ == "3mf") return true;
         if (ending_ == "fbx")
             return unit() != 1 || source_.bytes().find("UnitScaleFactor") != std::string_view::npos;
         return ending_ == "dae" && source_.bytes().find("meter=") != std::string_view::npos;

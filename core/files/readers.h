@@ -16,6 +16,7 @@ LoadedScene readOff(const Source& source, const Progress& progress);
 LoadedScene readGltf(const Source& source, const Progress& progress); ///< glb as well
 LoadedScene readBundle(const Source& source, const Progress& progress);
 LoadedScene readX3d(const Source& source, const Progress& progress);
+LoadedScene read3mf(const Source& source, const Progress& progress);
 LoadedScene readAssimp(const Source& source, const Progress& progress); ///< 3ds, fbx and dae
 
 /// Adds an object: makes its soup fit for touching, and says in the findings what was done or is doubtful.

@@ -118,7 +118,8 @@ ImportLimits limitsOf(const std::filesystem::path& file) {
     const std::uint64_t size = sizeOf(file);
     ImportLimits limits = limitsFor(size);
     const std::string ending = lowerCase(file.extension().string());
-    const bool holdsMore = ending == ".gltf" || ending == ".glb" || ending == ".zip" || ending == ".obj";
+    constexpr std::string_view kHoldMore[] = {".gltf", ".glb", ".obj", ".zip", ".tactum", ".3mf"};
+    const bool holdsMore = std::ranges::find(kHoldMore, ending) != std::end(kHoldMore);
     if (!holdsMore) limits.memory = std::max(kLittle, std::min(limits.memory, kLittle + 12 * size));
     return limits;
 }

@@ -64,7 +64,7 @@ inline const std::vector<Library> kLibraries{
     {"btBulletDynamicsCommon.h", {"tests/benchmarks/"}},
     {"tiny_gltf.h", {"core/files/gltf/gltf_model.h"}},
     {"assimp/", {"core/files/read_assimp.cpp"}},
-    {"pugixml.hpp", {"core/files/x3d/x3d_document.h", "core/presets/read_hatt.cpp"}},
+    {"pugixml.hpp", {"core/files/xml_document.h", "core/presets/read_hatt.cpp"}},
     {"png.h", {"core/files/images/read_png.cpp", "core/files/images/write_png.cpp"}},
     {"jpeglib.h", {"core/files/images/read_jpeg.cpp"}},
     {"tiffio.h", {"core/files/images/read_tiff.cpp"}},

@@ -39,6 +39,14 @@ std::string x3d(const std::string& inside) {
     return "<X3D><Scene>" + inside + "</Scene></X3D>";
 }
 
+std::string plateOfPrinter() {
+    return threeMfModel(
+        "<object id='1'><mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/>"
+        "<vertex x='0' y='1' z='0'/></vertices><triangles><triangle v1='0' v2='1' v3='2'/>"
+        "</triangles></mesh></object>",
+        "<item objectid='1'/>");
+}
+
 std::string bundle(const std::string& glb) {
     return packBundle(std::vector<ZipEntry>{{bundle_name::kScene, glb}});
 }
@@ -177,6 +185,14 @@ void addZips(Files& files) {
         files.push_back(
             {"bomb.zip",
              rawZip({{.name = "scene.glb", .packed = deflatedZeros(size), .method = 8, .size = said}})});
+    files.push_back(
+        {"bomb.3mf",
+         rawZip({{.name = "_rels/.rels", .packed = deflatedZeros(size), .method = 8, .size = size}})});
+    const std::string itself = "<components><component objectid='1'/></components>";
+    files.push_back(
+        {"ring.3mf", as3mf(threeMfModel("<object id='1'>" + itself + "</object>", "<item objectid='1'/>"))});
+    files.push_back({"number.3mf", as3mf(replaced(plateOfPrinter(), "x='1'", "x='1e999'"))});
+    files.push_back({"index.3mf", as3mf(replaced(plateOfPrinter(), "v3='2'", "v3='18446744073709551615'"))});
     files.push_back({"other.zip", bundle("no glb at all")});
     files.push_back({"nested.zip", bundle(bundle(glb))});
 }
@@ -204,6 +220,7 @@ Files soundFiles() {
                                {"own.zip", bundle(own)},
                                {"a.3ds", as3ds(sheet(), "lid", "red")},
                                {"a.dae", asDae("")},
+                               {"a.3mf", as3mf(plateOfPrinter())},
                                {"a.fbx", asFbx(1)}});
     return files;
 }

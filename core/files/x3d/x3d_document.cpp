@@ -14,16 +14,8 @@ bool separates(char c) {
 
 } // namespace
 
-X3dDocument::X3dDocument(const Source& source) : source_(source) {
-    const std::string_view bytes = source.bytes();
-    const auto result = document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_default);
-    if (!result) {
-        const auto at =
-            std::min<std::size_t>(std::size_t(std::max<std::ptrdiff_t>(result.offset, 0)), bytes.size());
-        source.failAtLine(source.lineAt(bytes.data() + at),
-                          std::string("is no XML: ") + result.description() + "; export it again");
-    }
-    scene_ = document_.child("X3D").child("Scene");
+X3dDocument::X3dDocument(const Source& source) : XmlDocument(source) {
+    if (root().name() == std::string_view("X3D")) scene_ = root().child("Scene");
     if (!scene_) source.fail("has no <X3D> with a <Scene>; export it as X3D in its XML form");
     visitAll([&](X3dNode node) {
         if (const auto name = node.attribute("DEF")) defined_.try_emplace(name.value(), node);
@@ -31,17 +23,17 @@ X3dDocument::X3dDocument(const Source& source) : source_(source) {
 }
 
 template <class Visit> void X3dDocument::visitAll(Visit visit) const {
-    X3dNode node = document_.document_element();
-    const X3dNode root = node;
+    const X3dNode top = root();
+    X3dNode node = top;
     while (node) {
         if (node.type() == pugi::node_element) visit(node);
         if (node.first_child()) {
             node = node.first_child();
             continue;
         }
-        while (node != root && !node.next_sibling())
+        while (node != top && !node.next_sibling())
             node = node.parent();
-        if (node == root) return;
+        if (node == top) return;
         node = node.next_sibling();
     }
 }
@@ -146,13 +138,6 @@ std::vector<X3dNode> X3dDocument::all(std::initializer_list<std::string_view> na
         if (std::ranges::find(names, std::string_view(node.name())) != names.end()) found.push_back(node);
     });
     return found;
-}
-
-void X3dDocument::fail(X3dNode node, const std::string& text) const {
-    const std::string what = "<" + printable(node.name()) + ">: " + text;
-    const auto at = node.offset_debug();
-    if (at < 0 || std::size_t(at) > source_.bytes().size()) source_.fail(what);
-    source_.failAtLine(source_.lineAt(source_.bytes().data() + at), what);
 }
 
 } // namespace tactum

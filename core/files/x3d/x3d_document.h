@@ -5,16 +5,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include <pugixml.hpp>
-
-#include "core/files/source.h"
+#include "core/files/xml_document.h"
 
 namespace tactum {
 
-using X3dNode = pugi::xml_node;
+using X3dNode = XmlNode;
 
 /// A value of an attribute that cannot be read throws ReadFault with its line.
-class X3dDocument {
+class X3dDocument : public XmlDocument {
 public:
     /// Throws ReadFault where it is no XML or no X3D.
     explicit X3dDocument(const Source& source);
@@ -43,14 +41,10 @@ public:
     /// Every node of a kind in the whole file.
     std::vector<X3dNode> all(std::initializer_list<std::string_view> names) const;
 
-    [[noreturn]] void fail(X3dNode node, const std::string& text) const;
-
 private:
     template <class Number> std::vector<Number> list(X3dNode node, const char* field) const;
     template <class Visit> void visitAll(Visit visit) const;
 
-    const Source& source_;
-    pugi::xml_document document_;
     X3dNode scene_;
     std::unordered_map<std::string_view, X3dNode> defined_;
 };

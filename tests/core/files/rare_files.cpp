@@ -103,4 +103,24 @@ std::string asFbx(double centimetres, const FbxWords& words) {
            (two ? " C: \"OO\",2001,2000\n C: \"OO\",1001,2001\n C: \"OO\",3000,2001\n" : "") + "}\n";
 }
 
+std::string threeMfModel(const std::string& resources, const std::string& build, const std::string& head) {
+    return "<?xml version='1.0'?>\n<model " + head +
+           " xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'>\n<resources>" + resources +
+           "</resources>\n<build>" + build + "</build></model>";
+}
+
+std::string as3mf(const std::string& model, std::vector<ZipEntry> more) {
+    std::vector<ZipEntry> entries{
+        {"_rels/.rels",
+         "<?xml version='1.0'?><Relationships "
+         "xmlns='http://schemas.openxmlformats.org/package/2006/relationships'>"
+         "<Relationship Target='/Metadata/thumbnail.png' Id='t' Type='http://schemas.openxmlformats.org/"
+         "package/2006/relationships/metadata/thumbnail'/><Relationship Target='/3D/3dmodel.model' Id='r' "
+         "Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/></Relationships>"},
+        {"3D/3dmodel.model", model}};
+    for (ZipEntry& each : more)
+        entries.push_back(std::move(each));
+    return writeZip(entries);
+}
+
 } // namespace tactum

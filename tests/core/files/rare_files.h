@@ -1,8 +1,10 @@
-// Small files of the formats that Assimp reads.
+// Small files of rarer formats.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/archive/zip_archive.h"
 #include "core/geometry/triangle_soup.h"
 
 namespace tactum {
@@ -21,5 +23,11 @@ struct FbxWords {
 };
 /// A unit square, its corners counter-clockwise seen from +z, 5 units along z in the text form of FBX.
 std::string asFbx(double centimetres, const FbxWords& words = {});
+
+/// The model part of a 3MF package: its resources, what is built of them, and attributes of its head.
+std::string threeMfModel(const std::string& resources, const std::string& build,
+                         const std::string& head = "");
+/// The package around it, with more parts if there are.
+std::string as3mf(const std::string& model, std::vector<ZipEntry> more = {});
 
 } // namespace tactum

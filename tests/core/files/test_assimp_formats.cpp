@@ -1,7 +1,6 @@
-// 3DS, FBX, DAE and 3MF: names, surfaces, units and every face.
+// 3DS, FBX and DAE: names, surfaces, units and every face.
 #include <QTest>
 
-#include "core/archive/zip_archive.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/core/files/rare_files.h"
 #include "tests/support/compare.h"
@@ -51,55 +50,6 @@ private slots:
             QCOMPARE_GT((at(1) - at(0)).cross(at(2) - at(0)).z(), 0);
         }
         COMPARE_LACKS(said(*loaded), "has no unit");
-    }
-
-    /// z is up there, and a unit that is not said is a millimetre.
-    void printersFilesKeepUnitUpAndParts() {
-        const auto as3mf = [](const std::string& unit) {
-            const std::string model =
-                "<?xml version='1.0'?><model " + unit +
-                " xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02'><resources><object "
-                "id='1'>"
-                "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='10' y='0' z='0'/><vertex x='0' y='20' "
-                "z='0'/>"
-                "<vertex x='0' y='0' z='30'/></vertices><triangles><triangle v1='0' v2='2' v3='1'/>"
-                "<triangle v1='0' v2='1' v3='3'/><triangle v1='1' v2='2' v3='3'/><triangle v1='2' v2='0' "
-                "v3='3'/>"
-                "</triangles></mesh></object><object id='2'><components><component objectid='1'/>"
-                "<component objectid='1' transform='1 0 0 0 1 0 0 0 1 0 50 "
-                "0'/></components></object></resources>"
-                "<build><item objectid='2'/></build></model>";
-            const ZipEntry entries[] = {
-                {"Content_Types.xml", // with brackets in the files of others
-                 "<?xml version='1.0'?><Types "
-                 "xmlns='http://schemas.openxmlformats.org/package/2006/content-types'><Default "
-                 "Extension='model' "
-                 "ContentType='application/vnd.ms-package.3dmanufacturing-3dmodel+xml'/></Types>"},
-                {"_rels/.rels",
-                 "<?xml version='1.0'?><Relationships "
-                 "xmlns='http://schemas.openxmlformats.org/package/2006/relationships'><Relationship "
-                 "Target='/3D/3dmodel.model' Id='r' "
-                 "Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/></Relationships>"},
-                {"3D/3dmodel.model", model}};
-            return writeZip(entries);
-        };
-        for (const auto& [unit, metres] : {std::pair<std::string, double>{"", 1e-3},
-                                           {"unit='millimeter'", 1e-3},
-                                           {"unit=\"inch\"", 0.0254},
-                                           {"unit='micron'", 1e-6},
-                                           {"unit='meter'", 1}}) {
-            const auto loaded = folder_.load("a.3mf", as3mf(unit));
-            VERIFY_RESULT(loaded);
-            QCOMPARE(loaded->scene.objects.size(), std::size_t(2));
-            QCOMPARE(loaded->scene.objects[0].geometry->triangles.size(), std::size_t(4));
-            const Bounds box = boundsOf(loaded->scene);
-            COMPARE_NEAR(box.low, Vec3(Vec3(0, 0, -70) * metres), 1e-6 * metres, "m");
-            COMPARE_NEAR(box.high, Vec3(Vec3(10, 30, 0) * metres), 1e-6 * metres, "m");
-            COMPARE_LACKS(said(*loaded), "has no unit");
-        }
-        const std::string whole = as3mf("");
-        for (std::size_t length = 0; length < whole.size(); length += 7)
-            QVERIFY(!folder_.load("a.3mf", whole.substr(0, length)));
     }
 
     void daeWithoutUnitSaysItsGuess() {
