@@ -281,9 +281,7 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
         "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl, beside "
-        "a.gltf a.bin. What is there already under such a name is replaced only where the result that it "
-        "takes "
-        "the place of named it.");
+        "a.gltf a.bin. None of these replaces a file that the result before did not name.");
     convert->final_callback([&] {
         std::vector<std::filesystem::path> inputs{options.in};
         if (options.path) inputs.push_back(*options.path);
