@@ -6,18 +6,11 @@
 #include <string>
 
 #include "core/port/hand_target.h"
+#include "core/protocol/remote_settings.h"
 #include "core/runtime/engine.h"
 #include "core/runtime/shared_scene.h"
 
 namespace tactum {
-
-struct RemoteSettings {
-    std::string target{};               ///< HOST:PORT
-    std::string name = "window";        ///< for the other clients
-    std::string certificate{}, token{}; ///< of a server on another machine: PEM, and its token
-    double stateRate = 60;              ///< Hz
-    double patience = 5;                ///< s, that start() waits for an answer
-};
 
 /// What is ordered goes out at once, beside the caller; what is published goes out whole, the newest as soon
 /// as the one before has arrived. What a loop tells is as old as the way from the server. Where the

@@ -1,0 +1,359 @@
+#include "core/protocol/remote_session.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/text.h"
+#include "core/scene/scene_bytes.h"
+
+namespace tactum {
+namespace {
+
+constexpr auto kHandTick = std::chrono::milliseconds(2), kRetry = std::chrono::milliseconds(500);
+constexpr double kAnswer = 1;                 ///< s, that a try waits
+constexpr std::size_t kMostTrace = 8192;      ///< as many as wait in an engine's own queue
+constexpr std::size_t kMostFelt = 256;        ///< Worlds on their way
+constexpr std::size_t kLongestEdit = 3 << 20; ///< bytes; a longer scene is uploaded
+
+bool isSame(const HandGoal& a, const HandGoal& b) {
+    return a.position == b.position && a.teleport == b.teleport && a.sequence == b.sequence &&
+           a.held == b.held;
+}
+
+v1::Word wordOf(const HandGoal& goal) {
+    v1::Word word;
+    v1::HandGoal& to = *word.mutable_hand();
+    to.mutable_position()->set_x(goal.position.x());
+    to.mutable_position()->set_y(goal.position.y());
+    to.mutable_position()->set_z(goal.position.z());
+    to.set_jumps(goal.teleport);
+    to.set_number(goal.sequence);
+    to.set_held(goal.held);
+    return word;
+}
+
+} // namespace
+
+RemoteSession::RemoteSession(RemoteSettings settings, std::shared_ptr<HandTarget> hand)
+    : settings_(std::move(settings)), hand_(std::move(hand)) {}
+
+void RemoteSession::begin() {
+    if (!keeper_.joinable()) {
+        keeper_ = std::thread([this] { keep(); });
+        orderer_ = std::thread([this] { sendOrders(); });
+        sender_ = std::thread([this] { sendScenes(); });
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::duration<double>(settings_.patience),
+                      [this] { return told_ && link_; });
+}
+
+bool RemoteSession::open() const {
+    const std::lock_guard lock(mutex_);
+    return link_ && told_ && link_->open();
+}
+
+std::string RemoteSession::fault() const {
+    const std::lock_guard lock(mutex_);
+    return fault_;
+}
+
+std::shared_ptr<Connection> RemoteSession::link() const {
+    const std::lock_guard lock(mutex_);
+    return link_;
+}
+
+void RemoteSession::say(const v1::Word& word) {
+    if (const auto with = link()) with->say(word);
+}
+
+bool RemoteSession::record(std::string& bytes) {
+    const auto with = link();
+    return with && with->record(bytes).empty();
+}
+
+void RemoteSession::publish(std::shared_ptr<const World> world) {
+    const std::lock_guard lock(mutex_);
+    wanted_ = std::move(world);
+    changed_.notify_all();
+}
+
+// ---- what is told ----
+
+bool RemoteSession::read(EngineReport& report, std::shared_ptr<const World>& world) {
+    const std::lock_guard lock(mutex_);
+    if (!told_ || !link_ || !link_->open()) return false;
+    report = *told_;
+    const auto found = std::ranges::find(felt_, feltRevision_, &Felt::revision);
+    if (found == felt_.end()) return true;
+    world = found->world;
+    felt_.erase(felt_.begin(), found);
+    return true;
+}
+
+bool RemoteSession::popTrace(TracePoint& point) {
+    const std::lock_guard lock(mutex_);
+    if (trace_.empty()) return false;
+    point = trace_.front();
+    trace_.pop_front();
+    return true;
+}
+
+std::optional<Scene> RemoteSession::arrived() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(scene_, {});
+}
+
+std::optional<std::string> RemoteSession::refused() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(refusal_, {});
+}
+
+std::optional<std::string> RemoteSession::penAskedBy() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(askedBy_, {});
+}
+
+RemoteSession::Standing RemoteSession::standing() const {
+    const std::lock_guard lock(mutex_);
+    return standing_;
+}
+
+// ---- the connection ----
+
+/// Makes it, and makes it again; meanwhile leads the hand.
+void RemoteSession::keep() {
+    HandGoal sent;
+    std::unique_lock lock(mutex_);
+    while (!ending_) {
+        const std::shared_ptr<Connection> now = link_;
+        lock.unlock();
+        if (!now) {
+            connect();
+        } else if (!now->open()) {
+            now->leave();
+            lose(now->fault());
+        } else if (hand_) {
+            const HandGoal goal = hand_->read();
+            if (!isSame(goal, sent)) now->say(wordOf(goal));
+            sent = goal;
+        }
+        lock.lock();
+        changed_.wait_for(lock, link_ ? std::chrono::milliseconds(kHandTick) : kRetry,
+                          [this] { return ending_; });
+    }
+}
+
+void RemoteSession::connect() {
+    std::uint64_t mine = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        mine = ++connection_;
+    }
+    auto made = std::make_shared<Connection>(
+        settings_.target, settings_.name,
+        ConnectionOptions{settings_.certificate, settings_.token, settings_.stateRate, kAnswer, true,
+                          [this, mine](const v1::News& news) { hear(mine, news); }});
+    const std::lock_guard lock(mutex_);
+    if (!made->open()) {
+        fault_ = made->fault();
+        return;
+    }
+    link_ = std::move(made);
+    fault_.clear();
+    done_ = nullptr; // of whatever server was there before
+    orders_.clear();
+    for (const auto& [kind, each] : settled_)
+        orders_.push_back(each);
+    changed_.notify_all();
+}
+
+void RemoteSession::lose(const std::string& why) {
+    std::shared_ptr<Connection> gone; // dies after the lock: its thread may be about to be heard
+    const std::lock_guard lock(mutex_);
+    gone = std::move(link_);
+    link_ = nullptr;
+    ++connection_;
+    fault_ = why.empty() ? "it is not heard any more" : why;
+    told_.reset();
+    felt_.clear();
+    standing_ = {};
+    changed_.notify_all();
+}
+
+void RemoteSession::hear(std::uint64_t from, const v1::News& news) {
+    if (news.has_state()) return hear(from, news.state());
+    const std::lock_guard lock(mutex_);
+    if (from != connection_) return;
+    if (news.has_welcome()) newestRevision_ = news.welcome().revision();
+    if (news.event().kind() == v1::Event::SCENE)
+        newestRevision_ = std::max<std::uint64_t>(newestRevision_, news.event().revision());
+    if (news.event().kind() == v1::Event::PEN_ASKED) askedBy_ = printable(news.event().text(), kLongestName);
+    changed_.notify_all();
+}
+
+void RemoteSession::hear(std::uint64_t from, const v1::State& state) {
+    auto report = readReport(state.telemetry());
+    const std::lock_guard lock(mutex_);
+    if (from != connection_) return;
+    if (!report) {
+        refusal_ = report.error().text;
+        return;
+    }
+    trace_.insert(trace_.end(), report->trace.begin(), report->trace.end());
+    if (trace_.size() > kMostTrace) trace_.erase(trace_.begin(), trace_.end() - kMostTrace);
+    report->trace.clear();
+    told_ = std::move(*report);
+    feltRevision_ = state.revision();
+    const bool could = standing_.mayEdit();
+    standing_ = {state.pen(), printable(state.pen_holder(), kLongestName), state.attending()};
+    if (standing_.mayEdit() && !could) done_ = nullptr; // what was refused meanwhile is tried again
+    changed_.notify_all();
+}
+
+void RemoteSession::end() {
+    std::shared_ptr<Connection> gone;
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+        ++connection_;
+        gone = std::move(link_);
+        link_ = nullptr;
+    }
+    changed_.notify_all();
+    if (gone) gone->leave();
+    for (std::thread* thread : {&keeper_, &orderer_, &sender_})
+        if (thread->joinable()) thread->join();
+    const std::lock_guard lock(mutex_);
+    ending_ = false;
+    told_.reset();
+}
+
+// ---- orders ----
+
+void RemoteSession::order(Order order, bool settles) {
+    const std::lock_guard lock(mutex_);
+    if (settles) settled_[order.what_case()] = order;
+    if (link_) orders_.push_back(std::move(order));
+    changed_.notify_all();
+}
+
+void RemoteSession::sendOrders() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return ending_ || (link_ && !orders_.empty()); });
+        if (ending_) return;
+        Order next = std::move(orders_.front());
+        orders_.pop_front();
+        const std::shared_ptr<Connection> with = link_;
+        lock.unlock();
+        v1::OrderReply reply;
+        const std::string why = with->order(next, reply);
+        lock.lock();
+        if (!why.empty() && with == link_ && with->open()) refusal_ = why;
+    }
+}
+
+// ---- scenes ----
+
+bool RemoteSession::isNew() const {
+    return known_.revision == 0 || newestRevision_ > known_.revision || (wanted_ && wanted_ != done_);
+}
+
+void RemoteSession::sendScenes() {
+    std::shared_ptr<Connection> of;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [&] { return ending_ || (link_ && (link_ != of || isNew())); });
+        if (ending_) return;
+        if (link_ != of) known_.revision = 0; // perhaps another server, surely another scene
+        of = link_;
+        const std::shared_ptr<Connection> with = link_;
+        const std::shared_ptr<const World> world = wanted_;
+        const bool stale = known_.revision == 0 || newestRevision_ > known_.revision;
+        lock.unlock();
+        if (stale && !fetch(*with)) {
+            lock.lock();
+            changed_.wait_for(lock, kRetry, [this] { return ending_; });
+            continue;
+        }
+        if (!stale && world) send(*with, world);
+        lock.lock();
+    }
+}
+
+/// What is there: the person's own scene goes before it when there is one at the beginning, and not when
+/// somebody else has made another one since.
+bool RemoteSession::fetch(Connection& with) {
+    std::string bytes;
+    std::uint64_t revision = 0;
+    std::string why = with.fetch(bytes, revision);
+    Scene there;
+    if (why.empty()) try {
+            ByteIn in(bytes, "the server's scene", 0, "use the same version of Tactum on both sides");
+            there = readScene(in, {[this] { return known_.parts; }});
+        } catch (const ByteFault& wrong) {
+            why = wrong.error.text;
+        }
+    const std::lock_guard lock(mutex_);
+    if (!why.empty()) {
+        if (with.open()) refusal_ = why;
+        return false;
+    }
+    const bool first = known_.revision == 0;
+    const bool mine = wanted_ && !wanted_->scene->objects.empty();
+    known_ = {revision, std::move(there), {}};
+    known_.parts = KnownParts(known_.scene);
+    newestRevision_ = std::max(newestRevision_, revision);
+    if (first && mine) return true;
+    if (first && known_.scene.objects.empty()) return true;
+    scene_ = known_.scene;
+    done_ = wanted_; // it is not what is to be felt any more
+    return true;
+}
+
+std::string RemoteSession::apply(Connection& with, const Scene& of, v1::Applied& applied) const {
+    const std::string bytes = bytesOf(withoutKept(of), known_.parts);
+    v1::Transaction transaction;
+    transaction.set_base(known_.revision);
+    if (bytes.size() <= kLongestEdit) {
+        transaction.add_edit()->set_scene(bytes);
+        return with.apply(transaction, applied);
+    }
+    v1::UploadHead head;
+    head.set_scene(true);
+    std::uint64_t number = 0;
+    if (const std::string why = with.upload(head, bytes, number); !why.empty()) return why;
+    transaction.add_edit()->mutable_open()->set_upload(number);
+    return with.apply(transaction, applied);
+}
+
+void RemoteSession::send(Connection& with, const std::shared_ptr<const World>& world) {
+    const Scene& mine = *world->scene;
+    v1::Applied applied;
+    applied.set_revision(known_.revision);
+    std::string why;
+    if (!(mine == known_.scene)) why = apply(with, mine, applied);
+    if (why.empty()) {
+        known_.parts = KnownParts(mine, known_.parts);
+        known_.scene = mine;
+        known_.revision = applied.revision();
+    }
+    const std::lock_guard lock(mutex_);
+    if (!with.open()) return;
+    if (newestRevision_ > std::max<std::uint64_t>(known_.revision, applied.revision()))
+        return; // another one was quicker
+    done_ = world;
+    if (why.empty())
+        feel(known_.revision, world);
+    else
+        refusal_ = why;
+}
+
+void RemoteSession::feel(std::uint64_t revision, std::shared_ptr<const World> world) {
+    if (!felt_.empty() && felt_.back().revision == revision) felt_.pop_back();
+    felt_.push_back({revision, std::move(world)});
+    if (felt_.size() > kMostFelt) felt_.pop_front();
+}
+
+} // namespace tactum

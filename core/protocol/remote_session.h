@@ -1,0 +1,118 @@
+// A window's life at a haptic server: keeps the connection, sends orders and scenes, keeps what is told. For
+// this folder.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "core/port/hand_target.h"
+#include "core/protocol/connection.h"
+#include "core/protocol/remote_settings.h"
+#include "core/runtime/engine_report.h"
+#include "core/scene/known_parts.h"
+
+namespace tactum {
+
+/// Three threads of its own: one keeps the connection and leads the hand, one sends orders, one scenes, so
+/// that none waits for another. Thread of every member: that of its owner, one.
+class RemoteSession {
+public:
+    using Order = v1::OrderRequest;
+
+    RemoteSession(RemoteSettings settings, std::shared_ptr<HandTarget> hand);
+    ~RemoteSession() { end(); }
+    RemoteSession(const RemoteSession&) = delete;
+    RemoteSession& operator=(const RemoteSession&) = delete;
+
+    const RemoteSettings& settings() const { return settings_; }
+    /// Attends, and goes on trying. Waits for the first state, for as long as the settings say.
+    void begin();
+    /// Leaves.
+    void end();
+    /// Whether the server is there and was heard of late.
+    bool open() const;
+    /// Why it is not open.
+    std::string fault() const;
+
+    /// `settles`: stays so until another one of its kind, with every new connection.
+    void order(Order order, bool settles = false);
+    void say(const v1::Word& word);
+    /// The newest is sent; what comes in between never is.
+    void publish(std::shared_ptr<const World> world);
+    /// Of the server's flight recorder; waits for it. False: it does not answer.
+    bool record(std::string& bytes);
+
+    /// The newest, and the World that it is of, null when that is none of ours. False: nothing is known of
+    /// the server.
+    bool read(EngineReport& report, std::shared_ptr<const World>& world);
+    bool popTrace(TracePoint& point);
+    std::optional<Scene> arrived();
+    std::optional<std::string> refused();
+    std::optional<std::string> penAskedBy();
+    struct Standing {
+        bool pen = false;
+        std::string holder;
+        std::size_t attending = 0;
+
+        bool mayEdit() const { return pen || holder.empty(); } ///< who edits takes a pen that is free
+    };
+    Standing standing() const;
+
+private:
+    struct Felt {
+        std::uint64_t revision = 0; ///< the server's
+        std::shared_ptr<const World> world;
+    };
+    /// The scene of the server as it is known here.
+    struct Known {
+        std::uint64_t revision = 0; ///< 0: not known
+        Scene scene;
+        KnownParts parts;
+    };
+
+    void keep();
+    void connect();
+    void lose(const std::string& why);
+    void hear(std::uint64_t from, const v1::News& news);
+    void hear(std::uint64_t from, const v1::State& state);
+    void sendOrders();
+    void sendScenes();
+    bool isNew() const;
+    bool fetch(Connection& with);
+    void send(Connection& with, const std::shared_ptr<const World>& world);
+    std::string apply(Connection& with, const Scene& of, v1::Applied& applied) const;
+    void feel(std::uint64_t revision, std::shared_ptr<const World> world);
+    std::shared_ptr<Connection> link() const;
+
+    RemoteSettings settings_;
+    std::shared_ptr<HandTarget> hand_;
+
+    mutable std::mutex mutex_; ///< of all below, up to `known_`
+    std::condition_variable changed_;
+    std::shared_ptr<Connection> link_; ///< null: not connected
+    std::uint64_t connection_ = 0;     ///< its number: what an older one is still heard to say is nothing
+    std::string fault_ = "no connection was made yet";
+    bool ending_ = false;
+    std::deque<Order> orders_;
+    std::map<int, Order> settled_;               ///< what a new connection is told again, by its kind
+    std::shared_ptr<const World> wanted_, done_; ///< published; sent, or refused
+    std::uint64_t newestRevision_ = 0;           ///< of the server's scene, as far as it was told
+    std::deque<Felt> felt_;                      ///< Worlds on their way, oldest first
+    std::optional<EngineReport> told_;
+    std::uint64_t feltRevision_ = 0;
+    std::deque<TracePoint> trace_;
+    Standing standing_;
+    std::optional<Scene> scene_;
+    std::optional<std::string> refusal_, askedBy_;
+
+    Known known_; ///< of the thread that sends scenes
+    std::thread keeper_, orderer_, sender_;
+};
+
+} // namespace tactum
