@@ -39,10 +39,21 @@ void useNumbersOfC() {
     QLocale::setDefault(QLocale::c());
 }
 
+/// So that two windows of one person are told apart.
+std::string nameForOthers() {
+    const QString name =
+        QStringLiteral("%1@%2 %3")
+            .arg(qEnvironmentVariable("USER", QStringLiteral("window")), QSysInfo::machineHostName())
+            .arg(QCoreApplication::applicationPid());
+    return name.toStdString();
+}
+
 /// The loops are the server's, and so is the device.
 int runConnected(const WindowRequest& request, const std::shared_ptr<HandTarget>& hand) {
     RemoteSettings settings;
     settings.target = request.connect;
+    settings.name = nameForOthers();
+    settings.patience = 1.5; // longer than most need, and nobody likes to wait for a window
     const auto secrets =
         request.credentials.empty() ? Result<Credentials>() : loadClientCredentials(request.credentials);
     if (secrets) settings.certificate = secrets->certificate, settings.token = secrets->token;

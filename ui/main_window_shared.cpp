@@ -36,7 +36,11 @@ void MainWindow::setShared(SharedScene& shared) {
         notice_->showError(sentence);
         showArmed(engine_.armed());
     });
-    connect(shared_, &SharedLink::changedByOthers, notice_, &NoticeBar::showNote);
+    connect(shared_, &SharedLink::told, notice_, &NoticeBar::showNote);
+    connect(shared_, &SharedLink::foundAnother, this, [this](const QString& sentence) {
+        notice_->offer(sentence, QStringLiteral("note"), tr("Send mine"),
+                       [this] { document_.history().undo(); });
+    });
     connect(shared_, &SharedLink::penAskedBy, this, [this](const QString& name) {
         notice_->offer(tr("%1 asks to edit.").arg(name), QStringLiteral("note"), tr("Let them"),
                        [this, name] { shared_->givePen(name); });

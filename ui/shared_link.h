@@ -39,18 +39,21 @@ signals:
     void changed();
     /// One line: why an edit or an order was not done there.
     void refused(const QString& sentence);
-    /// Somebody else has changed the scene; it is as they made it.
-    void changedByOthers(const QString& sentence);
+    /// One line: somebody else has changed the scene, the connection was made again.
+    void told(const QString& sentence);
+    /// The server has another scene than the window had: Undo sends the window's own.
+    void foundAnother(const QString& sentence);
     void penAskedBy(const QString& name);
 
 private:
-    void take(Scene scene);
+    void take(SharedScene::Arrived arrived);
+    void takeBack(const Scene& scene);
 
     Document& document_;
     const Engine& engine_;
     SharedScene& shared_;
     SharedState state_;
-    bool began_ = false; ///< a scene of the server was taken over already
+    bool met_ = false; ///< there was a connection once
 };
 
 } // namespace tactum

@@ -32,9 +32,26 @@ std::shared_ptr<grpc::ChannelCredentials> credentialsOf(const ConnectionOptions&
         grpc::MetadataCredentialsFromPlugin(std::make_unique<TokenPlugin>(options.token)));
 }
 
+constexpr std::size_t kMostBytes = std::size_t(2) << 30; ///< of an answer; a server may go on for ever
+constexpr const char* kTooMuch = "the server sends more than a scene can be";
+
 std::string sentenceOf(const grpc::Status& status) {
     if (status.ok()) return {};
     return status.error_message().empty() ? "the server did not answer" : status.error_message();
+}
+
+/// All pieces in one. False: they were too much, and the call is given up.
+template <class Piece, class First>
+bool gather(grpc::ClientReader<Piece>& stream, grpc::ClientContext& context, std::string& bytes,
+            First first) {
+    bytes.clear();
+    for (Piece piece; stream.Read(&piece); bytes += piece.bytes()) {
+        if (bytes.empty()) first(piece);
+        if (bytes.size() + piece.bytes().size() <= kMostBytes) continue;
+        context.TryCancel();
+        return false;
+    }
+    return true;
 }
 
 } // namespace
@@ -124,12 +141,21 @@ std::string Connection::fault() const {
     return fault_;
 }
 
+bool Connection::answered() const {
+    const std::lock_guard lock(mutex_);
+    return answered_;
+}
+
 void Connection::read() {
     v1::News news;
     while (call_->Read(&news))
         hear(news);
-    const std::string why = sentenceOf(call_->Finish());
+    const grpc::Status status = call_->Finish();
+    const std::string why = sentenceOf(status);
     const std::lock_guard lock(mutex_);
+    answered_ = answered_ || status.error_code() == grpc::StatusCode::UNAUTHENTICATED ||
+                status.error_code() == grpc::StatusCode::FAILED_PRECONDITION ||
+                status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
     if (fault_.empty()) fault_ = why.empty() ? "the server has ended" : why;
     ended_ = true;
     changed_.notify_all();
@@ -202,10 +228,10 @@ std::string Connection::fetch(std::string& bytes, std::uint64_t& revision) {
     v1::FetchRequest request;
     request.set_key(call.key);
     const auto stream = uploads_->Fetch(&call.context, request);
-    bytes.clear();
-    for (v1::SceneBytes piece; stream->Read(&piece); bytes += piece.bytes())
-        if (bytes.empty()) revision = piece.revision();
-    return sentenceOf(stream->Finish());
+    const bool all = gather(*stream, call.context, bytes,
+                            [&](const v1::SceneBytes& piece) { revision = piece.revision(); });
+    const std::string why = sentenceOf(stream->Finish());
+    return all ? why : kTooMuch;
 }
 
 std::string Connection::record(std::string& bytes) {
@@ -213,10 +239,9 @@ std::string Connection::record(std::string& bytes) {
     v1::RecordRequest request;
     request.set_key(call.key);
     const auto stream = uploads_->Record(&call.context, request);
-    bytes.clear();
-    for (v1::RecordBytes piece; stream->Read(&piece);)
-        bytes += piece.bytes();
-    return sentenceOf(stream->Finish());
+    const bool all = gather(*stream, call.context, bytes, [](const v1::RecordBytes&) {});
+    const std::string why = sentenceOf(stream->Finish());
+    return all ? why : kTooMuch;
 }
 
 v1::State Connection::state() const {

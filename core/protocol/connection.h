@@ -40,6 +40,8 @@ public:
     bool open() const;
     /// Empty; or why it is not open.
     std::string fault() const;
+    /// Whether it was the server that said so.
+    bool answered() const;
 
     std::string apply(v1::Transaction& transaction, v1::Applied& applied);
     std::string order(v1::OrderRequest& request, v1::OrderReply& reply);
@@ -73,7 +75,7 @@ private:
     std::condition_variable changed_;
     std::set<grpc::ClientContext*> calls_; ///< that are under way
     std::string key_, fault_;
-    bool leaving_ = false, ended_ = false;
+    bool leaving_ = false, ended_ = false, answered_ = false;
     Clock::time_point heard_ = Clock::now();
     v1::State state_;
     std::deque<v1::Event> events_;

@@ -1,6 +1,7 @@
 #include "core/protocol/remote_engine.h"
 
 #include <chrono>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/protocol/remote_session.h"
@@ -57,10 +58,16 @@ void keepKnown(HapticOutput& output, const World* world) {
 
 struct RemoteEngine::Impl {
     Impl(RemoteSettings settings, std::shared_ptr<HandTarget> hand)
-        : session(std::move(settings), std::move(hand)) {}
+        : session(std::move(settings), std::move(hand)) {
+        shown.device.name = "Haptic server";
+    }
 
     RemoteSession session;
     EngineReport shown; ///< as poll() found it
+    // While nobody tells what is felt, the plots go on without force.
+    TracePoint last;
+    bool pointDue = false;
+    Clock::time_point polled = Clock::now();
     Wish<bool> armed, deadMan, overrides;
     Wish<double> pace;
     Wish<Workspace> workspace;
@@ -94,9 +101,14 @@ Result<void> RemoteEngine::setDevice(std::unique_ptr<HapticDevice>) {
 
 std::string RemoteEngine::trouble() const {
     if (running()) return impl_->shown.trouble;
-    return "The haptic server at " + impl_->session.settings().target + " does not answer (" +
-           printable(impl_->session.fault(), kLongestName) +
-           "). It is tried again: see whether tactum serve runs there.";
+    const std::string fault = impl_->session.fault();
+    if (!fault.empty())
+        return "The haptic server at " + impl_->session.settings().target + ": " + fault +
+               ". It is tried again.";
+    return "No haptic server answers at " + impl_->session.settings().target +
+           ". It is tried again: see whether tactum serve runs there, and whether it wants a certificate and "
+           "a "
+           "token (--credentials), which one at 127.0.0.1 does not.";
 }
 std::string RemoteEngine::caution() const {
     return impl_->shown.caution;
@@ -201,7 +213,12 @@ void RemoteEngine::stepBodies() {
 void RemoteEngine::poll() {
     std::shared_ptr<const World> world;
     EngineReport& shown = impl_->shown;
-    if (!impl_->session.read(shown, world)) {
+    const bool known = impl_->session.read(shown, world);
+    const double passed = std::chrono::duration<double>(Clock::now() - impl_->polled).count();
+    impl_->polled = Clock::now();
+    impl_->pointDue = !known;
+    impl_->last.t += known ? 0 : passed;
+    if (!known) {
         shown.servo.gain = shown.servo.rate = shown.proxy.rate = 0;
         shown.servo.force = shown.proxy.output.force = Vec3::Zero();
         shown.servo.inhibit = InhibitReason::NotArmed;
@@ -223,7 +240,11 @@ bool RemoteEngine::servoStandsStill() const {
     return impl_->shown.standsStill;
 }
 bool RemoteEngine::popTrace(TracePoint& point) {
-    return impl_->session.popTrace(point);
+    const bool told = impl_->session.popTrace(point);
+    if (told) impl_->last = {.t = point.t, .finger = point.finger, .proxy = point.proxy};
+    if (told || !std::exchange(impl_->pointDue, false)) return told;
+    point = impl_->last;
+    return true;
 }
 
 RecordedRun RemoteEngine::recorded() const {
@@ -248,7 +269,7 @@ const std::string& RemoteEngine::priorityNote() const {
 std::string RemoteEngine::place() const {
     return impl_->session.settings().target;
 }
-std::optional<Scene> RemoteEngine::arrived() {
+std::optional<SharedScene::Arrived> RemoteEngine::arrived() {
     return impl_->session.arrived();
 }
 std::optional<std::string> RemoteEngine::refused() {

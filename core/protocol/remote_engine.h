@@ -62,7 +62,7 @@ public:
     const std::string& priorityNote() const override;
 
     std::string place() const override;
-    std::optional<Scene> arrived() override;
+    std::optional<Arrived> arrived() override;
     std::optional<std::string> refused() override;
     bool holdsPen() const override;
     std::string penHolder() const override;

@@ -10,14 +10,21 @@ namespace tactum {
 namespace {
 
 constexpr auto kHandTick = std::chrono::milliseconds(2), kRetry = std::chrono::milliseconds(500);
-constexpr double kAnswer = 1;                 ///< s, that a try waits
-constexpr std::size_t kMostTrace = 8192;      ///< as many as wait in an engine's own queue
-constexpr std::size_t kMostFelt = 256;        ///< Worlds on their way
+constexpr int kTries = 6;
+constexpr double kAnswer = 1;            ///< s, that a try waits
+constexpr std::size_t kMostTrace = 8192; ///< as many as wait in an engine's own queue
+constexpr std::size_t kMostFelt = 256;   ///< Worlds on their way
+constexpr std::size_t kLongestSentence = 1000;
 constexpr std::size_t kLongestEdit = 3 << 20; ///< bytes; a longer scene is uploaded
 
 bool isSame(const HandGoal& a, const HandGoal& b) {
     return a.position == b.position && a.teleport == b.teleport && a.sequence == b.sequence &&
            a.held == b.held;
+}
+
+/// Part by part: what came over another connection lies elsewhere in memory.
+bool isSame(const Scene& a, const Scene& b) {
+    return bytesOf(withoutKept(a), KnownParts(a)) == bytesOf(withoutKept(b), KnownParts(b));
 }
 
 v1::Word wordOf(const HandGoal& goal) {
@@ -99,9 +106,9 @@ bool RemoteSession::popTrace(TracePoint& point) {
     return true;
 }
 
-std::optional<Scene> RemoteSession::arrived() {
+std::optional<SharedScene::Arrived> RemoteSession::arrived() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(scene_, {});
+    return std::exchange(arrived_, {});
 }
 
 std::optional<std::string> RemoteSession::refused() {
@@ -156,7 +163,7 @@ void RemoteSession::connect() {
                           [this, mine](const v1::News& news) { hear(mine, news); }});
     const std::lock_guard lock(mutex_);
     if (!made->open()) {
-        fault_ = made->fault();
+        fault_ = made->answered() ? printable(made->fault(), kLongestSentence) : std::string();
         return;
     }
     link_ = std::move(made);
@@ -174,7 +181,7 @@ void RemoteSession::lose(const std::string& why) {
     gone = std::move(link_);
     link_ = nullptr;
     ++connection_;
-    fault_ = why.empty() ? "it is not heard any more" : why;
+    fault_ = why.empty() ? "it is not heard any more" : printable(why, kLongestSentence);
     told_.reset();
     felt_.clear();
     standing_ = {};
@@ -205,9 +212,7 @@ void RemoteSession::hear(std::uint64_t from, const v1::State& state) {
     report->trace.clear();
     told_ = std::move(*report);
     feltRevision_ = state.revision();
-    const bool could = standing_.mayEdit();
     standing_ = {state.pen(), printable(state.pen_holder(), kLongestName), state.attending()};
-    if (standing_.mayEdit() && !could) done_ = nullptr; // what was refused meanwhile is tried again
     changed_.notify_all();
 }
 
@@ -250,7 +255,7 @@ void RemoteSession::sendOrders() {
         v1::OrderReply reply;
         const std::string why = with->order(next, reply);
         lock.lock();
-        if (!why.empty() && with == link_ && with->open()) refusal_ = why;
+        if (!why.empty() && with == link_ && with->open()) refusal_ = printable(why, kLongestSentence);
     }
 }
 
@@ -282,8 +287,6 @@ void RemoteSession::sendScenes() {
     }
 }
 
-/// What is there: the person's own scene goes before it when there is one at the beginning, and not when
-/// somebody else has made another one since.
 bool RemoteSession::fetch(Connection& with) {
     std::string bytes;
     std::uint64_t revision = 0;
@@ -297,19 +300,26 @@ bool RemoteSession::fetch(Connection& with) {
         }
     const std::lock_guard lock(mutex_);
     if (!why.empty()) {
-        if (with.open()) refusal_ = why;
+        if (with.open()) refusal_ = printable(why, kLongestSentence);
         return false;
     }
-    const bool first = known_.revision == 0;
-    const bool mine = wanted_ && !wanted_->scene->objects.empty();
-    known_ = {revision, std::move(there), {}};
+    meet(std::move(there), revision);
+    return true;
+}
+
+/// The server has another scene than was thought. Over a connection that was broken what is published goes on
+/// where nobody has touched the server's meanwhile; else the server's goes before it.
+void RemoteSession::meet(Scene there, std::uint64_t revision) {
+    using Arrival = SharedScene::Arrival;
+    const bool first = known_.revision == 0, mine = wanted_ && !wanted_->scene->objects.empty();
+    const bool untouched = known_.ever && isSame(there, known_.scene);
+    const bool empty = there.objects.empty();
+    known_ = {revision, true, std::move(there), {}};
     known_.parts = KnownParts(known_.scene);
     newestRevision_ = std::max(newestRevision_, revision);
-    if (first && mine) return true;
-    if (first && known_.scene.objects.empty()) return true;
-    scene_ = known_.scene;
+    if (first && (empty || (mine && untouched))) return;
+    arrived_ = {!first ? Arrival::Changed : mine ? Arrival::Another : Arrival::Begun, known_.scene};
     done_ = wanted_; // it is not what is to be felt any more
-    return true;
 }
 
 std::string RemoteSession::apply(Connection& with, const Scene& of, v1::Applied& applied) const {
@@ -339,15 +349,21 @@ void RemoteSession::send(Connection& with, const std::shared_ptr<const World>& w
         known_.scene = mine;
         known_.revision = applied.revision();
     }
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     if (!with.open()) return;
     if (newestRevision_ > std::max<std::uint64_t>(known_.revision, applied.revision()))
         return; // another one was quicker
+    // Its own pen may be still that of a connection before, which the server has not given up yet.
+    const bool others = !standing_.pen && !standing_.holder.empty() && standing_.holder != settings_.name;
+    if (!why.empty() && !others && refusals_++ < kTries) {
+        changed_.wait_for(lock, kRetry, [this] { return ending_; });
+        return;
+    }
+    refusals_ = 0;
     done_ = world;
-    if (why.empty())
-        feel(known_.revision, world);
-    else
-        refusal_ = why;
+    if (why.empty()) return feel(known_.revision, world);
+    refusal_ = printable(why, kLongestSentence);
+    if (wanted_ == world) arrived_ = {SharedScene::Arrival::Refused, known_.scene};
 }
 
 void RemoteSession::feel(std::uint64_t revision, std::shared_ptr<const World> world) {

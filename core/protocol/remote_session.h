@@ -15,6 +15,7 @@
 #include "core/protocol/connection.h"
 #include "core/protocol/remote_settings.h"
 #include "core/runtime/engine_report.h"
+#include "core/runtime/shared_scene.h"
 #include "core/scene/known_parts.h"
 
 namespace tactum {
@@ -37,7 +38,7 @@ public:
     void end();
     /// Whether the server is there and was heard of late.
     bool open() const;
-    /// Why it is not open.
+    /// Why it is not open, in the server's words; empty where there was no answer.
     std::string fault() const;
 
     /// `settles`: stays so until another one of its kind, with every new connection.
@@ -52,15 +53,13 @@ public:
     /// the server.
     bool read(EngineReport& report, std::shared_ptr<const World>& world);
     bool popTrace(TracePoint& point);
-    std::optional<Scene> arrived();
+    std::optional<SharedScene::Arrived> arrived();
     std::optional<std::string> refused();
     std::optional<std::string> penAskedBy();
     struct Standing {
         bool pen = false;
         std::string holder;
         std::size_t attending = 0;
-
-        bool mayEdit() const { return pen || holder.empty(); } ///< who edits takes a pen that is free
     };
     Standing standing() const;
 
@@ -71,7 +70,8 @@ private:
     };
     /// The scene of the server as it is known here.
     struct Known {
-        std::uint64_t revision = 0; ///< 0: not known
+        std::uint64_t revision = 0; ///< 0: not of this connection
+        bool ever = false;          ///< of an earlier one at least
         Scene scene;
         KnownParts parts;
     };
@@ -85,6 +85,7 @@ private:
     void sendScenes();
     bool isNew() const;
     bool fetch(Connection& with);
+    void meet(Scene there, std::uint64_t revision);
     void send(Connection& with, const std::shared_ptr<const World>& world);
     std::string apply(Connection& with, const Scene& of, v1::Applied& applied) const;
     void feel(std::uint64_t revision, std::shared_ptr<const World> world);
@@ -97,7 +98,7 @@ private:
     std::condition_variable changed_;
     std::shared_ptr<Connection> link_; ///< null: not connected
     std::uint64_t connection_ = 0;     ///< its number: what an older one is still heard to say is nothing
-    std::string fault_ = "no connection was made yet";
+    std::string fault_;
     bool ending_ = false;
     std::deque<Order> orders_;
     std::map<int, Order> settled_;               ///< what a new connection is told again, by its kind
@@ -108,10 +109,11 @@ private:
     std::uint64_t feltRevision_ = 0;
     std::deque<TracePoint> trace_;
     Standing standing_;
-    std::optional<Scene> scene_;
+    std::optional<SharedScene::Arrived> arrived_;
     std::optional<std::string> refusal_, askedBy_;
 
-    Known known_; ///< of the thread that sends scenes
+    int refusals_ = 0; ///< one after the other, that nobody else's pen explains
+    Known known_;      ///< of the thread that sends scenes
     std::thread keeper_, orderer_, sender_;
 };
 

@@ -2,6 +2,7 @@
 // every engine tells.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -16,9 +17,19 @@ public:
 
     /// Of the server, as the person named it.
     virtual std::string place() const = 0;
-    /// A scene that was there before this window, or that somebody else has made of it: once each, the
-    /// newest.
-    virtual std::optional<Scene> arrived() = 0;
+    /// Why the server's scene is another one than was published.
+    enum class Arrival : std::uint8_t {
+        Begun,   ///< it was there when the connection was made, and nothing had been published
+        Changed, ///< somebody else has changed it
+        Another, ///< the server that was found has a scene of its own, and another had been published
+        Refused  ///< what was published was not taken
+    };
+    struct Arrived {
+        Arrival why = Arrival::Begun;
+        Scene scene;
+    };
+    /// The server's scene where it is not what was published: once each, the newest.
+    virtual std::optional<Arrived> arrived() = 0;
     /// Why what was published or ordered was not done: one sentence, once.
     virtual std::optional<std::string> refused() = 0;
     /// Who edits, and switches the force on.

@@ -11,8 +11,7 @@ namespace tactum {
 namespace {
 
 QString wordsFor(const SharedState& state) {
-    if (!state.connected)
-        return ConnectionBar::tr("%1 does not answer: no force, and it is tried again").arg(state.place);
+    if (!state.connected) return ConnectionBar::tr("Not connected to %1: no force").arg(state.place);
     const QString pen = state.pen                ? ConnectionBar::tr("you edit")
                         : state.holder.isEmpty() ? ConnectionBar::tr("nobody edits")
                                                  : ConnectionBar::tr("%1 edits").arg(state.holder);
@@ -28,6 +27,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     setObjectName(QStringLiteral("connection"));
     setAttribute(Qt::WA_StyledBackground);
     text_->setObjectName(QStringLiteral("connection-text"));
+    text_->setTextFormat(Qt::PlainText); // names are others'
     ask_->setObjectName(QStringLiteral("connection-ask"));
     ask_->setToolTip(tr("Asks for the pen, which one client has at a time. Stop needs none"));
     auto* row = new QHBoxLayout(this);

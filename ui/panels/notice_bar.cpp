@@ -24,6 +24,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     setObjectName(QStringLiteral("notice"));
     setAttribute(Qt::WA_StyledBackground);
     text_->setObjectName(QStringLiteral("notice-text"));
+    text_->setTextFormat(Qt::PlainText); // names and sentences come from files and servers
     text_->setWordWrap(true);
     text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a path is one long word
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -127,7 +127,10 @@ void TestConnectedWindow::othersAreSeenAndGetTheirTurn() {
     QVERIFY(waitFor([&] { return here.bar().contains(QStringLiteral("other edits")); }));
     // What they make arrives as a step of the history.
     std::optional<Scene> theirs;
-    QVERIFY(waitFor([&] { return (theirs = other.arrived()).has_value(); }));
+    QVERIFY(waitFor([&] {
+        if (auto arrived = other.arrived()) theirs = arrived->scene;
+        return theirs.has_value();
+    }));
     theirs->objects.at(0).surfaces.at(0).material.stiffness = 321;
     other.publish(*compile(*theirs));
     QVERIFY(waitFor(
@@ -139,6 +142,12 @@ void TestConnectedWindow::othersAreSeenAndGetTheirTurn() {
     auto* notice = here.window->findChild<NoticeBar*>();
     QVERIFY(waitFor([&] { return notice->text().contains(QStringLiteral("other has the pen")); }));
     QCOMPARE(serving.stiffness(), 321.0);
+    const auto shown = [&] { return here.document.scene().objects.at(0).surfaces.at(0).material.stiffness; };
+    QVERIFY(waitFor([&] { return shown() == 321; })); // and is not shown either
+    QCOMPARE(here.document.history().index(), 1);
+    here.command("undo").trigger(); // which is an edit, too
+    QVERIFY(waitFor([&] { return shown() == 321 && here.document.history().index() == 1; }));
+    QCOMPARE(here.document.history().count(), 2); // the refused edit can be done again
     // Stop needs no pen.
     other.setArmed(true);
     QVERIFY(waitFor([&] { return serving.stage->armed(); }));
@@ -156,7 +165,7 @@ void TestConnectedWindow::whenTheServerDiesNothingIsLost() {
     here.setStiffness(234);
     QVERIFY(waitFor([&] { return serving.stiffness() == 234; }));
     serving.server.reset();
-    QVERIFY(waitFor([&] { return here.bar().contains(QStringLiteral("does not answer")); }));
+    QVERIFY(waitFor([&] { return here.bar().contains(QStringLiteral("Not connected")); }));
     QCOMPARE(here.engine.proxy().output.contacts, 0);
     here.setStiffness(345); // goes on
     serving.stage.reset();
