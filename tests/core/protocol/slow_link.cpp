@@ -1,6 +1,7 @@
 #include "tests/core/protocol/slow_link.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -33,6 +34,7 @@ class Way {
 public:
     Way(int from, int to, double delay, double jitter)
         : taker_([=, this] { take(from, delay, jitter); }), giver_([=, this] { give(to); }) {}
+    void swallow() { swallowing_ = true; }
     void join() {
         taker_.join();
         giver_.join();
@@ -68,6 +70,7 @@ private:
             lock.unlock();
             std::this_thread::sleep_until(next.due);
             if (next.bytes.empty()) break;
+            if (swallowing_) continue;
             for (std::size_t at = 0; at < next.bytes.size();) {
                 const ssize_t put = send(to, next.bytes.data() + at, next.bytes.size() - at, MSG_NOSIGNAL);
                 if (put <= 0) break;
@@ -77,6 +80,7 @@ private:
         shutdown(to, SHUT_WR);
     }
 
+    std::atomic<bool> swallowing_{false};
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Bytes> queue_;
@@ -132,6 +136,12 @@ SlowLink::~SlowLink() {
     for (const int each : impl_->sockets)
         close(each);
     close(impl_->listener);
+}
+
+void SlowLink::swallow() {
+    const std::lock_guard lock(impl_->mutex);
+    for (const auto& way : impl_->ways)
+        way->swallow();
 }
 
 std::uint16_t SlowLink::port() const {

@@ -18,6 +18,8 @@ public:
     SlowLink& operator=(const SlowLink&) = delete;
 
     std::uint16_t port() const;
+    /// From now on nothing goes through the connections that there are, and neither side is told.
+    void swallow();
 
 private:
     struct Impl;

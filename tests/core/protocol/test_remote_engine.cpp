@@ -31,8 +31,9 @@ constexpr double kDepth = 1e-3;
 
 /// A window without a screen: polls, and takes what arrives.
 struct Window {
-    explicit Window(const std::string& target, const std::string& name = "window")
-        : engine({.target = target, .name = name}, nullptr) {}
+    explicit Window(const std::string& target, const std::string& name = "window",
+                    std::shared_ptr<HandTarget> hand = nullptr)
+        : engine({.target = target, .name = name}, std::move(hand)) {}
 
     RemoteEngine engine;
     Scene scene;
@@ -91,6 +92,7 @@ private slots:
     void ordersArrive();
     void aServerThatDiesIsSaidAndTheNextKeepsItsScene();
     void theFlightRecorderIsTheServers();
+    void aNetworkThatSwallowsIsLeft();
     void aSlowLinkOnlyDelays_data();
     void aSlowLinkOnlyDelays();
     void withoutAServerItSaysSo();
@@ -316,6 +318,29 @@ void TestRemoteEngine::theFlightRecorderIsTheServers() {
     QCOMPARE_GT(run.servo.rows.size(), 100u);
     QCOMPARE(run.scenes.size(), 1u);
     QCOMPARE(run.scenes[0].scene->objects[0].name, std::string("plate"));
+}
+
+/// No call ends there and no packet comes back: the silence is what tells, on both sides.
+void TestRemoteEngine::aNetworkThatSwallowsIsLeft() {
+    Served served;
+    QCOMPARE(served.begin(), std::string());
+    SlowLink link(served.server->port(), 0, 0);
+    const auto hand = std::make_shared<HandTarget>();
+    Window window("127.0.0.1:" + std::to_string(link.port()), "window", hand);
+    VERIFY_RESULT(window.engine.start());
+    QVERIFY(window.felt());
+    QVERIFY(window.press(served));
+    link.swallow();
+    QVERIFY(eventually([&] { return served.push() == 0; })); // nobody answers for it any more
+    double x = 0;
+    QVERIFY(window.sees([&] { return !window.engine.running(); }));
+    QVERIFY(window.sees([&] {
+        hand->write({.position = {x += 1e-6, 0, 0}});
+        return window.engine.running();
+    }));
+    QVERIFY(!window.engine.armed());
+    window.setStiffness(432);
+    QVERIFY(window.felt());
 }
 
 void TestRemoteEngine::aSlowLinkOnlyDelays_data() {
