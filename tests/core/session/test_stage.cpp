@@ -204,7 +204,11 @@ void TestStage::silenceFadesTheForce() {
             silent += dt;
         else if (force.z() > 0)
             falling += dt;
-        steepest = std::max(steepest, (last - force.z()) / full - dt / kFadeAway);
+        // Device and servo look at the clock apart: what is late is late for one of them a tick before.
+        double length = dt;
+        for (const std::size_t beside : {i - 1, i + 1})
+            if (beside > pressed && beside < gone) length = std::max(length, touched.probe->log[beside].dt);
+        steepest = std::max(steepest, (last - force.z()) / full - length / kFadeAway);
         last = force.z();
     }
     QCOMPARE_GT(silent, 0.9 * kSilence);
