@@ -7,7 +7,7 @@
 #include "core/files/load_scene.h"
 #include "core/port/workspace.h"
 #include "core/protocol/messages.h"
-#include "core/protocol/scene_pieces.h"
+#include "core/protocol/scene_parts.h"
 
 namespace tactum {
 

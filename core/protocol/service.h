@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/protocol/messages.h"
-#include "core/protocol/scene_pieces.h"
+#include "core/protocol/scene_parts.h"
 #include "core/protocol/uploads.h"
 #include "core/protocol/workers.h"
 #include "core/session/stage.h"

@@ -1,4 +1,4 @@
-#include "core/protocol/scene_pieces.h"
+#include "core/protocol/scene_parts.h"
 
 #include "core/scene/scene_bytes.h"
 
