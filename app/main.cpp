@@ -448,6 +448,10 @@ int runVerb(int argc, char** argv) {
         return fail(sentence + "; see tactum " + verb + "--help", kUsage);
     }
     if (!window.connect.empty()) {
+        if (!program.get_subcommands().empty())
+            return fail("--connect opens a window, and '" + program.get_subcommands()[0]->get_name() +
+                            "' needs none; leave one of them out",
+                        kUsage);
         if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
         return runWindow(argc, argv, window);
     }

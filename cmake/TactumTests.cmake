@@ -47,7 +47,7 @@ target_link_libraries(tactum_test_program PRIVATE tactum_options PUBLIC tactum_b
 #              [GUI name...] [LONG name...] [ALONE name...] [LABELS label...] [PROGRAM name] [UNDER program] [SUFFIX text])
 # One program with tests/ROOM/test_name.cpp for each name, and a CTest test `test_name` for each, which runs alone in a
 # process of its own. Labels: the room, for ./check ROOM; `gui` needs the display that ./check gives it, and stands alone
-# on it; `long` is for ./check --all. ALONE: nothing else runs beside it.
+# on it, beside tests that need none; `long` is for ./check --all. ALONE: nothing else runs beside it.
 # PROGRAM: the room's second program, where one has to be linked differently. UNDER: what starts it. SUFFIX: goes on the
 # names of tests that run a second time.
 function(tactum_tests room)
@@ -94,10 +94,11 @@ function(tactum_tests room)
     if(name IN_LIST T_LONG)
       set_property(TEST ${test} APPEND PROPERTY LABELS long)
     endif()
-    if(name IN_LIST T_GUI OR name IN_LIST T_ALONE)
+    if(name IN_LIST T_ALONE)
       set_property(TEST ${test} PROPERTY RUN_SERIAL ON)
     endif()
     if(name IN_LIST T_GUI)
+      set_property(TEST ${test} PROPERTY RESOURCE_LOCK display) # one keyboard; other tests run beside it
       # Settings of their own: a test neither reads nor changes the person's.
       set_property(TEST ${test} APPEND PROPERTY LABELS gui)
       set_property(TEST ${test} APPEND PROPERTY

@@ -45,6 +45,7 @@ void MainWindow::setShared(SharedScene& shared) {
         notice_->offer(tr("%1 asks to edit.").arg(name), QStringLiteral("note"), tr("Let them"),
                        [this, name] { shared_->givePen(name); });
     });
+    connect(shared_, &SharedLink::penNotAskedAnyMore, notice_, [this] { notice_->withdraw(tr("Let them")); });
 }
 
 } // namespace tactum

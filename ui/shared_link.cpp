@@ -30,11 +30,18 @@ void SharedLink::frame() {
     if (const auto why = shared_.refused())
         emit refused(tr("Not done at %1: %2.").arg(state_.place, QString::fromStdString(*why)));
     if (const auto name = shared_.penAskedBy()) emit penAskedBy(QString::fromStdString(*name));
-    const SharedState now{
-        QString::fromStdString(shared_.place()),     engine_.running(),        shared_.holdsPen(),
-        QString::fromStdString(shared_.penHolder()), int(shared_.attending()), engine_.armed()};
+    if (const auto what = shared_.forceSaid())
+        emit told(tr("At %1 %2.").arg(state_.place, QString::fromStdString(*what)));
+    const SharedState now{QString::fromStdString(shared_.place()),
+                          engine_.running(),
+                          shared_.holdsPen(),
+                          QString::fromStdString(shared_.penHolder()),
+                          QString::fromStdString(shared_.penAsker()),
+                          int(shared_.attending()),
+                          engine_.armed()};
     const SharedState before = std::exchange(state_, now);
     if (before != now) emit changed();
+    if (!before.asker.isEmpty() && now.asker.isEmpty()) emit penNotAskedAnyMore();
     if (now.connected && !before.connected && std::exchange(met_, true))
         emit told(
             tr("The connection to %1 was lost, and is there again. The forces are off.").arg(now.place));

@@ -16,6 +16,7 @@ struct SharedState {
     QString place;
     bool connected = false, pen = false;
     QString holder; ///< of the pen; empty: nobody
+    QString asker;  ///< who waits for it; empty: nobody
     int attending = 0;
     bool armed = false; ///< whoever has switched the force on
 
@@ -44,6 +45,8 @@ signals:
     /// The server has another scene than the window had: Undo sends the window's own.
     void foundAnother(const QString& sentence);
     void penAskedBy(const QString& name);
+    /// Who asked has gone, or has it.
+    void penNotAskedAnyMore();
 
 private:
     void take(SharedScene::Arrived arrived);

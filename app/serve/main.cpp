@@ -44,6 +44,11 @@ int makeCertificate(const Options& options) {
         return fail({Error::Kind::Usage, "name a folder with --credentials: there is no HOME"});
     const auto made = makeCredentials(*options.certificate);
     if (!made) return fail(made.error());
+    std::error_code unknown;
+    if (std::filesystem::exists(folder / "key.pem", unknown))
+        return fail({Error::Kind::Input, (folder / "key.pem").string() +
+                                             ": is there already, and clients have its certificate; delete "
+                                             "it first, or name another folder with --credentials"});
     if (const auto saved = saveCredentials(*made, folder); !saved) return fail(saved.error());
     std::cout << "certificate.pem, key.pem and token are in " << folder.string()
               << "; clients need certificate.pem and token\n";

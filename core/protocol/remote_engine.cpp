@@ -277,6 +277,9 @@ std::optional<std::string> RemoteEngine::refused() {
     if (why) impl_->armed.forget();
     return why;
 }
+std::optional<std::string> RemoteEngine::forceSaid() {
+    return impl_->session.forceSaid();
+}
 bool RemoteEngine::holdsPen() const {
     return impl_->session.standing().pen;
 }
@@ -290,6 +293,9 @@ void RemoteEngine::askForPen() {
 }
 std::optional<std::string> RemoteEngine::penAskedBy() {
     return impl_->session.penAskedBy();
+}
+std::string RemoteEngine::penAsker() const {
+    return impl_->session.standing().asker;
 }
 void RemoteEngine::givePen(const std::string& to) {
     Order order;

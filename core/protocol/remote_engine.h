@@ -64,10 +64,12 @@ public:
     std::string place() const override;
     std::optional<Arrived> arrived() override;
     std::optional<std::string> refused() override;
+    std::optional<std::string> forceSaid() override;
     bool holdsPen() const override;
     std::string penHolder() const override;
     void askForPen() override;
     std::optional<std::string> penAskedBy() override;
+    std::string penAsker() const override;
     void givePen(const std::string& to) override;
     std::size_t attending() const override;
 

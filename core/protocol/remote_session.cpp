@@ -116,6 +116,11 @@ std::optional<std::string> RemoteSession::refused() {
     return std::exchange(refusal_, {});
 }
 
+std::optional<std::string> RemoteSession::forceSaid() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(forceSaid_, {});
+}
+
 std::optional<std::string> RemoteSession::penAskedBy() {
     const std::lock_guard lock(mutex_);
     return std::exchange(askedBy_, {});
@@ -193,9 +198,12 @@ void RemoteSession::hear(std::uint64_t from, const v1::News& news) {
     const std::lock_guard lock(mutex_);
     if (from != connection_) return;
     if (news.has_welcome()) newestRevision_ = news.welcome().revision();
-    if (news.event().kind() == v1::Event::SCENE)
-        newestRevision_ = std::max<std::uint64_t>(newestRevision_, news.event().revision());
-    if (news.event().kind() == v1::Event::PEN_ASKED) askedBy_ = printable(news.event().text(), kLongestName);
+    const v1::Event& event = news.event();
+    if (event.kind() == v1::Event::SCENE)
+        newestRevision_ = std::max<std::uint64_t>(newestRevision_, event.revision());
+    if (event.kind() == v1::Event::PEN_ASKED) askedBy_ = printable(event.text(), kLongestName);
+    if (event.kind() == v1::Event::FORCE && !event.client().empty() && event.client() != settings_.name)
+        forceSaid_ = printable(event.text(), kLongestSentence);
     changed_.notify_all();
 }
 
@@ -212,7 +220,8 @@ void RemoteSession::hear(std::uint64_t from, const v1::State& state) {
     report->trace.clear();
     told_ = std::move(*report);
     feltRevision_ = state.revision();
-    standing_ = {state.pen(), printable(state.pen_holder(), kLongestName), state.attending()};
+    standing_ = {state.pen(), printable(state.pen_holder(), kLongestName),
+                 printable(state.pen_asker(), kLongestName), state.attending()};
     changed_.notify_all();
 }
 

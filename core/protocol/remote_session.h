@@ -55,10 +55,11 @@ public:
     bool popTrace(TracePoint& point);
     std::optional<SharedScene::Arrived> arrived();
     std::optional<std::string> refused();
+    std::optional<std::string> forceSaid();
     std::optional<std::string> penAskedBy();
     struct Standing {
         bool pen = false;
-        std::string holder;
+        std::string holder, asker;
         std::size_t attending = 0;
     };
     Standing standing() const;
@@ -110,7 +111,7 @@ private:
     std::deque<TracePoint> trace_;
     Standing standing_;
     std::optional<SharedScene::Arrived> arrived_;
-    std::optional<std::string> refusal_, askedBy_;
+    std::optional<std::string> refusal_, forceSaid_, askedBy_;
 
     int refusals_ = 0; ///< one after the other, that nobody else's pen explains
     Known known_;      ///< of the thread that sends scenes

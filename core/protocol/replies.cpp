@@ -65,6 +65,7 @@ void write(v1::State& to, const StageState& state, bool bodies) {
     to.set_machine_missed(state.engine.servo.machineMisses);
     to.set_attending(std::uint32_t(state.attending));
     to.set_pen_holder(state.penHolder);
+    to.set_pen_asker(state.penAsker);
     if (!bodies) return;
     for (const PlacedObject& placed : state.bodies) {
         v1::Placed* body = to.add_body();
@@ -81,6 +82,7 @@ void write(v1::Event& to, const StageEvent& event) {
     to.set_revision(event.revision);
     to.set_text(event.text);
     to.set_detent(event.detent);
+    to.set_client(event.client);
 }
 
 void write(v1::Device& to, const DeviceInfo& device) {

@@ -32,6 +32,8 @@ public:
     virtual std::optional<Arrived> arrived() = 0;
     /// Why what was published or ordered was not done: one sentence, once.
     virtual std::optional<std::string> refused() = 0;
+    /// What another client did to the force: one sentence, once.
+    virtual std::optional<std::string> forceSaid() = 0;
     /// Who edits, and switches the force on.
     virtual bool holdsPen() const = 0;
     /// Its name; empty: nobody.
@@ -40,6 +42,8 @@ public:
     virtual void askForPen() = 0;
     /// Who asks for it, once for each time.
     virtual std::optional<std::string> penAskedBy() = 0;
+    /// Who waits for it; empty: nobody any more.
+    virtual std::string penAsker() const = 0;
     virtual void givePen(const std::string& to) = 0;
     /// How many clients there are, this one too.
     virtual std::size_t attending() const = 0;

@@ -18,9 +18,15 @@ Result<ClientId> Attendance::join(std::string_view name, std::string key, bool w
     return last_;
 }
 
+void Attendance::have(ClientId id) {
+    pen_ = id;
+    asker_ = 0;
+}
+
 void Attendance::leave(ClientId id) {
     std::erase_if(clients_, [id](const Client& client) { return client.id == id; });
-    if (pen_ == id) pen_ = 0;
+    if (pen_ == id) have(0);
+    if (asker_ == id) asker_ = 0;
 }
 
 void Attendance::heard(ClientId id, double now) {
@@ -43,7 +49,7 @@ const Client* Attendance::find(ClientId id) const {
 
 Result<void> Attendance::takePen(ClientId id) {
     if (!find(id)) return inputError("who does not attend cannot have the pen: attend first");
-    if (pen_ == 0) pen_ = id;
+    if (pen_ == 0) have(id);
     if (pen_ == id) return {};
     return inputError(find(pen_)->name + " has the pen: ask for it, and wait until it is passed on");
 }
@@ -51,19 +57,21 @@ Result<void> Attendance::takePen(ClientId id) {
 Result<void> Attendance::passPen(ClientId from, std::string_view name) {
     if (from == 0 || pen_ != from) return inputError("only who has the pen can pass it on");
     if (name.empty()) {
-        pen_ = 0;
+        have(0);
         return {};
     }
     const auto to = std::ranges::find(clients_, name, &Client::name);
     if (to == clients_.end()) return inputError(inQuotes(name) + " does not attend");
-    pen_ = to->id;
+    have(to->id);
     return {};
 }
 
 std::optional<ClientId> Attendance::takeFromSilent(double now) {
     const Client* holder = find(pen_);
     if (!holder || now - holder->heard < kSilence) return std::nullopt;
-    return std::exchange(pen_, 0);
+    const ClientId silent = pen_;
+    have(0);
+    return silent;
 }
 
 } // namespace tactum

@@ -43,6 +43,9 @@ public:
     std::size_t count() const { return clients_.size(); }
 
     ClientId pen() const { return pen_; }
+    /// Who asked for it last and waits; 0: nobody. Whoever gets it or lets it go has answered.
+    ClientId asker() const { return asker_; }
+    void ask(ClientId id) { asker_ = id; }
     /// Whether it has the pen now, which it takes where it is free. The error says who has it.
     Result<void> takePen(ClientId id);
     /// To the first client of this name, or to nobody for an empty one. Errors: it has no pen, or there is no
@@ -52,8 +55,10 @@ public:
     std::optional<ClientId> takeFromSilent(double now);
 
 private:
+    void have(ClientId id);
+
     std::vector<Client> clients_;
-    ClientId last_ = 0, pen_ = 0;
+    ClientId last_ = 0, pen_ = 0, asker_ = 0;
 };
 
 } // namespace tactum

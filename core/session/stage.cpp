@@ -88,7 +88,7 @@ void Stage::leave(ClientId id) {
     const std::string name = nameOf(id);
     const bool hadPen = attendance_.pen() == id;
     attendance_.leave(id);
-    if (hadPen) letGo(id, name + " has left");
+    if (hadPen) letGo(name, " has left");
     say({.kind = Kind::Attends, .text = name + " has left"});
 }
 
@@ -118,11 +118,11 @@ std::string Stage::nameOf(ClientId id) const {
 }
 
 /// What it had is free, and no force goes on that nobody answers for.
-void Stage::letGo(ClientId, const std::string& why) {
+void Stage::letGo(const std::string& name, const std::string& what) {
     say({.kind = Kind::Pen});
     if (!engine_.armed()) return;
     engine_.fade();
-    say({.kind = Kind::Force, .text = why + ": the force fades"});
+    say({.kind = Kind::Force, .text = name + what + ": the force fades", .client = name});
 }
 
 void Stage::say(StageEvent event) {
@@ -184,14 +184,17 @@ void Stage::stop(ClientId who) {
     const std::lock_guard lock(mutex_);
     engine_.setArmed(false);
     const std::string name = nameOf(who);
-    say({.kind = Kind::Force, .text = (name.empty() ? "the server" : name) + " has stopped all force"});
+    say({.kind = Kind::Force,
+         .text = (name.empty() ? "the server" : name) + " has stopped all force",
+         .client = name});
 }
 
 Result<void> Stage::arm(ClientId who, bool on) {
     return order(who, [&](Engine& engine) {
         engine.setArmed(on);
         say({.kind = Kind::Force,
-             .text = nameOf(who) + (on ? " has switched the force on" : " has switched the force off")});
+             .text = nameOf(who) + (on ? " has switched the force on" : " has switched the force off"),
+             .client = nameOf(who)});
     });
 }
 
@@ -203,6 +206,7 @@ Result<void> Stage::askForPen(ClientId who) {
         return {};
     }
     if (!attendance_.find(who)) return inputError("who does not attend cannot ask for the pen: attend first");
+    attendance_.ask(who);
     say({.kind = Kind::PenAsked, .text = nameOf(who), .only = holder});
     return {};
 }
@@ -284,7 +288,7 @@ void Stage::tick(StageState& state, std::vector<StageEvent>& events) {
 
 void Stage::watchHearts() {
     if (const auto silent = attendance_.takeFromSilent(now()))
-        letGo(*silent, nameOf(*silent) + " is not heard any more");
+        letGo(nameOf(*silent), " is not heard any more");
 }
 
 /// Also forgets what is older.
@@ -305,6 +309,7 @@ void Stage::fill(StageState& state) {
     state.attending = attendance_.count();
     state.pen = attendance_.pen();
     state.penHolder = nameOf(state.pen);
+    state.penAsker = nameOf(attendance_.asker());
     state.objects.clear();
     state.bodies.clear();
     state.detents.clear();

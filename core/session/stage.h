@@ -41,8 +41,9 @@ struct StageEvent {
     std::uint32_t button = 0;
     int detent = 0; ///< counted from where the joint's drive rests
     std::uint64_t revision = 0;
-    std::string text{}; ///< safe to print
-    ClientId only = 0;  ///< for this client alone; 0: for all
+    std::string text{};   ///< safe to print
+    std::string client{}; ///< whose doing it is; empty: of none
+    ClientId only = 0;    ///< for this client alone; 0: for all
 };
 
 /// The newest of everything. SI, world frame.
@@ -56,6 +57,7 @@ struct StageState {
     std::size_t attending = 0;
     ClientId pen = 0;      ///< who has it; 0: nobody
     std::string penHolder; ///< its name
+    std::string penAsker;  ///< who waits for it; empty: nobody
 };
 
 /// What a change did.
@@ -147,7 +149,7 @@ private:
     const Felt* feltNow(std::uint64_t worldRevision);
     void take(Scene scene, std::shared_ptr<const World> world);
     void say(StageEvent event);
-    void letGo(ClientId who, const std::string& why);
+    void letGo(const std::string& name, const std::string& what);
     std::string nameOf(ClientId id) const;
 
     mutable std::mutex mutex_; ///< of everything below, the engine too

@@ -31,6 +31,7 @@ private slots:
         QTest::newRow("unknown flag without verb") << QStringList{"--nonsense"};
         QTest::newRow("server without a port") << QStringList{"--connect", "localhost"};
         QTest::newRow("server of port 0") << QStringList{"--connect", "localhost:0"};
+        QTest::newRow("a verb at a server") << QStringList{"--connect", "localhost:1", "info", "x.obj"};
         QTest::newRow("credentials for nobody") << QStringList{"--credentials", "/tmp"};
         QTest::newRow("not a number") << QStringList{"touch", "x", "--path", "y", "--stiffness", "1,5"};
         QTest::newRow("negative radius") << QStringList{"touch", "x", "--path", "y", "--proxy-radius", "-1"};

@@ -94,6 +94,16 @@ void TestServe::makesACertificateOnceForAll() {
     }
     COMPARE_CONTAINS(runTactum({"serve", "--credentials", place, "--make-certificate", "a b"}).error,
                      QByteArray("no name"));
+    const auto key = [&] {
+        QFile kept(place + "/key.pem");
+        return kept.open(QIODevice::ReadOnly) ? kept.readAll() : QByteArray();
+    };
+    const QByteArray before = key();
+    const Ended again = runTactum({"serve", "--credentials", place, "--make-certificate"});
+    COMPARE_CONTAINS(again.error, QByteArray("is there already"));
+    QCOMPARE_EQ(again.code, 1);
+    QVERIFY(!before.isEmpty());
+    QCOMPARE(key(), before);
 }
 
 void TestServe::othersDoNotCarryTheNetwork() {

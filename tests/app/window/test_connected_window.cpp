@@ -119,6 +119,15 @@ void TestConnectedWindow::othersAreSeenAndGetTheirTurn() {
     RemoteEngine other({.target = serving.place(), .name = "other"}, nullptr);
     QVERIFY(other.start());
     QVERIFY(waitFor([&] { return here.bar().contains(QStringLiteral("2 clients")); }));
+    RemoteEngine third({.target = serving.place(), .name = "third"}, nullptr);
+    QVERIFY(third.start());
+    third.askForPen();
+    auto* asks = here.window->findChild<NoticeBar*>();
+    QVERIFY(waitFor([&] { return asks->text().contains(QStringLiteral("third asks")); }));
+    QVERIFY(third.stop());
+    QVERIFY(waitFor([&] { return asks->text().isEmpty(); })); // nobody waits for an answer
+    other.setArmed(false);                                    // which needs no pen
+    QVERIFY(waitFor([&] { return asks->text().contains(QStringLiteral("other has stopped all force")); }));
     other.askForPen();
     auto* act = here.window->findChild<QPushButton*>(QStringLiteral("notice-act"));
     QVERIFY(waitFor([&] { return act->isVisible() && act->text() == QStringLiteral("Let them"); }));

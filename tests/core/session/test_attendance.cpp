@@ -18,6 +18,7 @@ class TestAttendance : public QObject {
 private slots:
     void thePenGoesToWhoWantsItFirst();
     void onlyTheHolderPassesIt();
+    void whoAsksWaitsForAnAnswer();
     void silenceTakesThePen();
     void keysTellClientsApart();
     void namesAreSafeToPrint();
@@ -51,6 +52,25 @@ void TestAttendance::onlyTheHolderPassesIt() {
     VERIFY_RESULT(all.passPen(b, ""));
     QCOMPARE_EQ(all.pen(), ClientId(0));
     QVERIFY(!all.passPen(0, "a")); // nobody cannot pass what nobody has
+}
+
+void TestAttendance::whoAsksWaitsForAnAnswer() {
+    Attendance all;
+    const ClientId a = all.join("a", "1", true, 0).value(), b = all.join("b", "2", false, 0).value();
+    QCOMPARE_EQ(all.asker(), ClientId(0));
+    QVERIFY(!all.takePen(b)); // an edit, for one, asks for nothing
+    QCOMPARE_EQ(all.asker(), ClientId(0));
+    all.ask(b);
+    QCOMPARE_EQ(all.asker(), b);
+    all.leave(b);
+    QCOMPARE_EQ(all.asker(), ClientId(0));
+    const ClientId c = all.join("c", "3", false, 0).value();
+    all.ask(c);
+    VERIFY_RESULT(all.passPen(a, "c"));
+    QCOMPARE_EQ(all.asker(), ClientId(0));
+    all.ask(a);
+    all.leave(c); // the pen is free, and nobody has to be asked
+    QCOMPARE_EQ(all.asker(), ClientId(0));
 }
 
 void TestAttendance::silenceTakesThePen() {

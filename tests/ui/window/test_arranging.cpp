@@ -353,7 +353,7 @@ private slots:
         desk.program.frames(60);
         QVERIFY(test::waitFor([&] { return desk.program.touch().force.norm() > 0.2; }));
         desk.program.release(top);
-        desk.program.frames(10);
+        QVERIFY(desk.program.atRest());
         desk.program.command("arrange").trigger();
         desk.program.document.select(SurfaceRef{desk.object(1).id, 0});
         const double pressed = desk.program.touch().force.norm();

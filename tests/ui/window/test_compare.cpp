@@ -152,6 +152,7 @@ void TestCompare::whatTheFingerDidIsAStroke() {
     QVERIFY(isCompared(comparison));
     QCOMPARE_NE(comparison.result()->difference.workA, 0); // it did touch
     // Once more from where it is now, inside: it feels what the finger feels.
+    QVERIFY(program.atRest());
     QVERIFY(isCalled(program, "compare-record"));
     program.frames(20);
     QVERIFY(isCalled(program, "compare-record"));

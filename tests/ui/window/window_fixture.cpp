@@ -145,6 +145,14 @@ void TouchedWindow::frames(int count) {
     (void)test::waitFor([&] { return !engine.running() || engine.servo().ticks >= until; });
 }
 
+bool TouchedWindow::atRest() {
+    return test::waitFor([this] {
+        const Vec3 before = finger();
+        frames(20);
+        return (finger() - before).norm() < 1e-6;
+    });
+}
+
 QDoubleSpinBox& TouchedWindow::box(const QString& key) {
     auto* found = window->findChild<QDoubleSpinBox*>(key);
     if (!found) qFatal("no field %s", qPrintable(key));

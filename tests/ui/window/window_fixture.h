@@ -60,6 +60,8 @@ public:
     void wheel(QPoint at, int notches);
     /// Lets the loops and the window run for so many frames.
     void frames(int count);
+    /// Waits until the finger stands still: the hand has come to where the person wants it.
+    bool atRest();
 
     /// Types a value into the inspector, as a person does: click, digits, Enter.
     void type(const QString& key, const QString& value);
