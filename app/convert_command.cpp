@@ -5,6 +5,7 @@
 #include "app/output_files.h"
 #include "app/results.h"
 #include "app/streams.h"
+#include "app/terminal_progress.h"
 #include "core/base/text.h"
 #include "core/bundle/bundle.h"
 #include "core/files/gltf/write_gltf.h"
@@ -25,19 +26,21 @@ namespace fs = std::filesystem;
 struct Writer {
     std::string_view ending; ///< lower case
     ExportTarget target;
-    Result<void> (*write)(const Scene&, const ConvertOptions&, std::vector<Loss>&);
+    Result<void> (*write)(const Scene&, const ConvertOptions&, std::vector<Loss>&, const Progress&);
     bool alone = true; ///< one file, that names no other
 };
 
-Result<void> writeGlb(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
-    return saveScene(scene, options.out, {}, 0);
+Result<void> writeGlb(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&,
+                      const Progress& progress) {
+    return saveScene(scene, options.out, progress, 0);
 }
 
 /// Text, with the data in a file beside it.
-Result<void> writeGltf(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
+Result<void> writeGltf(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&,
+                       const Progress& progress) {
     const fs::path& out = options.out;
     if (const auto free = demandReplaceable(out); !free) return free;
-    auto gltf = gltfFilesOf(scene, out.stem().string());
+    auto gltf = gltfFilesOf(scene, out.stem().string(), progress);
     if (!gltf) return tl::unexpected<Error>(gltf.error());
     std::vector<OutFile> files;
     if (!gltf->binary.empty())
@@ -46,8 +49,9 @@ Result<void> writeGltf(const Scene& scene, const ConvertOptions& options, std::v
     return writeAll(options, files);
 }
 
-Result<void> writeBundle(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
-    const auto touches = saveTouchedBundle(scene, options.out, {}, 0);
+Result<void> writeBundle(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&,
+                         const Progress& progress) {
+    const auto touches = saveTouchedBundle(scene, options.out, progress, 0);
     if (!touches) return tl::unexpected<Error>(touches.error());
     if (!*touches)
         std::cerr
@@ -57,16 +61,18 @@ Result<void> writeBundle(const Scene& scene, const ConvertOptions& options, std:
 }
 
 /// The images and the device lie beside the scene, which names them.
-Result<void> writeX3d(const Scene& scene, const ConvertOptions& options, std::vector<Loss>& losses) {
+Result<void> writeX3d(const Scene& scene, const ConvertOptions& options, std::vector<Loss>& losses,
+                      const Progress& progress) {
     const fs::path& out = options.out;
     const X3dNames names = X3dNames::beside(out.stem().string());
-    X3dExport x3d = x3dOf(scene, names);
-    losses = std::move(x3d.losses);
+    auto x3d = x3dOf(scene, names, progress);
+    if (!x3d) return tl::unexpected<Error>(x3d.error());
+    losses = std::move(x3d->losses);
     std::vector<OutFile> files;
-    for (X3dImage& image : x3d.images)
+    for (X3dImage& image : x3d->images)
         files.push_back({out.parent_path() / image.name, std::move(image.bytes)});
-    files.push_back({out.parent_path() / names.device, std::move(x3d.device)});
-    files.push_back({out, std::move(x3d.scene)});
+    files.push_back({out.parent_path() / names.device, std::move(x3d->device)});
+    files.push_back({out, std::move(x3d->scene)});
     return writeAll(options, files);
 }
 
@@ -75,7 +81,8 @@ std::string endingOf(const fs::path& file) {
     return ending.empty() ? ending : ending.substr(1);
 }
 
-Result<void> writeMesh(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&) {
+Result<void> writeMesh(const Scene& scene, const ConvertOptions& options, std::vector<Loss>&,
+                       const Progress&) {
     const fs::path& out = options.out;
     auto meshes = meshFilesOf(scene, endingOf(out), out.stem().string());
     if (!meshes) return tl::unexpected<Error>(meshes.error());
@@ -146,8 +153,11 @@ Result<int> convert(const ConvertOptions& options) {
         scene.finger = std::make_shared<const std::vector<FingerPoint>>(std::move(*finger));
     }
     std::vector<Loss> losses = lossesOf(scene, writer->target);
-    if (const auto written = writer->write(scene, options, losses); !written)
-        return tl::unexpected(written.error());
+    {
+        const TerminalProgress terminal("writing " + shownPath(options.out));
+        if (const auto written = writer->write(scene, options, losses, terminal.progress()); !written)
+            return tl::unexpected(written.error());
+    }
     for (const std::string& line : linesOf(loaded->findings))
         std::cerr << line << '\n';
     sayLosses(losses);

@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "app/results.h"
+#include "app/terminal_progress.h"
+#include "core/files/source.h"
 #include "core/files/tell_format.h"
 #include "core/import/import_scene.h"
 
@@ -68,7 +70,8 @@ Error renamed(Error error, const ScratchFolder& of, const std::string& name) {
 }
 
 Result<LoadedScene> importGiven(const fs::path& file) {
-    if (!isDash(file)) return importScene(file);
+    const TerminalProgress terminal("reading " + (isDash(file) ? std::string(kInput) : shownPath(file)));
+    if (!isDash(file)) return importScene(file, terminal.progress());
     const ScratchFolder folder("pipe");
     if (folder.path().empty())
         return machineError(std::string(kInput) +
@@ -79,7 +82,7 @@ Result<LoadedScene> importGiven(const fs::path& file) {
     const fs::path copy = folder.path() / ("standard-input." + *ending);
     std::error_code fault; // which the import says
     fs::rename(kept, copy, fault);
-    auto loaded = importScene(copy);
+    auto loaded = importScene(copy, terminal.progress());
     if (!loaded) return tl::unexpected<Error>(renamed(loaded.error(), folder, kInput));
     return loaded;
 }

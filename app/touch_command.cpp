@@ -9,7 +9,9 @@
 #include "app/picture.h"
 #include "app/results.h"
 #include "app/streams.h"
+#include "app/terminal_progress.h"
 #include "core/files/read_finger_path.h"
+#include "core/files/source.h"
 #include "core/haptics/compile.h"
 #include "core/haptics/replay.h"
 
@@ -94,7 +96,10 @@ Result<int> runTouch(const TouchOptions& options) {
     const auto world = compile(loaded->scene);
     if (!world) return tl::unexpected(world.error());
     const double build = secondsSince(building);
-    const TouchTrace rows = replay(**world, *path);
+    const TouchTrace rows = [&] {
+        const TerminalProgress terminal("touching " + shownPath(options.scene));
+        return replay(**world, *path, terminal.progress()).value(); // nobody cancels it
+    }();
     if (std::ranges::none_of(rows, [](const TouchRow& row) { return row.contacts > 0; }))
         std::cerr << "note: the finger path touches nothing; is it in metres, and where the scene is?\n";
     const std::string summary = summaryOfTouch(**world, rows, load, build).dump();

@@ -89,7 +89,7 @@ other programs open. Verbs without a window replay, convert and check.")
 # The libraries are static: who links them links what they stand on.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtactum-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libassimp-dev, libtinygltf-dev, libpugixml-dev, \
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libassimp-dev, libdraco-dev, libmeshoptimizer-dev, libpugixml-dev, \
 libgrpc++-dev, libprotobuf-dev, libpng-dev, libjpeg-dev, libtiff-dev, libzip-dev, libmd-dev, nlohmann-json3-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs
 Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine

@@ -1,6 +1,11 @@
 // The command line is a contract: verbs, options, columns, keys and exit codes, driven from outside.
 
+#include <algorithm>
 #include <cmath>
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QFile>
@@ -22,6 +27,19 @@ using namespace test_program;
 namespace {
 
 using Row = QList<double>;
+
+/// A square of cells, two triangles each.
+QByteArray gridObj(int cells) {
+    QByteArray text;
+    for (int i = 0; i <= cells; ++i)
+        for (int k = 0; k <= cells; ++k)
+            text += "v " + QByteArray::number(i) + "e-4 " + QByteArray::number(k) + "e-4 0\n";
+    const auto at = [&](int i, int k) { return QByteArray::number(i * (cells + 1) + k + 1) + ' '; };
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k)
+            text += "f " + at(i, k) + at(i + 1, k) + at(i + 1, k + 1) + at(i, k + 1) + '\n';
+    return text;
+}
 
 QList<Row> rowsOf(const QString& file) {
     QFile in(file);
@@ -342,6 +360,27 @@ private slots:
         const Ended none = runTactum({"device-server", "no such"});
         QCOMPARE_NE(none.code, 0);
         COMPARE_CONTAINS(none.error, "no such");
+    }
+
+    /// Work of seconds on two million triangles; a pipe or a file gets none of it.
+    void aTerminalSeesHowFarItIs() {
+        const WorkFolder work;
+        const QString obj = work.write("grid.obj", gridObj(1000));
+        const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+        QVERIFY(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+        QProcess process;
+        process.setStandardErrorFile(QString::fromLocal8Bit(ptsname(terminal)));
+        process.start(TACTUM_PROGRAM, {"check", obj});
+        QVERIFY(process.waitForFinished(120000));
+        QCOMPARE_EQ(process.exitCode(), 0);
+        QByteArray seen(1 << 20, '\0');
+        seen.resize(std::max<ssize_t>(0, read(terminal, seen.data(), std::size_t(seen.size()))));
+        close(terminal);
+        COMPARE_CONTAINS(seen, QByteArray("reading "));
+        COMPARE_CONTAINS(seen, QByteArray("grid.obj ... "));
+        COMPARE_CONTAINS(seen, QByteArray(" %"));
+        QVERIFY(seen.endsWith("\r\x1b[K")); // and nothing is left of it
+        QCOMPARE(runTactum({"check", obj}).error, QByteArray());
     }
 
     void helpIsZero() {

@@ -5,6 +5,11 @@
 #include <memory>
 #include <vector>
 
+// In a namespace of our own: libdraco, which Assimp brings along, exports another one's functions under the
+// name that they have by themselves.
+#define tinygltf tactum_tinygltf
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
 #include "core/base/vec.h"

@@ -192,10 +192,12 @@ void eraseExtension(Json& element, const std::string& name) {
 }
 
 void eraseUse(Json& root, const std::string& name) {
-    if (!root.is_object() || !member(root, "extensionsUsed")) return;
-    Json& used = root["extensionsUsed"];
-    if (used.is_array()) used.erase(std::remove(used.begin(), used.end(), Json(name)), used.end());
-    if (used.empty()) root.erase("extensionsUsed");
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        if (!root.is_object() || !member(root, list)) continue;
+        Json& used = root[list];
+        if (used.is_array()) used.erase(std::remove(used.begin(), used.end(), Json(name)), used.end());
+        if (used.empty()) root.erase(list);
+    }
 }
 
 int indexIn(const Json& object, const char* key, std::size_t end) {

@@ -62,7 +62,7 @@ std::size_t eraseDamagedAnimations(Json& root) {
     return damaged;
 }
 
-void erasePackedMeshes(const Source& source, Json& root) {
+void erasePackedCopies(Json& root) {
     const Json* accessors = arrayIn(root, "accessors");
     Json* meshes = arrayIn(root, "meshes");
     if (!accessors || !meshes) return;
@@ -70,14 +70,10 @@ void erasePackedMeshes(const Source& source, Json& root) {
         Json* primitives = arrayIn(mesh, "primitives");
         for (std::size_t i = 0; primitives && i < primitives->size(); ++i) {
             Json& primitive = (*primitives)[i];
-            if (!extensionOf(primitive, kPacked)) continue;
-            if (isOnlyPacked(*accessors, primitive))
-                source.fail("needs the extension " + inQuotes(kPacked) +
-                            ", which is not read; export it without");
-            eraseExtension(primitive, kPacked);
+            if (extensionOf(primitive, kPacked) && !isOnlyPacked(*accessors, primitive))
+                eraseExtension(primitive, kPacked);
         }
     }
-    eraseUse(root, kPacked);
 }
 
 } // namespace tactum

@@ -15,6 +15,7 @@
 #include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_motion.h"
 #include "core/files/gltf/gltf_nodes.h"
+#include "core/files/gltf/gltf_packed.h"
 #include "core/files/gltf/gltf_physics.h"
 #include "core/files/gltf/gltf_references.h"
 #include "core/files/gltf/gltf_standards.h"
@@ -33,15 +34,21 @@ using Severity = Finding::Severity;
 GltfFile weeded(const Source& source, std::size_t& damagedAnimations) {
     GltfFile file = openGltf(source);
     damagedAnimations = eraseDamagedAnimations(file.json);
-    erasePackedMeshes(source, file.json);
+    erasePackedCopies(file.json);
     return file;
+}
+
+tinygltf::Model unpacked(const Source& source, GltfFile& file) {
+    tinygltf::Model model = parseGltf(source, file);
+    unpackMeshes(source, file.json, model);
+    return model;
 }
 
 class GltfReader {
 public:
     GltfReader(const Source& source, const Progress& progress)
         : source_(source), progress_(progress), file_(weeded(source, damagedAnimations_)),
-          model_(parseGltf(source, file_)), meshes_(source, file_, model_, progress) {}
+          model_(unpacked(source, file_)), meshes_(source, file_, model_, progress) {}
 
     LoadedScene read();
 

@@ -15,62 +15,45 @@ template <class Values> std::string listOf(const Values& values) {
     return text;
 }
 
-} // namespace
-
-std::string xmlText(std::string_view text) {
+std::string knownToXml(std::string_view text) {
     std::string clean = printable(text, text.size() + 1); // never cut
     for (const std::string_view unknown : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
         for (std::size_t at = 0; (at = clean.find(unknown, at)) != std::string::npos;)
             clean.replace(at, unknown.size(), 1, '?');
-    std::string escaped;
-    for (const char c : clean)
-        switch (c) {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += c;
-        }
-    return escaped;
+    return clean;
 }
 
-XmlElement::XmlElement(std::string& out, std::string_view name) : out_(out), name_(name) {
-    out_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<" + name_;
-}
+struct Behind final : pugi::xml_writer {
+    explicit Behind(std::string& text) : out(text) {}
+    void write(const void* data, std::size_t size) override {
+        out.append(static_cast<const char*>(data), size);
+    }
+    std::string& out;
+};
 
-XmlElement::XmlElement(XmlElement& parent, std::string_view name)
-    : out_(parent.out_), name_(name), depth_(parent.depth_ + 1) {
-    if (!parent.hasChildren_) out_ += ">\n";
-    parent.hasChildren_ = true;
-    out_.append(std::size_t(depth_), ' ');
-    out_ += "<" + name_;
+} // namespace
+
+XmlElement::XmlElement(std::string& out, std::string_view name)
+    : out_(&out), document_(std::make_unique<pugi::xml_document>()),
+      node_(document_->append_child(std::string(name).c_str())) {
+    pugi::xml_node head = document_->prepend_child(pugi::node_declaration);
+    head.append_attribute("version") = "1.0";
+    head.append_attribute("encoding") = "UTF-8";
 }
 
 XmlElement::~XmlElement() {
-    if (!hasChildren_) {
-        out_ += "/>\n";
-        return;
-    }
-    out_.append(std::size_t(depth_), ' ');
-    out_ += "</" + name_ + ">\n";
+    if (!document_) return;
+    Behind writer(*out_);
+    document_->save(writer, " ");
 }
 
-XmlElement& XmlElement::setPlain(std::string_view attribute, std::string_view text) {
-    out_.append(" ").append(attribute).append("=\"").append(text).append("\"");
+XmlElement& XmlElement::setPlain(std::string_view attribute, const std::string& text) {
+    node_.append_attribute(std::string(attribute).c_str()) = text.c_str();
     return *this;
 }
 
 XmlElement& XmlElement::set(std::string_view attribute, std::string_view text) {
-    return setPlain(attribute, xmlText(text));
+    return setPlain(attribute, knownToXml(text));
 }
 
 XmlElement& XmlElement::set(std::string_view attribute, double number) {

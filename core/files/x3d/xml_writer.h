@@ -2,29 +2,29 @@
 #pragma once
 
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include <pugixml.hpp>
 
 #include "core/base/vec.h"
 
 namespace tactum {
 
-/// Text as it may stand in an attribute: valid UTF-8 without the characters that XML does not know, the
-/// others escaped.
-std::string xmlText(std::string_view text);
-
 /// An element from its making to its end, inside of the one that was made before and still lives.
 /// Names of elements and attributes are taken as they are.
 class XmlElement {
 public:
-    /// The outermost; begins the document in `out`, which must outlive it.
+    /// The outermost; its end puts the whole document behind `out`, which must outlive it.
     XmlElement(std::string& out, std::string_view name);
-    XmlElement(XmlElement& parent, std::string_view name);
+    XmlElement(XmlElement& parent, std::string_view name)
+        : node_(parent.node_.append_child(std::string(name).c_str())) {}
     XmlElement(const XmlElement&) = delete;
     XmlElement& operator=(const XmlElement&) = delete;
     ~XmlElement();
 
-    // Attributes, before the first child.
+    /// Valid UTF-8 afterwards, without the characters that XML does not know.
     XmlElement& set(std::string_view attribute, std::string_view text);
     XmlElement& set(std::string_view attribute, const char* text) {
         return set(attribute, std::string_view(text));
@@ -37,14 +37,13 @@ public:
     XmlElement& set(std::string_view attribute, const Eigen::Vector3f& v);
     /// A list of strings as X3D has it: each in quotes.
     XmlElement& setStrings(std::string_view attribute, std::initializer_list<std::string_view> texts);
-    /// Text of digits, blanks and commas, which needs no escape.
-    XmlElement& setPlain(std::string_view attribute, std::string_view text);
+    /// Digits, blanks and commas, as many as there are: not looked at.
+    XmlElement& setPlain(std::string_view attribute, const std::string& text);
 
 private:
-    std::string& out_;
-    std::string name_;
-    int depth_ = 0;
-    bool hasChildren_ = false;
+    std::string* out_ = nullptr;                   ///< of the outermost alone, as
+    std::unique_ptr<pugi::xml_document> document_; ///< the document
+    pugi::xml_node node_;
 };
 
 } // namespace tactum

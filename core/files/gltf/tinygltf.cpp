@@ -1,0 +1,6 @@
+// tinygltf itself, compiled once, in the namespace that gltf_model.h gives it.
+#include <nlohmann/json.hpp>
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_INCLUDE_JSON
+#include "core/files/gltf/gltf_model.h"
