@@ -71,6 +71,20 @@ void addMeshes(const Corpus& corpus) {
         asGltf(folded(),
                R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1,2],"scale":[2,-1,1]},)"
                R"({"mesh":0,"rotation":[0,0,1,0]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]}])"));
+    for (const char* name : {"draco.glb", "meshopt.glb"}) {
+        std::ifstream in(std::filesystem::path(TACTUM_PACKED) / name, std::ios::binary);
+        corpus.add("glb", name, {std::istreambuf_iterator<char>(in), {}});
+    }
+    const std::string mesh =
+        "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='10' y='0' z='0'/><vertex x='0' y='20' z='0'/>"
+        "</vertices><triangles><triangle v1='0' v2='1' v3='2' pid='9' p1='0'/></triangles></mesh>";
+    corpus.add("3mf", "parts.model",
+               threeMfModel("<basematerials id='9'><base name='a' displaycolor='#FF0000'/></basematerials>"
+                            "<object id='1' name='cup'>" +
+                                mesh +
+                                "</object><object id='2'><components><component objectid='1' "
+                                "transform='1 0 0 0 1 0 0 0 1 5 0 0'/></components></object>",
+                            "<item objectid='2' transform='0 1 0 1 0 0 0 0 1 1 2 3'/>", "unit='inch'"));
     corpus.add("3ds", "a.3ds", as3ds(folded(), "lid", "red"));
     corpus.add("dae", "a.dae", asDae("<unit name='inch' meter='0.0254'/>"));
     corpus.add("fbx", "a.fbx", asFbx(2));

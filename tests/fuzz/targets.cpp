@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "core/archive/zip_archive.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/images/read_image.h"
 #include "core/files/read_finger_path.h"
@@ -73,6 +74,16 @@ void readObjAndMtl(std::string_view bytes) {
     const std::string_view library = cut == bytes.npos ? "" : bytes.substr(cut + kRest.size());
     std::ofstream(folder() / "m.mtl", std::ios::binary) << library;
     readAs<readObj>("a.obj", bytes.substr(0, cut));
+}
+
+/// The model of a package that is whole; what is damaged in packages is for "zip".
+void readModelOf3mf(std::string_view bytes) {
+    const std::vector<ZipEntry> entries{
+        {"_rels/.rels",
+         "<Relationships><Relationship Target='/3D/3dmodel.model' "
+         "Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/></Relationships>"},
+        {"3D/3dmodel.model", std::string(bytes)}};
+    readAs<read3mf>("a.3mf", writeZip(entries));
 }
 
 /// Our own files can be saved again, and then opened again.
@@ -197,6 +208,7 @@ constexpr Target kTargets[] = {
     {"glb", [](std::string_view bytes) { readAs<readGltf>("a.glb", bytes); }},
     {"own", readOwn, true},
     {"x3d", [](std::string_view bytes) { readAs<readX3d>("a.x3d", bytes); }},
+    {"3mf", readModelOf3mf},
     {"zip", [](std::string_view bytes) { readAs<readBundle>("a.zip", bytes); }},
     {"image", readPicture},
     {"finger", readFinger},

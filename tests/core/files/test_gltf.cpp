@@ -97,6 +97,8 @@ private slots:
                                   {{"version", "2"}},
                                   {{"version", "3.0"}, {"minVersion", "2.0"}}})
             QVERIFY(folder_.load("a.gltf", with(asset)));
+        refused("a.gltf", with({{"generator", "x"}}), "does not say which version of glTF it is");
+        refused("a.gltf", with(nullptr), "does not say which version of glTF it is");
         refused("a.gltf", with({{"version", "3.0"}}),
                 "asks for a reader of glTF \"3.0\", and only 2.0 is read");
         refused("a.gltf", with({{"version", ""}}), "asks for a reader of glTF \"\"");
