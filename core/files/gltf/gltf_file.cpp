@@ -60,11 +60,7 @@ void demandVersion2(const Source& source, const Json& json) {
     if (isUnsaidOld || (version && (*version == "1" || version->starts_with("1."))))
         source.fail("is glTF 1.0, and only 2.0 is read; open it in a program of its time, or convert it by "
                     "gltf-pipeline");
-    if (!version && !least)
-        source.fail(
-            "does not say which version of glTF it is (asset.version), and only 2.0 is read; export it "
-            "again");
-    const bool fits = least ? *least == "2.0" : *version == "2" || version->starts_with("2.");
+    const bool fits = least ? *least == "2.0" : !version || *version == "2" || version->starts_with("2.");
     if (!fits)
         source.fail("asks for a reader of glTF " + inQuotes(least.value_or(version.value_or(""))) +
                     ", and only 2.0 is read; export it as glTF 2.0");

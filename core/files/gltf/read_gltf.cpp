@@ -33,6 +33,10 @@ using Severity = Finding::Severity;
 
 GltfFile weeded(const Source& source, std::size_t& damagedAnimations) {
     GltfFile file = openGltf(source);
+    if (const Json* asset = member(file.json, "asset"); !asset || !member(*asset, "version"))
+        source.fail(
+            "does not say which version of glTF it is (asset.version), and only 2.0 is read; export it "
+            "again");
     damagedAnimations = eraseDamagedAnimations(file.json);
     erasePackedCopies(file.json);
     return file;
