@@ -170,7 +170,7 @@ void MainWindow::follow(const SceneChange& change) {
     }
     for (const char* id : {"save", "save-as", "export", "save-picture"})
         actions_[id].setEnabled(!document_.empty());
-    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+    showCentre();
 }
 
 void MainWindow::showOpened() {

@@ -150,7 +150,8 @@ private:
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
     void connectRecovery(); ///< main_window_recovery.cpp
-    void connectToServer(); ///< main_window_shared.cpp
+    void connectToServer();
+    void showCentre(); ///< main_window_shared.cpp
     // Of the command palette: main_window_palette.cpp.
     void connectPalette();
     void openPalette();

@@ -16,7 +16,6 @@
 #include "ui/panels/device_panel.h"
 #include "ui/panels/device_trial_page.h"
 #include "ui/panels/notice_bar.h"
-#include "ui/panels/start_page.h"
 #include "ui/panels/workspace_fields.h"
 #include "ui/playback.h"
 #include "ui/touch_hint.h"
@@ -256,7 +255,7 @@ void MainWindow::endTrial() {
     view_->setProxyRadius(document_.scene().proxyRadius);
     view_->setSelection(document_.selected());
     if (!document_.empty()) view_->fit();
-    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+    showCentre();
     hand_->placeBeside(boundsOf(document_.scene()));
     showTrial();
 }

@@ -19,7 +19,6 @@
 #include "ui/panels/force_plot.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/playback_bar.h"
-#include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
 #include "ui/recording_saver.h"
@@ -161,7 +160,7 @@ void MainWindow::endPlayback() {
     view_->setScene(document_.scene());
     view_->setSelection(document_.selected());
     if (!document_.empty()) view_->fit();
-    centre_->setCurrentWidget(document_.path().empty() ? static_cast<QWidget*>(start_) : view_);
+    showCentre();
     notice_->showNote(tr("Live again. The forces are off: Device > Forces on."));
 }
 

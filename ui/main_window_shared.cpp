@@ -4,12 +4,15 @@
 #include <QAction>
 #include <QApplication>
 #include <QProcess>
+#include <QStackedWidget>
 
 #include "ui/connect_dialog.h"
 #include "ui/hand_link.h"
 #include "ui/panels/connection_bar.h"
 #include "ui/panels/notice_bar.h"
+#include "ui/panels/start_page.h"
 #include "ui/shared_link.h"
+#include "ui/view/scene_view.h"
 
 namespace tactum {
 
@@ -29,6 +32,7 @@ void MainWindow::setShared(SharedScene& shared) {
     hand_->setIdle(engine_.device().real); // one that leads itself
     connect(shared_, &SharedLink::changed, this, [this] {
         connection_->display(shared_->state());
+        showCentre();
         showArmed(engine_.armed());
     });
     connect(connection_, &ConnectionBar::penWanted, shared_, [this] { shared_->askForPen(); });
@@ -46,6 +50,13 @@ void MainWindow::setShared(SharedScene& shared) {
                        [this, name] { shared_->givePen(name); });
     });
     connect(shared_, &SharedLink::penNotAskedAnyMore, notice_, [this] { notice_->withdraw(tr("Let them")); });
+}
+
+/// The start page where there is nothing yet, but for a window whose server is not there: what it would open
+/// nobody could feel.
+void MainWindow::showCentre() {
+    const bool apart = shared_ && !shared_->state().connected;
+    centre_->setCurrentWidget(document_.path().empty() && !apart ? static_cast<QWidget*>(start_) : view_);
 }
 
 } // namespace tactum
