@@ -52,12 +52,12 @@ bool ignoreImage(tinygltf::Image*, int, std::string*, std::string*, int, int, co
 
 /// What a file may need that is read, or that only the eye misses.
 bool isReadable(std::string_view extension) {
-    constexpr std::array<std::string_view, 13> known{
+    constexpr std::array<std::string_view, 14> known{
         "KHR_mesh_quantization",    "KHR_texture_transform",   "KHR_texture_basisu",
         "KHR_physics_rigid_bodies", "KHR_implicit_shapes",     "KHR_collision_shapes",
         "KHR_lights_punctual",      "EXT_texture_webp",        "EXT_texture_avif",
         "MSFT_texture_dds",         "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
-        "EXT_meshopt_compression"};
+        "EXT_meshopt_compression",  "KHR_meshopt_compression"};
     return extension == kExtension || std::ranges::find(known, extension) != known.end() ||
            extension.starts_with("KHR_materials_");
 }
@@ -94,7 +94,7 @@ tinygltf::Model parseGltf(const Source& source, const GltfFile& file) {
     Json json = file.json;
     for (const char* unused : {"images", "textures", "samplers", "skins", "cameras", "extras"})
         json.erase(unused);
-    pointAtPacked(json);
+    pointAtPacked(json, file.isBinary);
     const std::string text = file.isBinary ? packGlb(json, file.binary) : json.dump();
     AssetFolder assets{source.path().parent_path(), {}};
     tinygltf::TinyGLTF parser;

@@ -1,6 +1,7 @@
 #include "core/files/gltf/gltf_packed.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -19,8 +20,21 @@
 namespace tactum {
 namespace {
 
-constexpr const char *kDraco = "KHR_draco_mesh_compression", *kMeshopt = "EXT_meshopt_compression";
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+constexpr std::array kMeshopt{"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr std::size_t kMostBytes = std::size_t(1) << 31; ///< of one view
+
+/// What meshopt says of a view, by either name; or null.
+const Json* meshoptOf(const Json& view) {
+    for (const char* name : kMeshopt)
+        if (const Json* packed = extensionOf(view, name)) return packed;
+    return nullptr;
+}
+
+void eraseMeshopt(Json& element) {
+    for (const char* name : kMeshopt)
+        if (extensionOf(element, name)) eraseExtension(element, name);
+}
 
 std::string wordIn(const Json& object, const char* key) {
     const Json* word = member(object, key);
@@ -111,7 +125,7 @@ public:
     void views() {
         Json* views = arrayIn(root_, "bufferViews");
         for (std::size_t i = 0; views && i < views->size(); ++i)
-            if (const Json* packed = extensionOf((*views)[i], kMeshopt)) unpackView(i, PackedView(*packed));
+            if (const Json* packed = meshoptOf((*views)[i])) unpackView(i, PackedView(*packed));
     }
     void primitives() {
         Json* meshes = arrayIn(root_, "meshes");
@@ -137,7 +151,7 @@ private:
         Json& json = root_["bufferViews"][index];
         model_.bufferViews[index].byteStride = packed.mode == "ATTRIBUTES" ? packed.stride : 0;
         put(index, std::move(bytes));
-        eraseExtension(json, kMeshopt);
+        eraseMeshopt(json);
     }
 
     /// Whether no bytes of it are there that anybody could read; an accessor that another primitive had
@@ -252,12 +266,14 @@ void pointAtDraco(Json& root) {
 
 } // namespace
 
-void pointAtPacked(Json& root) {
+void pointAtPacked(Json& root, bool isBinary) {
     pointAtDraco(root);
+    bool any = false;
     Json* views = arrayIn(root, "bufferViews");
     for (std::size_t i = 0; views && i < views->size(); ++i) {
-        const Json* found = extensionOf((*views)[i], kMeshopt);
+        const Json* found = meshoptOf((*views)[i]);
         if (!found) continue;
+        any = true;
         const Json packed = *found;
         Json& view = (*views)[i];
         for (const char* key : {"buffer", "byteOffset", "byteLength"}) {
@@ -266,9 +282,10 @@ void pointAtPacked(Json& root) {
         }
         view.erase("byteStride");
     }
-    Json* buffers = arrayIn(root, "buffers");
-    for (std::size_t i = 0; buffers && i < buffers->size(); ++i)
-        if (Json& buffer = (*buffers)[i]; extensionOf(buffer, kMeshopt) && !buffer.contains("uri"))
+    // What stands in for them has no bytes anywhere; only a binary file's first buffer has its own.
+    Json* buffers = any ? arrayIn(root, "buffers") : nullptr;
+    for (std::size_t i = isBinary; buffers && i < buffers->size(); ++i)
+        if (Json& buffer = (*buffers)[i]; buffer.is_object() && !buffer.contains("uri"))
             buffer = {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
 }
 
@@ -283,9 +300,10 @@ void unpackMeshes(const Source& source, Json& root, tinygltf::Model& model) {
                     if (extensionOf(primitive, kDraco)) eraseExtension(primitive, kDraco);
     if (Json* buffers = arrayIn(root, "buffers"))
         for (Json& buffer : *buffers)
-            if (extensionOf(buffer, kMeshopt)) eraseExtension(buffer, kMeshopt);
+            eraseMeshopt(buffer);
     eraseUse(root, kDraco);
-    eraseUse(root, kMeshopt);
+    for (const char* name : kMeshopt)
+        eraseUse(root, name);
 }
 
 } // namespace tactum

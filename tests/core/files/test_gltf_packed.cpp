@@ -260,6 +260,19 @@ private slots:
         QVERIFY(areSame(*again->scene.objects.at(0).geometry, read));
     }
 
+    /// By its other name, and with a buffer that only stands in for what is unpacked and does not say so.
+    void theNameMayBeTheOther() {
+        const TriangleSoup soup = singleBall();
+        Json json = meshoptFile(soup, "TRIANGLES", "NONE", packedVertices(floatsOf(soup)));
+        json["buffers"][1].erase("extensions");
+        std::string text = json.dump();
+        for (std::size_t at = 0; (at = text.find("EXT_meshopt", at)) != std::string::npos;)
+            text.replace(at, 3, "KHR");
+        const auto scene = folder_.load("packed.gltf", text);
+        VERIFY_RESULT(scene);
+        QVERIFY(areSame(*scene->scene.objects.at(0).geometry, soup));
+    }
+
     /// One primitive's arrays are another one's, too, and packed once or twice.
     void arraysAreShared() {
         const TriangleSoup soup = singleBall();
