@@ -21,6 +21,7 @@
 #include "core/base/child_program.h"
 #include "core/base/host_port.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
@@ -370,8 +371,8 @@ void addConnect(CLI::App& program, WindowRequest& window) {
                 [&window](const std::string& text) {
                     const auto place = hostPortOf(text);
                     if (!place || place->port == 0)
-                        throw CLI::ValidationError("--connect",
-                                                   "'" + text + "' is not HOST:PORT, as in 127.0.0.1:51270");
+                        throw CLI::ValidationError(
+                            "--connect", "'" + printable(text) + "' is not HOST:PORT, as in 127.0.0.1:51270");
                     window.connect = text;
                 },
                 "Open the window on the scene and the device of a tactum serve")

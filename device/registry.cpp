@@ -216,7 +216,8 @@ Made DeviceRegistry::make(const std::string& id) {
     const UsbFamily* const own = familyOf(kUsbFamilies, id);
     const MakersFamily* const makers = familyOf(kMakersFamilies, id);
     if (!own && !makers)
-        return inputError("There is no device \"" + id + "\": tactum devices lists those that there are.");
+        return inputError("There is no device " + inQuotes(id) +
+                          ": tactum devices lists those that there are.");
     if (runsApart(id)) return makeRemoteDevice(settings_.program, {"device-server", id});
     if (makers)
         return makers->make(id, [family = makers->profile, folder = settings_.profiles](

@@ -1,12 +1,16 @@
 // The haptic server, which `tactum serve` becomes: a device and a scene for programs elsewhere, without a
 // window.
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
@@ -27,6 +31,7 @@ struct Options {
     std::string listen = kListen, device = "simulated";
     std::optional<std::vector<std::string>> certificate;
     double outsideForce = 1; ///< N
+    bool untilInputEnds = false;
 };
 
 int fail(const Error& error) {
@@ -79,6 +84,15 @@ std::filesystem::path tactum() {
     return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "tactum";
 }
 
+/// Whoever has started it is gone then, however that ended.
+void endWithInput() {
+    char some[256];
+    ssize_t got = 1;
+    while (got > 0 || (got < 0 && errno == EINTR))
+        got = ::read(STDIN_FILENO, some, sizeof some);
+    kill(getpid(), SIGTERM);
+}
+
 Result<int> serve(const Options& options) {
     // Before any thread: all of them inherit it, and only sigwait() below hears these.
     sigset_t ends;
@@ -101,6 +115,7 @@ Result<int> serve(const Options& options) {
     auto server = Server::start(stage, std::move(*settings));
     if (!server) return tl::unexpected(server.error());
     std::cout << "listening on " << host << ':' << (*server)->port() << std::endl;
+    if (options.untilInputEnds) std::thread(endWithInput).detach();
     int signal = 0;
     sigwait(&ends, &signal);
     return 0;
@@ -141,6 +156,8 @@ void addOptions(CLI::App& program, Options& options) {
             },
             "The most that clients may add to the force; 1 N unless said otherwise, 0: nothing")
         ->type_name("N");
+    program.add_flag("--until-input-ends", options.untilInputEnds,
+                     "End with standard input, too: with the program that started it");
     program
         .add_option_function<std::vector<std::string>>(
             "--make-certificate",

@@ -1,6 +1,9 @@
 #include "core/protocol/connection.h"
 
 #include <algorithm>
+#include <mutex>
+
+#include <grpc/support/log.h>
 
 namespace tactum {
 namespace {
@@ -22,6 +25,14 @@ public:
 private:
     std::string token_;
 };
+
+/// What it says of a network is for those who wrote it; that nobody answers is said by the program.
+void quietNetwork() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR), gpr_set_log_function([](gpr_log_func_args*) {});
+    });
+}
 
 std::shared_ptr<grpc::ChannelCredentials> credentialsOf(const ConnectionOptions& options) {
     if (options.certificate.empty()) return grpc::InsecureChannelCredentials();
@@ -85,6 +96,7 @@ std::shared_ptr<grpc::Channel> Connection::channel() const {
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
     arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, 100);
     arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
+    quietNetwork();
     return grpc::CreateCustomChannel(target_, credentials_, arguments);
 }
 

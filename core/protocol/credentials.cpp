@@ -43,6 +43,11 @@ bool isPlain(const std::string& name) {
     return !name.empty() && name.size() <= 253 && std::ranges::all_of(name, plain);
 }
 
+/// Digits and dots alone, and no address all the same: no name of a machine is like that.
+bool isBrokenAddress(const std::string& name) {
+    return name.find_first_not_of("0123456789.") == std::string::npos && !isAddress(name);
+}
+
 bool add(X509* certificate, int what, const std::string& value) {
     X509V3_CTX context;
     X509V3_set_ctx_nodb(&context);
@@ -80,11 +85,47 @@ std::string contentOf(BIO* memory) {
     return {bytes, std::size_t(std::max(0L, size))};
 }
 
-Result<std::string> contentOf(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (in && !text.empty()) return text;
-    return inputError(file.string() + ": cannot be read; make it with tactum serve --make-certificate NAME");
+/// What a person without the file has to do.
+constexpr const char *kMake = "make it with tactum serve --make-certificate NAME",
+                     *kCopy = "copy it from the folder of the server that made it";
+
+/// Of a file and nothing else: a pipe would keep who reads it for ever.
+Result<std::string> contentOf(const std::filesystem::path& file, const char* remedy) {
+    constexpr std::uintmax_t kMost = 1 << 16;
+    std::error_code fault;
+    std::string text;
+    if (std::filesystem::is_regular_file(file, fault) && std::filesystem::file_size(file, fault) <= kMost) {
+        std::ifstream in(file, std::ios::binary);
+        text.assign(std::istreambuf_iterator<char>(in), {});
+    }
+    if (!text.empty()) return text;
+    return inputError(file.string() + ": cannot be read; " + remedy);
+}
+
+/// Nobody is asked for a password.
+int noPassword(char*, int, int, void*) {
+    return 0;
+}
+
+template <class Read> auto parsed(const std::string& pem, Read read) {
+    const Memory text(BIO_new_mem_buf(pem.data(), int(pem.size())));
+    return read(text.get(), nullptr, noPassword, nullptr);
+}
+
+/// What gRPC finds out only when nobody can be told any more.
+Result<void> demandFitting(const Credentials& credentials, const std::filesystem::path& folder,
+                           const char* remedy) {
+    const Certificate certificate(parsed(credentials.certificate, PEM_read_bio_X509));
+    if (!certificate)
+        return inputError((folder / "certificate.pem").string() + ": is no certificate; " + remedy);
+    if (credentials.key.empty()) return {};
+    const Key key(parsed(credentials.key, PEM_read_bio_PrivateKey));
+    if (!key) return inputError((folder / "key.pem").string() + ": is no key, or has a password; " + remedy);
+    if (X509_check_private_key(certificate.get(), key.get()) == 1) return {};
+    return inputError(
+        (folder / "key.pem").string() +
+        ": belongs to another certificate than certificate.pem; make both anew with tactum serve "
+        "--make-certificate NAME");
 }
 
 Result<void> saveSecret(const std::filesystem::path& file, const std::string& text) {
@@ -102,7 +143,8 @@ Result<void> saveSecret(const std::filesystem::path& file, const std::string& te
 Result<Credentials> makeCredentials(const std::vector<std::string>& names) {
     std::string alternatives = "DNS:localhost,IP:127.0.0.1,IP:::1";
     for (const std::string& name : names) {
-        if (!isPlain(name)) return inputError(inQuotes(name) + " is no name or address of a server");
+        if (!isPlain(name) || isBrokenAddress(name))
+            return inputError(inQuotes(name) + " is no name or address of a server");
         alternatives += (isAddress(name) ? ",IP:" : ",DNS:") + name;
     }
     const auto secret = makeSecret();
@@ -129,26 +171,26 @@ namespace {
 
 Result<Credentials> load(const std::filesystem::path& folder, bool withKey) {
     constexpr std::size_t kDigits = 32;
+    const char* remedy = withKey ? kMake : kCopy;
     Credentials credentials;
     for (const auto& [name, text] : {std::pair{"certificate.pem", &credentials.certificate},
                                      {"key.pem", withKey ? &credentials.key : nullptr},
                                      {"token", &credentials.token}}) {
         if (!text) continue;
-        auto content = contentOf(folder / name);
+        auto content = contentOf(folder / name, remedy);
         if (!content) return tl::unexpected(content.error());
         *text = std::move(*content);
     }
     credentials.token = std::string(trimmed(credentials.token.substr(0, credentials.token.find('\n'))));
     if (credentials.token.size() < kDigits)
-        return inputError((folder / "token").string() +
-                          ": is shorter than 32 digits; make it with tactum serve "
-                          "--make-certificate NAME");
+        return inputError((folder / "token").string() + ": is shorter than 32 digits; " + remedy);
     for (const char* secret : {"key.pem", "token"}) {
         struct stat file {};
         const auto path = folder / secret;
         if (stat(path.c_str(), &file) == 0 && (file.st_mode & 077) != 0)
             return inputError(path.string() + ": others may read it; chmod 600 it, or make it anew");
     }
+    if (auto fits = demandFitting(credentials, folder, remedy); !fits) return tl::unexpected(fits.error());
     return credentials;
 }
 

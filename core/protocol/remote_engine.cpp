@@ -105,6 +105,10 @@ std::string RemoteEngine::trouble() const {
     if (!fault.empty())
         return "The haptic server at " + impl_->session.settings().target + ": " + fault +
                ". It is tried again.";
+    if (!impl_->session.settings().certificate.empty())
+        return "No haptic server answers at " + impl_->session.settings().target +
+               ". It is tried again: see whether tactum serve runs there with a certificate, and whether "
+               "certificate.pem and token are those of its folder.";
     return "No haptic server answers at " + impl_->session.settings().target +
            ". It is tried again: see whether tactum serve runs there, and whether it wants a certificate and "
            "a "

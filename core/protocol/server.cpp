@@ -38,7 +38,8 @@ public:
                          OutputMetadata*) override {
         const auto found = given.find(kTokenField);
         if (found == given.end() || !sameSecret(token_, {found->second.data(), found->second.size()}))
-            return {grpc::StatusCode::UNAUTHENTICATED, "the token is missing or wrong"};
+            return {grpc::StatusCode::UNAUTHENTICATED,
+                    "the token is missing or wrong: copy the server's file token to the client"};
         used->emplace(kTokenField, std::string(found->second.data(), found->second.size()));
         return grpc::Status::OK;
     }

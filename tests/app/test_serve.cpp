@@ -1,5 +1,7 @@
 // tactum serve, as a person starts it: what it says, what it refuses, and what the other programs do not
 // carry for it.
+#include <sys/stat.h>
+
 #include <csignal>
 
 #include <QRegularExpression>
@@ -104,6 +106,26 @@ void TestServe::makesACertificateOnceForAll() {
     QCOMPARE_EQ(again.code, 1);
     QVERIFY(!before.isEmpty());
     QCOMPARE(key(), before);
+    // What does not belong together, and what is none of it, is seen before anybody listens.
+    const QString other = file("other");
+    QCOMPARE_EQ(runTactum({"serve", "--credentials", other, "--make-certificate"}).code, 0);
+    const auto started = [&] {
+        return runTactum({"serve", "--listen", "0.0.0.0:0", "--credentials", other});
+    };
+    QVERIFY(QFile::remove(other + "/key.pem") && QFile::copy(place + "/key.pem", other + "/key.pem"));
+    COMPARE_CONTAINS(oneLine(started().error), QByteArray("key.pem: belongs to another certificate"));
+    QVERIFY(QFile::remove(other + "/key.pem"));
+    QCOMPARE_EQ(mkfifo(qPrintable(other + "/key.pem"), 0600), 0); // which would never end
+    COMPARE_CONTAINS(oneLine(started().error), QByteArray("key.pem: cannot be read"));
+    QFile certificate(other + "/certificate.pem");
+    QVERIFY(certificate.open(QIODevice::WriteOnly) && certificate.write("garbage") == 7);
+    certificate.close();
+    QVERIFY(QFile::remove(other + "/key.pem") && QFile::copy(place + "/key.pem", other + "/key.pem"));
+    COMPARE_CONTAINS(oneLine(started().error), QByteArray("certificate.pem: is no certificate"));
+    QCOMPARE(started().out, QByteArray());
+    COMPARE_CONTAINS(
+        runTactum({"serve", "--credentials", file("typo"), "--make-certificate", "999.1.1.1"}).error,
+        QByteArray("no name or address"));
 }
 
 void TestServe::othersDoNotCarryTheNetwork() {

@@ -20,6 +20,8 @@ import subprocess
 import threading
 import time
 
+os.environ.setdefault("GRPC_VERBOSITY", "NONE")  # what goes wrong is told by Error, in a sentence
+
 import grpc
 import numpy as np
 
@@ -37,12 +39,36 @@ class Error(Exception):
     """What the server could not do, in one sentence."""
 
 
+def _sentence(error):
+    if error.code() == grpc.StatusCode.UNAVAILABLE:  # the details are of sockets
+        return "the server is not there any more: connect to it anew"
+    if error.code() == grpc.StatusCode.RESOURCE_EXHAUSTED:
+        return "that is more than 4 MiB at once: send less, a mesh or a file by an upload"
+    return error.details() or str(error.code())
+
+
 @contextlib.contextmanager
 def _plainly():
     try:
         yield
     except grpc.RpcError as error:
-        raise Error(error.details() or str(error.code())) from None
+        raise Error(_sentence(error)) from None
+    except ValueError:  # of a channel that is closed
+        raise Error("this client is closed: connect anew") from None
+
+
+def _secrets(folder, certificate, token):
+    """Certificate and token as they are sent, from files or as given."""
+    try:
+        if folder is not None:
+            folder = pathlib.Path(folder)
+            certificate, token = folder / "certificate.pem", (folder / "token").read_text()
+        roots = pathlib.Path(certificate).read_bytes()
+    except OSError as error:
+        raise Error(f"{error.filename}: cannot be read; copy it from the folder of the server that made it") from None
+    if b"-----BEGIN CERTIFICATE-----" not in roots:
+        raise Error(f"{certificate}: is no certificate; copy it from the folder of the server that made it")
+    return roots, (token or "").strip()
 
 
 def _vector(values):
@@ -71,6 +97,12 @@ class Touch:
     contacts: np.ndarray
 
 
+def _nobody(target, secured):
+    certificate = ("with a certificate, and whether yours and the token are those of its folder" if secured
+                   else "and whether it wants a certificate and a token")
+    return f"no haptic server answers at {target}: see whether tactum serve runs there, {certificate}"
+
+
 class State:
     """The newest that the server told: finger, proxy and force as arrays, all else as in the protocol's State."""
 
@@ -86,13 +118,16 @@ class Client:
     """One client that attends. Ends with close(), or at the end of a with block."""
 
     def __init__(self, target, name="Python", certificate=None, token=None, rate=60, pen=True, bodies=False,
-                 patience=5.0, process=None):
+                 patience=5.0, process=None, credentials=None):
+        """`credentials`: the folder with certificate.pem and token; or these two, a file and its text. `rate`: of
+        states, 1 to 1000 Hz."""
+        if not 1 <= rate <= 1000:
+            raise Error(f"rate: {rate} is not from 1 to 1000 Hz")
         self._process = process
         self._credentials = None
-        if certificate is not None:
-            roots = pathlib.Path(certificate).read_bytes()
-            call = grpc.metadata_call_credentials(
-                lambda context, callback: callback((("tactum-token", token or ""),), None))
+        if certificate is not None or credentials is not None:
+            roots, token = _secrets(credentials, certificate, token)
+            call = grpc.metadata_call_credentials(lambda context, callback: callback((("tactum-token", token),), None))
             self._credentials = grpc.composite_channel_credentials(grpc.ssl_channel_credentials(roots), call)
         self._target = target
         self._channel = self._open()
@@ -106,7 +141,7 @@ class Client:
         self._call = self._stub.Attend(self._speak(), wait_for_ready=True)
         self._reader = threading.Thread(target=self._listen, daemon=True)
         self._reader.start()
-        self._wait(lambda: self.welcome is not None, patience, "the server did not answer")
+        self._wait(lambda: self.welcome is not None, patience, _nobody(target, self._credentials is not None))
 
     def _open(self):
         # A pool of its own: each channel is a connection, and an upload never holds up what is said meanwhile.
@@ -135,7 +170,7 @@ class Client:
                     self._hear(news)
                     self._news.notify_all()
         except grpc.RpcError as error:
-            self._end(error.details() or str(error.code()))
+            self._end(_sentence(error))
         else:
             self._end("the server has ended")
 
@@ -171,7 +206,9 @@ class Client:
         return self._fault is None and time.monotonic() - self._heard < SILENCE
 
     def state(self, newer_than=0, patience=5.0):
-        """The newest state; waits for one whose number is above `newer_than`."""
+        """The newest state; waits for one whose number is above `newer_than`. An Error where the server is gone."""
+        if self._fault is not None:
+            raise Error(self._fault)
         self._wait(lambda: self._state is not None and self._state.number > newer_than, patience, "no state came")
         with self._news:
             return self._state
@@ -258,7 +295,14 @@ class Client:
     def texture(self, image, strength, size, object=0, surface=None, target="height", mapping="triplanar"):
         """A layer of texture from an array (rows, columns) of values from 0 to 1, instead of the layers there are.
         `strength`: m of height, or the share of what `target` is; `size`: m, width of a repeat."""
-        values = np.clip(np.asarray(image, dtype=float), 0, 1)
+        values = np.asarray(image, dtype=float)
+        if values.ndim != 2 or values.size == 0 or not np.isfinite(values).all():
+            raise Error("a texture is an array of rows and columns of numbers from 0 to 1")
+        if values.size > 2_000_000:
+            raise Error(f"a texture has at most 2,000,000 texels, not {values.size}: make it smaller")
+        if not (size > 0 and np.isfinite(size)):
+            raise Error(f"size: {size} m is no width of a repeat")
+        values = np.clip(values, 0, 1)
         texels = np.round(65535 * values).astype("<u2")
         layer = pb.Layer(source="image", target=target, mapping=mapping, strength=strength, size=size,
                          image=pb.Image(width=texels.shape[1], height=texels.shape[0], texels=texels.tobytes()))
@@ -323,6 +367,7 @@ class Client:
         if self._process is not None:
             self._process.terminate()
             self._process.wait(10)
+            self._process.stdin.close()
             self._process.stdout.close()
 
     def __enter__(self):
@@ -347,10 +392,13 @@ def connect(target="127.0.0.1:51270", **options):
 def serve(scene=None, device="simulated", program=None, **options):
     """Starts a server of its own that ends with the client."""
     program = program or os.environ.get("TACTUM") or shutil.which("tactum") or "tactum"
-    words = [str(program), "serve", "--listen", "127.0.0.1:0", "--device", device]
+    words = [str(program), "serve", "--listen", "127.0.0.1:0", "--device", device, "--until-input-ends"]
     if scene is not None:
         words.append(str(scene))
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
+    try:
+        process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    except OSError as error:
+        raise Error(f"{program}: cannot be started ({error.strerror}); set TACTUM to the program") from None
     line = process.stdout.readline()
     if not line.startswith("listening on "):
         process.wait(10)

@@ -1,4 +1,7 @@
 """The Python client against a server of its own: what it sends is there, what it is refused it says."""
+import pathlib
+import subprocess
+import sys
 import time
 import unittest
 
@@ -51,6 +54,44 @@ class Client(unittest.TestCase):
             time.sleep(0.02)
         self.assertIsNotNone(pushed)
         self.haptics.until(lambda s: abs(s.force[2] - before.force[2]) < 0.01, patience=60)
+
+    def test_textures_that_are_none(self):
+        for image, size in ((np.ones(4), 0.01), (np.full((4, 4), np.nan), 0.01), (np.ones((4, 4)), 0),
+                            (np.ones((4, 4)), np.inf), (np.ones((0, 4)), 0.01), (np.ones((2000, 2000)), 0.01)):
+            with self.assertRaises(tactum.Error):
+                self.haptics.texture(image, 1e-4, size)
+        self.assertEqual(self.haptics.describe().revision, 1)
+
+    def test_a_server_that_is_gone_is_said(self):
+        self.haptics.state()
+        self.haptics._process.kill()
+        with self.assertRaisesRegex(tactum.Error, "is not there any more: connect to it anew"):
+            while True:
+                self.haptics.state()
+                time.sleep(0.01)
+        with self.assertRaisesRegex(tactum.Error, "is not there any more"):
+            self.haptics.material(stiffness=300)
+        self.haptics.close()
+        with self.assertRaisesRegex(tactum.Error, "closed: connect anew"):
+            self.haptics.describe()
+
+    def test_its_server_ends_with_the_program(self):
+        words = "import tactum, os; print(tactum.serve()._process.pid, flush=True); os.kill(os.getpid(), 9)"
+        died = subprocess.run([sys.executable, "-c", words], stdout=subprocess.PIPE, text=True)
+        server = pathlib.Path("/proc") / died.stdout.strip()
+        end = time.monotonic() + 60
+        while server.exists() and "Z" not in (server / "stat").read_text().rsplit(")", 1)[1]:
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+
+    def test_what_cannot_be_is_said_at_once(self):
+        for rate in (-5, 0, np.nan, 5000):
+            with self.assertRaisesRegex(tactum.Error, "1 to 1000 Hz"):
+                tactum.connect("127.0.0.1:1", rate=rate)
+        with self.assertRaisesRegex(tactum.Error, "cannot be started"):
+            tactum.serve(program="/nowhere/tactum")
+        with self.assertRaisesRegex(tactum.Error, "no haptic server answers at 127.0.0.1:1: see whether"):
+            tactum.connect("127.0.0.1:1", patience=0.5)
 
     def test_refusals_are_sentences(self):
         with self.assertRaisesRegex(tactum.Error, "there is no object 99"):

@@ -26,6 +26,14 @@ class Secured(unittest.TestCase):
                         for wrong in ("", "0" * 32, token[:-1]):
                             with self.assertRaisesRegex(tactum.Error, "token is missing or wrong"):
                                 tactum.connect(target, certificate=certificate, token=wrong)
+                    with tactum.connect(target, credentials=place):  # the token's file ends with a line feed
+                        pass
+                    with tactum.connect(target, certificate=certificate, token=token + "\n"):
+                        pass
+                    with self.assertRaisesRegex(tactum.Error, "no haptic server answers at .* wants a certificate"):
+                        tactum.connect(target, patience=1.0)
+                    with self.assertRaisesRegex(tactum.Error, "nowhere/token: cannot be read; copy it"):
+                        tactum.connect(target, credentials=pathlib.Path(folder) / "nowhere")
                 finally:
                     server.terminate()
 
