@@ -105,7 +105,8 @@ private:
         v1::Uploaded done;
         done.set_triangles(triangleCount(loaded->scene));
         for (const Finding& finding : loaded->findings)
-            done.add_finding(finding.object + ": " + finding.sentence + "; " + finding.remedy);
+            done.add_finding((finding.object.empty() ? "" : finding.object + ": ") + finding.sentence + "; " +
+                             finding.remedy);
         done.set_upload(service_.uploads().keep(client_, std::move(*loaded)));
         const std::lock_guard lock(mutex_);
         answer_ = std::move(done);
