@@ -62,11 +62,10 @@ class TestUpdateGeometry : public QObject {
     QString write(const QString& name, const QByteArray& text) const {
         return writeFile(*folder_, name, text);
     }
-    /// By the keyboard and the dialog; waits for its end, which may be an error.
-    bool update(TouchedWindow& program, const QString& file, QString* offered = nullptr) {
+    /// Waits for its end, which may be an error.
+    bool update(TouchedWindow& program, const QString& file) {
         QSignalSpy ended(&program.document, &Document::editEnded);
-        answerFileDialog(file, offered);
-        QTest::keyClick(program.window.get(), Qt::Key_U, Qt::ControlModifier);
+        program.document.updateGeometry(file.toStdString());
         return test::waitFor([&] { return ended.size() == 1 && program.caughtUp(); });
     }
 
@@ -88,7 +87,11 @@ private slots:
         const int steps = program.document.history().count();
         QString offered;
         const QString file = write(QStringLiteral("pot.obj"), potText(0.12, "spoon"));
-        QVERIFY(update(program, file, &offered));
+        answerFileDialog(file, &offered);
+        QSignalSpy updated(&program.document, &Document::geometryUpdated);
+        QTest::keyClick(program.window.get(), Qt::Key_U, Qt::ControlModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(updated.size(), 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
         QCOMPARE(QDir(offered), QDir(folder_->path())); // where the model is from
         COMPARE_NEAR(highOf(program), 0.12, 1e-9, "m");
         QCOMPARE(object(program, 0).surfaces[0].material.stiffness, 321.0);
