@@ -8,7 +8,8 @@ namespace {
 constexpr int kSettled = 300; // ms: programs write a file in parts
 }
 
-SourceWatch::SourceWatch(Document& document, QObject* parent) : QObject(parent), document_(document) {
+SourceWatch::SourceWatch(Document& document, QObject* parent)
+    : QObject(parent), document_(document), settling_(this) {
     settling_.setSingleShot(true);
     settling_.setInterval(kSettled);
     connect(&settling_, &QTimer::timeout, this, &SourceWatch::look);

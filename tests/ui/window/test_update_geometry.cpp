@@ -203,6 +203,10 @@ private slots:
             program.document.save(own);
             QTRY_COMPARE_WITH_TIMEOUT(saved.size(), i + 2, kPatience);
         }
+        const auto* settling = watch.findChild<QTimer*>();
+        QSignalSpy looked(settling, &QTimer::timeout);
+        QTRY_VERIFY_WITH_TIMEOUT(!looked.isEmpty() && !settling->isActive(), kPatience);
+        QCOMPARE(changed.size(), 0);
         QFile again(QString::fromStdString(own));
         QVERIFY(again.open(QIODevice::Append));
         again.write(" ");
