@@ -32,8 +32,7 @@ bool fitsHand(double across) {
 
 FileAxes guessAxes(const Scene& asMetres) {
     constexpr double kMillimetre = 1e-3;
-    const double across = boundsOf(asMetres).diagonal();
-    return {!fitsHand(across) && fitsHand(kMillimetre * across) ? kMillimetre : 1, false};
+    return {fitsHand(kMillimetre * boundsOf(asMetres).diagonal()) ? kMillimetre : 1, false};
 }
 
 void placeAs(Scene& asMetres, const FileAxes& axes) {

@@ -27,8 +27,8 @@ struct FileAxes {
 
 /// Whether a hand at a desktop device can go around what is so many metres across.
 bool fitsHand(double across);
-/// Of a file that was read as metres with y up: millimetres where those fit a hand and metres do not. Nothing
-/// tells which axis is up; y it is.
+/// Of a file that was read as metres with y up: millimetres where those fit a hand, for metres do not then.
+/// Nothing tells which axis is up; y it is.
 FileAxes guessAxes(const Scene& asMetres);
 /// Takes a scene that was read as metres with y up for what it is. A scene of bodies stays upright.
 void placeAs(Scene& asMetres, const FileAxes& axes);

@@ -175,9 +175,13 @@ private slots:
         QCOMPARE(object(program, 1).surfaces[0].material.stiffness, 222.0);
         QTRY_VERIFY_WITH_TIMEOUT(noticeOf(program).contains(QStringLiteral("and feel as before")), kPatience);
         QVERIFY(!isOffered());
-        // Many programs write beside it and put that in its place.
+        // Many programs write beside it and put that in its place, some a while after they removed it.
+        const auto* settling = program.window->findChild<SourceWatch*>()->findChild<QTimer*>();
+        QSignalSpy looked(settling, &QTimer::timeout);
         const QString part = write(QStringLiteral("pot.obj.part"), potText(0.14));
         QVERIFY(QFile::remove(folder_->filePath(QStringLiteral("pot.obj"))));
+        QTRY_VERIFY_WITH_TIMEOUT(!looked.isEmpty() && !settling->isActive(), kPatience);
+        QVERIFY(!isOffered());
         QVERIFY(QFile::rename(part, folder_->filePath(QStringLiteral("pot.obj"))));
         QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
         QTest::mouseClick(&act(program), Qt::LeftButton);
