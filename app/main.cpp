@@ -22,6 +22,7 @@
 #include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/scene/placing.h"
 #include "core/scene/scene.h"
 
 namespace tactum {
@@ -247,14 +248,6 @@ void addPlay(CLI::App& program, PlayOptions& options) {
             "Write the touch as CSV, one row for each haptic step; - is standard output");
     addFile(*play, "--summary", options.summary, "Write the summary as JSON");
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
-}
-
-std::optional<double> metresOf(std::string_view unit) {
-    constexpr std::pair<std::string_view, double> kUnits[] = {
-        {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"m", 1.0}};
-    for (const auto& [name, metres] : kUnits)
-        if (name == unit) return metres;
-    return std::nullopt;
 }
 
 void addConvert(CLI::App& program, ConvertOptions& options) {

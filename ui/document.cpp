@@ -4,14 +4,12 @@
 #include <utility>
 
 #include "core/scene/bodies.h"
+#include "core/scene/placing.h"
 #include "ui/numbers.h"
 
 namespace tactum {
 
 namespace {
-
-// What a hand at a desktop device can go around, in metres; and what a mesh outside of it is scaled to.
-constexpr double kSmallest = 0.02, kLargest = 0.5, kFitted = kHandDiagonal;
 
 Surface* find(Scene& scene, SurfaceRef ref) {
     SceneObject* object = scene.find(ref.object);
@@ -40,7 +38,7 @@ Gesture newGesture() {
 }
 
 /// The one command: undo and redo are the same exchange of values.
-template <class T> class Document::Exchange final : public QUndoCommand {
+template <class T> class Document::Exchange : public QUndoCommand {
 public:
     Exchange(Document& document, const QString& text, std::vector<Place<T>> places, std::vector<T> values,
              SceneChange change, Gesture gesture)
@@ -79,6 +77,9 @@ public:
         return true;
     }
 
+protected:
+    Document& document() { return document_; }
+
 private:
     /// The values are those of before the trial.
     void giveUpTrial() {
@@ -96,6 +97,27 @@ private:
     SceneChange change_;
     Gesture gesture_;
     bool tried_ = false;
+};
+
+/// The file that shapes are from changes with them, there and back.
+class Document::NewGeometry final : public Exchange<Scene> {
+public:
+    NewGeometry(Document& document, const QString& text, Scene scene, Source source)
+        : Exchange(document, text, {[](Scene& now) { return &now; }}, {std::move(scene)},
+                   {SceneChange::What::Objects}, 0),
+          source_(std::move(source)) {}
+
+    void redo() override {
+        std::swap(document().source_, source_);
+        Exchange::redo();
+    }
+    void undo() override {
+        std::swap(document().source_, source_);
+        Exchange::undo();
+    }
+
+private:
+    Source source_;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -326,6 +348,17 @@ void Document::replaceScene(const QString& text, const Scene& scene) {
     edit<Scene>(text, [](Scene& now) { return &now; }, scene, {SceneChange::What::Objects});
 }
 
+void Document::takeGeometry(Updated updated) {
+    if (updated.scene == scene_) {
+        source_ = std::move(updated.source); // there is nothing to take back
+        return;
+    }
+    keepTrial(trying_);
+    const QString name = QString::fromStdU16String(updated.source.file.path.filename().u16string());
+    history_.push(new NewGeometry(*this, tr("Update geometry from %1").arg(name), std::move(updated.scene),
+                                  std::move(updated.source)));
+}
+
 void Document::scaleScene(double factor) {
     Scene scaled = scene_;
     fitDiagonal(scaled, factor * boundsOf(scene_).diagonal());
@@ -334,8 +367,7 @@ void Document::scaleScene(double factor) {
 }
 
 Scene Document::fitted(Scene scene) {
-    const double diagonal = boundsOf(scene).diagonal();
-    if (diagonal < kSmallest || diagonal > kLargest) fitDiagonal(scene, kFitted);
+    if (!fitsHand(boundsOf(scene).diagonal())) fitDiagonal(scene, kHandDiagonal);
     return scene;
 }
 
@@ -346,7 +378,7 @@ void Document::fit(const Scene& fitted) {
                 {SceneChange::What::Everything});
     emit noted(tr("The model was %1 across and has been scaled to %2 so that it fits a hand. "
                   "Undo brings its own size back.")
-                   .arg(lengthText(before), lengthText(kFitted)));
+                   .arg(lengthText(before), lengthText(kHandDiagonal)));
 }
 
 void Document::announce(const SceneChange& change) {

@@ -17,6 +17,7 @@
 #include "core/scene/surface_ref.h"
 #include "ui/background_job.h"
 #include "ui/selection.h"
+#include "ui/taken_as.h"
 
 namespace tactum {
 
@@ -69,6 +70,13 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
+/// What an update of the geometry has given.
+struct GeometryUpdate {
+    std::filesystem::path file;
+    std::size_t surfaces = 0, withFeel = 0; ///< of the new geometry, and how many found a partner
+    std::vector<Finding> findings;          ///< what did not, what is lost, what the reader found
+};
+
 /// Edits of one gesture (a drag, a run of the wheel) become one step of the history. 0 is no gesture.
 using Gesture = int;
 Gesture newGesture();
@@ -85,6 +93,11 @@ public:
     /// File of the scene; empty before the first open().
     const std::filesystem::path& path() const { return file_.path; }
     const FileStamp& stamp() const { return file_; }
+    /// Where the geometry is from: a file of another program stays that when the scene gets a file of its
+    /// own. Empty for a scene at a server.
+    const FileStamp& source() const { return source_.file; }
+    /// Nothing where the file said everything, or is a scene's.
+    const std::optional<TakenAs>& takenAs() const { return takenAs_; }
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
@@ -157,7 +170,14 @@ public:
     /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
     /// A mesh of another program that does not fit a hand is scaled as the first, undoable step of the new
     /// history. A sample is a beginning: what is made of it gets a file of its own.
-    void open(const std::filesystem::path& file, bool isSample = false);
+    void open(const std::filesystem::path& file, bool isSample = false, const AxesChoice& choice = {});
+    /// The same file anew, taken otherwise. Only while nothing was edited, for it begins a new history; an
+    /// edit that is made meanwhile is kept, and the file left.
+    void reopen(const AxesChoice& choice);
+    /// The shapes of a file with the feel of this scene, by names (carryFeel()), where the objects have been
+    /// put: one step of the history. On a worker; ends with geometryUpdated() and editEnded(). Of a file of
+    /// the source's format the axes are the source's.
+    void updateGeometry(const std::filesystem::path& file, const AxesChoice& choice = {});
     void cancelOpen() { job_.cancel(); }
     /// Goes on with a scene that was not saved: under the name of its file, with unsaved changes. `own`:
     /// whether hasOwnFile() held. Ends with opened().
@@ -182,6 +202,7 @@ public:
     /// Whether another program has written the file since it was read or saved.
     bool changedOutside() const;
     bool opening() const { return job_.running(); }
+    bool saving() const { return saving_.running(); }
 
 signals:
     void changed(const tactum::SceneChange& change);
@@ -197,6 +218,7 @@ signals:
     void editProgressed(double fraction, double secondsLeft);
     /// One line for the person where the edit failed, else empty.
     void editEnded(const QString& sentence);
+    void geometryUpdated(const tactum::GeometryUpdate& update);
     /// Something done on the person's behalf, and how to take it back.
     void noted(const QString& sentence);
 
@@ -204,6 +226,7 @@ private:
     /// Finds the value that an edit exchanges; nullptr when it is gone.
     template <class T> using Place = std::function<T*(Scene&)>;
     template <class T> class Exchange;
+    class NewGeometry;
     template <class T>
     void edit(const QString& text, std::vector<Place<T>> places, std::vector<T> values, SceneChange change,
               Gesture gesture = 0);
@@ -217,6 +240,22 @@ private:
         Finding finding;
         ObjectId object = 0;
     };
+
+    /// Where the geometry is from.
+    struct Source {
+        FileStamp file;
+        FileAxes axes;           ///< as which it was taken
+        std::optional<Scene> as; ///< as the file has it, in metres with y up; nothing where that is not known
+    };
+    struct Updated {
+        Scene scene;
+        Source source;
+        GeometryUpdate told;
+    };
+    static Result<Updated> updated(const Scene& now, const Source& source, const std::filesystem::path& file,
+                                   const AxesChoice& choice, const Progress& progress);
+    void openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew);
+    void takeGeometry(Updated updated);
 
     using Writer = Result<void>(const Scene&, const std::filesystem::path&, const Progress&);
     void write(Writer* writer, const std::filesystem::path& file, std::function<void()> done);
@@ -232,6 +271,8 @@ private:
 
     Scene scene_;
     FileStamp file_;
+    Source source_;
+    std::optional<TakenAs> takenAs_;
     bool own_ = false; ///< the file was written by this program, and is no sample
     int scenes_ = 0;   ///< how many have been opened
     std::vector<FileFinding> findings_;

@@ -14,15 +14,30 @@ FileStamp::FileStamp(const std::filesystem::path& file) : path(file) {
     bytes = std::filesystem::file_size(file, fault);
 }
 
-void Document::open(const std::filesystem::path& file, bool isSample) {
-    job_.start([this, file, isSample](const Progress& progress) -> BackgroundJob::Delivery {
+void Document::open(const std::filesystem::path& file, bool isSample, const AxesChoice& choice) {
+    openAs(file, isSample, choice, false);
+}
+
+void Document::reopen(const AxesChoice& choice) {
+    openAs(path(), false, choice, true);
+}
+
+void Document::openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew) {
+    job_.start([=, this](const Progress& progress) -> BackgroundJob::Delivery {
         const FileStamp stamp(file);
         auto loaded = std::make_shared<Result<LoadedScene>>(importScene(file, progress));
         if (!*loaded)
             return [this, loaded] { emit openFailed(QString::fromStdString(loaded->error().text)); };
         const bool ours = (*loaded)->ours;
+        const auto taken = takeAs(**loaded, choice);
         return [=, this, fitting = ours ? (*loaded)->scene : fitted((*loaded)->scene)] {
+            if (anew && modified())
+                return emit openFailed(tr("%1 was not opened anew: the scene was edited meanwhile.")
+                                           .arg(QString::fromStdU16String(file.filename().u16string())));
+            const Source source{stamp, taken ? taken->axes : FileAxes(), (*loaded)->scene};
             adopt(std::move(**loaded), stamp);
+            source_ = source;
+            takenAs_ = taken;
             own_ = ours && !isSample;
             fit(fitting);
             history_.setClean(); // nobody has done anything yet that could be lost
@@ -43,6 +58,7 @@ void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool ow
 void Document::adoptShared(Scene scene, const std::filesystem::path& file) {
     job_.cancel();
     adopt({std::move(scene), {}, true}, FileStamp(file));
+    source_ = {}; // kept elsewhere
     own_ = false;
     emit opened();
 }
@@ -71,6 +87,8 @@ void Document::save(const std::filesystem::path& file) {
         if (of == scenes_) {
             file_ = FileStamp(file);
             own_ = true;
+            takenAs_.reset();
+            if (source_.file.path == file) source_ = {file_, {}, scene};
             // The step of the history may be the same one and hold something else by now.
             if (scene == scene_)
                 history_.setClean();
@@ -102,6 +120,8 @@ void Document::adopt(LoadedScene loaded, const FileStamp& file) {
         findings_.push_back({std::move(finding), known ? object->id : 0});
     }
     file_ = file;
+    source_ = {file, {}, std::nullopt};
+    takenAs_.reset();
     announce({SceneChange::What::Everything});
     if (!scene_.objects.empty()) select(SurfaceRef{scene_.objects.front().id, 0});
 }

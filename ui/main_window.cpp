@@ -24,6 +24,7 @@
 #include "ui/paint_tool.h"
 #include "ui/panels/connection_bar.h"
 #include "ui/panels/force_plot.h"
+#include "ui/panels/import_bar.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/playback_bar.h"
@@ -64,11 +65,11 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
       painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
       centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
-      connection_(new ConnectionBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
-      hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
-      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
-      journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
-      recoveryBar_(new RecoveryBar(*recovery_)),
+      connection_(new ConnectionBar), importBar_(new ImportBar), status_(new StatusStrip),
+      hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
+      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
+      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
+      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
       comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
       presetStore_(new PresetStore(this)), link_(new DeviceLink(engine, this)),
       permission_(new UsbPermission(this)), samples_(samples) {
@@ -99,6 +100,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectDocument();
     connectProblems();
     connectRecordings();
+    connectImport();
+    connectGeometry();
     connectRecovery();
     connectPalette();
     connectCompare();
@@ -128,7 +131,11 @@ QWidget* MainWindow::makeCentre() {
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     layers->addWidget(notice_, 0, 0, Qt::AlignTop);
-    layers->addWidget(connection_, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
+    auto* foot = new QVBoxLayout;
+    foot->setSpacing(0);
+    foot->addWidget(importBar_, 0, Qt::AlignHCenter);
+    foot->addWidget(connection_, 0, Qt::AlignHCenter);
+    layers->addLayout(foot, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
     column->addLayout(layers, 1);
     column->addWidget(playbackBar_);
     centre_->addWidget(start_);
@@ -143,8 +150,8 @@ void MainWindow::open(const QString& file) {
     if (isRecording(file)) return playback_->open(file);
     leave(tr("opening %1").arg(QFileInfo(file).fileName()), [this, file] {
         playback_->end();
-        document_.open(std::filesystem::path(file.toStdU16String()),
-                       samples_.contains(QFileInfo(file).canonicalFilePath()));
+        const std::filesystem::path path(file.toStdU16String());
+        document_.open(path, samples_.contains(QFileInfo(file).canonicalFilePath()), rememberedAxes(path));
     });
 }
 
@@ -168,7 +175,7 @@ void MainWindow::follow(const SceneChange& change) {
         view_->fit();
         hand_->placeBeside(boundsOf(document_.scene()));
     }
-    for (const char* id : {"save", "save-as", "export", "save-picture"})
+    for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry"})
         actions_[id].setEnabled(!document_.empty());
     showCentre();
 }

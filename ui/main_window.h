@@ -33,6 +33,7 @@ class DeviceLink;
 class DevicePanel;
 class GuardWatch;
 class HandLink;
+class ImportBar;
 class Journal;
 class NoticeBar;
 class PaintTool;
@@ -149,6 +150,15 @@ private:
     void showFile();
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
+    // Of what a file leaves open: main_window_import.cpp.
+    void connectImport();
+    void showImport();
+    // Of shapes that changed elsewhere: main_window_geometry.cpp.
+    void connectGeometry();
+    void askForGeometry();
+    void updateGeometry(const std::filesystem::path& file);
+    void offerUpdate();
+    void showUpdated(const GeometryUpdate& update);
     void connectRecovery(); ///< main_window_recovery.cpp
     void connectToServer();
     void showCentre(); ///< main_window_shared.cpp
@@ -235,6 +245,7 @@ private:
     StartPage* start_;
     PlaybackBar* playbackBar_;
     ConnectionBar* connection_;
+    ImportBar* importBar_;
     SharedLink* shared_ = nullptr; ///< null: the engine is here
     StatusStrip* status_;
     TouchHint* hint_;
@@ -262,6 +273,7 @@ private:
     std::uint64_t shownShape_ = 0;    ///< of the recorded scene in the view
     int healthFrames_ = 0;            ///< since the health was last displayed
     std::function<void()> afterSave_; ///< what the person wanted to do next
+    bool importSeen_ = false;         ///< the person has closed the import bar
     bool leaving_ = false;            ///< the person has agreed to close the window
     bool riskAccepted_ = false;       ///< of stiffness above the ceiling, until the program ends
     std::vector<TracePoint> trace_;   ///< of this frame

@@ -34,6 +34,7 @@ constexpr Reason kReasons[] = {
     {"save", "Nothing is open."},
     {"save-as", "Nothing is open."},
     {"export", "Nothing is open."},
+    {"update-geometry", "Nothing is open."},
     {"save-picture", "Nothing is open."},
     {"undo", "There is no edit to take back."},
     {"redo", "No edit was taken back."},

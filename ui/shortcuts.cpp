@@ -13,6 +13,8 @@ constexpr Command kCommands[] = {
     {"open", "File", "&Open...", "Ctrl+O", "open", "Open a scene, a model or a recording"},
     {"connect", "File", "&Connect to a server...", "", "",
      "A window on the scene and the device of a haptic server"},
+    {"update-geometry", "File", "&Update geometry from file...", "Ctrl+U", "",
+     "Shapes that another program has changed, with the feel that this scene has"},
     {"save", "File", "&Save", "Ctrl+S", "save", "Write the scene with all its surfaces as glTF (.glb)", false,
      true},
     {"save-as", "File", "Save &as...", "Ctrl+Shift+S", "",

@@ -30,6 +30,11 @@ void TouchHint::followed() {
     QSettings().setValue(kHintKey, true);
 }
 
+void TouchHint::keepAbove(int height) {
+    below_ = height;
+    place();
+}
+
 bool TouchHint::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize) place();
     return QLabel::eventFilter(watched, event);
@@ -37,7 +42,7 @@ bool TouchHint::eventFilter(QObject* watched, QEvent* event) {
 
 void TouchHint::place() {
     adjustSize();
-    move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - 4 * kRhythm);
+    move((parentWidget()->width() - width()) / 2, parentWidget()->height() - height() - 4 * kRhythm - below_);
 }
 
 } // namespace tactum

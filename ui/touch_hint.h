@@ -13,6 +13,8 @@ public:
 
     /// Shows the hint, unless it was followed in this or an earlier session.
     void offer();
+    /// Above whatever lies over the lower edge of the view, so many pixels high.
+    void keepAbove(int height);
     /// The person has touched: remembered for good.
     void followed();
 
@@ -21,6 +23,8 @@ protected:
 
 private:
     void place();
+
+    int below_ = 0; ///< pixels
 };
 
 } // namespace tactum

@@ -6,6 +6,7 @@
 #include "core/files/beside.h"
 #include "core/files/guarded.h"
 #include "core/files/readers.h"
+#include "core/files/world_mesh.h"
 #include "core/geometry/mesh_health.h"
 #include "core/scene/value_checks.h"
 
@@ -74,15 +75,16 @@ void refuseDisguises(const Source& source, bool mayBeZip) {
 
 /// One unit of these is whatever it was in the program that wrote the file. Said only where it cannot be a
 /// metre.
-void sayOddSize(LoadedScene& loaded, const Format& format) {
+void sayWhatIsOpen(LoadedScene& loaded, const Format& format) {
     constexpr double kLargest = 5; // m: nothing that a hand reaches is larger
     constexpr std::string_view kWithoutUnit[] = {"obj", "ply", "stl", "off"};
     if (std::ranges::find(kWithoutUnit, format.ending) == std::end(kWithoutUnit)) return;
+    loaded.unitGuessed = loaded.upGuessed = true;
     const double across = boundsOf(loaded.scene).diagonal();
     if (!(across > kLargest)) return;
-    loaded.findings.push_back(
-        {Finding::Severity::Note, "", "has no unit: taken as metres; " + withUnit(across, "m") + " across",
-         "in millimetres it would be " + withUnit(across / 1000, "m") + ": tactum convert --unit mm"});
+    loaded.findings.push_back(unitGuess(loaded.scene, "in millimetres it would be " +
+                                                          withUnit(across / 1000, "m") +
+                                                          ": tactum convert --unit mm"));
 }
 
 LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
@@ -93,7 +95,7 @@ LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     LoadedScene loaded = format->read(source, partOf(progress, 0.1, 1.0));
     if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");
-    sayOddSize(loaded, *format);
+    sayWhatIsOpen(loaded, *format);
     if (progress.report) progress.report(1.0);
     return loaded;
 }

@@ -16,11 +16,16 @@ struct LoadedScene {
     Scene scene;
     std::vector<Finding> findings; ///< what the reader repaired, dropped or doubts
     bool ours = false;             ///< written by this program: its size is meant, and it may be written over
+    bool unitGuessed = false;      ///< the file does not say: one unit was taken as a metre
+    bool upGuessed = false;        ///< the file does not say: y was taken as up
 };
 
 /// The endings (lower case, without dot) that loadScene reads: obj, ply, stl, off, gltf, glb, x3d, 3ds,
 /// fbx, dae, 3mf, tactum, zip.
 const std::vector<std::string>& readableEndings();
+
+/// Whether a reader says by it that a metre is a guess: untrue as soon as another unit is chosen.
+bool saysUnit(const Finding& finding);
 
 /// Reads a file by its ending. FBX, DAE and 3MF say their unit; one unit of the others is a metre. Groups and
 /// materials become surfaces; no face is lost without a finding that counts it. Errors: one line that names

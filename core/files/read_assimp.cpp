@@ -106,7 +106,9 @@ public:
         demandBounded();
         walk();
         sayWhatIsLeftOut();
-        if (!hasUnit()) loaded_.findings.push_back(unitGuess(loaded_.scene));
+        loaded_.unitGuessed = !hasUnit();
+        loaded_.upGuessed = ending_ == "3ds"; // the others say it, or their format does
+        if (loaded_.unitGuessed) loaded_.findings.push_back(unitGuess(loaded_.scene));
         return std::move(loaded_);
     }
 

@@ -6,10 +6,17 @@
 
 namespace tactum {
 
-Finding unitGuess(const Scene& scene) {
+namespace {
+constexpr std::string_view kNoUnit = "has no unit: taken as metres; ";
+}
+
+Finding unitGuess(const Scene& scene, std::string remedy) {
     return {Finding::Severity::Note, "",
-            "has no unit: taken as metres; " + withUnit(boundsOf(scene).diagonal(), "m") + " across",
-            "scale it if that is not its size"};
+            std::string(kNoUnit) + withUnit(boundsOf(scene).diagonal(), "m") + " across", std::move(remedy)};
+}
+
+bool saysUnit(const Finding& finding) {
+    return finding.sentence.starts_with(kNoUnit);
 }
 
 WorldMesh::WorldMesh(const Source& source, const Eigen::Affine3d& toWorld) : source_(source) {

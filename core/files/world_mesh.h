@@ -8,7 +8,7 @@
 namespace tactum {
 
 /// The box of a scene in words, for a file that has no unit.
-Finding unitGuess(const Scene& scene);
+Finding unitGuess(const Scene& scene, std::string remedy = "scale it if that is not its size");
 
 /// A small file can name one mesh very often.
 inline constexpr std::size_t kMaxTriangles = std::size_t(1) << 26;

@@ -22,8 +22,8 @@ template <class Io> void findingBytes(Io& io, Finding& finding) {
 }
 
 template <class Io> void loadedBytes(Io& io, LoadedScene& loaded, SceneTables& tables) {
-    auto& [scene, findings, ours] = loaded; // all members: another one does not compile
-    io(ours);
+    auto& [scene, findings, ours, unitGuessed, upGuessed] = loaded; // all: another one does not compile
+    io(ours), io(unitGuessed), io(upGuessed);
     sceneBytes(io, scene, tables);
     io.count(findings, 25);
     for (Finding& finding : findings)

@@ -3,22 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace tactum {
 namespace {
 
 using Severity = Finding::Severity;
-
-/// Without the ".001" of what was there twice.
-std::string plainName(const std::string& name) {
-    const std::size_t dot = name.rfind('.');
-    if (dot == std::string::npos || dot == 0 || name.size() - dot != 4) return name;
-    const bool numbered = std::all_of(name.begin() + std::ptrdiff_t(dot) + 1, name.end(), [](char c) {
-        return std::isdigit(static_cast<unsigned char>(c)) != 0;
-    });
-    return numbered ? name.substr(0, dot) : name;
-}
 
 bool feelTheSame(const Surface& a, const Surface& b) {
     return a.material == b.material && a.shading == b.shading && a.layers == b.layers && a.sides == b.sides;
@@ -39,9 +30,10 @@ public:
     }
 
     CarriedFeel carry(Scene& onto) {
+        oneAlone_ = onlySurfaceOf(onto) ? onlySurfaceOf(from_) : std::nullopt;
         for (SceneObject& object : onto.objects)
             for (Surface& surface : object.surfaces) {
-                if (const Surface* partner = partnerOf(object, surface))
+                if (const auto partner = partnerOf(object, surface))
                     give(*partner, object, surface);
                 else
                     say(Severity::Warning, object.name,
@@ -55,24 +47,38 @@ public:
     }
 
 private:
-    const Surface* partnerOf(const SceneObject& object, const Surface& surface) const {
+    static std::optional<Place> onlySurfaceOf(const Scene& scene) {
+        if (scene.objects.size() != 1 || scene.objects[0].surfaces.size() != 1) return std::nullopt;
+        return Place{&scene.objects[0], &scene.objects[0].surfaces[0]};
+    }
+
+    std::optional<Place> partnerOf(const SceneObject& object, const Surface& surface) const {
         if (const auto found = named_.find(plainName(surface.name)); found != named_.end()) {
             const std::vector<Place>& places = found->second;
             for (const Place& place : places)
-                if (plainName(place.object->name) == plainName(object.name)) return place.surface;
+                if (plainName(place.object->name) == plainName(object.name)) return place;
             if (std::ranges::all_of(places, [&](const Place& place) {
                     return feelTheSame(*place.surface, *places.front().surface);
                 }))
-                return places.front().surface;
+                return places.front();
         }
-        if (object.surfaces.size() != 1) return nullptr;
+        if (oneAlone_) return oneAlone_; // a mesh file is called as the person calls it
+        if (object.surfaces.size() != 1) return std::nullopt;
         const auto same = std::ranges::find_if(from_.objects, [&](const SceneObject& other) {
             return plainName(other.name) == plainName(object.name) && other.surfaces.size() == 1;
         });
-        return same == from_.objects.end() ? nullptr : &same->surfaces.front();
+        if (same == from_.objects.end()) return std::nullopt;
+        return Place{&*same, &same->surfaces.front()};
     }
 
-    void give(const Surface& partner, const SceneObject& object, Surface& surface) {
+    /// Corner for corner: a value for each vertex of one is for those of the other.
+    static bool haveSameCorners(const TriangleSoup& a, const TriangleSoup& b) {
+        return a.positions.size() == b.positions.size() && a.triangles == b.triangles;
+    }
+
+    void give(const Place& from, const SceneObject& object, Surface& surface) {
+        const Surface& partner = *from.surface;
+        const bool keepsPaint = haveSameCorners(*from.object->geometry, *object.geometry);
         used_.insert(&partner);
         ++carried_.surfaces;
         surface.material = partner.material;
@@ -85,8 +91,10 @@ private:
         for (const TextureLayer& layer : partner.layers) {
             const bool isPainted = layer.pattern.source == TextureSource::Painted ||
                                    (layer.mask && layer.mask->source == TextureSource::Painted);
-            painted += isPainted;
-            if (isPainted) continue; // a value for each vertex of the other mesh
+            if (isPainted && !keepsPaint) {
+                ++painted;
+                continue;
+            }
             withoutUvs += usesUvs(layer.pattern) && object.geometry->cornerUvs.empty();
             surface.layers.push_back(layer);
         }
@@ -118,10 +126,20 @@ private:
     const Scene& from_;
     std::map<std::string, std::vector<Place>> named_;
     std::set<const Surface*> used_;
+    std::optional<Place> oneAlone_; ///< of `from`, where neither scene has another
     CarriedFeel carried_;
 };
 
 } // namespace
+
+std::string plainName(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos || dot == 0 || name.size() - dot != 4) return name;
+    const bool numbered = std::all_of(name.begin() + std::ptrdiff_t(dot) + 1, name.end(), [](char c) {
+        return std::isdigit(static_cast<unsigned char>(c)) != 0;
+    });
+    return numbered ? name.substr(0, dot) : name;
+}
 
 CarriedFeel carryFeel(const Scene& from, Scene& onto) {
     return Carrier(from).carry(onto);

@@ -1,5 +1,6 @@
 #include "core/scene/placing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,6 +19,26 @@ template <class Place> void moveFinger(Scene& scene, Place place) {
 }
 
 } // namespace
+
+std::optional<double> metresOf(std::string_view unit) {
+    const auto found = std::ranges::find(kLengthUnits, unit, &LengthUnit::name);
+    return found == std::end(kLengthUnits) ? std::nullopt : std::optional(found->metres);
+}
+
+bool fitsHand(double across) {
+    constexpr double kSmallest = 0.02, kLargest = 0.5; // m
+    return across >= kSmallest && across <= kLargest;
+}
+
+FileAxes guessAxes(const Scene& asMetres) {
+    constexpr double kMillimetre = 1e-3;
+    return {fitsHand(kMillimetre * boundsOf(asMetres).diagonal()) ? kMillimetre : 1, false};
+}
+
+void placeAs(Scene& asMetres, const FileAxes& axes) {
+    if (axes.unit != 1) scaleScene(asMetres, axes.unit, Vec3::Zero());
+    if (axes.zUp) turnUpright(asMetres);
+}
 
 void scaleScene(Scene& scene, double factor, const Vec3& about) {
     scene.mechanics = scaled(std::move(scene.mechanics), factor, about);

@@ -1,9 +1,37 @@
 // A whole scene made larger, or set upright: for files that have no unit or another axis that points up.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "core/scene/scene.h"
 
 namespace tactum {
+
+/// A unit that files are in.
+struct LengthUnit {
+    std::string_view name;
+    double metres;
+};
+inline constexpr LengthUnit kLengthUnits[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}};
+/// By its name; nothing for another word.
+std::optional<double> metresOf(std::string_view unit);
+
+/// What a file means that says neither.
+struct FileAxes {
+    double unit = 1;  ///< m that one unit is
+    bool zUp = false; ///< else y is up
+
+    bool operator==(const FileAxes&) const = default;
+};
+
+/// Whether a hand at a desktop device can go around what is so many metres across.
+bool fitsHand(double across);
+/// Of a file that was read as metres with y up: millimetres where those fit a hand, for metres do not then.
+/// Nothing tells which axis is up; y it is.
+FileAxes guessAxes(const Scene& asMetres);
+/// Takes a scene that was read as metres with y up for what it is. A scene of bodies stays upright.
+void placeAs(Scene& asMetres, const FileAxes& axes);
 
 /// Scales every object, what moves, and the finger that shows the scene, about a point that becomes the
 /// origin.

@@ -6,53 +6,12 @@
 #include <QPushButton>
 
 #include "ui/numbers.h"
+#include "ui/panels/finding_list.h"
 #include "ui/style.h"
 
 namespace tactum {
 
 namespace {
-
-QString iconOf(Finding::Severity severity) {
-    switch (severity) {
-    case Finding::Severity::Error:
-        return QStringLiteral("error");
-    case Finding::Severity::Warning:
-        return QStringLiteral("warning");
-    case Finding::Severity::Note:
-        break;
-    }
-    return QStringLiteral("note");
-}
-
-QString wordOf(Finding::Severity severity) {
-    switch (severity) {
-    case Finding::Severity::Error:
-        return Problems::tr("Error");
-    case Finding::Severity::Warning:
-        return Problems::tr("Warning");
-    case Finding::Severity::Note:
-        break;
-    }
-    return Problems::tr("Note");
-}
-
-QColor colourOf(Finding::Severity severity) {
-    switch (severity) {
-    case Finding::Severity::Error:
-        return theme().fault;
-    case Finding::Severity::Warning:
-        return theme().stick;
-    case Finding::Severity::Note:
-        break;
-    }
-    return theme().textDimmed;
-}
-
-QString lineOf(const Finding& finding) {
-    const QString sentence = QString::fromStdString(finding.sentence);
-    if (finding.object.empty()) return sentence;
-    return Problems::tr("%1: %2").arg(QString::fromStdString(finding.object), sentence);
-}
 
 QString problemWordsOf(const PlacedFinding& found) {
     switch (found.repair) {
@@ -130,13 +89,7 @@ void Problems::fill(Examined examined) {
 }
 
 void Problems::add(const PlacedFinding& found) {
-    const Finding& finding = found.finding;
-    const QString remedy = QString::fromStdString(finding.remedy);
-    auto* item = new QTreeWidgetItem(this, {lineOf(finding)});
-    item->setIcon(0, icon(iconOf(finding.severity), colourOf(finding.severity)));
-    item->setToolTip(
-        0, QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>")
-               .arg(wordOf(finding.severity), lineOf(finding).toHtmlEscaped(), remedy.toHtmlEscaped()));
+    auto* item = addFindingRow(*this, found.finding);
     rows_.push_back(found);
     if (found.repair != Repair::None) addButton(item, found);
 }
@@ -145,7 +98,7 @@ void Problems::addButton(QTreeWidgetItem* item, const PlacedFinding& found) {
     auto* button = new QPushButton(tr("Fix"), this);
     button->setProperty("inRow", true);
     button->setObjectName(QStringLiteral("fix"));
-    button->setAccessibleName(tr("Fix %1").arg(lineOf(found.finding)));
+    button->setAccessibleName(tr("Fix %1").arg(findingLine(found.finding)));
     button->setToolTip(problemWordsOf(found));
     connect(button, &QPushButton::clicked, this, [this, found] { repair(found); });
     setItemWidget(item, 1, button);

@@ -27,6 +27,8 @@ private slots:
         QCOMPARE(object.surfaces[0].name, std::string("rubber"));
         QCOMPARE(object.surfaces[0].colour, Eigen::Vector3f(1, 0, 0));
         COMPARE_CONTAINS(said(*loaded), "has no unit: taken as metres; 1.1");
+        QVERIFY(loaded->unitGuessed);
+        QVERIFY(loaded->upGuessed);
     }
 
     void daeKeepsUnitTransformAndSurfaces() {
@@ -50,12 +52,16 @@ private slots:
             QCOMPARE_GT((at(1) - at(0)).cross(at(2) - at(0)).z(), 0);
         }
         COMPARE_LACKS(said(*loaded), "has no unit");
+        QVERIFY(!loaded->unitGuessed);
+        QVERIFY(!loaded->upGuessed);
     }
 
     void daeWithoutUnitSaysItsGuess() {
         const auto loaded = folder_.load("a.dae", asDae(""));
         VERIFY_RESULT(loaded);
         COMPARE_CONTAINS(said(*loaded), "has no unit: taken as metres; 2.4");
+        QVERIFY(loaded->unitGuessed);
+        QVERIFY(!loaded->upGuessed); // its format says that
     }
 
     void camerasAndLightsAreLeftOutAloud() {

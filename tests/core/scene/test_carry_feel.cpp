@@ -113,10 +113,29 @@ private slots:
         felt.layers = {painted, mapped};
         add(from, "a", {felt});
         add(onto, "a", {surface("skin")});
+        Scene same = onto;
+        auto other = std::make_shared<TriangleSoup>(*onto.objects[0].geometry);
+        std::swap(other->triangles[0], other->triangles[1]);
+        onto.objects[0].geometry = other;
         const CarriedFeel carried = carryFeel(from, onto);
         QCOMPARE(onto.objects[0].surfaces[0].layers.size(), std::size_t(1));
         COMPARE_CONTAINS(said(carried), "1 painted layer of surface skin left out");
         COMPARE_CONTAINS(said(carried), "1 layer of surface skin lies on texture coordinates");
+        COMPARE_LACKS(said(carryFeel(from, same)), "painted"); // the mesh is the one that was painted
+        QCOMPARE(same.objects[0].surfaces[0].layers.size(), std::size_t(2));
+    }
+
+    /// A file of one mesh is called as the person calls it, and so is what is in it.
+    void whatIsAloneOnBothSidesNeedsNoName() {
+        Scene from, onto;
+        add(from, "cup", {surface("cup", 500)});
+        add(onto, "cup-2", {surface("cup-2")});
+        QCOMPARE(carryFeel(from, onto).surfaces, std::size_t(1));
+        QCOMPARE_EQ(onto.objects[0].surfaces[0].material.stiffness, 500.0);
+        add(onto, "saucer", {surface("saucer")});
+        onto.objects[0].surfaces[0].material.stiffness = kStiffness.initial;
+        QCOMPARE(carryFeel(from, onto).surfaces, std::size_t(0));
+        QCOMPARE_EQ(onto.objects[0].surfaces[0].material.stiffness, kStiffness.initial);
     }
 };
 

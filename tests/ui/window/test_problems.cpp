@@ -139,7 +139,8 @@ void TestProblems::fixRepairsAndUndoBringsBack() {
 /// Opened in millimetres it was scaled; with that undone, the list says so and scales it again.
 void TestProblems::aWrongUnitIsOneStep() {
     TouchedWindow program;
-    QVERIFY(program.open(writeCube(folder_, 1000)));
+    program.document.open(writeCube(folder_, 1000).toStdString(), false, {1.0, false}); // not as is guessed
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.empty() && program.caughtUp(), kPatience);
     program.document.history().undo();
     const auto unit = QStringLiteral("looks like another unit");
     QTRY_VERIFY_WITH_TIMEOUT(row(program, unit), kPatience);

@@ -1,0 +1,66 @@
+#include "ui/taken_as.h"
+
+#include <algorithm>
+
+#include <QSettings>
+
+#include "core/base/text.h"
+
+namespace tactum {
+
+namespace {
+
+/// "import/stl/unit"
+QString keyOf(const std::filesystem::path& file, const char* what) {
+    return QStringLiteral("import%1/%2")
+        .arg(QString::fromStdString(lowerCase(file.extension().string())), QLatin1String(what))
+        .replace(u'.', u'/');
+}
+
+void remember(const QString& key, const QVariant& value, bool isGuess) {
+    if (isGuess)
+        QSettings().remove(key);
+    else
+        QSettings().setValue(key, value);
+}
+
+} // namespace
+
+std::optional<TakenAs> takeAs(LoadedScene& loaded, const AxesChoice& choice) {
+    if (!loaded.unitGuessed && !loaded.upGuessed) return std::nullopt;
+    TakenAs taken;
+    taken.unitOpen = loaded.unitGuessed;
+    taken.upOpen = loaded.upGuessed;
+    if (taken.unitOpen) {
+        taken.guess = guessAxes(loaded.scene);
+        taken.axes.unit = choice.unit.value_or(taken.guess.unit);
+    }
+    if (taken.upOpen) taken.axes.zUp = choice.zUp.value_or(taken.guess.zUp);
+    placeAs(loaded.scene, taken.axes);
+    taken.across = boundsOf(loaded.scene).diagonal();
+    std::erase_if(loaded.findings, saysUnit); // the window shows as what it was taken
+    return taken;
+}
+
+AxesChoice rememberedAxes(const std::filesystem::path& file) {
+    const QSettings settings;
+    AxesChoice choice;
+    const QString unit = settings.value(keyOf(file, "unit")).toString();
+    choice.unit = metresOf(unit.toStdString());
+    const QString up = settings.value(keyOf(file, "up")).toString();
+    if (up == QLatin1String("y") || up == QLatin1String("z")) choice.zUp = up == QLatin1String("z");
+    return choice;
+}
+
+void rememberUnit(const std::filesystem::path& file, double unit, double guess) {
+    const auto known = std::ranges::find(kLengthUnits, unit, &LengthUnit::metres);
+    if (known == std::end(kLengthUnits)) return;
+    remember(keyOf(file, "unit"), QString::fromUtf8(known->name.data(), qsizetype(known->name.size())),
+             unit == guess);
+}
+
+void rememberUp(const std::filesystem::path& file, bool zUp, bool guess) {
+    remember(keyOf(file, "up"), zUp ? QStringLiteral("z") : QStringLiteral("y"), zUp == guess);
+}
+
+} // namespace tactum
