@@ -1,5 +1,5 @@
 // tinygltf itself, compiled once, in the namespace that gltf_model.h gives it.
-#include <nlohmann/json.hpp>
+#include "core/files/gltf/gltf_file.h"
 
 #define TINYGLTF_IMPLEMENTATION
 #define TINYGLTF_NO_INCLUDE_JSON
