@@ -9,7 +9,8 @@ std::optional<TouchPoints> capsuleAndCapsule(const RoundBody& a, const RoundBody
     TouchPoints points;
     const auto touch = [&](double along) {
         const RoundBody ball{a.at(along), a.axis, 0, a.radius};
-        for (const TouchPoint& point : ballAndCapsule(ball, b, margin)->all())
+        const std::optional<TouchPoints> one = ballAndCapsule(ball, b, margin);
+        for (const TouchPoint& point : one->all())
             points.push(point);
     };
     const double skew = a.axis.cross(b.axis).norm();
