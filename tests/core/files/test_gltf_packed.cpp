@@ -1,5 +1,5 @@
 // Meshes packed by Draco and by meshoptimizer. What their own encoders keep whole arrives to the bit; what
-// another program packed (gltf-transform 4.2 by its defaults, packed/draco.glb and packed/meshopt.glb of
+// another program packed (gltf-transform 4.5 by its defaults, packed/draco.glb and packed/meshopt.glb of
 // packed/ball.obj) as near as it says. Should these files be replaced by such as are not packed, whatIsRead()
 // fails: it looks for the extension in them first.
 #include <random>
