@@ -53,7 +53,7 @@ class FarNetwork(unittest.TestCase):
                     with program(link.client, *python("editor.py", target, folder, str(EDITS))) as editor:
                         asked = [tuple(map(int, line.split())) for line in editor.stdout]
                         self.assertEqual(editor.wait(), 0)
-                seen = json.loads(witness.communicate("\n")[0])
+                seen = json.loads(witness.communicate(f"{asked[-1][1]}\n")[0])
             server.send_signal(signal.SIGTERM)
             self.assertEqual(server.wait(), 0)
         summary = folder / "summary.json"
@@ -74,17 +74,19 @@ class FarNetwork(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, FarLink(**way) as link:
             seen, asked, played = self.over(link, pathlib.Path(folder))
             carried, lost = link.carried, link.lost
-        late = [(seen["felt"][str(revision)] - at) / 1e6 for at, revision in asked if str(revision) in seen["felt"]]
+        # Of two edits that came close together only the second may have been in a state: then both were felt by it.
+        felt = {int(revision): at for revision, at in seen["felt"].items()}
+        late = [(min(at for felt_as, at in felt.items() if felt_as >= revision) - asked_at) / 1e6 for asked_at, revision in asked]
         print(f"{way}: edits felt after {min(late):.1f}, {statistics.median(late):.1f}, {max(late):.1f} ms (least, median, most); "
               f"{seen['ticks']} ticks, {seen['missed']} missed, {seen['machine_missed']} of them by the machine; states at most "
               f"{seen['longest_pause_ms']:.1f} ms apart; {carried} packets, {lost} lost; {played['haptic_steps']} and "
               f"{played['servo_ticks']} steps made again, {played['differ']} differ", file=sys.stderr)
         self.assertEqual(len(asked), EDITS)
-        self.assertEqual(len(late), EDITS)
         self.assertGreater(seen["touching"], 100)
         self.assertEqual(played["differ"], 0, played["first_difference"])
         self.assertGreater(played["scenes"], EDITS)
-        self.assertEqual(seen["missed"], seen["machine_missed"])
+        if "TACTUM_BUSY" not in os.environ:  # it judges the processor
+            self.assertEqual(seen["missed"], seen["machine_missed"])
         self.assertGreaterEqual(min(late), 1e3 * way.get("delay", 0))
         if way.get("loss"):
             self.assertGreater(lost, 0)

@@ -1,4 +1,4 @@
-"""A client beside the server, until its input ends: witness.py TARGET CREDENTIALS RECORDING.
+"""A client beside the server, until its input names a revision and that is felt: witness.py TARGET CREDENTIALS RECORDING.
 
 Prints as JSON when each revision was felt first, by the clock that all processes share; how many states had a force; the
 longest pause between two of them; missed ticks. RECORDING gets the server's last minute.
@@ -18,7 +18,10 @@ def main(target, folder, recording):
                         token=(folder / "token").read_text().strip(), patience=30.0) as haptics:
         print("attending", flush=True)
         state, felt, touching, longest, most = haptics.state(), {}, 0, 0, 0
-        while not select.select([sys.stdin], [], [], 0)[0]:
+        wanted = None
+        while wanted is None or state.revision < wanted:
+            if wanted is None and select.select([sys.stdin], [], [], 0)[0]:
+                wanted = int(sys.stdin.readline())
             last, state = state, haptics.state(newer_than=state.number)
             felt.setdefault(state.revision, state.time_ns)
             touching += int(state.force.any())
