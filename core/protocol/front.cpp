@@ -139,13 +139,20 @@ void Front::run() {
 void Front::look(double now) {
     for (std::size_t i = newcomers_.size(); i-- > 0;) {
         const Beginning beginning = beginningOf(newcomers_[i].descriptor, tls_);
-        if (beginning == Beginning::Right && descriptorsLeft() > kDescriptorsKept) {
+        if (beginning == Beginning::Right && hasRoom(now)) {
             handOver_(newcomers_[i].descriptor);
             newcomers_.erase(newcomers_.begin() + std::ptrdiff_t(i));
         } else if (beginning != Beginning::Unknown || now - newcomers_[i].since > kPatience) {
             drop(i);
         }
     }
+}
+
+/// To count them takes as long as there are many: not for each of a crowd.
+bool Front::hasRoom(double now) {
+    constexpr double kCountAgain = 0.05; // s
+    if (counted_ < 0 || now - counted_ > kCountAgain) left_ = descriptorsLeft(), counted_ = now;
+    return left_ > kDescriptorsKept;
 }
 
 void Front::drop(std::size_t index) {
@@ -168,6 +175,7 @@ void Front::accept() {
             drop(0);
             continue;
         }
+        left_ -= std::min<std::size_t>(left_, 1);
         const int yes = 1;
         setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
         if (newcomers_.size() >= kMostNewcomers) drop(0);

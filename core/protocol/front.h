@@ -45,12 +45,15 @@ private:
     void accept();
     void look(double now);
     void drop(std::size_t index);
+    bool hasRoom(double now);
 
     int listening_ = -1;
     std::uint16_t port_ = 0;
     bool tls_ = false;
     HandOver handOver_;
     std::deque<Newcomer> newcomers_;
+    std::size_t left_ = 0; ///< descriptors, as they were counted, without those accepted since
+    double counted_ = -1;  ///< s, when
     std::atomic<bool> ending_{false};
     std::thread thread_;
 };
