@@ -78,7 +78,6 @@ private:
 
     void give(const Place& from, const SceneObject& object, Surface& surface) {
         const Surface& partner = *from.surface;
-        const bool keepsPaint = haveSameCorners(*from.object->geometry, *object.geometry);
         used_.insert(&partner);
         ++carried_.surfaces;
         surface.material = partner.material;
@@ -91,7 +90,7 @@ private:
         for (const TextureLayer& layer : partner.layers) {
             const bool isPainted = layer.pattern.source == TextureSource::Painted ||
                                    (layer.mask && layer.mask->source == TextureSource::Painted);
-            if (isPainted && !keepsPaint) {
+            if (isPainted && !haveSameCorners(*from.object->geometry, *object.geometry)) {
                 ++painted;
                 continue;
             }

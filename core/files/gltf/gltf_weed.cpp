@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/base/text.h"
-#include "core/files/gltf/gltf_references.h"
 #include "core/files/gltf/gltf_surface.h"
 
 namespace tactum {
 namespace {
-
-constexpr const char* kPacked = "KHR_draco_mesh_compression";
 
 bool isIndex(const Json& object, const char* key) {
     return indexIn(object, key, std::size_t(1) << 30) >= 0;
@@ -37,18 +33,6 @@ bool isAnimation(const Json& animation) {
     return isListOf("channels", isChannel) && isListOf("samplers", isSampler);
 }
 
-/// Whether an accessor has bytes of its own; one that is not there is for whoever reads it.
-bool hasData(const Json& accessors, const Json& of, const char* key) {
-    const int index = indexIn(of, key, accessors.size());
-    return index < 0 || accessors[std::size_t(index)].contains("bufferView");
-}
-
-bool isOnlyPacked(const Json& accessors, const Json& primitive) {
-    const Json* attributes = member(primitive, "attributes");
-    return !hasData(accessors, primitive, "indices") ||
-           (attributes && !hasData(accessors, *attributes, "POSITION"));
-}
-
 } // namespace
 
 std::size_t eraseDamagedAnimations(Json& root) {
@@ -60,20 +44,6 @@ std::size_t eraseDamagedAnimations(Json& root) {
     const std::size_t damaged = before - found->size();
     if (damaged > 0 && found->empty()) root.erase(found);
     return damaged;
-}
-
-void erasePackedCopies(Json& root) {
-    const Json* accessors = arrayIn(root, "accessors");
-    Json* meshes = arrayIn(root, "meshes");
-    if (!accessors || !meshes) return;
-    for (Json& mesh : *meshes) {
-        Json* primitives = arrayIn(mesh, "primitives");
-        for (std::size_t i = 0; primitives && i < primitives->size(); ++i) {
-            Json& primitive = (*primitives)[i];
-            if (extensionOf(primitive, kPacked) && !isOnlyPacked(*accessors, primitive))
-                eraseExtension(primitive, kPacked);
-        }
-    }
 }
 
 } // namespace tactum

@@ -38,7 +38,6 @@ GltfFile weeded(const Source& source, std::size_t& damagedAnimations) {
             "does not say which version of glTF it is (asset.version), and only 2.0 is read; export it "
             "again");
     damagedAnimations = eraseDamagedAnimations(file.json);
-    erasePackedCopies(file.json);
     return file;
 }
 

@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(unit.size(), 0);
         part<QAbstractButton>(bar, "import-unit-cm").click();
         QCOMPARE(unit.size(), 1);
-        QCOMPARE_EQ(unit[0][0].toDouble(), 0.01);
+        QCOMPARE_EQ(unit[0][0].toDouble(), metresOf("cm").value()); // the very number of the table
         part<QAbstractButton>(bar, "import-up-y").click();
         QCOMPARE(up.size(), 1);
         QCOMPARE(up[0][0].toBool(), false);
