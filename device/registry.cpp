@@ -13,6 +13,7 @@
 #include "device/falcon/falcon_firmware.h"
 #include "device/falcon/falcon_line.h"
 #include "device/listings_text.h"
+#include "device/plugin/plugin.h"
 #include "device/profile.h"
 #include "device/remote/output_of.h"
 #include "device/remote/remote_device.h"
@@ -84,10 +85,22 @@ Made makeOnlyHaply(const std::string& id, FiguresOf figures) {
     return makeHaply(id, *known);
 }
 
-constexpr std::array<MakersFamily, 3> kMakersFamilies{{
+std::vector<DeviceListing> listDrivers() {
+    std::vector<DeviceListing> listings = listPlugins();
+    if (!listings.empty()) return listings;
+    const auto folders = driverFolders();
+    return {{"", "Drivers of your own", false,
+             folders.empty() ? "there is no folder for them: set TACTUM_DRIVERS"
+                             : "none in " + inQuotes(folders.front().string()) +
+                                   "; docs/drivers.md says how one is made"}};
+}
+
+constexpr std::array<MakersFamily, 4> kMakersFamilies{{
     {"openhaptics", "phantom", "OpenHaptics", listOpenHaptics, makeOpenHaptics},
     {"forcedimension", "omega", "Force Dimension", listForceDimension, makeForceDimension},
     {"haply", "inverse3", "Haply", listHaply, makeOnlyHaply},
+    {"driver", "", "Drivers of your own", listDrivers,
+     [](const std::string& id, FiguresOf) { return makePlugin(id); }},
 }};
 
 std::string prefixOf(const std::string& id) {

@@ -1,4 +1,4 @@
-// A maker's library that is loaded when the user has it, and a sentence when not. No other file knows dlopen.
+// A maker's library that is loaded when the user has it, and a sentence when not.
 #pragma once
 
 #include <string>

@@ -73,6 +73,28 @@ private slots:
                      listing.name.c_str());
     }
 
+    void driversOfOnesOwnAreListedAndMade() {
+        qputenv("TACTUM_DRIVERS", "/nowhere");
+        const auto without = registry().list();
+        const DeviceListing* const none = named(without, "Drivers of your own");
+        QVERIFY(none && !none->usable);
+        QVERIFY2(none->sentence.find("/nowhere") != std::string::npos, none->sentence.c_str());
+        qputenv("TACTUM_DRIVERS", TACTUM_DRIVERS_OF_THE_BENCH);
+        qputenv("HAPLY_2DIY", "/dev/null"); // a port that is there
+        const auto listings = registry().list();
+        const DeviceListing* const found = named(listings, "Haply 2DIY");
+        QVERIFY(found && found->usable);
+        QCOMPARE(found->id, std::string("driver:haply_2diy:/dev/null"));
+        const auto device = registry().make(found->id);
+        VERIFY_RESULT(device);
+        QCOMPARE((*device)->info().name, found->name);
+        const auto opened = (*device)->open();
+        QVERIFY(!opened); // /dev/null is no serial port
+        QVERIFY2(opened.error().text.find("/dev/null") != std::string::npos, opened.error().text.c_str());
+        qunsetenv("TACTUM_DRIVERS");
+        qunsetenv("HAPLY_2DIY");
+    }
+
     void whatIsPluggedInIsFoundAndMade() {
         EmulatedBus::the().plug(1, std::make_shared<Plugged>(0x0403, 0x6001)); // some other serial adapter
         EmulatedBus::the().plug(2, std::make_shared<Plugged>(0x0403, 0xcb48));

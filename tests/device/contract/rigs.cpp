@@ -9,6 +9,7 @@
 #include <QByteArray>
 #include <QTemporaryDir>
 
+#include "device/plugin/plugin.h"
 #include "device/recorded_hand.h"
 #include "device/remote/remote_device.h"
 #include "device/simulated_hand.h"
@@ -17,6 +18,7 @@
 #include "device/vendor/open_haptics.h"
 #include "device/wooden_haptics/wooden_haptics.h"
 #include "tests/device/falcon/falcon_bench.h"
+#include "tests/device/plugin/fake_2diy.h"
 #include "tests/device/remote/served_device.h"
 #include "tests/device/vendor/fake_dhd.h"
 #include "tests/device/vendor/fake_haply.h"
@@ -202,6 +204,26 @@ private:
     FakeHaply service_;
 };
 
+/// A driver of other people's: the example, whose arms lie in a plane.
+class PluginRig final : public DeviceRig {
+public:
+    PluginRig() {
+        qputenv("TACTUM_DRIVERS", TACTUM_DRIVERS_OF_THE_BENCH);
+        device_ = makePlugin(listPlugins().at(0).id).value();
+    }
+    ~PluginRig() override { device_.reset(); }
+    std::optional<Vec3> pushed() const override { return board_.pushed(); }
+    bool pushesAlong(int axis) const override { return axis != 1; }
+    bool pull() override {
+        board_.unplug();
+        return true;
+    }
+    void plug() override { board_.plug(); }
+
+private:
+    Fake2diy board_;
+};
+
 /// Of a device in a process of its own the bench sees the force along z.
 class RemoteRig final : public DeviceRig {
 public:
@@ -229,6 +251,7 @@ const std::map<std::string, std::function<std::unique_ptr<Rig>()>> kRigs{
     {"OpenHaptics", make<OpenHapticsRig>},
     {"Force Dimension", make<ForceDimensionRig>},
     {"Haply", make<HaplyRig>},
+    {"by a plug-in", make<PluginRig>},
     {"in another process", make<RemoteRig>},
 };
 

@@ -27,6 +27,8 @@ public:
     /// Out of its socket, and back; false: there is no cable.
     virtual bool pull() { return false; }
     virtual void plug() {}
+    /// Whether it has motors along this axis of D.
+    virtual bool pushesAlong(int) const { return true; }
     /// Whether emergencyStop() has a way to the device: no maker's library that the servo calls has.
     virtual bool stops() const { return true; }
 };
