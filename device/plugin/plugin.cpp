@@ -4,7 +4,8 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
-#include <mutex>
+
+#include <unistd.h>
 
 #include "core/base/text.h"
 #include "core/port/force_limiter.h"
@@ -39,18 +40,17 @@ public:
     }
 
     void close() override {
-        const std::lock_guard lock(closing_);
-        if (void* const opened = device_.exchange(nullptr)) driver_.close(opened);
+        void* const opened = device_.exchange(nullptr);
+        while (asking_ != 0) // whoever asks for trouble asks a device that is there
+            usleep(100);
+        if (opened) driver_.close(opened);
     }
 
     std::string trouble() const override {
-        const std::lock_guard lock(closing_);
-        void* const opened = device_;
-        if (!opened) return {};
-        const char* const said = driver_.trouble ? driver_.trouble(opened) : nullptr;
-        if (said && *said) return printable(said, kLongestDriverText);
-        return gone_ ? "The " + found_.name + " does not answer any more: plug it in and open it again."
-                     : std::string();
+        ++asking_;
+        std::string text = troubleNow();
+        --asking_;
+        return text;
     }
 
     std::string caution() const override {
@@ -81,12 +81,21 @@ public:
     }
 
 private:
+    std::string troubleNow() const {
+        void* const opened = device_;
+        if (!opened) return {};
+        const char* const said = driver_.trouble ? driver_.trouble(opened) : nullptr;
+        if (said && *said) return printable(said, kLongestDriverText);
+        return gone_ ? "The " + found_.name + " does not answer any more: plug it in and open it again."
+                     : std::string();
+    }
+
     TactumDriver driver_;
     PluginFound found_;
     ForceLimiter limit_;
     std::atomic<void*> device_{nullptr}; ///< the driver's own, from open() to close()
     std::atomic<bool> gone_{false};
-    mutable std::mutex closing_; ///< who asks for trouble asks a device that is there
+    mutable std::atomic<int> asking_{0}; ///< for its trouble, at this moment
 };
 
 std::vector<std::filesystem::path> librariesIn(const std::filesystem::path& folder) {

@@ -1,11 +1,10 @@
-/* What a driver of your own is to Tactum: a shared library of C functions. docs/drivers.md leads through one.
- *
- * It is put into ~/.local/share/Tactum/drivers (or a folder that TACTUM_DRIVERS names) and runs in a process
- * of its own, which Tactum starts for the device: if it crashes or hangs, the force is zero within 10 ms and
- * Tactum goes on. Tactum limits the force, guards stability and keeps time; a driver only reads and pushes.
- *
- * Frame D of the device: x to the right, y up, z toward the person; metres, newtons, seconds.
- */
+// What a driver of your own is to Tactum: a shared library of C functions. docs/drivers.md leads through one.
+//
+// It is put into ~/.local/share/Tactum/drivers (or a folder that TACTUM_DRIVERS names) and runs in a process
+// of its own, which Tactum starts for the device: if it crashes or hangs, the force is zero within 10 ms and
+// Tactum goes on. Tactum limits the force, guards stability and keeps time; a driver only reads and pushes.
+//
+// Frame D of the device: x to the right, y up, z toward the person; metres, newtons, seconds.
 #pragma once
 
 #include <stdint.h>
@@ -19,7 +18,8 @@ extern "C" {
 /** Room for a text with its final zero, in bytes of UTF-8. */
 #define TACTUM_TEXT 256
 
-/** What the device can do, as its maker says or you have measured. What is 0 is not known, where not said otherwise. */
+/** What the device can do, as its maker says or you have measured. What is 0 is not known, where not said
+ * otherwise. */
 typedef struct TactumFigures {
     double rate;                /**< Hz, exchanges a second; 150 to 10,000; must be known */
     double max_force;           /**< N; no command is ever larger; must be known */
@@ -60,20 +60,20 @@ typedef struct TactumDriver {
      * why, one line, in `trouble` (TACTUM_TEXT bytes). */
     void* (*open)(const char* port, char* trouble);
     /** Pushes with `force` (three numbers, N, finite and at most max_force) and reads. Called `rate` times a
-     * second by a real-time thread: no allocation, no lock, and never waits longer than a tick. Returns 1: the
-     * reading is new; 0: nothing new came; -1: the device is gone. */
+     * second by a real-time thread: no allocation, no lock, and never waits longer than a tick. Returns 1:
+     * the reading is new; 0: nothing new came; -1: the device is gone. */
     int32_t (*exchange)(void* device, const double* force, TactumReading* reading);
     /** Takes all force away at once; from a signal handler too, while exchange() runs. May be NULL. */
     void (*stop)(void* device);
     /** Zero force first; `device` is not used again. */
     void (*close)(void* device);
-    /** Why readings do not come and what to do, one line, "" while all is well; also while exchange() runs, by
-     * another thread. The text stays valid until close(). May be NULL. */
+    /** Why readings do not come and what to do, one line, "" while all is well; also while exchange() runs,
+     * by another thread. The text stays valid until close(). May be NULL. */
     const char* (*trouble)(void* device);
 } TactumDriver;
 
-/** The one function that Tactum looks for. `abi`: TACTUM_DRIVER_ABI of the Tactum that asks; NULL where the driver
- * cannot serve it. The answer stays valid. */
+/** The one function that Tactum looks for. `abi`: TACTUM_DRIVER_ABI of the Tactum that asks; NULL where the
+ * driver cannot serve it. The answer stays valid. */
 const TactumDriver* tactum_driver(uint32_t abi);
 
 #ifdef __cplusplus

@@ -86,6 +86,7 @@ inline const std::vector<Library> kLibraries{
     {"netdb.h", {"core/protocol/front.cpp"}},
     {"netinet/", {"core/protocol/front.cpp"}},
     {"libusb", {"device/usb/usb_link.cpp"}},
+    {"stdint.h", {"device/plugin/tactum_driver.h"}}, // C
     {"dlfcn.h", {"device/vendor/", "device/plugin/plugin_library.cpp"}},
     {"boost/", {"device/vendor/web_socket.cpp"}},
     {"Q", {"ui/", "app/"}},
