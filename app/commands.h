@@ -71,6 +71,12 @@ struct FeelOptions {
     std::filesystem::path from, onto, out;
 };
 
+/// What the machine keeps.
+struct LatencyOptions {
+    double seconds = 0; ///< 0: it is not asked for
+    double rate = 1000; ///< Hz
+};
+
 struct CheckOptions {
     std::vector<std::filesystem::path> scenes;
     bool json = false;
@@ -95,6 +101,8 @@ Result<int> runVerify(const std::filesystem::path& bundle, bool json);
 Result<int> runFeel(const FeelOptions& options);
 /// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
 Result<int> runDevices(const std::optional<std::string>& makers, bool json);
+/// How late this machine wakes a loop like the servo's; 3 when a device would lose its force by it.
+Result<int> runLatency(const LatencyOptions& options, bool json);
 /// Drives a device for another process of this program, which started this one (device/remote).
 Result<int> runDeviceServer(const std::string& id);
 

@@ -22,6 +22,7 @@
 #include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/port/device_check.h"
 #include "core/scene/placing.h"
 #include "core/scene/scene.h"
 
@@ -74,6 +75,20 @@ inline constexpr Parameter kFitDiagonal{
     0.2,
     3,
     "Scale the scene about its bounding-box centre to this diagonal and move the centre to the origin."};
+
+inline constexpr Parameter kLatencySeconds{
+    "latency", "Latency", "s",
+    0.1,       86400,     1,
+    10,        1,         "Measure for so long how late this machine wakes a loop like the servo's"};
+inline constexpr Parameter kLatencyRate{"rate",
+                                        "Rate",
+                                        "Hz",
+                                        kSlowestRate,
+                                        kFastestRate,
+                                        100,
+                                        1000,
+                                        0,
+                                        "Of the loop that --latency measures; 1000 without it"};
 
 /// Every file that a person names, with a dash before the name or by its place alone.
 template <class Path>
@@ -294,6 +309,7 @@ struct Request {
     std::filesystem::path bundle;
     std::string device;
     bool json = false;
+    LatencyOptions latency;
     std::optional<std::string> makers;
     std::string manual;
 };
@@ -350,6 +366,9 @@ void addDevices(CLI::App& program, Request& request) {
     CLI::App* devices =
         program.add_subcommand("devices", "What is connected, and why what is not usable is not");
     devices->add_flag("--json", request.json, "As a JSON array");
+    addNumber(*devices, kLatencySeconds, [&](double value) { request.latency.seconds = value; });
+    addNumber(*devices, kLatencyRate, [&](double value) { request.latency.rate = value; });
+    devices->get_option("--rate")->needs("--latency");
     // For this program itself; an empty group is not listed.
     devices->add_option("--makers", request.makers)->group("");
     CLI::App* server = program.add_subcommand("device-server", "Drive a device for another process");
@@ -403,6 +422,7 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("feel")) return runFeel(request.feel);
     if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
+    if (request.latency.seconds > 0) return runLatency(request.latency, request.json);
     return runDevices(request.makers, request.json);
 }
 

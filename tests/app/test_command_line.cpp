@@ -344,6 +344,22 @@ private slots:
         COMPARE_CONTAINS(runTactum({"check", bumpyPlate()}).out, "has no unit");
     }
 
+    /// How it turns out is the machine's affair.
+    void devicesTellHowLateTheMachineIs() {
+        const Ended said = runTactum({"devices", "--latency", "0.2"});
+        QVERIFY(said.code == 0 || said.code == 3);
+        COMPARE_CONTAINS(said.out, "ticks at 1000 Hz");
+        COMPARE_CONTAINS(said.out, "over 10 ms: ");
+        const Ended json = runTactum({"devices", "--latency", "0.2", "--rate", "2000", "--json"});
+        const QJsonObject report = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(report["rate_Hz"].toDouble(), 2000.0);
+        QCOMPARE_GT(report["ticks"].toInt(), 0);
+        QCOMPARE_LE(report["ticks"].toInt(), 402);
+        QCOMPARE(json.code, report["over_10_ms"].toInt() > 0 ? 3 : 0);
+        QCOMPARE(runTactum({"devices", "--rate", "2000"}).code, 2);
+        QCOMPARE(runTactum({"devices", "--latency", "never"}).code, 2);
+    }
+
     void checkAndDevicesAnswer() {
         const Ended check = runTactum({"check", plate()});
         QCOMPARE(check.code, 0);
