@@ -85,9 +85,13 @@ void MainWindow::connectDevices() {
     connect(&connecting, &DeviceConnect::disconnectPressed, this, release);
     connect(&connecting, &DeviceConnect::chosenChanged, this, &MainWindow::showDeviceCommands);
     connect(&connecting, &DeviceConnect::permissionPressed, permission_, &UsbPermission::ask);
+    connecting.setLacksRealTime(lacksRealTime());
     connect(permission_, &UsbPermission::refused, &connecting, &DeviceConnect::showCommand);
     connect(permission_, &UsbPermission::granted, this, [this] {
-        notice_->showNote(tr("You may use USB devices now. If yours is still not usable, plug it in anew."));
+        notice_->showNote(
+            tr("You may use USB devices now, and real time when you have logged in again. If yours is still "
+               "not usable, plug it in anew."));
+        devicePanel_->connecting().setLacksRealTime(lacksRealTime());
         link_->look();
     });
     connect(&devicePanel_->live(), &DeviceLive::stopButtonChosen, this, [this](std::uint32_t button) {

@@ -4,13 +4,30 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "core/loop/urgency.h"
+
 namespace tactum {
 
 namespace {
 
-/// For a shell, which gets the rule as its first argument.
-constexpr const char* kScript = "install -m 644 -- \"$1\" /etc/udev/rules.d/70-tactum.rules && "
-                                "udevadm control --reload && udevadm trigger --subsystem-match=usb";
+/// For a shell, which gets the rule as its first argument, the number of the account and the file of its
+/// limits. An account by its number: names may have characters in them that the file cannot hold.
+constexpr const char* kScript =
+    "install -m 644 -- \"$1\" /etc/udev/rules.d/70-tactum.rules && "
+    "printf \":$2 - %s\\n\" \"rtprio 90\" \"nice -15\" \"memlock unlimited\" >\"$3\" && chmod 644 \"$3\" && "
+    "udevadm control --reload && udevadm trigger --subsystem-match=usb";
+
+constexpr int kPriority = 80; ///< as the loops'
+
+/// Whose account it is, as the system counts.
+QString account() {
+    return QString::number(QFileInfo(QStringLiteral("/proc/self")).ownerId());
+}
+
+/// By pam_limits(8), from the next login on.
+QString limitsFile() {
+    return QStringLiteral("/etc/security/limits.d/tactum-%1.conf").arg(account());
+}
 
 QString quoted(QString path) {
     return u'\'' + path.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
@@ -28,9 +45,13 @@ QString udevRule() {
     return {};
 }
 
-QString udevCommand(const QString& rule) {
-    QString script = QString::fromLatin1(kScript);
-    return QStringLiteral("sudo sh -c '%1' sh %2").arg(script, quoted(rule));
+QString permitCommand(const QString& rule) {
+    return QStringLiteral("sudo sh -c '%1' sh %2 %3 %4")
+        .arg(QString::fromLatin1(kScript), quoted(rule), account(), limitsFile());
+}
+
+bool lacksRealTime() {
+    return !mayHavePriority(kPriority) && !QFileInfo::exists(limitsFile());
 }
 
 UsbPermission::UsbPermission(QObject* parent) : QObject(parent) {}
@@ -45,7 +66,7 @@ void UsbPermission::ask() {
     const QString asker = QStandardPaths::findExecutable(QStringLiteral("pkexec"));
     if (asker.isEmpty())
         return emit refused(tr("Run this line in a terminal, then plug the device in anew:"),
-                            udevCommand(rule));
+                            permitCommand(rule));
     asking_ = true;
     // Nobody's child: who is asked for a password may go on answering when the window is closed, and what
     // runs as root could not be ended from here.
@@ -53,7 +74,7 @@ void UsbPermission::ask() {
     connect(process, &QProcess::finished, process, &QObject::deleteLater);
     connect(process, &QProcess::finished, this, &UsbPermission::finish);
     process->start(asker, {QStringLiteral("/bin/sh"), QStringLiteral("-c"), QString::fromLatin1(kScript),
-                           QStringLiteral("sh"), rule});
+                           QStringLiteral("sh"), rule, account(), limitsFile()});
 }
 
 void UsbPermission::finish(int code, QProcess::ExitStatus status) {
@@ -61,7 +82,7 @@ void UsbPermission::finish(int code, QProcess::ExitStatus status) {
     if (status == QProcess::NormalExit && code == 0) return emit granted();
     emit refused(
         tr("The system did not allow it. Run this line in a terminal, then plug the device in anew:"),
-        udevCommand(udevRule()));
+        permitCommand(udevRule()));
 }
 
 } // namespace tactum

@@ -66,6 +66,10 @@ int allowedPriority() noexcept {
     return int(std::min(raised(RLIMIT_RTPRIO), kMost));
 }
 
+bool mayHavePriority(int priority) noexcept {
+    return geteuid() == 0 || allowedPriority() >= priority;
+}
+
 std::vector<int> rungsOf(int asked, int allowed) {
     std::vector<int> rungs{asked};
     for (const int rung : {allowed, 50, 20})

@@ -20,6 +20,9 @@ struct Urgency {
 /// Thread: any but real time.
 int allowedPriority() noexcept;
 
+/// Whether a thread of this process would be granted it: an administrator's always. Thread: as above.
+bool mayHavePriority(int priority) noexcept;
+
 /// What is tried one after the other where so much is allowed: as asked, as allowed, 50, 20, and 0, which is
 /// none.
 std::vector<int> rungsOf(int asked, int allowed);

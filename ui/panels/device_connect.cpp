@@ -90,7 +90,7 @@ bool wantsPermission(const DeviceLink& link) {
 
 DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     : QWidget(parent), link_(link), list_(new DeviceList), connect_(new QPushButton(tr("Connect"))),
-      disconnect_(new QPushButton(tr("Disconnect"))), permit_(new QPushButton(tr("Let me use USB devices"))),
+      disconnect_(new QPushButton(tr("Disconnect"))), permit_(new QPushButton(tr("Let me use devices"))),
       supply_(new QPushButton), sentence_(new QLabel), command_(new QLineEdit),
       copy_(new QPushButton(tr("Copy"))), steps_(new DeviceSteps) {
     connect_->setObjectName(QStringLiteral("device-connect-button"));
@@ -98,7 +98,9 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     disconnect_->setObjectName(QStringLiteral("device-disconnect-button"));
     disconnect_->setToolTip(tr("Give the device back; the mouse leads a simulated hand"));
     permit_->setObjectName(QStringLiteral("device-permit"));
-    permit_->setToolTip(tr("Puts a rule where udev looks for it, after an administrator's consent"));
+    permit_->setToolTip(
+        tr("Puts a rule for USB devices and limits for real time where the system looks for them, "
+           "after an administrator's consent"));
     supply_->setObjectName(QStringLiteral("device-supply"));
     sentence_->setObjectName(QStringLiteral("device-permit-sentence"));
     sentence_->setWordWrap(true);
@@ -162,6 +164,11 @@ void DeviceConnect::showCommand(const QString& sentence, const QString& command)
     copy_->setVisible(!command.isEmpty());
 }
 
+void DeviceConnect::setLacksRealTime(bool lacks) {
+    lacksRealTime_ = lacks;
+    follow();
+}
+
 void DeviceConnect::fill() {
     const QTreeWidgetItem* before = list_->currentItem();
     const QString kept = before ? before->data(0, kIdRole).toString() : link_.wanted();
@@ -182,7 +189,7 @@ void DeviceConnect::fill() {
 
 void DeviceConnect::follow() {
     steps_->show(link_.preparation());
-    const bool wants = wantsPermission(link_);
+    const bool wants = lacksRealTime_ || wantsPermission(link_);
     permit_->setVisible(wants);
     if (!wants) showCommand({}, {});
     const DeviceListing* lacking = lackingOne(link_);

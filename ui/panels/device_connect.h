@@ -23,6 +23,8 @@ public:
     QString chosen() const;
     /// A line for a terminal, to be copied; with the sentence that leads to it.
     void showCommand(const QString& sentence, const QString& command);
+    /// Permission is offered for the loops' sake, too.
+    void setLacksRealTime(bool lacks);
 
 signals:
     void connectPressed();
@@ -46,6 +48,7 @@ private:
     QLineEdit* command_;
     QPushButton* copy_;
     DeviceSteps* steps_;
+    bool lacksRealTime_ = false;
 };
 
 /// Whether a device is listed that the person's account may not open.
