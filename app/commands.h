@@ -77,6 +77,12 @@ struct LatencyOptions {
     double rate = 1000; ///< Hz
 };
 
+/// A small picture of a scene.
+struct ThumbnailOptions {
+    std::filesystem::path in, out;
+    double size = 256; ///< pixels, both ways
+};
+
 struct CheckOptions {
     std::vector<std::filesystem::path> scenes;
     bool json = false;
@@ -99,6 +105,8 @@ Result<int> runCheck(const CheckOptions& options);
 Result<int> runVerify(const std::filesystem::path& bundle, bool json);
 /// Gives a model the feel of a scene, by the names of surfaces.
 Result<int> runFeel(const FeelOptions& options);
+/// Draws a scene into a PNG without a display, as file managers ask for it.
+Result<int> runThumbnail(const ThumbnailOptions& options);
 /// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
 Result<int> runDevices(const std::optional<std::string>& makers, bool json);
 /// How late this machine wakes a loop like the servo's; 3 when a device would lose its force by it.

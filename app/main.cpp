@@ -76,6 +76,8 @@ inline constexpr Parameter kFitDiagonal{
     3,
     "Scale the scene about its bounding-box centre to this diagonal and move the centre to the origin."};
 
+inline constexpr Parameter kThumbnailSize{
+    "size", "Size", "pixels", 16, 2048, 16, 256, 0, "Of the picture, both ways; 256 without it"};
 inline constexpr Parameter kLatencySeconds{
     "latency", "Latency", "s",
     0.1,       86400,     1,
@@ -305,6 +307,7 @@ struct Request {
     SimulateOptions simulate;
     CheckOptions check;
     FeelOptions feel;
+    ThumbnailOptions thumbnail;
     std::vector<std::filesystem::path> scenes; ///< of info
     std::filesystem::path bundle;
     std::string device;
@@ -360,6 +363,16 @@ void addFeel(CLI::App& program, FeelOptions& options) {
         ->required();
     addFile(*feel, "OUT", options.out, "The result, a .glb; it may be FROM or ONTO")->required();
     feel->footer("Surfaces find each other by name; what finds no partner goes to standard error.");
+}
+
+void addThumbnail(CLI::App& program, ThumbnailOptions& options) {
+    CLI::App* thumbnail =
+        program.add_subcommand("thumbnail", "Draw a scene into a small PNG, without a display");
+    addFile(*thumbnail, "SCENE", options.in, "Any file that the program opens; - is standard input")
+        ->required();
+    addFile(*thumbnail, "OUT", options.out, "The PNG; - is standard output")->required();
+    addNumber(*thumbnail, kThumbnailSize, [&](double value) { options.size = value; });
+    thumbnail->final_callback([&] { checkOutputs({options.in}, {options.out}); });
 }
 
 void addDevices(CLI::App& program, Request& request) {
@@ -420,6 +433,7 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("check")) return runCheck(request.check);
     if (program.got_subcommand("verify")) return runVerify(request.bundle, request.json);
     if (program.got_subcommand("feel")) return runFeel(request.feel);
+    if (program.got_subcommand("thumbnail")) return runThumbnail(request.thumbnail);
     if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
     if (request.latency.seconds > 0) return runLatency(request.latency, request.json);
@@ -427,9 +441,9 @@ Result<int> run(const CLI::App& program, const Request& request) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 11> verbs{"touch",   "simulate",      "convert", "play",
+    constexpr std::array<std::string_view, 12> verbs{"touch",   "simulate",      "convert", "play",
                                                      "info",    "check",         "verify",  "feel",
-                                                     "devices", "device-server", "manual"};
+                                                     "devices", "device-server", "manual",  "thumbnail"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -444,6 +458,7 @@ int runVerb(int argc, char** argv) {
     addCheck(program, request.check);
     addVerify(program, request);
     addFeel(program, request.feel);
+    addThumbnail(program, request.thumbnail);
     program.set_version_flag("--version", "tactum " TACTUM_VERSION);
     addDevices(program, request);
     WindowRequest window;

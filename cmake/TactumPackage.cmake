@@ -10,6 +10,7 @@ find_program(GZIP gzip REQUIRED)
 # What a desktop wants to know.
 install(FILES "${desktop}/tactum.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES "${desktop}/tactum-mime.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME tactum.xml)
+install(FILES "${desktop}/tactum.thumbnailer" DESTINATION "${CMAKE_INSTALL_DATADIR}/thumbnailers")
 install(FILES "${desktop}/org.tactum.Tactum.metainfo.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
 
 # Icons from one picture.

@@ -8,12 +8,11 @@ namespace {
 
 constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-constexpr std::array<std::int8_t, 256> kNumbers = [] {
-    std::array<std::int8_t, 256> numbers{};
-    for (auto& number : numbers)
-        number = -1;
+/// 0 for what is no letter: fromBase64() sees that it does not come back.
+constexpr std::array<std::uint8_t, 256> kNumbers = [] {
+    std::array<std::uint8_t, 256> numbers{};
     for (std::size_t i = 0; i < kLetters.size(); ++i)
-        numbers[std::size_t(std::uint8_t(kLetters[i]))] = std::int8_t(i);
+        numbers[std::size_t(std::uint8_t(kLetters[i]))] = std::uint8_t(i);
     return numbers;
 }();
 
@@ -40,9 +39,7 @@ std::optional<std::string> fromBase64(std::string_view text) {
     bytes.reserve(text.size() / 4 * 3);
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < text.size() - padding; ++i) {
-        const std::int8_t number = kNumbers[std::size_t(std::uint8_t(text[i]))];
-        if (number < 0) return std::nullopt;
-        word = word << 6 | std::uint32_t(number);
+        word = word << 6 | kNumbers[std::size_t(std::uint8_t(text[i]))];
         if (i % 4 != 3) continue;
         for (int shift = 16; shift >= 0; shift -= 8)
             bytes += char(word >> shift & 0xFF);

@@ -59,7 +59,7 @@ Vec3 Placing::pushOff(const Obstacle& obstacle, const Vec3& p_W) const noexcept 
     const bool on = near.distance <= kOn * radius;
     Vec3 out = on ? normal : Vec3((p_B - near.point) / near.distance);
     if (inside && !on) out = -out;
-    if (!out.allFinite() || out.isZero(0)) out = Vec3::UnitZ(); // on a segment or a point: any way will do
+    if (out.isZero(0)) out = Vec3::UnitZ(); // on a segment or a point: any way will do
     return pose.rotate(near.point + radius * (1 + kClear) * out - p_B);
 }
 

@@ -14,7 +14,7 @@ namespace test_manual {
 using namespace test_program;
 
 const QStringList kVerbs{"touch", "convert", "simulate", "play",   "info",
-                         "check", "verify",  "feel",     "devices"};
+                         "check", "verify",  "feel",     "devices", "thumbnail"};
 
 QByteArray manualAs(const QString& form) {
     return runTactum({"manual", form}).out;

@@ -1,8 +1,10 @@
 // Verbs about other people's files: verify, feel, check and info over several files; what a terminal may get.
 #include <cmath>
 
+#include <QColor>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -90,6 +92,28 @@ private slots:
             QVERIFY2(reader.exitCode() == 0, said);
             COMPARE_CONTAINS(said, "largest force "); // of several newtons
         }
+    }
+
+    /// A file manager's picture: square, of the size asked for, with the model in the middle of it.
+    void aThumbnailShowsTheScene() {
+        const QString teapot = QStringLiteral(TACTUM_ROOT "/resources/scenes/teapot.glb");
+        QCOMPARE(runTactum({"thumbnail", teapot, file("t.png"), "--size", "128"}).code, 0);
+        const QImage picture(file("t.png"));
+        QCOMPARE(picture.size(), QSize(128, 128));
+        const QColor corner = picture.pixelColor(1, 1);
+        int drawn = 0;
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 128; ++x)
+                drawn += picture.pixelColor(x, y) != corner;
+        QCOMPARE_GT(drawn, 128 * 128 / 8);
+        QVERIFY(picture.pixelColor(64, 64) != corner);
+        const Ended piped = runTactum({"thumbnail", teapot, "-"});
+        QCOMPARE(QImage::fromData(piped.out, "PNG").size(), QSize(256, 256));
+        QCOMPARE(runTactum({"thumbnail", file("none.glb"), file("n.png")}).code, 1);
+        QVERIFY(!QFile::exists(file("n.png")));
+        QCOMPARE(runTactum({"thumbnail", teapot, file("n.png"), "--size", "3000000"}).code, 2);
+        const QString own = model("own.obj", "clay");
+        QCOMPARE(runTactum({"thumbnail", own, own}).code, 2);
     }
 
     void aFingerThatTouchesNothingIsSaid() {

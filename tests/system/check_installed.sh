@@ -17,6 +17,10 @@ cmake -S "$source/docs/examples/hl" -B "$place/hl" -G Ninja -DCMAKE_PREFIX_PATH=
 cmake --build "$place/hl"
 "$source/tests/app/hl/with_server.sh" "$place/tactum/libexec/tactum/tactum-serve" "$place/hl/teapot" @ \
     "$place/tactum/share/tactum/scenes/teapot.obj"
+# A driver of one's own, compiled with the installed header alone.
+mkdir "$place/drivers"
+cc -O2 -shared -fPIC "-I$place/tactum/include/tactum" "$source/docs/examples/driver/haply_2diy.c" -lm -o "$place/drivers/haply_2diy.so"
+TACTUM_DRIVERS="$place/drivers" HAPLY_2DIY=/dev/null "$place/tactum/bin/tactum" devices | grep -q 'driver:haply_2diy:/dev/null'
 # A bundle that was touched by another hand is refused.
 printf 'x' | dd of="$place/teapot.zip" bs=1 seek=2000 conv=notrunc status=none
 if "$place/build/play-bundle" "$place/teapot.zip"; then

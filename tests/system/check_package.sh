@@ -40,10 +40,11 @@ samples=/usr/share/tactum/scenes
 expect teapot person tactum info "$samples/teapot.glb"
 expect '"updates"' person tactum touch "$samples/teapot.obj" --path "$samples/teapot-finger.csv" --out /tmp/touch.csv
 person tactum convert "$samples/teapot.glb" /home/person/teapot.tactum 2>/dev/null || fail "no bundle was written"
+person tactum thumbnail "$samples/teapot.glb" /home/person/teapot.png --size 128 && [ -s "$empty/home/person/teapot.png" ] || fail "no thumbnail"
 person tactum devices >/dev/null || fail "tactum devices failed"
 expect simulate inside bash -c 'source /usr/share/bash-completion/completions/tactum; COMP_WORDS=(tactum sim); COMP_CWORD=1; _tactum; echo "${COMPREPLY[@]}"'
 for file in man/man1/tactum.1.gz zsh/vendor-completions/_tactum fish/vendor_completions.d/tactum.fish \
-    mime/packages/tactum.xml applications/tactum.desktop icons/hicolor/512x512/apps/tactum.png; do
+    mime/packages/tactum.xml thumbnailers/tactum.thumbnailer applications/tactum.desktop icons/hicolor/512x512/apps/tactum.png; do
     [ -s "$empty/usr/share/$file" ] || fail "there is no /usr/share/$file"
 done
 [ -s "$empty/usr/lib/udev/rules.d/70-tactum.rules" ] || fail "there is no rule for udev"

@@ -51,6 +51,7 @@ private slots:
     void aPointPushesRadially();
     void thePointIsSlidOffExactlyAtItsEquator();
     void aSegmentPushesAcross();
+    void whoBeginsOnAPointOrASegmentIsPutBesideIt();
     void aSegmentEndsInAPoint();
     void aCrossOfWiresHoldsInItsCorner();
     void aCloudOfPointsIsAFloor();
@@ -110,6 +111,16 @@ void PrimitivesTest::aSegmentPushesAcross() {
             const Vec3 on = a + uniform(rng, 0.1, 0.9) * (b - a);
             QVERIFY(restsAt(hand, on + uniform(rng, 0.2, 0.9) * kRadius * across, on + kRadius * across));
         }
+    }
+}
+
+// No way out is nearer than another there: any of a radius will do.
+void PrimitivesTest::whoBeginsOnAPointOrASegmentIsPutBesideIt() {
+    const Vec3 on(0.003, 0, 0);
+    for (const Soup& soup :
+         {SoupBuilder().point(on).build(), SoupBuilder().segment({-0.01, 0, 0}, {0.02, 0, 0}).build()}) {
+        Hand hand = over(soup, on);
+        COMPARE_NEAR((hand.output().proxy - on).norm(), kRadius, kMicrometre, "m");
     }
 }
 
