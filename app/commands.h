@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/given_axes.h"
 #include "core/base/result.h"
 #include "core/base/vec.h"
 #include "core/geometry/sides.h"
@@ -61,14 +62,14 @@ struct ConvertOptions {
     std::optional<std::string> to;               ///< the ending of a result that goes to standard output
     std::optional<std::filesystem::path> report; ///< what was kept, degraded and lost, as JSON
     std::optional<double> fitDiagonal;           ///< m
-    std::optional<double> unit;                  ///< m that one unit of the input is
-    bool zUp = false;                            ///< the input's z points up
+    GivenAxes axes;                              ///< of the input
     std::optional<std::filesystem::path> path;   ///< the finger that shows the scene, CSV
 };
 
 /// A feel for a model that was changed elsewhere.
 struct FeelOptions {
     std::filesystem::path from, onto, out;
+    GivenAxes axes; ///< of `onto`; what is not given is as `from` is
 };
 
 /// What the machine keeps.

@@ -141,11 +141,8 @@ Result<int> convert(const ConvertOptions& options) {
     auto loaded = importGiven(options.in);
     if (!loaded) return tl::unexpected(loaded.error());
     Scene& scene = loaded->scene;
-    if (options.unit) scaleScene(scene, *options.unit, Vec3::Zero());
-    if (options.zUp && !turnUpright(scene))
-        return tl::unexpected(
-            Error{Error::Kind::Usage, "--up: " + options.in.string() +
-                                          " has bodies, which stand as their gravity is; leave it out"});
+    if (const auto taken = takeAsGiven(*loaded, options.axes, options.in); !taken)
+        return tl::unexpected(taken.error());
     if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal); // the finger of the scene as well
     if (options.path) { // one that is given is where the result is, as it is for `touch`
         auto finger = readFingerPath(*options.path);

@@ -18,6 +18,8 @@ Result<int> runFeel(const FeelOptions& options) {
     if (!from) return tl::unexpected(from.error());
     auto onto = importGiven(options.onto);
     if (!onto) return tl::unexpected(onto.error());
+    if (const auto taken = takeLike(*onto, options.axes, from->scene, options.onto); !taken)
+        return tl::unexpected(taken.error());
     const CarriedFeel carried = carryFeel(from->scene, onto->scene);
     if (carried.surfaces == 0)
         return inputError(shownPath(options.onto) + ": no surface has the name of one in " +

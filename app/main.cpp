@@ -267,6 +267,19 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
+/// Of a file that may leave both open.
+void addAxes(CLI::App& command, const std::string& file, GivenAxes& axes) {
+    addWord(command, "--unit", "mm|cm|in|m",
+            ("What one unit of " + file + " is, where the file does not say").c_str(),
+            [&axes](std::string_view word) { return (axes.unit = metresOf(word)).has_value(); });
+    addWord(command, "--up", "y|z",
+            ("Which axis of " + file + " points up, where the file does not say").c_str(),
+            [&axes](std::string_view word) {
+                axes.zUp = word == "z";
+                return word == "y" || word == "z";
+            });
+}
+
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
@@ -282,13 +295,7 @@ void addConvert(CLI::App& program, ConvertOptions& options) {
     addFile(*convert, "--path", options.path,
             "The finger that shows the scene, kept in .glb and in bundles: CSV with the header t,x,y,z");
     addNumber(*convert, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
-    addWord(*convert, "--unit", "mm|cm|in|m", "What one unit of IN is, where the file does not say",
-            [&](std::string_view word) { return (options.unit = metresOf(word)).has_value(); });
-    addWord(*convert, "--up", "y|z", "Which axis of IN points up, where it is not y",
-            [&](std::string_view word) {
-                options.zUp = word == "z";
-                return word == "y" || word == "z";
-            });
+    addAxes(*convert, "IN", options.axes);
     convert->footer(
         "What the import repaired or left out goes to standard error as well.\n"
         "Beside a.x3d come a-deviceinfo.x3d and, for textures, the folder a-maps; beside a.obj a.mtl, beside "
@@ -362,7 +369,9 @@ void addFeel(CLI::App& program, FeelOptions& options) {
     addFile(*feel, "ONTO", options.onto, "The model, any file that the program opens; - is standard input")
         ->required();
     addFile(*feel, "OUT", options.out, "The result, a .glb; it may be FROM or ONTO")->required();
-    feel->footer("Surfaces find each other by name; what finds no partner goes to standard error.");
+    addAxes(*feel, "ONTO", options.axes);
+    feel->footer("Without --unit and --up a model that leaves them open is taken to be like FROM. Surfaces "
+                 "find each other by name; what finds no partner goes to standard error.");
 }
 
 void addThumbnail(CLI::App& program, ThumbnailOptions& options) {

@@ -40,7 +40,9 @@ void demandBounded(const Source& source, std::size_t meshes, std::uint64_t trian
 
 std::string complaintOfPlace(const Vec3& p) {
     if (!p.allFinite()) return " is not a finite number; export it again";
-    return p.cwiseAbs().maxCoeff() <= kFarthest ? "" : " is beyond 1e6 m; scale the model";
+    return p.cwiseAbs().maxCoeff() <= kFarthest
+               ? ""
+               : " is beyond 1e6 m; move the model to its origin, or scale it";
 }
 
 std::string complaintOfCorners(std::size_t corners) {

@@ -87,6 +87,17 @@ void sayWhatIsOpen(LoadedScene& loaded, const Format& format) {
                                                           ": tactum convert --unit mm"));
 }
 
+/// A unit of 0, or every index the same.
+void sayWhereNoSize(LoadedScene& loaded) {
+    std::size_t vertices = 0;
+    for (const SceneObject& object : loaded.scene.objects)
+        vertices += object.geometry->positions.size();
+    if (vertices < 2 || boundsOf(loaded.scene).diagonal() > 0) return;
+    loaded.findings.push_back({Finding::Severity::Warning, "",
+                               "is of no size: all its vertices lie at one place",
+                               "export it again; its unit may be 0"});
+}
+
 LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     const Source source = Source::open(file, kLargestFile, partOf(progress, 0.0, 0.1));
     const Format* format = formatOf(file);
@@ -96,6 +107,7 @@ LoadedScene load(const std::filesystem::path& file, const Progress& progress) {
     if (loaded.scene.objects.empty() && loaded.scene.mechanics.bodies.empty())
         source.fail("has no faces, lines or points; export the mesh with its faces");
     sayWhatIsOpen(loaded, *format);
+    sayWhereNoSize(loaded);
     if (progress.report) progress.report(1.0);
     return loaded;
 }

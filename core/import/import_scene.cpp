@@ -114,7 +114,7 @@ std::uint64_t sizeOf(const std::filesystem::path& file) {
 
 /// What has neither large files beside it nor is packed needs no more than twelve times itself and a little.
 ImportLimits limitsOf(const std::filesystem::path& file) {
-    constexpr std::uint64_t kLittle = std::uint64_t(2) << 30;
+    constexpr std::uint64_t kLittle = std::uint64_t(1) << 30;
     const std::uint64_t size = sizeOf(file);
     ImportLimits limits = limitsFor(size);
     const std::string ending = lowerCase(file.extension().string());

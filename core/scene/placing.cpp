@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/motion/motion_build.h"
@@ -33,6 +34,28 @@ bool fitsHand(double across) {
 FileAxes guessAxes(const Scene& asMetres) {
     constexpr double kMillimetre = 1e-3;
     return {fitsHand(kMillimetre * boundsOf(asMetres).diagonal()) ? kMillimetre : 1, false};
+}
+
+FileAxes axesLike(const Scene& asMetres, const Scene& like, std::optional<double> unit,
+                  std::optional<bool> zUp) {
+    const auto sidesOf = [](const Scene& scene) {
+        const Bounds box = boundsOf(scene);
+        return box.empty() ? Vec3(Vec3::Zero()) : Vec3(box.high - box.low);
+    };
+    const Vec3 sides = sidesOf(asMetres), wanted = sidesOf(like);
+    const double thin = 1e-3 * wanted.maxCoeff(); // of no weight: a sheet may be a little thicker
+    FileAxes best{unit.value_or(1), zUp.value_or(false)};
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool turned : {false, true})
+        for (const LengthUnit& of : kLengthUnits) {
+            if (turned != zUp.value_or(turned) || of.metres != unit.value_or(of.metres)) continue;
+            const Vec3 turnedSides = turned ? Vec3(sides.x(), sides.z(), sides.y()) : sides;
+            double far = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                far += std::pow(std::log((of.metres * turnedSides[axis] + thin) / (wanted[axis] + thin)), 2);
+            if (far < least - 1e-9) least = far, best = {of.metres, turned};
+        }
+    return best;
 }
 
 void placeAs(Scene& asMetres, const FileAxes& axes) {

@@ -30,6 +30,10 @@ bool fitsHand(double across);
 /// Of a file that was read as metres with y up: millimetres where those fit a hand, for metres do not then.
 /// Nothing tells which axis is up; y it is.
 FileAxes guessAxes(const Scene& asMetres);
+/// The axes with which a scene that was read as metres with y up has most nearly the sides of another one;
+/// what is given stays. For a model that was exported once more.
+FileAxes axesLike(const Scene& asMetres, const Scene& like, std::optional<double> unit = {},
+                  std::optional<bool> zUp = {});
 /// Takes a scene that was read as metres with y up for what it is. A scene of bodies stays upright.
 void placeAs(Scene& asMetres, const FileAxes& axes);
 

@@ -158,6 +158,35 @@ private slots:
         QCOMPARE(runTactum({"feel", file("felt.glb"), file("new.obj"), file("out.obj")}).code, 2);
     }
 
+    /// Exported again in millimetres with z up: as large as the scene was, and upright, or as it is said.
+    void aModelThatSaysNoUnitIsTakenAsTheSceneOfBefore() {
+        const auto sheet = [&](const char* name, const char* rows) {
+            return write(name, QByteArray("usemtl clay\n") + rows + "f 1 2 3 4\n");
+        };
+        const QString metres = sheet("m.obj", "v 0 0 0\nv 0.1 0 0\nv 0.1 0.3 0.02\nv 0 0.3 0.02\n");
+        const QString other = sheet("mm.obj", "v 0 0 0\nv 100 0 0\nv 100 -20 300\nv 0 -20 300\n");
+        QCOMPARE(runTactum({"convert", metres, file("felt.glb")}).code, 0);
+        const Ended like = runTactum({"feel", file("felt.glb"), other, file("like.glb")});
+        QVERIFY2(like.code == 0, like.error);
+        COMPARE_CONTAINS(like.error, "millimetres, with z up");
+        const QString across = QStringLiteral("diagonal 0.316");
+        COMPARE_CONTAINS(runTactum({"info", file("like.glb")}).out, across.toLatin1());
+        const Ended said =
+            runTactum({"feel", file("felt.glb"), other, file("said.glb"), "--unit", "cm", "--up", "y"});
+        COMPARE_CONTAINS(said.error, "as you said, centimetres, with y up");
+        COMPARE_CONTAINS(runTactum({"info", file("said.glb")}).out, "diagonal 3.16");
+    }
+
+    void whatIsSaidOfAUnitIsNotGuessedAsWell() {
+        const QString large = write("l.obj", "v 0 0 0\nv 140 0 0\nv 0 140 0\nf 1 2 3\n");
+        const Ended said = runTactum({"convert", large, file("l.glb"), "--unit", "mm"});
+        COMPARE_CONTAINS(said.error, "is taken as you said, millimetres; 0.19");
+        COMPARE_LACKS(said.error, "taken as metres");
+        COMPARE_CONTAINS(runTactum({"convert", large, file("l.glb")}).error, "taken as metres");
+        const Ended own = runTactum({"convert", file("l.glb"), file("o.glb"), "--unit", "cm"});
+        COMPARE_CONTAINS(own.error, "says its unit itself");
+    }
+
     void checkCountsAndJudges() {
         const QString plate = model("plate.obj", "clay");
         QByteArray many;

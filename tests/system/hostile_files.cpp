@@ -1,6 +1,9 @@
 #include "tests/system/hostile_files.h"
 
+#include <QByteArray>
+
 #include "core/archive/bundle_files.h"
+#include "core/archive/zip_archive.h"
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/gltf/write_gltf.h"
@@ -166,10 +169,29 @@ void addXml(Files& files) {
     files.push_back(
         {"grid.x3d",
          x3d("<Shape><ElevationGrid xDimension='100000' zDimension='100000' height='0'/></Shape>")});
+    std::string copies = "<node id='n0'/>"; // each of the one before twice: 2^40 of the first
+    for (int i = 1; i <= 40; ++i) {
+        const std::string before = "<instance_node url='#n" + std::to_string(i - 1) + "'/>";
+        copies += "<node id='n" + std::to_string(i) + "'>" + before + before + "</node>";
+    }
+    files.push_back({"copies.dae", replaced(asDae(""), "<node id=", copies + "<node id=")});
     files.push_back({"deep.dae", replaced(asDae(""), "<node id=", repeated("<node>", 5000) + "<node id=")});
     files.push_back({"count.dae", replaced(asDae(""), "count='15'", "count='4000000000'")});
     files.push_back({"count.fbx", replaced(asFbx(1), "*12", "*4000000000")});
     files.push_back({"ring.fbx", replaced(asFbx(1), "C: \"OO\",2000,0", "C: \"OO\",2000,2000")});
+}
+
+/// The model is packed as well as it can be; the rest as as3mf() has it.
+std::string packed3mf(const std::string& model) {
+    constexpr int kHead = 6, kTail = 4; // of what zlib and Qt put around
+    const QByteArray packed =
+        qCompress(reinterpret_cast<const uchar*>(model.data()), qsizetype(model.size()), 9);
+    const std::string relations = fileInZip(as3mf(""), "_rels/.rels", 1 << 20).value();
+    return rawZip({{.name = "_rels/.rels", .packed = relations},
+                   {.name = "3D/3dmodel.model",
+                    .packed = packed.mid(kHead, packed.size() - kHead - kTail).toStdString(),
+                    .method = 8,
+                    .size = std::uint32_t(model.size())}});
 }
 
 void addZips(Files& files) {
@@ -188,6 +210,8 @@ void addZips(Files& files) {
     files.push_back(
         {"bomb.3mf",
          rawZip({{.name = "_rels/.rels", .packed = deflatedZeros(size), .method = 8, .size = size}})});
+    for (const std::string& much : {std::string(200'000'000, ' '), repeated("<a/>", 5'000'000)})
+        files.push_back({"much.3mf", packed3mf(replaced(plateOfPrinter(), "<build>", much + "<build>"))});
     const std::string itself = "<components><component objectid='1'/></components>";
     files.push_back(
         {"ring.3mf", as3mf(threeMfModel("<object id='1'>" + itself + "</object>", "<item objectid='1'/>"))});

@@ -9,6 +9,7 @@ namespace tactum {
 namespace {
 
 constexpr std::size_t kDeepestJson = 128, kMostNodes = 100'000;
+constexpr std::size_t kMostJson = 1'500'000; ///< lists and objects: three seconds and half a gigabyte of them
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
@@ -17,9 +18,10 @@ std::uint32_t word(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-/// Parsers and printers of JSON call themselves for every level.
-void demandShallow(const Source& source, std::string_view json) {
-    std::size_t depth = 0;
+/// Parsers and printers of JSON call themselves for every level, and each list and object is memory of its
+/// own.
+void demandBounded(const Source& source, std::string_view json) {
+    std::size_t depth = 0, count = 0;
     bool inString = false;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
@@ -29,6 +31,10 @@ void demandShallow(const Source& source, std::string_view json) {
             inString = !inString;
         else if (!inString && (c == '{' || c == '[')) {
             if (++depth > kDeepestJson) source.fail("nests deeper than 128 levels; re-export the file");
+            if (++count > kMostJson)
+                source.fail(
+                    "has more than 1,500,000 lists and objects in its JSON; keep numbers in buffers, and "
+                    "leave out what shows nothing");
         } else if (!inString && (c == '}' || c == ']') && depth > 0)
             --depth;
     }
@@ -67,7 +73,7 @@ void demandVersion2(const Source& source, const Json& json) {
 }
 
 Json parseJson(const Source& source, std::string_view text) {
-    demandShallow(source, text);
+    demandBounded(source, text);
     try {
         if (Json json = Json::parse(text); json.is_object()) {
             demandVersion2(source, json);

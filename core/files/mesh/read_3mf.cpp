@@ -64,8 +64,12 @@ private:
         Affine toWorld;
     };
 
+    /// XML is packed to a tenth at most: what grows a hundredfold is there to fill the memory, and as a tree
+    /// of nodes it would be twenty times as large.
     std::string bytesOf(const std::string& name) const {
-        auto bytes = fileInZip(source_.bytes(), name, kZipEntryBytes);
+        constexpr std::size_t kCalm = std::size_t(8) << 20;
+        const std::size_t most = std::clamp(kZipRatio * source_.bytes().size(), kCalm, kZipEntryBytes);
+        auto bytes = fileInZip(source_.bytes(), name, most);
         if (!bytes) source_.fail(bytes.error().text);
         return std::move(*bytes);
     }

@@ -172,13 +172,15 @@ private:
 
     /// Every use of a shape is a mesh of its own, so that a few lines could ask for any number of them.
     void demandBounded(X3dNode shape, std::size_t positions) {
-        constexpr std::size_t kMaxShapes = 20'000, kMaxPositions = 20'000'000;
+        constexpr std::size_t kMaxShapes = 20'000, kMaxCopied = 10'000'000,
+                              kLeastOfOne = 6; // bytes: "0 0 0,"
+        const std::size_t most = kMaxCopied + source_.bytes().size() / kLeastOfOne;
         positions_ += positions;
         if (++shapes_ > kMaxShapes)
             document_.fail(shape, "is the " + std::to_string(shapes_) +
                                       "th shape to be shown; join shapes, or export fewer copies");
-        if (positions_ > kMaxPositions && shapes_ > 1)
-            document_.fail(shape, "brings the copies of all shapes to more than 20 million vertices; export "
+        if (positions_ > most && shapes_ > 1)
+            document_.fail(shape, "brings the copies of all shapes to more than 10 million vertices; export "
                                   "fewer copies");
     }
 

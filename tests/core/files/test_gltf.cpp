@@ -347,6 +347,10 @@ private slots:
         row("far away", withNodes(R"([{"mesh":0,"translation":[1e7,0,0]}])"), "beyond 1e6 m");
         row("deep tree", withNodes(deepTree(65)), "deeper than 64 levels");
         row("deep JSON", "{\"extras\":" + std::string(100000, '['), "nests deeper than 128");
+        std::string manyObjects;
+        for (int i = 0; i < 1'500'000; ++i)
+            manyObjects += "{},";
+        row("wide JSON", "{\"extras\":[" + manyObjects + "{}]}", "1,500,000 lists and objects");
         row("count too large", replaced(good, "\"count\":4", "\"count\":5"), "accessors[0] reaches beyond");
         row("count beyond everything", replaced(good, "\"count\":12", "\"count\":4611686018427387905"),
             "accessors[1]");

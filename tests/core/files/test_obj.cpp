@@ -206,7 +206,7 @@ private slots:
             "mesh.obj:2: coordinate of a vertex is not a finite number; export it again");
         row("infinite", "v 0 inf 0\n", "mesh.obj:1: coordinate of a vertex is not a finite number");
         row("too far", "v 0 0 1.1e6\n",
-            "mesh.obj:1: coordinate of a vertex is beyond 1e6 m; scale the model");
+            "mesh.obj:1: coordinate of a vertex is beyond 1e6 m; move the model to its origin, or scale it");
         row("beyond double", "v 0 0 1e999\n", "mesh.obj:1: vertex needs a number");
         row("no coordinate", kSquare + "f 1/x 2 3\n", "mesh.obj:5: face has the corner \"1/x\"");
         row("nothing to touch", "o nothing\n", "mesh.obj: has no faces, lines or points");

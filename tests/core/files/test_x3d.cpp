@@ -62,6 +62,17 @@ private slots:
         COMPARE_NEAR(boundsOf(loaded->scene).high, Vec3(0.1, 0.05, 0), 1e-12, "m");
     }
 
+    /// A ball of thirty bytes is over a thousand vertices: they are counted as they come, and what the file
+    /// itself could write is free.
+    void verticesThatNobodyWroteAreCounted() {
+        std::string balls;
+        for (int i = 0; i < 12'000; ++i)
+            balls += "<Shape><Sphere/></Shape>";
+        const auto many = folder_.load("balls.x3d", x3d(balls));
+        QVERIFY(!many);
+        COMPARE_CONTAINS(many.error().text, "10 million vertices");
+    }
+
     void facesAreCutAlongTheirOutline() {
         // An L of area 3, with a texture coordinate for each corner and a normal for the face.
         const auto loaded =

@@ -56,6 +56,30 @@ private slots:
         QVERIFY(!guess.zUp);
     }
 
+    /// What was exported once more in another unit, or lying on its side.
+    void takenAsTheModelOfBefore() {
+        const auto boxOf = [](const Vec3& sides) {
+            Scene scene;
+            SceneObject object;
+            object.geometry =
+                SoupBuilder().quad(Vec3::Zero(), {sides.x(), 0, 0}, sides, {0, sides.y(), sides.z()}).build();
+            object.surfaces.resize(1);
+            scene.add(std::move(object));
+            return scene;
+        };
+        const Scene before = boxOf({0.06, 0.02, 0.14});
+        QVERIFY(axesLike(boxOf({0.06, 0.02, 0.14}), before) == (FileAxes{1, false}));
+        QVERIFY(axesLike(boxOf({60, 20, 140}), before) == (FileAxes{1e-3, false}));
+        QVERIFY(axesLike(boxOf({6, 14, 2}), before) == (FileAxes{1e-2, true}));
+        QVERIFY(axesLike(boxOf({66, 21, 150}), before) ==
+                (FileAxes{1e-3, false})); // a little larger than it was
+        QVERIFY(axesLike(boxOf({2.36, 5.5, 0.79}), before) == (FileAxes{0.0254, true}));
+        QVERIFY(axesLike(boxOf({60, 140, 20}), before, 1) == (FileAxes{1, true})); // the person says metres
+        QVERIFY(axesLike(boxOf({60, 140, 20}), before, {}, false) == (FileAxes{1e-3, false}));
+        QVERIFY(axesLike(Scene{}, before).unit > 0);
+        QVERIFY(axesLike(before, Scene{}) == (FileAxes{1, false}));
+    }
+
     void unitsByTheirNames() {
         QCOMPARE_EQ(metresOf("m").value_or(0), 1.0);
         QCOMPARE_EQ(metresOf("cm").value_or(0), 0.01);
