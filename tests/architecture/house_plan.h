@@ -46,6 +46,7 @@ inline const std::vector<Room> kRooms{
     {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets"}},
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
+    {"app/python", {"core/bundle", "core/presets", "core/recording"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol"}},
 };
 
@@ -77,6 +78,7 @@ inline const std::vector<Library> kLibraries{
      {"core/archive/bundle_files.cpp", "core/files/gltf/gltf_file.h", "core/files/loss_report.cpp",
       "core/recording/recording_file.cpp", "device/", "app/"}},
     {"CLI/", {"app/"}},
+    {"pybind11/", {"app/python/"}},
     {"grpc", {"core/protocol/"}},
     {"google/protobuf/", {"core/protocol/"}},
     {"tactum.", {"core/protocol/messages.h"}}, // what protoc makes
