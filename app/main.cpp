@@ -22,6 +22,7 @@
 #include "core/base/host_port.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/bundle/output_files.h"
 #include "core/port/device_check.h"
 #include "core/scene/placing.h"
 #include "core/scene/scene.h"

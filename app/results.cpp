@@ -32,33 +32,15 @@ bool isOurOutput(const struct stat& file) {
     return fstat(STDOUT_FILENO, &ours) == 0 && file.st_dev == ours.st_dev && file.st_ino == ours.st_ino;
 }
 
-const char* nameOf(Finding::Severity severity) {
-    switch (severity) {
-    case Finding::Severity::Note:
-        return "note";
-    case Finding::Severity::Warning:
-        return "warning";
-    case Finding::Severity::Error:
-        break;
-    }
-    return "error";
-}
-
 /// What a finding says, whatever the object and the numbers are.
 std::string kindOf(const Finding& finding) {
-    std::string kind = nameOf(finding.severity) + (": " + finding.sentence + ";" + finding.remedy);
+    std::string kind =
+        std::string(nameOf(finding.severity)) + (": " + finding.sentence + ";" + finding.remedy);
     const auto isOfNumber = [](unsigned char c) { return std::isdigit(c) || c == '.'; };
     std::ranges::replace_if(kind, isOfNumber, '#');
     kind.erase(std::unique(kind.begin(), kind.end(), [](char a, char b) { return a == '#' && b == '#'; }),
                kind.end());
     return kind;
-}
-
-/// Where a name leads. A pipe has none: it is called as the person calls it.
-std::filesystem::path placeOf(const std::filesystem::path& name) {
-    std::error_code fault;
-    const auto place = std::filesystem::weakly_canonical(name, fault);
-    return fault ? name : place;
 }
 
 Result<void> writeInto(std::ostream& out, const std::filesystem::path& file, const std::string& text) {
@@ -91,14 +73,6 @@ int sayError(const Error& error) {
     return int(error.kind);
 }
 
-std::string lineOf(const Finding& finding) {
-    std::string line = nameOf(finding.severity) + std::string(": ");
-    if (!finding.object.empty()) line += finding.object + ": ";
-    line += finding.sentence;
-    if (!finding.remedy.empty()) line += "; " + finding.remedy;
-    return line;
-}
-
 std::vector<std::string> linesOf(const std::vector<Finding>& findings) {
     constexpr std::size_t kMany = 3;
     std::map<std::string, std::size_t> counts, said;
@@ -119,25 +93,11 @@ std::vector<std::string> linesOf(const std::vector<Finding>& findings) {
 nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings) {
     auto json = nlohmann::ordered_json::array();
     for (const Finding& finding : findings)
-        json.push_back({{"severity", nameOf(finding.severity)},
+        json.push_back({{"severity", std::string(nameOf(finding.severity))},
                         {"object", finding.object},
                         {"sentence", finding.sentence},
                         {"remedy", finding.remedy}});
     return json;
-}
-
-std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::path>& inputs,
-                                             const std::vector<std::filesystem::path>& outputs) {
-    std::vector<std::filesystem::path> taken;
-    for (const auto& input : inputs)
-        if (!isDash(input)) taken.push_back(placeOf(input)); // that one is standard input
-    for (const auto& output : outputs) {
-        const auto file = placeOf(output);
-        if (std::ranges::find(taken, file) != taken.end() && !std::filesystem::is_character_file(file))
-            return output;
-        taken.push_back(file);
-    }
-    return std::nullopt;
 }
 
 bool isDash(const std::optional<std::filesystem::path>& file) {

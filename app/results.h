@@ -20,20 +20,11 @@ std::string touchCsv(const TouchTrace& rows);
 bool isDash(const std::optional<std::filesystem::path>& file);
 /// One line on standard error; returns the exit code that goes with it.
 int sayError(const Error& error);
-/// One line: "warning: lid: 3 faces left out; export it again".
-std::string lineOf(const Finding& finding);
 /// The same for all of them; what is said of more than three objects is said of the first, and the others are
 /// counted.
 std::vector<std::string> linesOf(const std::vector<Finding>& findings);
 /// An array of objects with severity, object, sentence and remedy.
 nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
-
-/// Nothing, or the output that is also an input or an earlier output; a result that replaced one of them
-/// would be work lost.
-std::optional<std::filesystem::path> clashOf(const std::vector<std::filesystem::path>& inputs,
-                                             const std::vector<std::filesystem::path>& outputs);
-/// What a person is told of a clash.
-inline constexpr const char* kClash = "is also an input or another output; give each its own file";
 
 /// To a file, or to standard output.
 Result<void> writeFile(const std::filesystem::path& file, const std::string& text);

@@ -1,5 +1,5 @@
 # The Debian packages, made by ./package: tactum (the program), libtactum-dev (the core and HL for other programs) and
-# python3-tactum (the client of the server).
+# python3-tactum (the core and the server's client for Python).
 
 set(desktop "${PROJECT_SOURCE_DIR}/resources/desktop")
 set(made "${CMAKE_CURRENT_BINARY_DIR}/package")
@@ -95,12 +95,17 @@ libgrpc++-dev, libprotobuf-dev, libpng-dev, libjpeg-dev, libtiff-dev, libzip-dev
 set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs
 Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
 with its real-time loops: headers, static libraries and a CMake package.")
-# Text alone: the client of the haptic server.
+# Its module is for one Python, as Debian's packages of modules are. What the server's client needs is only recommended:
+# scenes are touched without it.
+math(EXPR next "${TACTUM_PYTHON_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tactum)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-grpcio, python3-numpy, python3-protobuf")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python client of Tactum's haptic server
-Sends scenes to a running tactum serve, edits how they feel, and gets the
-states, forces and contacts of its device as numpy arrays.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= 3.${TACTUM_PYTHON_MINOR}), python3 (<< 3.${next}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-grpcio, python3-protobuf")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "tactum")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "haptic scenes in Python, and Tactum's haptic server
+Opens scenes, changes how their surfaces feel, replays finger paths and steps
+them one by one, with numpy arrays in and out. Its other half is the client of
+a tactum serve: states, forces and contacts of a device.")
 include(CPack)

@@ -93,6 +93,11 @@ std::string chapter(ExportTarget target, const std::vector<Loss>& losses) {
 
 } // namespace
 
+std::string lineOf(const Loss& loss) {
+    return std::string(kLossKinds[std::size_t(loss.kind)]) + ": " +
+           (loss.object.empty() ? "scene" : loss.object) + ": " + loss.what + ": " + loss.sentence;
+}
+
 std::vector<Loss> lossesOf(const Scene& scene, ExportTarget target) {
     assertNotRealtime();
     const ForeignParts foreign = foreignPartsOf(scene);

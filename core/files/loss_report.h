@@ -39,6 +39,9 @@ struct Loss {
     bool operator==(const Loss&) const = default;
 };
 
+/// One line: "lost: lid: damping: the format knows shapes, not how they feel".
+std::string lineOf(const Loss& loss);
+
 /// By the one table of loss_table.h, for everything that this scene has; in the order of the scene.
 std::vector<Loss> lossesOf(const Scene& scene, ExportTarget target);
 /// For every target.

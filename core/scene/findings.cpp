@@ -4,6 +4,19 @@
 
 namespace tactum {
 
+std::string_view nameOf(Finding::Severity severity) {
+    constexpr std::string_view kNames[] = {"note", "warning", "error"};
+    return kNames[std::size_t(severity)];
+}
+
+std::string lineOf(const Finding& finding) {
+    std::string line = std::string(nameOf(finding.severity)) + ": ";
+    if (!finding.object.empty()) line += finding.object + ": ";
+    line += finding.sentence;
+    if (!finding.remedy.empty()) line += "; " + finding.remedy;
+    return line;
+}
+
 std::string counted(std::size_t count, std::string_view noun) {
     const bool vertices = noun == "vertex";
     const std::string plural = vertices ? "vertices" : std::string(noun) + "s";

@@ -21,6 +21,11 @@ struct Finding {
     bool operator==(const Finding&) const = default;
 };
 
+/// "note", "warning" or "error".
+std::string_view nameOf(Finding::Severity severity);
+/// One line: "warning: lid: 3 faces left out; export it again".
+std::string lineOf(const Finding& finding);
+
 /// Everything that `tactum check` says: the health of each mesh and every value out of its range.
 std::vector<Finding> validate(const Scene& scene);
 

@@ -47,6 +47,7 @@ inline const std::vector<Room> kRooms{
     {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets"}},
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
+    {"app/python", {"core/bundle", "core/presets", "core/recording"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol"}},
 };
 
@@ -78,6 +79,7 @@ inline const std::vector<Library> kLibraries{
      {"core/archive/bundle_files.cpp", "core/files/gltf/gltf_file.h", "core/files/loss_report.cpp",
       "core/recording/recording_file.cpp", "device/", "app/"}},
     {"CLI/", {"app/"}},
+    {"pybind11/", {"app/python/"}},
     {"grpc", {"core/protocol/"}},
     {"google/protobuf/", {"core/protocol/"}},
     {"tactum.", {"core/protocol/messages.h"}}, // what protoc makes
@@ -103,8 +105,9 @@ inline const std::vector<Library> kLibraries{
      {"core/base/atomic_file.cpp", "core/base/child_program.h", "core/base/futex.h", "core/loop/",
       "core/runtime/", "core/import/", "core/session/", "core/protocol/", "device/", "app/"}},
     {"unistd.h",
-     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/base/futex.h", "core/loop/",
-      "core/runtime/", "core/import/", "core/protocol/", "device/", "app/"}},
+     {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/base/futex.h",
+      "core/bundle/output_files.cpp", "core/loop/", "core/runtime/", "core/import/", "core/protocol/",
+      "device/", "app/"}},
     {"poll.h",
      {"core/loop/device_watchdog.cpp", "core/import/worker_process.cpp", "core/protocol/front.cpp",
       "device/"}},

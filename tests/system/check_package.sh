@@ -31,6 +31,7 @@ inside useradd -m person
 inside apt-get -q update >"$place/apt.log" 2>&1
 inside find / -xdev -path /proc -prune -o -path /tmp -prune -o -print | sort >"$place/before"
 program=$(basename "$(printf '%s\n' "$@" | grep /tactum_)")
+python=$(basename "$(printf '%s\n' "$@" | grep /python3-tactum_)")
 SECONDS=0
 inside apt-get -q -y install --no-install-recommends "/tmp/$program" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
 echo "installed in $SECONDS s"
@@ -49,6 +50,25 @@ for file in man/man1/tactum.1.gz zsh/vendor-completions/_tactum fish/vendor_comp
 done
 [ -s "$empty/usr/lib/udev/rules.d/70-tactum.rules" ] || fail "there is no rule for udev"
 
+# Python, out of the package alone: neither the program nor grpc is needed for what a scene feels like.
+inside apt-get -q -y install --no-install-recommends "/tmp/$python" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
+cp "$(dirname "${BASH_SOURCE[0]}")/felt_as_expected.py" "$empty/home/person/"
+[ "$(wc -l <"$empty/home/person/felt_as_expected.py")" -le 20 ] || fail "felt_as_expected.py is longer than 20 lines"
+for sample in teapot friction-ladder texture-wall moving/windmill; do
+    person tactum convert "$samples/$sample.glb" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
+    expect "steps as expected" person python3 /home/person/felt_as_expected.py "$samples/$sample.glb" /home/person/sample.tactum
+done
+expect "python3-grpcio" person python3 -c "
+import tactum
+try: tactum.serve()
+except tactum.Error as error: print(error)"
+inside apt-get -q -y install --no-install-recommends python3-grpcio python3-protobuf >>"$place/apt.log" 2>&1
+expect "True" person python3 -c "
+import tactum
+with tactum.serve() as haptics:
+    haptics.open('$samples/teapot.glb')
+    print((haptics.replay(tactum.open('$samples/teapot.glb').path).force == tactum.open('$samples/teapot.glb').touch().force).all())"
+
 # With one: the window comes up on the teapot and stays.
 inside apt-get -q -y install --no-install-recommends xvfb xauth libgl1-mesa-dri fonts-dejavu-core man-db xdg-utils libglib2.0-bin \
     shared-mime-info desktop-file-utils x11-utils >>"$place/apt.log" 2>&1
@@ -62,7 +82,11 @@ person timeout 60 xvfb-run -a -s "-screen 0 1280x800x24" bash -c "
 expect vnd.tactum.bundle person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query filetype /home/person/teapot.tactum
 expect tactum.desktop person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query default application/vnd.tactum.bundle+zip
 
+# Without the program Python reads files all the same: the package has an import process of its own.
+cp "$empty$samples/teapot.glb" "$empty/home/person/"
 inside apt-get -q -y purge tactum >>"$place/apt.log" 2>&1
+expect "steps as expected" person python3 /home/person/felt_as_expected.py /home/person/teapot.glb /home/person/teapot.tactum
+inside apt-get -q -y purge python3-tactum >>"$place/apt.log" 2>&1
 left=$(inside find / -xdev -path /proc -prune -o -name '*actum*' -not -path '/tmp/*' -not -path '/home/*' -not -path '/var/cache/*' -print)
 [ -z "$left" ] || fail "removal leaves: $left"
 echo "packages: installed, used and removed"

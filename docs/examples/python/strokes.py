@@ -1,11 +1,36 @@
-"""What the examples share: a plate, and strokes over it."""
+"""What the examples share: a plate, strokes over it, and their plots."""
+import contextlib
+import sys
+
 import numpy as np
+import tactum
 
 
-def add_plate(haptics, half=0.1):
-    """A square in z = 0 that is felt from above; the number of its object."""
+def add_plate(to, half=0.1):
+    """A square in z = 0, for a scene here or a server's."""
     corners = half * np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], dtype=float)
-    return haptics.add_mesh(corners, [[0, 1, 2], [0, 2, 3]], name="plate")
+    return to.add_mesh(corners, [[0, 1, 2], [0, 2, 3]], name="plate")
+
+
+def plate_scene():
+    """A scene with nothing but the plate."""
+    scene = tactum.Scene()
+    add_plate(scene)
+    return scene
+
+
+@contextlib.contextmanager
+def saved():
+    """The axes of a plot, which goes to the file that the command line names first; nowhere without one."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    yield axes
+    if len(sys.argv) > 1:
+        figure.savefig(sys.argv[1], dpi=120)
 
 
 def press_and_slide(depth=1e-3, way=0.05, speed=0.05, radius=1e-3, rate=1000):

@@ -1,4 +1,4 @@
-#include "app/output_files.h"
+#include "core/bundle/output_files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include "app/results.h"
 #include "core/base/atomic_file.h"
 
 namespace tactum {
@@ -70,23 +69,30 @@ bool isStrangers(const fs::path& result, const OutFile& file) {
            !holds(file.path, file.bytes);
 }
 
+/// Where a name leads. A pipe has none: it is called as the person calls it.
+fs::path placeOf(const fs::path& name) {
+    std::error_code fault;
+    const auto place = fs::weakly_canonical(name, fault);
+    return fault ? name : place;
+}
+
 /// Before anything is written: files that were not asked for by name must not cost what was there either.
-Result<void> checkFiles(const ConvertOptions& options, const std::vector<OutFile>& files) {
-    std::vector<fs::path> inputs{options.in}, outputs;
-    if (options.path) inputs.push_back(*options.path);
-    if (options.report) outputs.push_back(*options.report);
+Result<void> checkFiles(const OutputPlaces& places, const std::vector<OutFile>& files) {
+    std::vector<fs::path> outputs = places.outputs;
     for (const OutFile& file : files)
         outputs.push_back(file.path);
-    if (const auto clash = clashOf(inputs, outputs))
+    if (const auto clash = clashOf(places.inputs, outputs))
         return usageError(*clash, "would be written beside the result, and " + std::string(kClash));
+    for (const fs::path& input : places.inputs)
+        for (const OutFile& file : files)
+            if (file.path != places.out && isNamedBy(input, file.path))
+                return usageError(file.path,
+                                  "belongs to " + input.string() +
+                                      " and would be replaced; choose another name for the result");
     for (const OutFile& file : files)
-        if (file.path != options.out && isNamedBy(options.in, file.path))
-            return usageError(file.path, "belongs to " + options.in.string() +
-                                             " and would be replaced; choose another name for the result");
-    for (const OutFile& file : files)
-        if (isStrangers(options.out, file))
+        if (isStrangers(places.out, file))
             return usageError(file.path, "is there already, and would be replaced by what lies beside " +
-                                             options.out.filename().string() +
+                                             places.out.filename().string() +
                                              "; move it away, or choose another name for the result");
     return {};
 }
@@ -151,8 +157,20 @@ private:
 
 } // namespace
 
-Result<void> writeAll(const ConvertOptions& options, const std::vector<OutFile>& files) {
-    if (const auto apart = checkFiles(options, files); !apart) return apart;
+std::optional<fs::path> clashOf(const std::vector<fs::path>& inputs, const std::vector<fs::path>& outputs) {
+    std::vector<fs::path> taken;
+    for (const auto& input : inputs)
+        if (input != "-") taken.push_back(placeOf(input));
+    for (const auto& output : outputs) {
+        const auto file = placeOf(output);
+        if (std::ranges::find(taken, file) != taken.end() && !fs::is_character_file(file)) return output;
+        taken.push_back(file);
+    }
+    return std::nullopt;
+}
+
+Result<void> writeAll(const OutputPlaces& places, const std::vector<OutFile>& files) {
+    if (const auto apart = checkFiles(places, files); !apart) return apart;
     OldFiles olds;
     for (const OutFile& file : files) {
         if (file.path.has_parent_path()) olds.willMake(file.path.parent_path());
