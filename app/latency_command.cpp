@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/terminal_progress.h"
-#include "core/loop/latency_monitor.h"
+#include "core/loop/wake_latency.h"
 
 namespace tactum {
 namespace {

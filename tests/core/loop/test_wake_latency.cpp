@@ -1,19 +1,19 @@
-// The latency monitor: its figures against a sorted list, and that it sees a loop that is kept from waking.
+// How late a loop is woken: its figures against a sorted list, and that it sees a loop that is kept from waking.
 #include <algorithm>
 #include <random>
 #include <vector>
 
 #include <QTest>
 
-#include "core/loop/latency_monitor.h"
+#include "core/loop/wake_latency.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
-namespace test_latency_monitor {
+namespace test_wake_latency {
 
 using namespace tactum;
 
-class TestLatencyMonitor : public QObject {
+class TestWakeLatency : public QObject {
     Q_OBJECT
 
 private slots:
@@ -79,8 +79,8 @@ private slots:
     }
 };
 
-TACTUM_TEST(TestLatencyMonitor)
+TACTUM_TEST(TestWakeLatency)
 
-} // namespace test_latency_monitor
+} // namespace test_wake_latency
 
-#include "test_latency_monitor.moc"
+#include "test_wake_latency.moc"

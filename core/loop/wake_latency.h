@@ -1,4 +1,4 @@
-// The latency monitor: how late this machine wakes a loop like the servo's.
+// How late this machine wakes a loop like the servo's.
 #pragma once
 
 #include <array>

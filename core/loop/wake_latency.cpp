@@ -1,4 +1,4 @@
-#include "core/loop/latency_monitor.h"
+#include "core/loop/wake_latency.h"
 
 #include <algorithm>
 #include <atomic>
