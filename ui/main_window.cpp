@@ -200,6 +200,7 @@ void MainWindow::hidePanels(bool hidden) {
 void MainWindow::setArmed(bool armed) {
     const bool faulty = guard_->fault().has_value();
     if (armed) link_->stop().pressed = false; // held still, it stops again at once
+    if (!armed) view_->endTouch();
     guard_->setArmed(armed);
     showArmed(armed);
     if (!armed && !faulty)
