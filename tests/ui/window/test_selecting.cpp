@@ -167,6 +167,10 @@ void TestSelecting::theRowShowsWhatAClickTakes() {
     QVERIFY(!row->isVisible());
     QTest::keyClick(program.window.get(), Qt::Key_Q);
     QVERIFY(row->isVisible());
+    program.frames(5);
+    const QRect there(row->mapTo(program.window.get(), QPoint(0, 0)), row->size());
+    const QWidget* seen = program.window->childAt(there.center());
+    QVERIFY2(seen == row || row->isAncestorOf(seen), "the view hides it");
     auto* list = row->findChild<QComboBox*>();
     QCOMPARE(list->currentText(), QStringLiteral("Surface"));
     command(program, "take-smooth").trigger();
