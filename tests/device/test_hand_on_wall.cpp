@@ -70,7 +70,7 @@ PressedForces pressInParts(double stiffness, double from, double depth) {
     struct Part {
         double z, time, until; ///< goal, in which time, and when the next part begins
     };
-    const Part parts[] = {{0.0001, 0.08, 0.08}, {-depth, 0.15, 1}, {0.004, 0.12, 1.5}};
+    const Part parts[] = {{0.0001, 0.08, 0.08}, {-depth, 0.18, 1}, {0.004, 0.12, 1.5}};
     const auto target = std::make_shared<HandTarget>();
     SimulatedHand hand(target);
     hand.open();

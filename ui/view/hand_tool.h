@@ -31,7 +31,7 @@ public:
     /// How far off the surface a hand is that has lifted off, likewise.
     static constexpr double kHoverHeight = 0.02;
     static constexpr double kShortestApproach = 0.08, kLongestApproach = 0.15; ///< s
-    static constexpr double kPressTime = 0.15, kLiftTime = 0.12;               ///< s
+    static constexpr double kPressTime = 0.18, kLiftTime = 0.12;               ///< s
     static constexpr double kFollowTime = 0.04;                                ///< s, behind the pointer
 
     const Vec3& goal() const { return goal_; }

@@ -88,7 +88,7 @@ struct Shown {
         const bool arrived = test::waitFor([&] {
             const bool rests = view.handGoal() == before;
             before = view.handGoal();
-            // The parts of a press have one goal each, for 0.15 s at most.
+            // The parts of a press have one goal each, for 0.18 s at most.
             if (!rests) QTest::qWait(300);
             return rests;
         });
