@@ -52,7 +52,6 @@ private:
     std::shared_ptr<Trace> trace_;
 };
 
-constexpr double kNothing = 1e-6;        // N; a body that moves carries the proxy, and rounds
 constexpr double kStandstill = 4e-3;     // s
 constexpr std::size_t kOneSecond = 1000; // ticks
 
