@@ -78,6 +78,7 @@ int runWindow(int argc, char** argv, const WindowRequest& request) {
     useNumbersOfC(); // after the application, which takes over the user's locale
     QCoreApplication::setOrganizationName(QStringLiteral("Tactum"));
     QCoreApplication::setApplicationName(QStringLiteral("Tactum"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TACTUM_VERSION));
     applyTheme(rememberedTheme());
 
     auto hand = std::make_shared<HandTarget>();

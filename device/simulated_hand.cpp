@@ -8,6 +8,7 @@ namespace tactum {
 namespace {
 
 constexpr double kLongestStep = 0.02; // s
+constexpr double kLongestWay = 2;     // s
 constexpr double kRate = 1000;        // Hz
 constexpr double kFastest = 20;       // m/s: a mouse is faster than a hand
 
@@ -54,6 +55,8 @@ DeviceInfo SimulatedHand::info() const {
 
 Result<void> SimulatedHand::open() {
     goal_ = position_ = velocity_ = Vec3::Zero();
+    course_ = {};
+    underWay_ = 0;
     held_ = false;
     teleported_ = 0;
     return {};
@@ -74,8 +77,9 @@ DeviceSample SimulatedHand::exchange(const DeviceCommand& command, double dt) no
 bool SimulatedHand::obey(const HandGoal& goal) noexcept {
     held_ = goal.held;
     if (!goal.position.allFinite()) return false;
-    goal_ = goal.position;
-    if (!goal.teleport || goal.sequence == teleported_) return false;
+    const bool jumps = goal.teleport && goal.sequence != teleported_;
+    if (jumps || goal.position != goal_) lead(goal.position, jumps ? 0 : goal.time);
+    if (!jumps) return false;
     teleported_ = goal.sequence;
     position_ = goal_;
     velocity_ = Vec3::Zero();
@@ -83,8 +87,19 @@ bool SimulatedHand::obey(const HandGoal& goal) noexcept {
     return true;
 }
 
+/// From wherever it is led to now, without a jump of speed or acceleration. What came over a network may say
+/// anything.
+void SimulatedHand::lead(const Vec3& goal, double seconds) noexcept {
+    const double time = std::isfinite(seconds) ? std::clamp(seconds, 0.0, kLongestWay) : 0;
+    course_ = MinimumJerk(course_.at(underWay_), goal, time);
+    underWay_ = 0;
+    goal_ = goal;
+}
+
 void SimulatedHand::move(const Vec3& force, double dt) noexcept {
-    const Vec3 rest = goal_ + force / profile_.stiffness;
+    const Vec3 led = course_.at(underWay_ + 0.5 * dt).position;
+    underWay_ += dt;
+    const Vec3 rest = led + force / profile_.stiffness;
     const Vec3 y = position_ - rest, v = velocity_;
     const Transition next =
         oscillate(profile_.stiffness / profile_.mass, 0.5 * profile_.damping / profile_.mass, dt);

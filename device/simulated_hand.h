@@ -5,6 +5,7 @@
 
 #include "core/port/hand_target.h"
 #include "core/port/haptic_device.h"
+#include "core/port/minimum_jerk.h"
 
 namespace tactum {
 
@@ -21,7 +22,8 @@ struct SimulatedHandProfile {
 
 /// mass x" = stiffness (goal - x) - damping x' + force, inside a ball whose wall stops the outward motion.
 /// The force really pushes: on the spring it moves the hand by force / stiffness.
-/// Solved exactly over each tick for a constant goal and force, so that it is stable for every dt; a dt
+/// Where it is led goes to each new goal in the goal's time, with the least jerk. Solved exactly over each
+/// tick for a constant force, led to where the tick's middle has it, so that it is stable for every dt; a dt
 /// above 20 ms (the machine slept) counts as 20 ms. Its button is down while the goal is held. Position is a
 /// plain double: there is no encoder.
 class SimulatedHand final : public HapticDevice {
@@ -36,12 +38,15 @@ public:
 
 private:
     bool obey(const HandGoal& goal) noexcept; ///< whether it jumped there
+    void lead(const Vec3& goal, double seconds) noexcept;
     void move(const Vec3& force, double dt) noexcept;
     void stayInside() noexcept;
 
     std::shared_ptr<HandTarget> target_;
     SimulatedHandProfile profile_;
     Vec3 goal_ = Vec3::Zero();
+    MinimumJerk course_;  ///< toward the goal
+    double underWay_ = 0; ///< s, since it began
     Vec3 position_ = Vec3::Zero();
     Vec3 velocity_ = Vec3::Zero();
     bool held_ = false;

@@ -14,6 +14,15 @@ struct Comparison::Outcome {
     std::string fault; ///< for the person; empty when it was only cancelled
 };
 
+/// What a worker finds out.
+struct Comparison::Question {
+    Scene a, b;
+    std::shared_ptr<const std::vector<FingerPoint>> stroke;
+    std::shared_ptr<const TouchTrace> knownA;
+    std::shared_ptr<const World> previous;
+    double limit = 0; ///< N, of the device
+};
+
 namespace {
 
 /// The finger of the last `seconds` of a recording, its time from 0. It begins where the proxy was then: a
@@ -110,36 +119,37 @@ void Comparison::forget() {
     emit changed();
 }
 
-Comparison::Outcome Comparison::run(const Scene& a, const Scene& b, const std::vector<FingerPoint>& stroke,
-                                    std::shared_ptr<const TouchTrace> knownA, const World* previous,
-                                    const Progress& progress) {
+Comparison::Outcome Comparison::run(const Question& asked, const Progress& progress) {
     const auto touched =
         [&](const Scene& scene, const World* shared,
             std::shared_ptr<const World>* kept) -> Result<std::shared_ptr<const TouchTrace>> {
         auto world = compile(scene, shared, progress);
         if (!world) return tl::unexpected<Error>(world.error());
         if (kept) *kept = *world;
-        auto rows = replay(**world, stroke, progress);
+        auto rows = replay(**world, *asked.stroke, progress);
         if (!rows) return tl::unexpected<Error>(rows.error());
+        limitForces(*rows, asked.limit);
         return std::make_shared<const TouchTrace>(std::move(*rows));
     };
     std::shared_ptr<const World> worldOfB;
-    const auto ofB = touched(b, previous, &worldOfB);
-    const auto ofA = !ofB || knownA ? Result<std::shared_ptr<const TouchTrace>>(std::move(knownA))
-                                    : touched(a, worldOfB.get(), nullptr);
+    const auto ofB = touched(asked.b, asked.previous.get(), &worldOfB);
+    const auto ofA = !ofB || asked.knownA ? Result<std::shared_ptr<const TouchTrace>>(asked.knownA)
+                                          : touched(asked.a, worldOfB.get(), nullptr);
     for (const auto* each : {&ofB, &ofA})
         if (!*each) return {{}, progress.isCancelled() ? std::string() : each->error().text};
-    return {ComparedTouch{*ofA, *ofB, differenceOf(**ofA, **ofB)}, {}};
+    return {ComparedTouch{*ofA, *ofB, asked.limit, differenceOf(**ofA, **ofB)}, {}};
 }
 
 void Comparison::compare() {
     if (!a_ || stroke_->empty()) return;
-    job_.start([this, a = *a_, b = document_.scene(), stroke = stroke_, knownA = touchedA_,
-                previous = publisher_.world()](const Progress& progress) -> BackgroundJob::Delivery {
-        const Outcome outcome = run(a, b, *stroke, knownA, previous.get(), progress);
+    const double limit = engine_.device().maxForce;
+    Question asked{
+        *a_, document_.scene(), stroke_, limit == limitOfA_ ? touchedA_ : nullptr, publisher_.world(), limit};
+    job_.start([this, asked = std::move(asked)](const Progress& progress) -> BackgroundJob::Delivery {
+        const Outcome outcome = run(asked, progress);
         return [this, outcome] {
             if (!a_) return; // another scene was opened meanwhile
-            if (outcome.result) touchedA_ = outcome.result->a;
+            if (outcome.result) touchedA_ = outcome.result->a, limitOfA_ = outcome.result->limit;
             if (outcome.result) result_ = outcome.result;
             emit changed();
             if (!outcome.fault.empty()) emit failed(QString::fromStdString(outcome.fault));

@@ -17,9 +17,10 @@ namespace tactum {
 
 class WorldPublisher;
 
-/// The stroke felt in both states.
+/// The stroke felt in both states, with what the device can give.
 struct ComparedTouch {
     std::shared_ptr<const TouchTrace> a, b;
+    double limit = 0; ///< N, of the device
     TouchDifference difference;
 };
 
@@ -64,9 +65,8 @@ private:
     void follow(const SceneChange& change);
     void forget();
     struct Outcome;
-    static Outcome run(const Scene& a, const Scene& b, const std::vector<FingerPoint>& stroke,
-                       std::shared_ptr<const TouchTrace> knownA, const World* previous,
-                       const Progress& progress);
+    struct Question;
+    static Outcome run(const Question& asked, const Progress& progress);
 
     Document& document_;
     const Engine& engine_;
@@ -74,6 +74,7 @@ private:
     std::shared_ptr<const std::vector<FingerPoint>> stroke_;
     std::optional<Scene> a_;
     std::shared_ptr<const TouchTrace> touchedA_; ///< of this stroke and this A; null: not known yet
+    double limitOfA_ = 0;                        ///< N, of the device that it was for
     std::optional<ComparedTouch> result_;
     QElapsedTimer clock_;
     bool automatic_ = true;

@@ -42,8 +42,13 @@ void followTabs(QMainWindow& window, QDockWidget& dock) {
             bar->setDrawBase(false);
     };
     follow();
-    QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, follow);
-    QObject::connect(&dock, &QDockWidget::dockLocationChanged, &dock, follow);
+    // Also when all docks are where they will be: while they come back together, each one comes alone.
+    const auto followTwice = [&dock, follow] {
+        follow();
+        QMetaObject::invokeMethod(&dock, follow, Qt::QueuedConnection);
+    };
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, &dock, followTwice);
+    QObject::connect(&dock, &QDockWidget::dockLocationChanged, &dock, followTwice);
 }
 
 /// Two docks in one place, the first on top.

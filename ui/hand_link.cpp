@@ -11,9 +11,10 @@ constexpr double kBeside = 0.15;       // of the model's diagonal, away from its
 
 HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)
     : QObject(parent), view_(view), engine_(engine), target_(std::move(target)) {
-    connect(&view_, &SceneView::handGoalMoved, this, [this](const Vec3& goal_W) {
+    connect(&view_, &SceneView::handGoalMoved, this, [this](const Vec3& goal_W, double time) {
         if (suspended_) return;
         goal_.position = goal_W;
+        goal_.time = time;
         send();
     });
     connect(&view_, &SceneView::handGrabbed, this, [this](bool grabbed) {

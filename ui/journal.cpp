@@ -1,5 +1,6 @@
 #include "ui/journal.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QCoreApplication>
@@ -66,7 +67,7 @@ void Journal::note() {
     if (edits_ >= pace_.edits)
         write();
     else if (!due_.isActive())
-        due_.start(pace_.milliseconds);
+        due_.start(kept_ ? pace_.milliseconds : std::min(pace_.first, pace_.milliseconds));
 }
 
 void Journal::writeNow() {
@@ -97,6 +98,7 @@ void Journal::finish(const Result<void>& result) {
     writing_.reset();
     if (result) {
         said_ = false;
+        kept_ = true;
         emit written();
     } else if (!std::exchange(said_, true)) {
         emit failed(tr("What you edit is not kept for the case of a crash: %1")
@@ -113,7 +115,7 @@ void Journal::discard() {
     due_.stop();
     edits_ = 0;
     step_ = document_.history().index();
-    again_ = false;
+    again_ = kept_ = false;
     if (writing_) *std::exchange(writing_, nullptr) = true;
     run([folder = folder_] { removeJournal(folder); });
 }
@@ -121,6 +123,7 @@ void Journal::discard() {
 void Journal::takeOver(const fs::path& folder) {
     discard();
     folder_ = folder;
+    kept_ = true;
 }
 
 void Journal::run(std::function<void()> work) {

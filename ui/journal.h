@@ -26,6 +26,7 @@ public:
     struct Pace {
         int milliseconds = 25'000;
         int edits = 20;
+        int first = 1'000; ///< ms, while none of it is in a journal yet; no more than the others have
     };
     void setPace(Pace pace) { pace_ = pace; }
 
@@ -59,6 +60,7 @@ private:
     int edits_ = 0;                              ///< that no write has begun with
     std::shared_ptr<std::atomic<bool>> writing_; ///< its cancelled; null: none is under way
     bool again_ = false, said_ = false;
+    bool kept_ = false;  ///< there is a journal of what is unsaved
     QThreadPool worker_; ///< last: what it does ends before the rest goes
 };
 

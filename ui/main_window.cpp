@@ -122,15 +122,17 @@ QWidget* MainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(recoveryBar_);
-    column->addWidget(selectStrip_);
-    column->addWidget(arrangeStrip_);
-    column->addWidget(paintStrip_);
-    // Over the view, not above it: what comes by itself must not move the model under the pointer that
-    // presses on it.
+    // Over the view, not above it: what comes by itself, or with a key, must not move the model under the
+    // pointer that is about to press on it.
     auto* layers = new QGridLayout;
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
-    layers->addWidget(notice_, 0, 0, Qt::AlignTop);
+    auto* head = new QVBoxLayout;
+    head->setSpacing(0);
+    head->addWidget(notice_);
+    for (ToolStrip* strip : {selectStrip_, arrangeStrip_, paintStrip_})
+        head->addWidget(strip, 0, Qt::AlignLeft);
+    layers->addLayout(head, 0, 0, Qt::AlignTop);
     auto* foot = new QVBoxLayout;
     foot->setSpacing(0);
     foot->addWidget(importBar_, 0, Qt::AlignHCenter);
@@ -200,6 +202,7 @@ void MainWindow::hidePanels(bool hidden) {
 void MainWindow::setArmed(bool armed) {
     const bool faulty = guard_->fault().has_value();
     if (armed) link_->stop().pressed = false; // held still, it stops again at once
+    if (!armed) view_->endTouch();
     guard_->setArmed(armed);
     showArmed(armed);
     if (!armed && !faulty)

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -49,9 +50,10 @@ void aboutTactum(QWidget* parent) {
     QMessageBox::about(
         parent, QObject::tr("About Tactum"),
         QObject::tr(
-            "<h3>Tactum</h3><p>Gives the surfaces of 3-D models a feel, and lets you touch them. After "
+            "<h3>Tactum %1</h3><p>Gives the surfaces of 3-D models a feel, and lets you touch them. After "
             "Ruspini and Khatib, <i>Haptic Display for Human Interaction with Virtual Dynamic "
-            "Environments</i>, 2001.</p><p>BSD-3-Clause licence.</p>"));
+            "Environments</i>, 2001.</p><p>BSD-3-Clause licence.</p>")
+            .arg(QCoreApplication::applicationVersion()));
 }
 
 } // namespace
@@ -292,6 +294,10 @@ void MainWindow::connectDocument() {
             notice_->showProgress(tr("Preparing the surfaces for touch"), fraction, secondsLeft, false);
     });
     connect(&publisher_, &WorldPublisher::shapesPublished, notice_, &NoticeBar::endProgress);
+    connect(&publisher_, &WorldPublisher::failed, this, [this](const QString& sentence) {
+        notice_->endProgress();
+        notice_->showError(tr("What you touch is still as it was before: %1").arg(sentence));
+    });
 }
 
 void MainWindow::askForFile() {

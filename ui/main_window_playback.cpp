@@ -123,6 +123,7 @@ void MainWindow::setLive(bool live) {
     for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history",
                              "dock-compare", "dock-device", "dock-place"})
         if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
+    if (!live) view_->endTouch(); // or the hand would stay where it presses
     hand_->setSuspended(!live);
     const auto on = [&](const char* tool) { return live && actions_[tool].isChecked(); };
     view_->setTool(on("touch")     ? ViewTool::Touch

@@ -55,7 +55,9 @@ void WorldPublisher::compileShapes(std::shared_ptr<const World> previous) {
     job_.start([this, scene = felt(),
                 previous = std::move(previous)](const Progress& progress) -> BackgroundJob::Delivery {
         auto compiled = compile(scene, previous.get(), progress);
-        if (!compiled) return [] {}; // cancelled: a newer compilation is on its way
+        if (!compiled && progress.isCancelled()) return [] {}; // a newer compilation is on its way
+        if (!compiled)
+            return [this, text = compiled.error().text] { emit failed(QString::fromStdString(text)); };
         return [this, world = std::move(*compiled)] {
             publish(world);
             if (materialsChanged_) compileMaterials();
@@ -66,7 +68,9 @@ void WorldPublisher::compileShapes(std::shared_ptr<const World> previous) {
 
 void WorldPublisher::compileMaterials() {
     materialsChanged_ = false;
-    if (auto compiled = compile(felt(), world_.get())) publish(std::move(*compiled));
+    auto compiled = compile(felt(), world_.get());
+    if (!compiled) return emit failed(QString::fromStdString(compiled.error().text));
+    publish(std::move(*compiled));
 }
 
 void WorldPublisher::publish(std::shared_ptr<const World> world) {

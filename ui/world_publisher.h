@@ -38,6 +38,8 @@ signals:
     void published();
     /// The engine has a World with other shapes than before.
     void shapesPublished();
+    /// The scene cannot be felt, and the one before it still is. One line for the person.
+    void failed(const QString& sentence);
 
 private:
     void follow(const SceneChange& change);

@@ -19,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The folder is there and open, but is none of a disk, as /proc.
+constexpr int kTakesNoFiles = ENOSYS;
+
 // Inside this file a failed call travels as std::system_error; writeFileAtomically() catches it.
 [[noreturn]] void fail(int number = errno) {
     throw std::system_error(number, std::generic_category());
@@ -130,9 +133,11 @@ TemporaryName written(int folder, std::string_view bytes, const std::optional<st
     int number = retried([&] { return openat(folder, ".", flags | O_TMPFILE, mode); });
     if (number < 0 && (isUnsupported(errno) || errno == EISDIR))
         name.emplace(folder, withFreeName([&](const char* free) {
-                         return number = openat(folder, free, flags | O_CREAT | O_EXCL, mode);
+                         number = openat(folder, free, flags | O_CREAT | O_EXCL, mode);
+                         if (number < 0 && errno == ENOENT) errno = kTakesNoFiles;
+                         return number;
                      }));
-    if (number < 0) fail();
+    if (number < 0) fail(errno == ENOENT ? kTakesNoFiles : errno);
     Descriptor file(number);
     writeAll(file, bytes);
     if (old) takeAfter(file, *old);
@@ -227,6 +232,8 @@ const char* remedy(int number) {
     case ENOENT:
     case ENOTDIR:
         return "check the folder";
+    case kTakesNoFiles:
+        return "choose another folder";
     case EISDIR:
     case ENOTSUP:
     case ENAMETOOLONG:
@@ -238,6 +245,7 @@ const char* remedy(int number) {
 
 std::string reason(int number) {
     if (number == EISDIR) return "it is a folder";
+    if (number == kTakesNoFiles) return "its folder takes no files";
     if (number == ENOTSUP) return "it is no ordinary file";
     return std::generic_category().message(number);
 }

@@ -39,6 +39,16 @@ void append(std::string& out, const Vec3& v) {
 
 } // namespace
 
+void limitForces(TouchTrace& rows, double maxForce) {
+    if (!(maxForce > 0)) return;
+    for (TouchRow& row : rows) {
+        const double part = maxForce / row.force.norm();
+        if (!(part < 1)) continue;
+        row.force *= part;
+        row.tangential *= part;
+    }
+}
+
 TouchDifference differenceOf(const TouchTrace& a, const TouchTrace& b) {
     TouchDifference said;
     said.steps = std::min(a.size(), b.size());

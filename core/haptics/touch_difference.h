@@ -21,6 +21,10 @@ struct TouchDifference {
     bool operator==(const TouchDifference&) const = default;
 };
 
+/// What a device gives of a touch: the same directions, at most `maxForce`, N; none of it: no device is
+/// known, and all of it is given.
+void limitForces(TouchTrace& rows, double maxForce);
+
 /// Both replays of one path, or of its beginning: the longer one counts as far as the shorter goes.
 TouchDifference differenceOf(const TouchTrace& a, const TouchTrace& b);
 

@@ -74,7 +74,8 @@ void Attendant::push() {
 void Attendant::lead() {
     const v1::HandGoal& goal = word_.hand();
     if (const auto to = vectorOf(goal.position()))
-        (void)service_.stage().leadHand(client_, {*to, goal.jumps(), goal.number(), goal.held()});
+        (void)service_.stage().leadHand(client_,
+                                        {*to, goal.jumps(), goal.number(), goal.held(), goal.time()});
 }
 
 /// How many states may be under way: as many as fit into a round trip, and one.

@@ -19,7 +19,7 @@ constexpr std::size_t kLongestEdit = 3 << 20; ///< bytes; a longer scene is uplo
 
 bool isSame(const HandGoal& a, const HandGoal& b) {
     return a.position == b.position && a.teleport == b.teleport && a.sequence == b.sequence &&
-           a.held == b.held;
+           a.held == b.held && a.time == b.time;
 }
 
 /// Part by part: what came over another connection lies elsewhere in memory.
@@ -36,6 +36,7 @@ v1::Word wordOf(const HandGoal& goal) {
     to.set_jumps(goal.teleport);
     to.set_number(goal.sequence);
     to.set_held(goal.held);
+    to.set_time(goal.time);
     return word;
 }
 

@@ -2,6 +2,7 @@
 // the two springs says.
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include <QTest>
 
@@ -60,6 +61,40 @@ Rest press(double stiffness, double goalDepth, int delay, SimulatedHandProfile p
     return {-sum / count, high - low};
 }
 
+struct PressedForces {
+    double near = 0, peak = 0, rest = 0; ///< the largest before the press, of all, and of the end of the hold
+    double left = 0;                     ///< the largest from 150 ms after the lift began, N
+};
+
+PressedForces pressInParts(double stiffness, double from, double depth) {
+    struct Part {
+        double z, time, until; ///< goal, in which time, and when the next part begins
+    };
+    const Part parts[] = {{0.0001, 0.08, 0.08}, {-depth, 0.18, 1}, {0.004, 0.12, 1.5}};
+    const auto target = std::make_shared<HandTarget>();
+    SimulatedHand hand(target);
+    hand.open();
+    target->write({Vec3(0, 0, from), true, 1});
+    hand.exchange({}, kTick);
+    const LocalContactModel model = wall(stiffness);
+    Vec3 force = Vec3::Zero(), next = Vec3::Zero(); // a tick late
+    PressedForces found;
+    double time = 0;
+    for (const Part& part : parts) {
+        target->write({.position = {0, 0, part.z}, .sequence = 1, .time = part.time});
+        for (; time < part.until; time += kTick) {
+            const DeviceSample sample = hand.exchange({force}, kTick);
+            force = std::exchange(next, contactModelForce(model, sample.position, sample.velocity));
+            const double size = force.norm();
+            if (&part == &parts[0]) found.near = std::max(found.near, size);
+            if (&part == &parts[1]) found.rest = size;
+            found.peak = std::max(found.peak, size);
+            if (time > parts[1].until + 0.15) found.left = std::max(found.left, size);
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 class TestHandOnWall : public QObject {
@@ -84,6 +119,26 @@ private slots:
             QCOMPARE_LT(rest.peakToPeak, 2e-6);
             COMPARE_NEAR(rest.depth / balance, 1, 0.01, "");
         }
+    }
+
+    /// The window leads a press in three parts (HandTool): nearly to the surface, down, and off again.
+    void aPressInPartsIsNoBlow_data() {
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<double>("from"); // m, above the wall
+        for (const double stiffness : {200.0, 800.0, 1500.0, 2000.0})
+            for (const double from : {0.004, 0.012})
+                QTest::addRow("%g N/m from %g mm", stiffness, 1e3 * from) << stiffness << from;
+    }
+
+    void aPressInPartsIsNoBlow() {
+        QFETCH(double, stiffness);
+        QFETCH(double, from);
+        const double grip = SimulatedHandProfile{}.stiffness, depth = 0.01;
+        const PressedForces forces = pressInParts(stiffness, from, depth);
+        COMPARE_NEAR(forces.rest, depth * grip * stiffness / (grip + stiffness), 0.01 * forces.rest, "N");
+        QCOMPARE_LE(forces.peak, 1.1 * forces.rest);
+        QCOMPARE_EQ(forces.near, 0.0);
+        QCOMPARE_EQ(forces.left, 0.0);
     }
 
     /// The figure by which the profile was chosen is the one that rules it: with half the damping that the

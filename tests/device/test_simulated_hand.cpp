@@ -83,6 +83,55 @@ private slots:
         }
     }
 
+    /// Against the same oscillator in a thousand steps a tick, led along the polynomial.
+    void isLedWithTheLeastJerk() {
+        const SimulatedHandProfile profile;
+        const double way = 0.04, time = 0.1, h = 1e-6;
+        Hand hand;
+        hand.target->write({.position = {way, 0, 0}, .time = time});
+        double x = 0, v = 0;
+        for (int tick = 0; tick < 300; ++tick) {
+            const Vec3 there = hand.device.exchange({}, 1e-3).position;
+            for (int i = 0; i < 1000; ++i) {
+                const double s = std::min(1.0, (tick * 1e-3 + (i + 0.5) * h) / time);
+                const double led = way * s * s * s * (10 - 15 * s + 6 * s * s);
+                v += h * (profile.stiffness * (led - x) - profile.damping * v) / profile.mass;
+                x += h * v;
+            }
+            COMPARE_NEAR(there.x(), x, 1e-5, "m");
+        }
+        COMPARE_NEAR(x, way, 1e-5, "m");
+    }
+
+    /// Led to and fro on its way: what moves a hand is the spring of its grip, and one whose end jumps by the
+    /// whole way would pull with 250 m/s2.
+    void isLedElsewhereWithoutAJerk() {
+        Hand hand;
+        Vec3 before = Vec3::Zero();
+        double hardest = 0;
+        for (int tick = 0; tick < 600; ++tick) {
+            if (tick % 40 == 0)
+                hand.target->write(
+                    {.position = {tick % 80 == 0 ? 0.05 : -0.05, 1e-4 * tick, 0}, .time = 0.1});
+            const Vec3 velocity = hand.device.exchange({}, 1e-3).velocity;
+            hardest = std::max(hardest, (velocity - before).norm() / 1e-3);
+            before = velocity;
+        }
+        QCOMPARE_LT(hardest, 60);
+    }
+
+    void aTimeThatMakesNoSenseIsNone() {
+        for (const double time : {std::nan(""), -1.0, double(INFINITY)}) {
+            Hand odd, plain;
+            odd.target->write({.position = {0.05, 0, 0}, .time = time});
+            plain.leadTo({0.05, 0, 0});
+            QCOMPARE(odd.go(0.02).position, plain.go(0.02).position);
+        }
+        Hand late;
+        late.target->write({.position = {0.05, 0, 0}, .time = 1e9});
+        COMPARE_NEAR(late.go(3).position.x(), 0.05, 1e-6, "m");
+    }
+
     void velocityIsTheDerivativeOfPosition() {
         Hand hand;
         hand.leadTo({0.05, 0, 0});

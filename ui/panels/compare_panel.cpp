@@ -1,5 +1,7 @@
 #include "ui/panels/compare_panel.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,6 +20,12 @@ constexpr double kLast = 10; // s
 
 QString pairText(double a, double b, int decimals) {
     return QObject::tr("A %1, B %2").arg(numberText(a, decimals), numberText(b, decimals));
+}
+
+bool isLimited(const TouchTrace& rows, double limit) {
+    return limit > 0 && std::ranges::any_of(rows, [limit](const TouchRow& row) {
+               return row.force.norm() > limit * (1 - 1e-9);
+           });
 }
 
 } // namespace
@@ -105,7 +113,9 @@ QString figuresOf(const Comparison& comparison) {
     const TouchDifference& d = result->difference;
     const QString work = QStringLiteral("  ") + pairText(1e3 * d.workA, 1e3 * d.workB, 3);
     const QString ratio = QStringLiteral("  ") + pairText(d.ratioA, d.ratioB, 3);
-    const QStringList both{QObject::tr("Work, mJ"), work, QObject::tr("Mean friction ratio"), ratio};
+    QStringList both{QObject::tr("Work, mJ"), work, QObject::tr("Mean friction ratio"), ratio};
+    if (isLimited(*result->a, result->limit) || isLimited(*result->b, result->limit))
+        both << QObject::tr("Limited to the device's %1 N").arg(numberText(result->limit, 1));
     if (d.largest == 0) return (QStringList(QObject::tr("No difference")) + both).join(u'\n');
     const QStringList lines{
         QObject::tr("Difference B - A"),

@@ -125,7 +125,7 @@ void Outliner::fill(QTreeWidgetItem& item, const Row& row) {
     if (isObject(&item))
         showMoves(item, row.moves);
     else
-        item.setIcon(kName, QIcon(swatch(row.colour)));
+        item.setIcon(kName, swatchIcon(row.colour));
     showEye(item, row.visible, row.shown);
     if (!isObject(&item)) showLock(item, row.locked);
 }

@@ -22,4 +22,12 @@ QPixmap swatch(const Eigen::Vector3f& linear) {
     return pixmap;
 }
 
+// What has no picture of its own for a selected row is tinted by the style.
+QIcon swatchIcon(const Eigen::Vector3f& linear) {
+    QIcon icon;
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected, QIcon::Disabled})
+        icon.addPixmap(swatch(linear), mode);
+    return icon;
+}
+
 } // namespace tactum

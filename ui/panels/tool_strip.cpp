@@ -40,7 +40,9 @@ ToolStrip::ToolStrip(QWidget* parent)
     row_->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
     row_->setSpacing(kRhythm / 2);
     content_->installEventFilter(this);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_StyledBackground); // it lies over the view
+    setProperty("strip", true);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     hide();
 }
 

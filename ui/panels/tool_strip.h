@@ -1,4 +1,4 @@
-// One row above the view: what the tool that is on can be told.
+// One row over the top of the view: what the tool that is on can be told.
 #pragma once
 
 #include <QList>

@@ -67,10 +67,7 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
     impl_->glideTimer.setInterval(8);
-    connect(&impl_->glideTimer, &QTimer::timeout, this, [this] {
-        if (!impl_->hand.advance(1e-3 * double(impl_->glideClock.restart()))) return impl_->glideTimer.stop();
-        impl_->goalMoved();
-    });
+    connect(&impl_->glideTimer, &QTimer::timeout, this, [this] { impl_->glide(); });
     impl_->flight.setDuration(350);
     impl_->flight.setStartValue(0.0);
     impl_->flight.setEndValue(1.0);

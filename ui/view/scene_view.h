@@ -142,6 +142,8 @@ public:
     Vec3 handGoal() const;
     /// Puts the goal there without telling anybody; ends a glide that is under way.
     void setHandGoal(const Vec3& p_W);
+    /// Lets go of the finger at once, whatever the mouse does: it is lifted off.
+    void endTouch();
 
     /// The visible surface at a place of the view, in logical pixels.
     std::optional<SurfaceRef> surfaceAt(QPointF at) const;
@@ -162,8 +164,9 @@ signals:
     /// and Cancel.
     void stroked(tactum::StrokeStep step, const std::optional<tactum::PickHit>& hit,
                  Qt::KeyboardModifiers modifiers);
-    /// A drag, the wheel or a key moved the finger's goal. World frame, metre.
-    void handGoalMoved(tactum::Vec3 goal_W);
+    /// A press, a drag, the wheel or a key moved the finger's goal. World frame, metre; it should be there
+    /// in `time`, s.
+    void handGoalMoved(tactum::Vec3 goal_W, double time);
     /// Something of the drop types was let go over a surface; `data` lives until the signal returns.
     void droppedOn(tactum::SurfaceRef surface, const QMimeData& data);
     /// The mouse took hold of the finger, or let it go.

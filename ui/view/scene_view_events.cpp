@@ -14,7 +14,7 @@ namespace tactum {
 
 namespace {
 
-constexpr double kGrabPixels = 24, kClickPixels = 4;
+constexpr double kClickPixels = 4;
 constexpr double kZoomPerNotch = 0.87;
 constexpr double kFineStep = 0.2;
 // Between places of a stroke, so that it stays on the surface; and how many of a move are looked at.
@@ -23,12 +23,6 @@ constexpr double kStrokePixels = 6, kMaxEventPlaces = 32;
 const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
 
 } // namespace
-
-bool SceneView::Impl::isNearFinger(QPointF cursor) const {
-    if (!showsTouch()) return false;
-    const auto seen = camera.project(touch->finger);
-    return seen && lengthOf(*seen - cursor) <= kGrabPixels;
-}
 
 std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patience patience) const {
     return picker.cast(camera.ray(cursor), patience);
@@ -59,21 +53,6 @@ void SceneView::Impl::endStroke(StrokeStep how) {
     emit view.stroked(how, std::nullopt, {});
 }
 
-void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
-    drag = ViewDrag::Hand;
-    if (isNearFinger(cursor)) return setGrip(Grip::Drag, cursor);
-    hand.beginStroke(cursor, hit->point, camera, picker.bounds(),
-                     [this](const Vec3& from, const Vec3& to) { return picker.isFree(from, to); });
-    glideClock.start();
-    glideTimer.start();
-    emit view.handGrabbed(true);
-}
-
-void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
-    hand.beginMove(grip, cursor);
-    emit view.handGrabbed(true);
-}
-
 void SceneView::Impl::letGo(bool givenUp) {
     drag = ViewDrag::None;
     const bool handled = std::exchange(taken, nullptr);
@@ -81,13 +60,7 @@ void SceneView::Impl::letGo(bool givenUp) {
         each->letGo();
     arranged.reset();
     if (handled) emit view.handlesLeft(givenUp);
-    if (hand.grip() == Grip::None) return;
-    hand.end();
-    emit view.handGrabbed(false);
-}
-
-void SceneView::Impl::goalMoved() {
-    emit view.handGoalMoved(hand.goal());
+    leaveHand(givenUp);
 }
 
 void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
@@ -101,7 +74,7 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (hand.grip() == Grip::Stroke)
         if (const auto hit = pick(cursor, ScenePicker::Patience::Wait)) touched = hit->point;
     hand.moveTo(cursor, camera, touched, modifiers & Qt::ControlModifier);
-    if (!hand.gliding()) goalMoved();
+    goalMoved();
 }
 
 /// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
@@ -163,7 +136,8 @@ void SceneView::Impl::showCursor(QPointF cursor) {
     const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera); };
     if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))
         return view.setCursor(Qt::SizeAllCursor);
-    if (tool == ViewTool::Touch && isNearFinger(cursor)) return view.setCursor(Qt::OpenHandCursor);
+    if (tool == ViewTool::Touch && takesFinger(cursor, pick(cursor, ScenePicker::Patience::Now)))
+        return view.setCursor(Qt::OpenHandCursor);
     if (!hovered) return view.setCursor(Qt::ArrowCursor);
     const bool chooses = tool == ViewTool::Select || tool == ViewTool::Arrange;
     view.setCursor(chooses ? Qt::PointingHandCursor : Qt::CrossCursor);
@@ -190,8 +164,8 @@ bool SceneView::Impl::handKey(int key, QPointF cursor) {
         boxNext = false;
         letGo();
         view.changed();
-    } else if (key == Qt::Key_Escape && hand.grip() != Grip::None) {
-        letGo();
+    } else if (key == Qt::Key_Escape && (hand.grip() != Grip::None || hand.gliding())) {
+        letGo(true);
     } else if (key == Qt::Key_G && tool != ViewTool::Touch) {
         emit view.mappingAsked();
     } else if (key == Qt::Key_G) {
@@ -223,36 +197,6 @@ bool SceneView::Impl::cameraKey(int key) {
     default:
         return false;
     }
-}
-
-bool SceneView::Impl::nudgeKey(int key, double scale) {
-    if (tool != ViewTool::Touch) return false;
-    Vec3 steps = Vec3::Zero();
-    switch (key) {
-    case Qt::Key_Left:
-        steps.x() = -1;
-        break;
-    case Qt::Key_Right:
-        steps.x() = 1;
-        break;
-    case Qt::Key_Down:
-        steps.y() = -1;
-        break;
-    case Qt::Key_Up:
-        steps.y() = 1;
-        break;
-    case Qt::Key_PageDown:
-        steps.z() = -1;
-        break;
-    case Qt::Key_PageUp:
-        steps.z() = 1;
-        break;
-    default:
-        return false;
-    }
-    hand.nudge(scale * steps, camera);
-    goalMoved();
-    return true;
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
@@ -297,7 +241,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
     const QPointF cursor = event->position();
-    const bool onFinger = impl_->tool == ViewTool::Touch && impl_->isNearFinger(cursor);
+    const bool onFinger = impl_->tool == ViewTool::Touch &&
+                          impl_->takesFinger(cursor, impl_->pick(cursor, ScenePicker::Patience::Wait));
     if (event->button() != Qt::LeftButton || !onFinger) return mousePressEvent(event);
     impl_->cursorAt = cursor;
     impl_->setGrip(Grip::Follow, cursor);
@@ -309,7 +254,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
     if (impl_->hand.grip() == Grip::None) return impl_->zoomAt(event->position(), notches);
     impl_->hand.push(notches, impl_->camera);
-    if (!impl_->hand.gliding()) impl_->goalMoved();
+    impl_->goalMoved();
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {

@@ -35,6 +35,11 @@ struct SceneView::Impl {
     void applyTheme();
 
     bool isNearFinger(QPointF cursor) const;
+    /// Whether a press there takes the finger itself, and not the place.
+    bool takesFinger(QPointF cursor, const std::optional<PickHit>& hit) const;
+    void leaveHand(bool givenUp);
+    void liftHand();
+    Vec3 clearPlace() const;
     std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;
     void pressLeft(QPointF cursor, bool alt);
     void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
@@ -53,7 +58,7 @@ struct SceneView::Impl {
     void endStroke(StrokeStep how);
     void letGo(bool givenUp = false);
     void setGrip(Grip grip, QPointF cursor);
-    void startGlide();
+    void glide();
     void hoverAt(QPointF cursor);
     /// Lights up what the drag would fall onto; whether there is anything.
     bool dragOver(QDropEvent& event);

@@ -144,6 +144,13 @@ private slots:
         COMPARE_CONTAINS(fault, "symbolic links");
     }
 
+    void aFolderOfNoDiskIsCalledThat() {
+        if (!fs::is_directory("/proc/self")) QSKIP("no /proc here");
+        QCOMPARE(
+            faultOf(writeFileAtomically("/proc/x.glb", "1")),
+            std::string("/proc/x.glb: cannot be written: its folder takes no files; choose another folder"));
+    }
+
     void refusesWhatIsNoFile_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<QByteArray>("words");

@@ -49,6 +49,7 @@ private slots:
     void equalScenesDifferByNothing();
     void twiceTheStiffnessIsTwiceTheForce();
     void frictionShowsInRatioAndWork();
+    void whatTheDeviceCannotGiveIsNotCompared();
     void theLongerOneIsCut();
     void theCsvReadsBack();
     void stopsWhenItIsCancelled();
@@ -99,6 +100,30 @@ void TestTouchDifference::frictionShowsInRatioAndWork() {
     COMPARE_NEAR(said.workA, 0.2 * normal * way + press, 0.02 * normal * way, "J");
     COMPARE_NEAR(said.workB, 0.5 * normal * way + press, 0.02 * normal * way, "J");
     COMPARE_NEAR(said.largest, 0.3 * normal, 0.02 * normal, "N");
+}
+
+/// Two walls that both ask for more than the device has are felt alike there.
+void TestTouchDifference::whatTheDeviceCannotGiveIsNotCompared() {
+    const auto path = stroke(0.02);
+    const TouchTrace asked = touch(plane(500, 0.3), path);
+    TouchTrace a = asked, b = touch(plane(1000, 0.3), path);
+    QCOMPARE_GT(b.back().force.norm(), 19);
+    limitForces(a, 4);
+    limitForces(b, 4);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double force = asked[i].force.norm();
+        QCOMPARE_LE(a[i].force.norm(), 4 * (1 + 1e-12));
+        if (force <= 4) QCOMPARE_EQ(a[i].force, asked[i].force);
+        COMPARE_NEAR(a[i].force.cross(asked[i].force).norm(), 0, 1e-9, "N2");
+        COMPARE_NEAR(a[i].tangential * force, asked[i].tangential * a[i].force.norm(), 1e-9, "N2");
+    }
+    COMPARE_NEAR(b.back().force, a.back().force, 1e-9, "N");
+    const TouchDifference said = differenceOf(a, b);
+    COMPARE_NEAR(said.ratioA, said.ratioB, 0.02, "");
+    QCOMPARE_LE(said.largest, 4);
+    TouchTrace unknown = asked;
+    limitForces(unknown, 0);
+    QCOMPARE_EQ(unknown.back().force, asked.back().force);
 }
 
 void TestTouchDifference::theLongerOneIsCut() {

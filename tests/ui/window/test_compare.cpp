@@ -59,6 +59,7 @@ private slots:
 
     void theSameSceneDiffersByNothing();
     void anEditIsComparedByItself();
+    void whatTheDeviceCannotGiveIsNotCompared();
     void swappingIsOneStepOfTheHistory();
     void whatTheFingerDidIsAStroke();
     void theNewestEditWins();
@@ -109,6 +110,29 @@ void TestCompare::anEditIsComparedByItself() {
     comparison.compare();
     QVERIFY(isCompared(comparison));
     QCOMPARE(comparison.result()->difference.largest, 0.0);
+}
+
+/// 25 mm deep at 800 N/m asks for 20 N; the simulated hand gives eight.
+void TestCompare::whatTheDeviceCannotGiveIsNotCompared() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Comparison& comparison = program.window->comparison();
+    auto deep = press();
+    for (FingerPoint& point : deep)
+        point.position.y() = 0.055 - (0.055 - point.position.y()) * 4;
+    comparison.setStroke(deep);
+    comparison.markA();
+    stiffen(program.document, 400);
+    QVERIFY(isCompared(comparison));
+    const double limit = program.engine.device().maxForce;
+    double largest = 0;
+    for (const auto& rows : {comparison.result()->a, comparison.result()->b})
+        for (const TouchRow& row : *rows)
+            largest = std::max(largest, row.force.norm());
+    COMPARE_NEAR(largest, limit, 1e-9, "N");
+    QCOMPARE_LT(comparison.result()->difference.largest, limit);
+    const auto* figures = program.window->findChild<QLabel*>(QStringLiteral("compare-figures"));
+    COMPARE_CONTAINS(figures->text(), QStringLiteral("Limited to the device's 8.0 N"));
 }
 
 void TestCompare::swappingIsOneStepOfTheHistory() {

@@ -85,6 +85,7 @@ private slots:
     void aDamagedJournalIsSaidAndKept();
     void savingAndLeavingEndTheJournal();
     void anEditIsInItAfterTheTimeOrTheCount();
+    void theFirstEditIsInItAtOnce();
     void aDragIsInItToo();
     void whatCannotBeWrittenIsSaidOnce();
     void theHistoryOutlivesASave();
@@ -241,6 +242,7 @@ void TestRecovery::anEditIsInItAfterTheTimeOrTheCount() {
     const Journal::Pace pace;
     QCOMPARE_LT(pace.milliseconds, 30'000);
     QCOMPARE_LE(pace.edits, 20);
+    journal.setPace({pace.milliseconds, pace.edits, pace.milliseconds});
     for (int i = 1; i < pace.edits; ++i)
         setStiffness(program.document, 100 + i);
     program.frames(30);
@@ -254,6 +256,27 @@ void TestRecovery::anEditIsInItAfterTheTimeOrTheCount() {
         QTest::qWait(20);
     }
     QCOMPARE(written.size(), 2);
+}
+
+/// Most who lose something have edited once or twice since they opened it.
+void TestRecovery::theFirstEditIsInItAtOnce() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    Journal& journal = program.window->journal();
+    const Journal::Pace pace;
+    QCOMPARE_LE(pace.first, 1000);
+    journal.setPace({3'600'000, 1000, pace.first});
+    QSignalSpy written(&journal, &Journal::written);
+    setStiffness(program.document, 100);
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 1, kPatience);
+    setStiffness(program.document, 101); // what comes then can wait
+    program.frames(pace.first / 8);
+    QCOMPARE(written.size(), 1);
+    program.document.history().undo();
+    program.document.history().undo(); // nothing is unsaved: the next edit is a first one again
+    QTRY_VERIFY_WITH_TIMEOUT(journals().empty(), kPatience);
+    setStiffness(program.document, 102);
+    QTRY_COMPARE_WITH_TIMEOUT(written.size(), 2, kPatience);
 }
 
 void TestRecovery::aDragIsInItToo() {

@@ -130,12 +130,14 @@ void TestSelecting::aBoxTakesWhatItTouches() {
         program.moveTo(to);
         program.release(to);
     };
-    draw({4, 4}, {size.width() - 4, size.height() - 4});
+    // From the lower left: over the upper one lies the tool's row.
+    const QPoint begin(4, size.height() - 4);
+    draw(begin, {size.width() - 4, 4});
     QCOMPARE(faces(program).size(), std::size_t(12));
-    draw({4, 4}, {12, 12});
+    draw(begin, begin + QPoint(8, -8));
     QVERIFY(faces(program).empty());
     command(program, "take-surface").trigger();
-    draw({4, 4}, {size.width() - 4, size.height() - 4});
+    draw(begin, {size.width() - 4, 4});
     QCOMPARE(program.document.selected().size(), std::size_t(6));
 }
 
@@ -167,6 +169,10 @@ void TestSelecting::theRowShowsWhatAClickTakes() {
     QVERIFY(!row->isVisible());
     QTest::keyClick(program.window.get(), Qt::Key_Q);
     QVERIFY(row->isVisible());
+    program.frames(5);
+    const QRect there(row->mapTo(program.window.get(), QPoint(0, 0)), row->size());
+    const QWidget* seen = program.window->childAt(there.center());
+    QVERIFY2(seen == row || row->isAncestorOf(seen), "the view hides it");
     auto* list = row->findChild<QComboBox*>();
     QCOMPARE(list->currentText(), QStringLiteral("Surface"));
     command(program, "take-smooth").trigger();

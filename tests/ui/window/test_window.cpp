@@ -8,10 +8,12 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSlider>
 #include <QStackedWidget>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -48,8 +50,11 @@ private slots:
 
     void aDroppedModelIsOpened();
     void aBrokenFileIsOneLineAndNoHarm();
+    void aSceneThatCannotBeFeltSaysWhy();
     void aNoticeMovesNothing();
+    void theRowOfAToolMovesNothing();
     void selectionGoesBothWays();
+    void aSelectedRowKeepsItsColour();
     void problemsGoWithTheirObject();
     void theEyeHidesWhatIsFelt();
     void theInspectorIsMadeFromTheTable();
@@ -60,6 +65,8 @@ private slots:
     void numbersHaveAPointInEveryLocale();
     void layoutAndRecentFilesAreRemembered();
     void tabHidesThePanelsOfTheView();
+    void tabTwiceLeavesTheTitlesAsTheyAre();
+    void aboutSaysWhichVersionItIs();
     void everyKeyIsGivenOnce();
     void keysTurnTheCamera();
     void undoneStepsAreDim();
@@ -90,6 +97,22 @@ void TestWindow::aBrokenFileIsOneLineAndNoHarm() {
     COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
 }
 
+/// More loose bodies than forces can move.
+void TestWindow::aSceneThatCannotBeFeltSaysWhy() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    Scene scene = program.document.scene();
+    for (BodyId id = 1; id <= 1000; ++id) {
+        RigidBody body;
+        body.id = id;
+        scene.mechanics.bodies.push_back(body);
+    }
+    program.document.replaceScene(QStringLiteral("Many bodies"), scene);
+    QTRY_VERIFY_WITH_TIMEOUT(noticeOf(program).contains(QStringLiteral("make some of them still")),
+                             kPatience);
+    QVERIFY(!noticeOf(program).contains(u'\n'));
+}
+
 // It comes by itself, perhaps while somebody presses on the model.
 void TestWindow::aNoticeMovesNothing() {
     TouchedWindow program;
@@ -108,6 +131,28 @@ void TestWindow::aNoticeMovesNothing() {
     QVERIFY2(seen == notice || notice->isAncestorOf(seen), "the view hides it");
 }
 
+// The pointer is over the model when a key chooses the tool.
+void TestWindow::theRowOfAToolMovesNothing() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const SceneView& view = program.window->view();
+    const auto placed = [&] { return QRect(view.mapTo(program.window.get(), QPoint(0, 0)), view.size()); };
+    const QRect before = placed();
+    for (const auto& [key, name] :
+         {std::pair(Qt::Key_Q, "tool-strip"), {Qt::Key_M, "arrange-strip"}, {Qt::Key_P, "paint-strip"}}) {
+        QTest::keyClick(program.window.get(), key);
+        program.frames(5);
+        const auto* row = program.window->findChild<QWidget*>(QLatin1String(name));
+        QVERIFY(row->isVisible());
+        QCOMPARE(placed(), before);
+        const QRect covered(row->mapTo(program.window.get(), QPoint(0, 0)), row->size());
+        QVERIFY(before.contains(covered));
+        QVERIFY2(covered.height() < before.height() / 4, "it is one line, not a curtain");
+        const QWidget* seen = program.window->childAt(covered.center());
+        QVERIFY2(seen == row || row->isAncestorOf(seen), "the view hides it");
+    }
+}
+
 void TestWindow::selectionGoesBothWays() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
@@ -122,6 +167,19 @@ void TestWindow::selectionGoesBothWays() {
     program.release(program.centre());
     QTRY_COMPARE_WITH_TIMEOUT(program.document.selection()->surface, Index(4), kPatience);
     QCOMPARE(outliner->currentItem()->text(0), QStringLiteral("front"));
+}
+
+void TestWindow::aSelectedRowKeepsItsColour() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    auto* outliner = program.window->findChild<QTreeWidget*>(QStringLiteral("outliner"));
+    const QIcon icon = outliner->topLevelItem(0)->child(2)->icon(0);
+    QVERIFY(!icon.isNull());
+    const auto colour = [&](QIcon::Mode mode) {
+        return icon.pixmap(QSize(16, 16), mode).toImage().pixelColor(QPoint(8, 8)).rgb();
+    };
+    for (const QIcon::Mode mode : {QIcon::Selected, QIcon::Disabled})
+        QCOMPARE(colour(mode), colour(QIcon::Normal));
 }
 
 void TestWindow::problemsGoWithTheirObject() {
@@ -309,6 +367,42 @@ void TestWindow::tabHidesThePanelsOfTheView() {
     QVERIFY(!dock->isVisible());
     QTest::keyClick(&program.window->view(), Qt::Key_Tab);
     QVERIFY(dock->isVisible());
+}
+
+/// A dock among tabs has its title there.
+void TestWindow::tabTwiceLeavesTheTitlesAsTheyAre() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto titled = [&] {
+        QStringList names;
+        for (const auto* dock : program.window->findChildren<QDockWidget*>())
+            if (!dock->titleBarWidget()) names << dock->objectName();
+        names.sort();
+        return names;
+    };
+    const QStringList before = titled();
+    QVERIFY(!before.contains(QStringLiteral("dock-inspector")));
+    program.window->view().setFocus();
+    for (int i = 0; i < 4; ++i) {
+        QTest::keyClick(&program.window->view(), Qt::Key_Tab);
+        program.frames(5);
+        if (i % 2 == 1) QCOMPARE(titled(), before);
+    }
+}
+
+void TestWindow::aboutSaysWhichVersionItIs() {
+    TouchedWindow program;
+    QCoreApplication::setApplicationVersion(QStringLiteral("12.34"));
+    QString said;
+    QTimer::singleShot(200, program.window.get(), [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            said = box->text();
+            box->accept();
+        }
+    });
+    program.command("about").trigger();
+    QCoreApplication::setApplicationVersion({});
+    COMPARE_CONTAINS(said, QStringLiteral("Tactum 12.34"));
 }
 
 void TestWindow::everyKeyIsGivenOnce() {

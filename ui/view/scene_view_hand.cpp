@@ -1,0 +1,133 @@
+// How the view's mouse takes the finger, leads it and lets it go.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/view/scene_view_impl.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr double kGrabPixels = 24;
+/// Hovers: a finger so near to the place that is pressed is pressed down there, and not taken from there.
+constexpr double kOverPlace = 4;
+constexpr double kFarthestBack = 10; ///< hovers, that what was pressed may come back
+/// The proxy's sphere touches a slanting surface earlier, but on nearly every one later than this.
+constexpr double kLeastSlant = 0.3, kGapReserve = 1.1;
+
+} // namespace
+
+bool SceneView::Impl::isNearFinger(QPointF cursor) const {
+    if (!showsTouch()) return false;
+    const auto seen = camera.project(touch->finger);
+    return seen && lengthOf(*seen - cursor) <= kGrabPixels;
+}
+
+bool SceneView::Impl::takesFinger(QPointF cursor, const std::optional<PickHit>& hit) const {
+    if (!isNearFinger(cursor)) return false;
+    const double over = kOverPlace * HandTool::kHoverHeight * picker.bounds().diagonal();
+    return !hit || (hit->point - touch->finger).norm() > over;
+}
+
+void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
+    drag = ViewDrag::Hand;
+    if (takesFinger(cursor, hit)) return setGrip(Grip::Drag, cursor);
+    const double slant = std::abs(hit->normal.dot((hit->point - camera.eye()).normalized()));
+    const double gap = kGapReserve * proxyRadius / std::max(slant, kLeastSlant);
+    hand.beginStroke(cursor, hit->point, gap, camera, picker.bounds(),
+                     [this](const Vec3& from, const Vec3& to) { return picker.isFree(from, to); });
+    goalMoved();
+    emit view.handGrabbed(true);
+}
+
+void SceneView::Impl::setGrip(Grip grip, QPointF cursor) {
+    hand.beginMove(grip, cursor);
+    emit view.handGrabbed(true);
+}
+
+/// A tap that is under way can be given up as well, though nobody holds it any more.
+void SceneView::Impl::leaveHand(bool givenUp) {
+    const bool held = hand.grip() != Grip::None;
+    if (givenUp && (held || hand.gliding()))
+        hand.giveUp();
+    else if (held)
+        hand.end();
+    else
+        return;
+    liftHand();
+    if (held) emit view.handGrabbed(false);
+}
+
+/// Off the surface where the hand is through with it.
+void SceneView::Impl::liftHand() {
+    if (!hand.isDone()) return;
+    hand.lift(clearPlace());
+    goalMoved();
+}
+
+/// A place near the finger where nothing pushes it: over the contact, or, where there is no room, at the
+/// proxy, which is outside of everything. Without a contact, where the last stroke came from.
+Vec3 SceneView::Impl::clearPlace() const {
+    Vec3 normal = Vec3::Zero();
+    for (int i = 0; touch && i < touch->contacts; ++i)
+        normal += touch->contact[std::size_t(i)].normal;
+    const std::optional<Vec3>& off = hand.offSurface();
+    if (normal.norm() < 1e-6) return off.value_or(hand.goal());
+    normal.normalize();
+    // What has given way, a key on its spring, comes back to where it was pressed.
+    const double hover = HandTool::kHoverHeight * picker.bounds().diagonal();
+    const double back = off ? (*off - touch->proxy).dot(normal) : 0;
+    const Vec3 over = touch->proxy + std::clamp(back, hover, kFarthestBack * hover) * normal;
+    return picker.isFree(touch->proxy, over) ? over : touch->proxy;
+}
+
+/// Goes on by itself while the hand has a way to go.
+void SceneView::Impl::goalMoved() {
+    emit view.handGoalMoved(hand.goal(), hand.time());
+    if (!hand.moves() || glideTimer.isActive()) return;
+    glideClock.start();
+    glideTimer.start();
+}
+
+void SceneView::Impl::glide() {
+    if (!hand.advance(1e-3 * double(glideClock.restart()))) return glideTimer.stop();
+    if (hand.isDone()) return liftHand();
+    goalMoved();
+}
+
+bool SceneView::Impl::nudgeKey(int key, double scale) {
+    if (tool != ViewTool::Touch) return false;
+    Vec3 steps = Vec3::Zero();
+    switch (key) {
+    case Qt::Key_Left:
+        steps.x() = -1;
+        break;
+    case Qt::Key_Right:
+        steps.x() = 1;
+        break;
+    case Qt::Key_Down:
+        steps.y() = -1;
+        break;
+    case Qt::Key_Up:
+        steps.y() = 1;
+        break;
+    case Qt::Key_PageDown:
+        steps.z() = -1;
+        break;
+    case Qt::Key_PageUp:
+        steps.z() = 1;
+        break;
+    default:
+        return false;
+    }
+    hand.nudge(scale * steps, camera);
+    goalMoved();
+    return true;
+}
+
+void SceneView::endTouch() {
+    impl_->leaveHand(true);
+    if (impl_->drag == ViewDrag::Hand) impl_->drag = ViewDrag::None;
+}
+
+} // namespace tactum
