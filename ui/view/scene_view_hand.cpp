@@ -65,8 +65,8 @@ void SceneView::Impl::liftHand() {
     goalMoved();
 }
 
-/// A place near the finger where nothing pushes it: over the contact, or, where there is no room, at the
-/// proxy, which is outside of everything. Without a contact, where the last stroke came from.
+/// A place near the finger where nothing pushes it: over the contact; where there is no room, or no contact, where the
+/// stroke came from, which the eye saw; and without either at the proxy, which is outside of everything.
 Vec3 SceneView::Impl::clearPlace() const {
     Vec3 normal = Vec3::Zero();
     for (int i = 0; touch && i < touch->contacts; ++i)
@@ -78,7 +78,7 @@ Vec3 SceneView::Impl::clearPlace() const {
     const double hover = HandTool::kHoverHeight * picker.bounds().diagonal();
     const double back = off ? (*off - touch->proxy).dot(normal) : 0;
     const Vec3 over = touch->proxy + std::clamp(back, hover, kFarthestBack * hover) * normal;
-    return picker.isFree(touch->proxy, over) ? over : touch->proxy;
+    return picker.isFree(touch->proxy, over) ? over : off.value_or(touch->proxy);
 }
 
 /// Goes on by itself while the hand has a way to go.

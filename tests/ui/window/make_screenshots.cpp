@@ -21,6 +21,7 @@
 #include "tests/ui/window/device_pictures.h"
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/layer_pictures.h"
+#include "tests/ui/window/moving_picture.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
@@ -341,10 +342,10 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|device|devices]]]: with the
-// last word only the pictures of what is felt, of layers, of painting, of presets and problems, of what
-// moves, or of a device; `devices`: every page of its dock in both themes; `moving`: every scene in which
-// bodies move.
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices]]]: with
+// the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of what
+// moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of
+// its dock in both themes; `moving`: every scene in which bodies move.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -357,6 +358,10 @@ int main(int argc, char** argv) {
 
     const QSize size = sizeOf(argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString());
     const QByteArray only = argc > 4 ? argv[4] : "";
+    if (only == "touch") { // by itself, for join_pictures.py
+        takeTouchFrames(folder, sample);
+        return 0;
+    }
     if (only.isEmpty()) takeGuide(folder, sample, size);
     applyTheme(ThemeChoice::Dark);
     const auto wanted = [&](const char* what) { return only.isEmpty() || only == what; };
