@@ -348,8 +348,19 @@ void Document::replaceScene(const QString& text, const Scene& scene) {
     edit<Scene>(text, [](Scene& now) { return &now; }, scene, {SceneChange::What::Objects});
 }
 
+bool Document::justUpdated() const {
+    const int last = history_.index() - 1;
+    return last >= 0 && dynamic_cast<const NewGeometry*>(history_.command(last));
+}
+
+const TakenAs* Document::takenAs() const {
+    if (!source_.taken || trial_ || history_.canRedo()) return nullptr;
+    return history_.isClean() || justUpdated() ? &*source_.taken : nullptr;
+}
+
 void Document::takeGeometry(Updated updated) {
     if (updated.scene == scene_) {
+        if (!updated.source.taken) updated.source.taken = source_.taken;
         source_ = std::move(updated.source); // there is nothing to take back
         return;
     }

@@ -73,8 +73,14 @@ struct FileStamp {
 /// What an update of the geometry has given.
 struct GeometryUpdate {
     std::filesystem::path file;
-    std::size_t surfaces = 0, withFeel = 0; ///< of the new geometry, and how many found a partner
-    std::vector<Finding> findings;          ///< what did not, what is lost, what the reader found
+    bool changed = true;                    ///< else these are the shapes that were there
+    std::size_t surfaces = 0, withFeel = 0; ///< of the new geometry, and how many have got one
+    std::size_t back = 0;                   ///< with the feel that they had before they were gone
+    std::size_t surfacesBefore = 0, surfacesLost = 0;
+    std::size_t layersLost = 0, bodiesLost = 0;
+    std::optional<FileAxes> axesBefore, axes; ///< where the unit is another one, so that the size fits
+    double grown = 1;              ///< how many times as large as before it is by the unit of before
+    std::vector<Finding> findings; ///< what found no partner, what is lost, what the reader found
 };
 
 /// Edits of one gesture (a drag, a run of the wheel) become one step of the history. 0 is no gesture.
@@ -96,8 +102,9 @@ public:
     /// Where the geometry is from: a file of another program stays that when the scene gets a file of its
     /// own. Empty for a scene at a server.
     const FileStamp& source() const { return source_.file; }
-    /// Nothing where the file said everything, or is a scene's.
-    const std::optional<TakenAs>& takenAs() const { return takenAs_; }
+    /// As what the source was taken, where it leaves that open and takeOtherwise() loses nothing: just
+    /// opened, with no step done or undone since, or just updated from. Else nullptr.
+    const TakenAs* takenAs() const;
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
@@ -176,8 +183,13 @@ public:
     void reopen(const AxesChoice& choice);
     /// The shapes of a file with the feel of this scene, by names (carryFeel()), where the objects have been
     /// put: one step of the history. On a worker; ends with geometryUpdated() and editEnded(). Of a file of
-    /// the source's format the axes are the source's.
-    void updateGeometry(const std::filesystem::path& file, const AxesChoice& choice = {});
+    /// the source's format the axes are the source's, unless by another unit alone it is about as large as
+    /// before. Feel that finds no surface waits for the next update, until another scene is opened.
+    void updateGeometry(const std::filesystem::path& file, const AxesChoice& choice = {}) {
+        startUpdate(file, choice, false);
+    }
+    /// What takenAs() is about, by another choice: opened anew, or one more step that updates from it.
+    void takeOtherwise(const AxesChoice& choice);
     void cancelOpen() { job_.cancel(); }
     /// Goes on with a scene that was not saved: under the name of its file, with unsaved changes. `own`:
     /// whether hasOwnFile() held. Ends with opened().
@@ -246,14 +258,20 @@ private:
         FileStamp file;
         FileAxes axes;           ///< as which it was taken
         std::optional<Scene> as; ///< as the file has it, in metres with y up; nothing where that is not known
+        std::optional<TakenAs> taken{};  ///< where another choice is offered
+        std::vector<SceneObject> gone{}; ///< with surfaces whose feel waits for the next update
     };
     struct Updated {
         Scene scene;
         Source source;
         GeometryUpdate told;
     };
-    static Result<Updated> updated(const Scene& now, const Source& source, const std::filesystem::path& file,
-                                   const AxesChoice& choice, const Progress& progress);
+    struct NewShapes;
+    static Result<NewShapes> readShapes(const Source& source, const std::filesystem::path& file,
+                                        const AxesChoice& choice, bool chosen, const Progress& progress);
+    static Result<Updated> updated(const Scene& now, const Source& source, NewShapes shapes);
+    void startUpdate(const std::filesystem::path& file, const AxesChoice& choice, bool chosen);
+    bool justUpdated() const;
     void openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew);
     void takeGeometry(Updated updated);
 
@@ -272,7 +290,6 @@ private:
     Scene scene_;
     FileStamp file_;
     Source source_;
-    std::optional<TakenAs> takenAs_;
     bool own_ = false; ///< the file was written by this program, and is no sample
     int scenes_ = 0;   ///< how many have been opened
     std::vector<FileFinding> findings_;

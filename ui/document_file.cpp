@@ -34,10 +34,9 @@ void Document::openAs(const std::filesystem::path& file, bool isSample, const Ax
             if (anew && modified())
                 return emit openFailed(tr("%1 was not opened anew: the scene was edited meanwhile.")
                                            .arg(QString::fromStdU16String(file.filename().u16string())));
-            const Source source{stamp, taken ? taken->axes : FileAxes(), (*loaded)->scene};
+            const Source source{stamp, taken ? taken->axes : FileAxes(), (*loaded)->scene, taken};
             adopt(std::move(**loaded), stamp);
             source_ = source;
-            takenAs_ = taken;
             own_ = ours && !isSample;
             fit(fitting);
             history_.setClean(); // nobody has done anything yet that could be lost
@@ -87,8 +86,8 @@ void Document::save(const std::filesystem::path& file) {
         if (of == scenes_) {
             file_ = FileStamp(file);
             own_ = true;
-            takenAs_.reset();
-            if (source_.file.path == file) source_ = {file_, {}, scene};
+            source_.taken.reset();
+            if (source_.file.path == file) source_ = {file_, {}, scene, {}, source_.gone};
             // The step of the history may be the same one and hold something else by now.
             if (scene == scene_)
                 history_.setClean();
@@ -121,7 +120,6 @@ void Document::adopt(LoadedScene loaded, const FileStamp& file) {
     }
     file_ = file;
     source_ = {file, {}, std::nullopt};
-    takenAs_.reset();
     announce({SceneChange::What::Everything});
     if (!scene_.objects.empty()) select(SurfaceRef{scene_.objects.front().id, 0});
 }

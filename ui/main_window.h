@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 
 #include "core/geometry/repair.h"
@@ -20,6 +21,7 @@
 #include "ui/style.h"
 #include "ui/world_publisher.h"
 
+class QDialog;
 class QMenu;
 class QStackedWidget;
 
@@ -152,13 +154,18 @@ private:
     void leave(const QString& intent, std::function<void()> goOn);
     // Of what a file leaves open: main_window_import.cpp.
     void connectImport();
+    std::optional<FileAxes> shownAxes() const;
+    void takeOtherwise(const FileAxes& axes);
+    void endAsking();
     void showImport();
+    void showImportCommands(const TakenAs* taken);
     // Of shapes that changed elsewhere: main_window_geometry.cpp.
     void connectGeometry();
     void askForGeometry();
     void updateGeometry(const std::filesystem::path& file);
     void offerUpdate();
     void showUpdated(const GeometryUpdate& update);
+    void followUpdate(int step);
     void connectRecovery(); ///< main_window_recovery.cpp
     void connectToServer();
     void showCentre(); ///< main_window_shared.cpp
@@ -274,6 +281,11 @@ private:
     int healthFrames_ = 0;            ///< since the health was last displayed
     std::function<void()> afterSave_; ///< what the person wanted to do next
     bool importSeen_ = false;         ///< the person has closed the import bar
+    std::optional<FileAxes> asked_;   ///< as which the file is being read again
+    QString fittedNote_;              ///< what was last noted of the document
+    int updateStep_ = 0;              ///< of the history after the update that is told of; 0: none
+    QString updateNote_;              ///< what is told of it
+    QPointer<QDialog> updateList_;    ///< what is not as before
     bool leaving_ = false;            ///< the person has agreed to close the window
     bool riskAccepted_ = false;       ///< of stiffness above the ceiling, until the program ends
     std::vector<TracePoint> trace_;   ///< of this frame

@@ -276,7 +276,10 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::changed, this, &MainWindow::follow);
     connect(&document_, &Document::opened, this, &MainWindow::showOpened);
     connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
-    connect(&document_, &Document::noted, notice_, &NoticeBar::showNote);
+    connect(&document_, &Document::noted, this, [this](const QString& sentence) {
+        fittedNote_ = sentence;
+        notice_->showNote(sentence);
+    });
     connect(&document_, &Document::editProgressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Changing the mesh"), fraction, secondsLeft, true);
     });

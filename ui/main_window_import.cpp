@@ -9,26 +9,41 @@
 
 namespace tactum {
 
+namespace {
+
+/// In the order of kLengthUnits.
+constexpr const char* kUnitCommands[] = {"taken-m", "taken-cm", "taken-mm", "taken-in"};
+constexpr std::pair<const char*, bool> kUpCommands[] = {{"up-y", false}, {"up-z", true}};
+static_assert(std::size(kUnitCommands) == std::size(kLengthUnits));
+
+} // namespace
+
 void MainWindow::connectImport() {
-    connect(importBar_, &ImportBar::unitChosen, this, [this](double unit) {
-        const TakenAs taken = *document_.takenAs();
-        rememberUnit(document_.path(), unit, taken.guess.unit);
-        document_.reopen({unit, taken.axes.zUp});
-    });
-    connect(importBar_, &ImportBar::upChosen, this, [this](bool zUp) {
-        const TakenAs taken = *document_.takenAs();
-        rememberUp(document_.path(), zUp, taken.guess.zUp);
-        document_.reopen({taken.axes.unit, zUp});
-    });
+    connect(importBar_, &ImportBar::chosen, this, &MainWindow::takeOtherwise);
+    connect(importBar_, &ImportBar::arranged, this,
+            [this] { hint_->keepAbove(importBar_->isHidden() ? 0 : importBar_->sizeHint().height()); });
+    for (std::size_t i = 0; i < std::size(kUnitCommands); ++i)
+        connect(&actions_[kUnitCommands[i]], &QAction::triggered, this, [this, i] {
+            if (const auto shown = shownAxes()) takeOtherwise({kLengthUnits[i].metres, shown->zUp});
+        });
+    for (const auto& [id, zUp] : kUpCommands)
+        connect(&actions_[id], &QAction::triggered, this, [this, up = zUp] {
+            if (const auto shown = shownAxes()) takeOtherwise({shown->unit, up});
+        });
     connect(importBar_, &ImportBar::closed, this, [this] {
         importSeen_ = true;
         showImport();
     });
     connect(&document_, &Document::opened, this, [this] {
         importSeen_ = false;
-        showImport();
+        endAsking();
     });
-    connect(&document_, &Document::openFailed, this, &MainWindow::showImport); // the choice is as before
+    connect(&document_, &Document::geometryUpdated, this, [this] {
+        importSeen_ = false;
+        endAsking();
+    });
+    connect(&document_, &Document::openFailed, this, &MainWindow::endAsking); // the choice is as before
+    connect(&document_, &Document::editEnded, this, &MainWindow::endAsking);
     connect(&document_, &Document::saved, this, &MainWindow::showImport);
     // A trial is no step of the history, and not there yet when it is announced.
     connect(&document_, &Document::changed, this, &MainWindow::showImport, Qt::QueuedConnection);
@@ -38,15 +53,58 @@ void MainWindow::connectImport() {
     connect(playback_, &Playback::ended, this, &MainWindow::showImport);
 }
 
-/// To open a file again begins a new history, so that it is offered only while there is nothing to lose.
+/// As what the file was taken, or is about to be.
+std::optional<FileAxes> MainWindow::shownAxes() const {
+    const TakenAs* taken = document_.takenAs();
+    return taken ? std::optional(asked_.value_or(taken->axes)) : std::nullopt;
+}
+
+void MainWindow::takeOtherwise(const FileAxes& axes) {
+    const auto shown = shownAxes();
+    if (!shown || axes == *shown) return showImport(); // a command that holds already stays ticked
+    const std::filesystem::path file = document_.source().path;
+    const FileAxes guess = document_.takenAs()->guess;
+    if (axes.unit != shown->unit) rememberUnit(file, axes.unit, guess.unit);
+    if (axes.zUp != shown->zUp) rememberUp(file, axes.zUp, guess.zUp);
+    asked_ = axes;
+    notice_->takeBack(fittedNote_); // its size is another one soon
+    document_.takeOtherwise({axes.unit, axes.zUp});
+    showImport();
+}
+
+void MainWindow::endAsking() {
+    asked_.reset();
+    showImport();
+}
+
+/// Offered only while there is nothing to lose: to open a file again begins a new history, and an update ends
+/// what could be done again.
 void MainWindow::showImport() {
-    const auto& taken = document_.takenAs();
-    if (taken && !importSeen_ && !document_.modified() && !playback_->active())
-        importBar_->display(QString::fromStdU16String(document_.path().filename().u16string()), *taken,
-                            boundsOf(document_.scene()).diagonal());
-    else
+    const TakenAs* offered = importSeen_ || playback_->active() ? nullptr : document_.takenAs();
+    showImportCommands(offered);
+    if (offered) {
+        TakenAs taken = *offered;
+        if (asked_) {
+            taken.axes = *asked_;
+            taken.by = TakenAs::By::Choice;
+        }
+        importBar_->display(QString::fromStdU16String(document_.source().path.filename().u16string()), taken,
+                            asked_ ? std::nullopt : std::optional(boundsOf(document_.scene()).diagonal()));
+    } else
         importBar_->hide();
     hint_->keepAbove(importBar_->isHidden() ? 0 : importBar_->sizeHint().height());
+}
+
+void MainWindow::showImportCommands(const TakenAs* taken) {
+    const auto shown = shownAxes();
+    for (std::size_t i = 0; i < std::size(kUnitCommands); ++i) {
+        actions_[kUnitCommands[i]].setEnabled(taken && taken->unitOpen);
+        actions_[kUnitCommands[i]].setChecked(shown && shown->unit == kLengthUnits[i].metres);
+    }
+    for (const auto& [id, zUp] : kUpCommands) {
+        actions_[id].setEnabled(taken && taken->upOpen);
+        actions_[id].setChecked(shown && shown->zUp == zUp);
+    }
 }
 
 } // namespace tactum

@@ -30,12 +30,20 @@ struct Reason {
     const char* id;
     const char* sentence;
 };
+constexpr auto kNotOffered =
+    "The file says it, or it could lose edits; see the bar over the view after opening.";
 constexpr Reason kReasons[] = {
     {"save", "Nothing is open."},
     {"save-as", "Nothing is open."},
     {"export", "Nothing is open."},
     {"update-geometry", "Nothing is open."},
     {"save-picture", "Nothing is open."},
+    {"taken-m", kNotOffered},
+    {"taken-cm", kNotOffered},
+    {"taken-mm", kNotOffered},
+    {"taken-in", kNotOffered},
+    {"up-y", kNotOffered},
+    {"up-z", kNotOffered},
     {"undo", "There is no edit to take back."},
     {"redo", "No edit was taken back."},
     {"stop", "The forces are off already."},
@@ -129,10 +137,12 @@ void MainWindow::addSurfaces(std::vector<PaletteEntry>& entries) {
 void MainWindow::connectPalette() {
     connect(&actions_["palette"], &QAction::triggered, this, &MainWindow::openPalette);
     const auto docks = findChildren<QDockWidget*>(); // now: who comes to the front comes last later
-    connect(&actions_["next-panel"], &QAction::triggered, this,
-            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, true); });
-    connect(&actions_["previous-panel"], &QAction::triggered, this,
-            [this, docks] { focusNextPanel(*centre_->currentWidget(), docks, false); });
+    connect(&actions_["next-panel"], &QAction::triggered, this, [this, docks] {
+        focusNextPanel({centre_->currentWidget(), importBar_}, docks, true);
+    });
+    connect(&actions_["previous-panel"], &QAction::triggered, this, [this, docks] {
+        focusNextPanel({centre_->currentWidget(), importBar_}, docks, false);
+    });
     auto* search = new QToolButton;
     search->setObjectName(QStringLiteral("palette-button"));
     search->setText(tr("Search for a command   %1")

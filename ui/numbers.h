@@ -14,7 +14,7 @@ QString numberText(double value, int decimals);
 /// How many of `decimals` a value of any size needs: four, fewer where there were more than eight digits, and
 /// more where fewer than three were left of it.
 int decimalsFor(double value, int decimals);
-/// A length of any size in the unit that suits it: "0.30 mm", "200 mm", "4.2 m".
+/// A length of any size in the unit that suits it: "14 µm", "0.30 mm", "200 mm", "4.2 m".
 QString lengthText(double metres);
 /// A time left: "3 s", "2 min".
 QString durationText(double seconds);

@@ -20,11 +20,13 @@ QWidget* firstWithKeys(QWidget& panel) {
 
 } // namespace
 
-void focusNextPanel(QWidget& centre, const QList<QDockWidget*>& docks, bool forward) {
+void focusNextPanel(const QList<QWidget*>& centre, const QList<QDockWidget*>& docks, bool forward) {
     QList<QDockWidget*> open = docks;
     // What lies behind a tab is hidden, but its action knows better.
     open.removeIf([](const QDockWidget* dock) { return !dock->toggleViewAction()->isChecked(); });
-    QList<QWidget*> ring{&centre};
+    QList<QWidget*> ring = centre;
+    ring.removeIf([](const QWidget* part) { return !part->isVisible(); });
+    const qsizetype central = ring.size();
     for (QDockWidget* dock : open)
         ring << dock->widget();
     const QWidget* now = QApplication::focusWidget();
@@ -32,7 +34,7 @@ void focusNextPanel(QWidget& centre, const QList<QDockWidget*>& docks, bool forw
     for (qsizetype i = 0; i < ring.size(); ++i)
         if (now && (ring[i] == now || ring[i]->isAncestorOf(now))) at = i;
     const qsizetype next = (at + (forward ? 1 : ring.size() - 1)) % ring.size();
-    if (next > 0) open[next - 1]->raise();
+    if (next >= central) open[next - central]->raise();
     firstWithKeys(*ring[next])->setFocus(Qt::TabFocusReason);
 }
 

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace tactum {
 
-/// Gives the keys to the next panel of these that is open, or to the one before; `centre` is one as well. A
-/// panel that lies behind a tab comes to the front. Thread: ui.
-void focusNextPanel(QWidget& centre, const QList<QDockWidget*>& docks, bool forward);
+/// Gives the keys to the next panel of these that is open, or to the one before; what is visible of `centre`
+/// comes before them. A panel that lies behind a tab comes to the front. Thread: ui.
+void focusNextPanel(const QList<QWidget*>& centre, const QList<QDockWidget*>& docks, bool forward);
 
 } // namespace tactum

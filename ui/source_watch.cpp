@@ -5,7 +5,7 @@
 namespace tactum {
 
 namespace {
-constexpr int kSettled = 300; // ms: programs write a file in parts
+constexpr int kSettled = 1000; // ms: programs write a file in parts, with pauses
 }
 
 SourceWatch::SourceWatch(Document& document, QObject* parent)

@@ -1,6 +1,7 @@
 #include "ui/taken_as.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QSettings>
 
@@ -36,10 +37,23 @@ std::optional<TakenAs> takeAs(LoadedScene& loaded, const AxesChoice& choice) {
         taken.axes.unit = choice.unit.value_or(taken.guess.unit);
     }
     if (taken.upOpen) taken.axes.zUp = choice.zUp.value_or(taken.guess.zUp);
+    taken.by = taken.axes == taken.guess ? TakenAs::By::Guess : TakenAs::By::Choice;
     placeAs(loaded.scene, taken.axes);
     taken.across = boundsOf(loaded.scene).diagonal();
     std::erase_if(loaded.findings, saysUnit); // the window shows as what it was taken
     return taken;
+}
+
+std::optional<double> unitBySize(double units, double unitBefore, double before) {
+    constexpr double kJump = 20; // an inch is 25 mm, and nobody makes a part 20 times as large
+    constexpr double kAlike = 3; // units are at least 2.5 times as long as the next
+    if (!(units > 0 && before > 0)) return std::nullopt;
+    const auto farOff = [&](double unit) { return std::abs(std::log(units * unit / before)); };
+    if (farOff(unitBefore) < std::log(kJump)) return std::nullopt;
+    const double best = std::ranges::min(kLengthUnits, {}, [&](const LengthUnit& unit) {
+                            return farOff(unit.metres);
+                        }).metres;
+    return farOff(best) < std::log(kAlike) ? std::optional(best) : std::nullopt;
 }
 
 AxesChoice rememberedAxes(const std::filesystem::path& file) {

@@ -18,9 +18,15 @@ std::string lineOf(const Finding& finding) {
 }
 
 std::string counted(std::size_t count, std::string_view noun) {
-    const bool vertices = noun == "vertex";
-    const std::string plural = vertices ? "vertices" : std::string(noun) + "s";
-    return std::to_string(count) + " " + (count == 1 ? std::string(noun) : plural);
+    std::string word(noun);
+    if (count == 1) return "1 " + word;
+    if (word == "vertex")
+        word = "vertices";
+    else if (word == "body")
+        word = "bodies";
+    else
+        word += "s";
+    return std::to_string(count) + " " + word;
 }
 
 void CountedFindings::add(Finding::Severity severity, std::size_t count, std::string_view noun,

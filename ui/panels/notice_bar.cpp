@@ -1,5 +1,6 @@
 #include "ui/panels/notice_bar.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QEvent>
@@ -19,8 +20,9 @@ constexpr int kNoteTime = 30000; // ms: what was done long ago is no news; error
 }
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QWidget(parent), icon_(new QLabel), text_(new QLabel), bar_(new QProgressBar),
-      cancel_(new QPushButton(tr("Cancel"))), act_(new QPushButton), close_(new QToolButton) {
+    : QWidget(parent), icon_(new QLabel), text_(new QLabel), inside_(new QBoxLayout(QBoxLayout::LeftToRight)),
+      buttons_(new QHBoxLayout), bar_(new QProgressBar), cancel_(new QPushButton(tr("Cancel"))),
+      act_(new QPushButton), also_(new QPushButton), close_(new QToolButton) {
     setObjectName(QStringLiteral("notice"));
     setAttribute(Qt::WA_StyledBackground);
     text_->setObjectName(QStringLiteral("notice-text"));
@@ -33,6 +35,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     bar_->setFixedWidth(20 * kRhythm);
     cancel_->setObjectName(QStringLiteral("notice-cancel"));
     act_->setObjectName(QStringLiteral("notice-act"));
+    also_->setObjectName(QStringLiteral("notice-also"));
     close_->setIcon(icon(QStringLiteral("close")));
     close_->setIconSize({16, 16});
     close_->setAccessibleName(tr("Close this message"));
@@ -40,22 +43,31 @@ NoticeBar::NoticeBar(QWidget* parent)
     row->setContentsMargins(12, 6, kRhythm, 6);
     row->setSpacing(kRhythm);
     row->addWidget(icon_);
-    row->addWidget(text_, 1);
+    row->addLayout(inside_, 1);
+    row->addWidget(close_);
+    inside_->setSpacing(kRhythm);
+    inside_->addWidget(text_, 1);
+    buttons_->setSpacing(kRhythm);
+    buttons_->addStretch(1);
     for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_),
-                            static_cast<QWidget*>(act_), static_cast<QWidget*>(close_)})
-        row->addWidget(widget);
+                            static_cast<QWidget*>(act_), static_cast<QWidget*>(also_)})
+        buttons_->addWidget(widget);
+    inside_->addLayout(buttons_);
     connect(close_, &QToolButton::clicked, this, &QWidget::hide);
     connect(cancel_, &QPushButton::clicked, this, &NoticeBar::cancelled);
-    connect(act_, &QPushButton::clicked, this, [this] {
-        const auto action = message_ ? message_->action : nullptr;
-        hide();
-        if (action) action();
-    });
+    connect(act_, &QPushButton::clicked, this, [this] { press(&Message::action); });
+    connect(also_, &QPushButton::clicked, this, [this] { press(&Message::alsoAction); });
     fading_.setSingleShot(true);
     connect(&fading_, &QTimer::timeout, this, [this] {
         if (property("severity").toString() == QLatin1String("note")) hide();
     });
     hide();
+}
+
+void NoticeBar::press(std::function<void()> Message::*which) {
+    const auto action = message_ ? (*message_).*which : nullptr;
+    hide();
+    if (action) action();
 }
 
 QString NoticeBar::text() const {
@@ -65,6 +77,22 @@ QString NoticeBar::text() const {
 void NoticeBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) close_->setIcon(icon(QStringLiteral("close")));
     QWidget::changeEvent(event);
+}
+
+/// Where the buttons would leave little to the words, they stand below them.
+void NoticeBar::fit() {
+    constexpr int kLeast = 40 * kRhythm; // for words in a line
+    int taken = 0;
+    for (const QWidget* each : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_),
+                                static_cast<QWidget*>(act_), static_cast<QWidget*>(also_)})
+        if (!each->isHidden()) taken += std::max(each->minimumWidth(), each->sizeHint().width()) + kRhythm;
+    const bool below = taken > 0 && width() - taken < kLeast;
+    inside_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void NoticeBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
 }
 
 void NoticeBar::setSeverity(const QString& severity) {
@@ -83,7 +111,10 @@ void NoticeBar::showMessage(Message message) {
     cancel_->hide();
     act_->setText(message.button);
     act_->setVisible(!message.button.isEmpty());
+    also_->setText(message.also);
+    also_->setVisible(!message.also.isEmpty());
     setSeverity(message.severity);
+    fit();
     setAccessibleName(message.sentence);
     if (note && message.button.isEmpty())
         fading_.start(kNoteTime);
@@ -96,6 +127,28 @@ void NoticeBar::showMessage(Message message) {
 void NoticeBar::offer(const QString& sentence, const QString& severity, const QString& button,
                       std::function<void()> action) {
     showMessage({sentence, severity, button, std::move(action)});
+}
+
+void NoticeBar::alsoOffer(const QString& button, std::function<void()> action) {
+    if (!message_) return;
+    Message message = *message_;
+    message.also = button;
+    message.alsoAction = std::move(action);
+    const bool waits = property("severity") == QLatin1String("progress");
+    if (waits)
+        message_ = std::move(message);
+    else
+        showMessage(std::move(message));
+}
+
+void NoticeBar::takeBack(const QString& sentence) {
+    if (!message_ || message_->sentence != sentence) return;
+    message_.reset();
+    if (property("severity") != QLatin1String("progress")) hide();
+}
+
+void NoticeBar::takeBackAlso(const QString& sentence) {
+    if (message_ && message_->sentence == sentence) alsoOffer({}, {});
 }
 
 void NoticeBar::withdraw(const QString& button) {
@@ -115,8 +168,10 @@ void NoticeBar::showProgress(const QString& what, double fraction, double second
     bar_->setValue(int(1000 * fraction));
     cancel_->setVisible(cancellable);
     act_->hide();
+    also_->hide();
     fading_.stop();
     setSeverity(QStringLiteral("progress"));
+    fit();
     show();
 }
 

@@ -20,10 +20,20 @@ Surface surface(const std::string& name, double stiffness = kStiffness.initial) 
     return made;
 }
 
-void add(Scene& scene, const std::string& name, std::vector<Surface> surfaces) {
+Surface painted(const std::string& name) {
+    Surface made = surface(name);
+    made.layers.resize(1);
+    made.layers[0].pattern.source = TextureSource::Painted;
+    return made;
+}
+
+/// A square, or another quadrangle; with its lower left corner at `at`.
+void add(Scene& scene, const std::string& name, std::vector<Surface> surfaces, const Vec3& at = Vec3::Zero(),
+         const Vec3& corner = {1, 1, 0}) {
     SceneObject object;
     object.name = name;
-    object.geometry = SoupBuilder().quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}).build();
+    object.geometry = SoupBuilder().quad({0, 0, 0}, {1, 0, 0}, corner, {0, 1, 0}).build();
+    object.pose.translation = at;
     object.surfaces = std::move(surfaces);
     scene.add(std::move(object));
 }
@@ -123,6 +133,84 @@ private slots:
         COMPARE_CONTAINS(said(carried), "1 layer of surface skin lies on texture coordinates");
         COMPARE_LACKS(said(carryFeel(from, same)), "painted"); // the mesh is the one that was painted
         QCOMPARE(same.objects[0].surfaces[0].layers.size(), std::size_t(2));
+    }
+
+    /// As many vertices and the same triangles are no proof that it is the same.
+    void paintOnAnotherShapeIsSaid() {
+        Scene from;
+        add(from, "a", {painted("skin")});
+        add(from, "b", {surface("other")});
+        Scene bent, rounded, larger;
+        for (auto* onto : {&bent, &rounded, &larger})
+            add(*onto, "b", {surface("other")});
+        add(bent, "a", {surface("skin")}, {0, 0, 0}, {1, 0.9, 0});
+        add(rounded, "a", {surface("skin")}, {5, 0, 0}, {1, 1 - 1e-6, 0}); // moved, and written to a file
+        add(larger, "a", {surface("skin")});
+        auto grown = std::make_shared<TriangleSoup>(*larger.objects[1].geometry);
+        for (Vec3& p : grown->positions)
+            p *= 1000;
+        larger.objects[1].geometry = grown;
+        const CarriedFeel onBent = carryFeel(from, bent);
+        COMPARE_CONTAINS(said(onBent), "a: 1 painted layer of surface skin carried vertex by vertex onto a "
+                                       "shape that is not the same; look whether");
+        QCOMPARE(onBent.layersLost, std::size_t(0));
+        QCOMPARE(bent.objects[1].surfaces[0].layers.size(), std::size_t(1));
+        QCOMPARE(said(carryFeel(from, rounded)), std::string());
+        QCOMPARE(said(carryFeel(from, larger)), std::string());
+    }
+
+    void paintOfAnotherObjectStaysBehind() {
+        Scene from;
+        add(from, "a", {painted("skin")});
+        add(from, "b", {surface("other")});
+        Scene elsewhere = from, renamed = from;
+        elsewhere.objects[0].name = renamed.objects[0].name = "c";
+        elsewhere.objects[0].pose.translation = {3, 0, 0};
+        for (auto* onto : {&elsewhere, &renamed})
+            onto->objects[0].surfaces = {surface("skin")};
+        const CarriedFeel carried = carryFeel(from, elsewhere);
+        QCOMPARE(carried.layersLost, std::size_t(1));
+        QVERIFY(elsewhere.objects[0].surfaces[0].layers.empty());
+        COMPARE_CONTAINS(said(carried), "c: 1 painted layer of surface skin left out, for it was painted on "
+                                        "another object; paint it again");
+        QCOMPARE(said(carryFeel(from, renamed)), std::string()); // it is where that was
+        QCOMPARE(renamed.objects[0].surfaces[0].layers.size(), std::size_t(1));
+    }
+
+    /// One part of a model is missing in one export, and back in the next.
+    void whatWasGoneComesBackWithItsFeel() {
+        Scene from, without, again;
+        add(from, "pot", {surface("clay", 100)});
+        add(from, "lid", {surface("clay", 200)}); // of the same name, which is not as near
+        add(without, "pot", {surface("clay")});
+        add(again, "pot", {surface("clay")});
+        add(again, "lid", {surface("clay")});
+        Scene other = again;
+        other.objects[1].name = "tray";
+        const std::vector<SceneObject> nothing;
+        const CarriedFeel first = carryFeel(from, without, &nothing);
+        QCOMPARE(first.surfacesLost, std::size_t(1));
+        QCOMPARE(first.gone.size(), std::size_t(1));
+        COMPARE_CONTAINS(said(first), "its feel is kept for when the file has it again");
+        const CarriedFeel second = carryFeel(without, again, &first.gone);
+        QCOMPARE_EQ(again.objects[1].surfaces[0].material.stiffness, 200.0);
+        QCOMPARE(second.surfaces, std::size_t(1));
+        QCOMPARE(second.back, std::size_t(1));
+        QVERIFY(second.gone.empty());
+        QCOMPARE(said(second), std::string());
+        const CarriedFeel third = carryFeel(without, other, &first.gone); // not its
+        QCOMPARE_EQ(other.objects[1].surfaces[0].material.stiffness, 100.0);
+        QCOMPARE(third.gone.size(), std::size_t(1)); // it goes on to wait
+    }
+
+    void bodiesThatStayBehindAreCounted() {
+        Scene from, onto;
+        add(from, "pot", {surface("clay")});
+        add(onto, "pot", {surface("clay")});
+        from.mechanics.bodies.resize(3);
+        const CarriedFeel carried = carryFeel(from, onto);
+        QCOMPARE(carried.bodiesLost, std::size_t(3));
+        COMPARE_CONTAINS(said(carried), "3 bodies left out");
     }
 
     /// A file of one mesh is called as the person calls it, and so is what is in it.

@@ -2,8 +2,12 @@
 // findings show.
 #include <QAbstractButton>
 #include <QDialog>
+#include <QGridLayout>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
@@ -85,6 +89,19 @@ private slots:
         COMPARE_NEAR(heightOf(upKnown), 0.1, 1e-9, "m");
     }
 
+    void aUnitIsFoundByTheSizeOfBefore() {
+        QVERIFY(!unitBySize(140, 1e-3, 0.14));
+        QVERIFY(!unitBySize(14, 1e-3, 0.14));   // centimetres, or a smaller part
+        QVERIFY(!unitBySize(2000, 1e-3, 0.14)); // a larger part
+        QCOMPARE(unitBySize(0.14, 1e-3, 0.14), std::optional(1.0));
+        QCOMPARE(unitBySize(0.12, 1e-3, 0.14), std::optional(1.0));
+        QCOMPARE(unitBySize(140, 1, 0.14), std::optional(1e-3));
+        QCOMPARE(unitBySize(5.5, 1e-3, 0.14), std::optional(0.0254));
+        QVERIFY(!unitBySize(1e7, 1e-3, 0.14)); // none fits
+        QVERIFY(!unitBySize(0, 1e-3, 0.14));
+        QVERIFY(!unitBySize(0.14, 1e-3, 0));
+    }
+
     void aChoiceIsKeptByTheEnding() {
         QVERIFY(rememberedAxes("a.stl") == AxesChoice());
         rememberUnit("a.stl", 0.0254, 1);
@@ -110,6 +127,7 @@ private slots:
         bar.display(QStringLiteral("plate.stl"), taken, 0.095);
         COMPARE_SHOWN(shownIn(bar), "import-guessed");
         taken.axes = {0.0254, true};
+        taken.by = TakenAs::By::Choice;
         taken.across = 2.413;
         bar.display(QStringLiteral("plate.stl"), taken, 0.2);
         COMPARE_SHOWN(shownIn(bar), "import-chosen");
@@ -117,15 +135,50 @@ private slots:
         bar.display(QStringLiteral("plate.fbx"), taken, 0.2);
         COMPARE_SHOWN(shownIn(bar), "import-unit-alone");
 
-        QSignalSpy unit(&bar, &ImportBar::unitChosen), up(&bar, &ImportBar::upChosen);
+        QSignalSpy chosen(&bar, &ImportBar::chosen);
+        const auto last = [&] { return chosen.back()[0].value<FileAxes>(); };
         part<QAbstractButton>(bar, "import-unit-in").click(); // it is that already
-        QCOMPARE(unit.size(), 0);
+        QCOMPARE(chosen.size(), 0);
         part<QAbstractButton>(bar, "import-unit-cm").click();
-        QCOMPARE(unit.size(), 1);
-        QCOMPARE_EQ(unit[0][0].toDouble(), metresOf("cm").value()); // the very number of the table
+        QCOMPARE(chosen.size(), 1);
+        QVERIFY((last() == FileAxes{metresOf("cm").value(), true})); // the very number of the table
         part<QAbstractButton>(bar, "import-up-y").click();
-        QCOMPARE(up.size(), 1);
-        QCOMPARE(up[0][0].toBool(), false);
+        QCOMPARE(chosen.size(), 2);
+        QVERIFY((last() == FileAxes{metresOf("cm").value(), false})); // from what was asked for last
+    }
+
+    /// Buttons keep their size; words go first.
+    void inANarrowPlaceWordsGoBeforeButtons() {
+        QWidget place;
+        auto* grid = new QGridLayout(&place);
+        grid->setContentsMargins(0, 0, 0, 0);
+        auto* bar = new ImportBar;
+        auto* foot = new QVBoxLayout; // as in the window
+        foot->addWidget(bar, 0, Qt::AlignHCenter);
+        grid->addLayout(foot, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
+        TakenAs taken;
+        taken.unitOpen = taken.upOpen = true;
+        taken.across = 2.413;
+        place.resize(700, 300);
+        place.show();
+        bar->display(QStringLiteral("the-plate-of-the-large-machine.stl"), taken, 0.2);
+        QTRY_COMPARE(bar->height(), bar->sizeHint().height());
+        const int flat = bar->height();
+        COMPARE_CONTAINS(part<QLabel>(*bar, "import-text").text(), "says neither unit nor up axis");
+        for (const int width : {360, 240}) {
+            place.resize(width, 300);
+            QTRY_COMPARE_GT(bar->height(), flat);
+            QCOMPARE_LE(bar->width(), width);
+            QCOMPARE_LT(bar->height(), 2 * flat); // no curtain
+            for (const auto* each : bar->findChildren<QToolButton*>()) {
+                QVERIFY2(each->width() >= each->sizeHint().width(), qPrintable(each->objectName()));
+                const QRect at(each->mapTo(bar, QPoint()), each->size());
+                QVERIFY2(bar->rect().contains(at), qPrintable(each->objectName()));
+            }
+            COMPARE_CONTAINS(part<QLabel>(*bar, "import-text").text(), "guessed");
+        }
+        place.resize(700, 300);
+        QTRY_COMPARE(bar->height(), flat);
     }
 
     void findingsAreListedWithTheirRemedies() {

@@ -105,6 +105,14 @@ private slots:
     }
 
     void lengthsAndTimesAsText() {
+        QCOMPARE(lengthText(0), "0.00 mm");
+        QCOMPARE(lengthText(1.4e-10), "0.14 nm");
+        QCOMPARE(lengthText(1.4e-7), QString::fromUtf8("0.14 \u00b5m"));
+        QCOMPARE(lengthText(9.99e-6), QString::fromUtf8("10 \u00b5m"));
+        QCOMPARE(lengthText(1.4e-5), QString::fromUtf8("14 \u00b5m"));
+        QCOMPARE(lengthText(0.99e-4), QString::fromUtf8("99 \u00b5m"));
+        QCOMPARE(lengthText(0.9999e-4), "0.10 mm");
+        QCOMPARE(lengthText(0.00014), "0.14 mm");
         QCOMPARE(lengthText(0.0003), "0.30 mm");
         QCOMPARE(lengthText(0.00999), "9.99 mm");
         QCOMPARE(lengthText(0.01), "10 mm");

@@ -1,5 +1,6 @@
 // What a file means that says neither its unit nor its up axis: shown, changed by a click, remembered.
 #include <QAbstractButton>
+#include <QApplication>
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
@@ -164,12 +165,90 @@ private slots:
         setRadius(program, 0.002);
         QVERIFY(!bar(program).isVisible());
         QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(bar(program).isVisible());
+        QVERIFY(!bar(program).isVisible()); // what can be done again would be lost
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE_EQ(program.document.scene().proxyRadius, 0.002);
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
         QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier); // its own size
         QVERIFY(!bar(program).isVisible());
         setRadius(program, 0.003); // as many steps as after the opening, but not those
         QCOMPARE(program.document.history().index(), 1);
         QVERIFY(!bar(program).isVisible());
+    }
+
+    /// The second is asked for while the file is read for the first.
+    void twoChoicesAtOnceBothHold() {
+        TouchedWindow program;
+        QVERIFY(program.open(writePlate(*folder_, 3)));
+        QSignalSpy opened(&program.document, &Document::opened);
+        QTest::mouseClick(&button(program, "import-up-z"), Qt::LeftButton);
+        QCOMPARE(said(program, "import-size"), "is being read");
+        QTest::mouseClick(&button(program, "import-unit-cm"), Qt::LeftButton);
+        QVERIFY(button(program, "import-up-z").isChecked());
+        QTRY_VERIFY_WITH_TIMEOUT(!opened.isEmpty() && !program.document.opening() && program.caughtUp(),
+                                 kPatience);
+        const Bounds box = boundsOf(program.document.scene());
+        COMPARE_NEAR(Vec3(box.high - box.low), Vec3(0.03, 0.09, 0), 1e-9, "m");
+        QVERIFY(button(program, "import-up-z").isChecked());
+        QVERIFY(button(program, "import-unit-cm").isChecked());
+        QCOMPARE(said(program, "import-size"), "95 mm across");
+    }
+
+    void inASmallWindowItsButtonsCanBeRead() {
+        for (const QSize size : {QSize(800, 600), QSize(1280, 800)}) {
+            TouchedWindow program(size);
+            QVERIFY(program.open(writePlate(*folder_, 30)));
+            QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+            const SceneView& view = program.window->view();
+            const QRect seen(view.mapTo(program.window.get(), QPoint()), view.size());
+            for (const char* name : {"import-unit-m", "import-unit-cm", "import-unit-mm", "import-unit-in",
+                                     "import-up-y", "import-up-z", "import-close"}) {
+                const QAbstractButton& each = button(program, name);
+                QVERIFY2(each.isVisible(), name);
+                QCOMPARE_GE(each.width(), each.sizeHint().width());
+                QVERIFY2(seen.contains(QRect(each.mapTo(program.window.get(), QPoint()), each.size())), name);
+            }
+        }
+    }
+
+    void theKeysReachIt() {
+        TouchedWindow program;
+        QVERIFY(program.open(writePlate(*folder_, 30)));
+        program.window->view().setFocus();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+        QCOMPARE(QApplication::focusWidget(), &button(program, "import-unit-mm"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+        QCOMPARE(QApplication::focusWidget(), &program.window->view());
+        // By name, as any command.
+        QVERIFY(program.command("taken-mm").isChecked());
+        QSignalSpy opened(&program.document, &Document::opened);
+        QTest::keyClick(program.window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Taken as centi"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+        QVERIFY(button(program, "import-unit-cm").isChecked());
+        program.command("up-z").trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+        QVERIFY(button(program, "import-unit-cm").isChecked());
+        QVERIFY(button(program, "import-up-z").isChecked());
+        program.command("up-z").trigger(); // it is that
+        QVERIFY(!program.document.opening());
+        QVERIFY(program.command("up-z").isChecked());
+        setRadius(program, 0.002);
+        QVERIFY(!program.command("up-z").isEnabled());
+        QVERIFY(!program.command("taken-cm").isEnabled());
+    }
+
+    void whatItSaidOfTheSizeGoes() {
+        TouchedWindow program;
+        QVERIFY(program.open(writePlate(*folder_, 1))); // 3.2 m
+        COMPARE_CONTAINS(said(program, "notice-text"), "has been scaled");
+        QVERIFY(choose(program, "import-unit-cm")); // 32 mm
+        program.frames(3);
+        auto* notice = program.window->findChild<QWidget*>(QStringLiteral("notice"));
+        QVERIFY2(!notice->isVisible(), qPrintable(said(program, "notice-text")));
     }
 
     void aDragThatIsNoStepYetHidesIt() {

@@ -4,10 +4,12 @@
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 
+#include "core/scene/bodies.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
@@ -98,7 +100,8 @@ private slots:
         COMPARE_NEAR(object(program, 0).pose.translation, Vec3(0, 0.01, 0), 1e-12, "m");
         QCOMPARE(program.document.history().count(), steps + 1);
         QCOMPARE(program.document.history().undoText(), "Update geometry from pot.obj");
-        COMPARE_CONTAINS(noticeOf(program), "The shapes are those of pot.obj now; 1 of 2 surfaces");
+        QCOMPARE(noticeOf(program), "The shapes are those of pot.obj now. 1 of 2 surfaces is not there any "
+                                    "more, 1 surface has no feel from here.");
         // What found no partner, on either side.
         QCOMPARE(act(program).text(), "What is not as before");
         QTest::mouseClick(&act(program), Qt::LeftButton);
@@ -110,9 +113,11 @@ private slots:
             rows << tree->topLevelItem(i)->text(0);
         COMPARE_CONTAINS(rows.join(u'\n'), "spoon: surface ");
         COMPARE_CONTAINS(rows.join(u'\n'), "lid: surface ");
-        list->close();
+        const QPointer<QDialog> shown = list;
+        program.window->activateWindow();
         QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(program.document.scene() == before);
+        QVERIFY(!shown || !shown->isVisible()); // everything is as before
         QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         COMPARE_NEAR(highOf(program), 0.12, 1e-9, "m");
     }
@@ -138,6 +143,91 @@ private slots:
         program.document.history().undo();
         QVERIFY(update(program, write(QStringLiteral("pot.obj"), text(450))));
         COMPARE_NEAR(boundsOf(program.document.scene()).high.y(), 0, 1e-9, "m");
+    }
+
+    /// Exported in metres this time: by the unit of the opening it would be too small to be seen.
+    void anotherUnitIsNoticedByTheSize() {
+        TouchedWindow program;
+        const auto text = [](double size) {
+            int next = 1;
+            return objBox("part", {0, 0, 0}, {0.1 * size, 0.08 * size, 0.06 * size}, next);
+        };
+        const QString file = write(QStringLiteral("part.obj"), text(1000));
+        QVERIFY(program.open(file));
+        program.document.reopen({1e-3, true});
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.opening() && program.caughtUp(), kPatience);
+        setStiffness(program, 0, 321);
+        const Vec3 size(0.1, 0.06, 0.08); // z is up
+        const auto sizeNow = [&] {
+            const Bounds box = boundsOf(program.document.scene());
+            return Vec3(box.high - box.low);
+        };
+        COMPARE_NEAR(sizeNow(), size, 1e-9, "m");
+        const auto& bar = *program.window->findChild<QWidget*>(QStringLiteral("import"));
+        QVERIFY(!bar.isVisible());
+        QVERIFY(update(program, write(QStringLiteral("part.obj"), text(1))));
+        COMPARE_NEAR(sizeNow(), size, 1e-9, "m");
+        QCOMPARE_EQ(object(program, 0).surfaces[0].material.stiffness, 321.0);
+        COMPARE_CONTAINS(noticeOf(program),
+                         "One unit is taken as 1 m and no longer as 1 mm, by which it would "
+                         "be 1000 times smaller than before.");
+        QVERIFY(bar.isVisible());
+        const auto unit = [&](const char* name) {
+            return program.window->findChild<QAbstractButton*>(QLatin1String(name));
+        };
+        QVERIFY(unit("import-unit-m")->isChecked());
+        QVERIFY(unit("import-up-z")->isChecked());
+        QSignalSpy updated(&program.document, &Document::geometryUpdated);
+        QTest::mouseClick(unit("import-unit-mm"), Qt::LeftButton); // it was meant so
+        QTRY_COMPARE_WITH_TIMEOUT(updated.size(), 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(program.caughtUp(), kPatience);
+        COMPARE_NEAR(sizeNow(), (1e-3 * size).eval(), 1e-9, "m");
+        QCOMPARE_EQ(object(program, 0).surfaces[0].material.stiffness, 321.0);
+        QVERIFY(unit("import-unit-mm")->isChecked());
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+        COMPARE_NEAR(sizeNow(), size, 1e-9, "m");
+        QVERIFY(!bar.isVisible()); // what can be done again would be lost
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(update(program, write(QStringLiteral("part.obj"), text(2000))));
+        COMPARE_NEAR(sizeNow(), (2 * size).eval(), 1e-9, "m"); // that may be meant
+        QVERIFY(!bar.isVisible());
+    }
+
+    /// A file whose end is not there yet, or an export of half a model.
+    void whatIsMissingIsSaidAndItsFeelWaits() {
+        TouchedWindow program;
+        QVERIFY(program.open(write(QStringLiteral("pot.obj"), potText(0.08))));
+        setStiffness(program, 0, 321);
+        setStiffness(program, 1, 222);
+        program.document.editScene(QStringLiteral("Bodies"), SceneChange::What::Bodies,
+                                   [](Scene& scene) { makeBody(scene, scene.objects[0].id); });
+        const Scene before = program.document.scene();
+        int next = 1;
+        const QByteArray half = objBox("pot", {-0.05, 0, -0.05}, {0.05, 0.08, 0.05}, next);
+        QVERIFY(update(program, write(QStringLiteral("pot.obj"), half)));
+        QCOMPARE(noticeOf(program), "The shapes are those of pot.obj now. 1 of 2 surfaces is not there any "
+                                    "more, 1 body was left out.");
+        auto& undo = *program.window->findChild<QAbstractButton*>(QStringLiteral("notice-also"));
+        QVERIFY(undo.isVisible());
+        QCOMPARE(undo.text(), "Undo");
+        QCOMPARE_GT(program.window->findChild<QLabel*>(QStringLiteral("notice-text"))->width(), 200);
+        QTest::mouseClick(&undo, Qt::LeftButton);
+        QVERIFY(program.document.scene() == before);
+        QVERIFY(noticeOf(program).isEmpty());
+        QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(program.document.scene().objects.size(), std::size_t(1));
+        QVERIFY(update(program, write(QStringLiteral("pot.obj"), potText(0.08))));
+        QCOMPARE_EQ(object(program, 0).surfaces[0].material.stiffness, 321.0);
+        QCOMPARE_EQ(object(program, 1).surfaces[0].material.stiffness, 222.0);
+        QCOMPARE(noticeOf(program),
+                 "The shapes are those of pot.obj now. 1 surface came back with the feel of "
+                 "before. They feel as before.");
+        // Another edit after an update: Undo would be about that.
+        QVERIFY(update(program, write(QStringLiteral("pot.obj"), half)));
+        QVERIFY(undo.isVisible());
+        setStiffness(program, 0, 500);
+        QVERIFY(!undo.isVisible());
+        QVERIFY(act(program).isVisible());
     }
 
     void aBrokenFileIsOneLineAndNoHarm() {
@@ -177,6 +267,7 @@ private slots:
         QVERIFY(!isOffered());
         // Many programs write beside it and put that in its place, some a while after they removed it.
         const auto* settling = program.window->findChild<SourceWatch*>()->findChild<QTimer*>();
+        QCOMPARE_GE(settling->interval(), 1000); // as long as nobody writes in between
         QSignalSpy looked(settling, &QTimer::timeout);
         const QString part = write(QStringLiteral("pot.obj.part"), potText(0.14));
         QVERIFY(QFile::remove(folder_->filePath(QStringLiteral("pot.obj"))));
