@@ -24,7 +24,8 @@ int decimalsFor(double value, int decimals) {
 
 QString lengthText(double metres) {
     // Of less than a tenth of a millimetre no two digits would be left.
-    for (const auto& [unit, name] : {std::pair(1e-6, QStringLiteral(" \u00b5m")), {1e-9, QStringLiteral(" nm")}})
+    for (const auto& [unit, name] :
+         {std::pair(1e-6, QStringLiteral(" \u00b5m")), {1e-9, QStringLiteral(" nm")}})
         if (metres >= unit / 10 && metres < 0.995e-4) {
             const double value = metres / unit;
             return numberText(value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0) + name;

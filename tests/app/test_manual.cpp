@@ -13,7 +13,7 @@ namespace test_manual {
 
 using namespace test_program;
 
-const QStringList kVerbs{"touch", "convert", "simulate", "play",   "info",
+const QStringList kVerbs{"touch", "convert", "simulate", "play",    "info",
                          "check", "verify",  "feel",     "devices", "thumbnail"};
 
 QByteArray manualAs(const QString& form) {

@@ -65,8 +65,9 @@ void SceneView::Impl::liftHand() {
     goalMoved();
 }
 
-/// A place near the finger where nothing pushes it: over the contact; where there is no room, or no contact, where the
-/// stroke came from, which the eye saw; and without either at the proxy, which is outside of everything.
+/// A place near the finger where nothing pushes it: over the contact; where there is no room, or no contact,
+/// where the stroke came from, which the eye saw; and without either at the proxy, which is outside of
+/// everything.
 Vec3 SceneView::Impl::clearPlace() const {
     Vec3 normal = Vec3::Zero();
     for (int i = 0; touch && i < touch->contacts; ++i)

@@ -1,4 +1,5 @@
-// How late a loop is woken: its figures against a sorted list, and that it sees a loop that is kept from waking.
+// How late a loop is woken: its figures against a sorted list, and that it sees a loop that is kept from
+// waking.
 #include <algorithm>
 #include <random>
 #include <vector>

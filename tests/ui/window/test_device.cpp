@@ -446,9 +446,8 @@ void TestDevice::theRuleForUsbIsOffered() {
         const QString asker = folder_.filePath(QStringLiteral("pkexec"));
         QFile script(asker);
         if (!script.open(QIODevice::WriteOnly | QIODevice::Truncate)) qFatal("no script");
-        script.write("#!/bin/sh\necho \"$5\" > '" +
-                     folder_.filePath(QStringLiteral("asked")).toLocal8Bit() + "'\nexit " +
-                     QByteArray::number(code) + "\n");
+        script.write("#!/bin/sh\necho \"$5\" > '" + folder_.filePath(QStringLiteral("asked")).toLocal8Bit() +
+                     "'\nexit " + QByteArray::number(code) + "\n");
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     };
     answer(126);
