@@ -11,7 +11,7 @@ from PIL import Image
 
 PACE = 60 # ms, of a picture
 REST = 700 # ms, of the last one
-COLOURS = 96
+COLOURS = 240
 
 folder, out = pathlib.Path(sys.argv[1]), sys.argv[2]
 files = sorted(folder.glob("touch-*.png"))

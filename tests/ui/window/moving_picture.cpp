@@ -62,19 +62,20 @@ void takeTouchFrames(const QDir& folder, const QString& sample) {
     program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
     program.type(QStringLiteral("dynamic-friction"), QStringLiteral("0.4"));
     program.type(QStringLiteral("proxy-radius"), QStringLiteral("2"));
-    program.wheel(program.centre() + QPoint(60, -10), 5);
+    program.wheel(program.centre() + QPoint(0, 20), 3);
     Frames frames(program, folder);
-    QPoint at = program.centre() + QPoint(92, -12);
+    QPoint at = program.centre() + QPoint(40, 20);
     program.moveTo(at);
     frames.take(4, at);
     program.press(at);
     frames.take(8, at);
-    program.wheel(at, 4);
+    program.wheel(at, 5);
     frames.take(6, at);
-    frames.stroke(at, at + QPoint(-110, 44), 26);
-    at += QPoint(-110, 44);
-    frames.stroke(at, at + QPoint(60, -60), 12);
-    at += QPoint(60, -60);
+    const QPoint left(-130, 25), back(70, -40);
+    frames.stroke(at, at + left, 30);
+    at += left;
+    frames.stroke(at, at + back, 12);
+    at += back;
     program.release(at);
     frames.take(8, at);
 }

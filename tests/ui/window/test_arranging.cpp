@@ -354,6 +354,10 @@ private slots:
         QVERIFY(test::waitFor([&] { return desk.program.touch().force.norm() > 0.2; }));
         desk.program.release(top);
         QVERIFY(desk.program.atRest());
+        for (int i = 0; i < 20 && desk.program.touch().force.norm() < 0.3; ++i) { // what keys press in stays in
+            QTest::keyClick(&desk.program.window->view(), Qt::Key_PageUp);
+            QVERIFY(desk.program.atRest());
+        }
         desk.program.command("arrange").trigger();
         desk.program.document.select(SurfaceRef{desk.object(1).id, 0});
         const double pressed = desk.program.touch().force.norm();

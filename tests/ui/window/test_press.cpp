@@ -104,6 +104,7 @@ private slots:
 
     void aPressIsNoBlow_data();
     void aPressIsNoBlow();
+    void whatGivesWayLeavesNothing();
     void aTapIsFeltAndLeavesNothing();
     void whatIsGivenUpOnTheWayTouchesNothing_data();
     void whatIsGivenUpOnTheWayTouchesNothing();
@@ -148,6 +149,22 @@ void TestPress::aPressIsNoBlow() {
         QCOMPARE_LT(last - released, 150); // ticks
     }
     QCOMPARE(judged, 2);
+}
+
+/// A key goes down under the finger, over which there is no room then, and comes back.
+void TestPress::whatGivesWayLeavesNothing() {
+    Desk desk(modelOf("moving/keyboard.glb"));
+    QVERIFY(desk.opened);
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t pressed = desk.trace->ticks;
+        desk.program.press(desk.at);
+        desk.program.frames(60);
+        const std::size_t released = desk.trace->ticks;
+        QCOMPARE_GT(desk.trace->largest(pressed, released), 0.05);
+        desk.program.release(desk.at);
+        desk.program.frames(90);
+        QCOMPARE_EQ(desk.trace->force[desk.trace->ticks - 1], 0.0);
+    }
 }
 
 /// A click is over before the hand is there.
