@@ -86,22 +86,37 @@ Even evenly(std::span<const TrialRow> rows, int axis) {
 }
 
 struct Fit {
-    Eigen::Vector4d values, errors;
+    Eigen::VectorXd values, errors;
     double remainder = 0; ///< rms, N
 };
 
-Fit fit(const Eigen::MatrixX4d& sides, const Series& force) {
-    const Eigen::Matrix4d normal = sides.transpose() * sides;
-    const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
+Fit fit(const Eigen::MatrixXd& sides, const Series& force) {
+    const Eigen::MatrixXd normal = sides.transpose() * sides;
+    const Eigen::LDLT<Eigen::MatrixXd> solver(normal);
     Fit found;
     found.values = solver.solve(sides.transpose() * force);
     const double squares = (force - sides * found.values).squaredNorm();
     found.remainder = std::sqrt(squares / double(force.size()));
     // Neighbours were smoothed together: only one in so many rows says something new.
-    const double free = std::max(1.0, double(force.size()) / (2 * kSmooth + 1) - 4);
-    const double variance = squares / double(2 * kSmooth + 1) / free;
-    found.errors =
-        (solver.solve(Eigen::Matrix4d::Identity()).diagonal() * variance * (2 * kSmooth + 1)).cwiseSqrt();
+    constexpr double kTogether = 2 * kSmooth + 1;
+    const double free = std::max(1.0, double(force.size()) / kTogether - double(sides.cols()));
+    const Eigen::VectorXd spread =
+        solver.solve(Eigen::MatrixXd::Identity(sides.cols(), sides.cols())).diagonal();
+    found.errors = (spread * squares / free).cwiseSqrt();
+    return found;
+}
+
+/// No friction pushes: where that comes out there is none, and damping is what is left. Sides: a, v, sgn
+/// v, 1.
+Fit fitAxis(const Eigen::MatrixXd& sides, const Series& force) {
+    Fit found = fit(sides, force);
+    if (found.values[2] >= 0) return found;
+    const double error = found.errors[2];
+    Eigen::MatrixXd fewer(sides.rows(), 3);
+    fewer << sides.col(0), sides.col(1), sides.col(3);
+    found = fit(fewer, force);
+    found.values = Eigen::Vector4d(found.values[0], found.values[1], 0, found.values[2]);
+    found.errors = Eigen::Vector4d(found.errors[0], found.errors[1], error, found.errors[2]);
     return found;
 }
 
@@ -136,10 +151,8 @@ double noiseOf(std::span<const TrialRow> rows) {
 double resolutionOf(std::span<const TrialRow> rows) {
     std::vector<double> steps;
     for (std::size_t i = 1; i < rows.size(); ++i)
-        for (int axis = 0; axis < 3; ++axis)
-            if (const double step = std::abs(rows[i].position[axis] - rows[i - 1].position[axis]);
-                step > 1e-9)
-                steps.push_back(step);
+        if (const double step = (rows[i].position - rows[i - 1].position).norm(); step > 1e-9)
+            steps.push_back(step);
     if (steps.empty()) return 0;
     const auto tenth = steps.begin() + std::ptrdiff_t(steps.size() / 10);
     std::nth_element(steps.begin(), tenth, steps.end());
@@ -169,13 +182,15 @@ std::optional<AxisDynamics> dynamicsOf(std::span<const TrialRow> rows, int axis)
     for (Eigen::Index i = kEdge; i + kEdge < count; ++i)
         if (still[i] < kMostStill) used.push_back(i);
     if (Eigen::Index(used.size()) < kEdge) return {};
-    Eigen::MatrixX4d sides(used.size(), 4);
+    Eigen::MatrixXd sides(used.size(), 4);
     sides.col(0) = acceleration(used);
     sides.col(1) = speed(used);
     sides.col(2) = smooth((quick / kStill).cwiseMax(-1).cwiseMin(1))(used);
     sides.col(3).setOnes();
 
-    const auto remainderAt = [&](double delay) { return fit(sides, smooth(late(force, delay, dt))(used)); };
+    const auto remainderAt = [&](double delay) {
+        return fitAxis(sides, smooth(late(force, delay, dt))(used));
+    };
     int best = 0;
     std::vector<double> remainders;
     for (int trial = 0; trial < kTrials; ++trial) {

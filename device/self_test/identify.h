@@ -23,8 +23,8 @@ Pace paceOf(std::span<const TrialRow> rows);
 
 /// Of a handle that nobody holds: the deviation from a straight drift, m, the largest of the three axes.
 double noiseOf(std::span<const TrialRow> rows);
-/// The step between two readings that differ along an axis, m: the tenth of all that is smallest, for the
-/// arm's angles make some smaller than they are elsewhere; 0 where nothing moved.
+/// The step between two readings that differ, m: the tenth of all that is smallest, for most of them are
+/// several steps at once; 0 where nothing moved.
 double resolutionOf(std::span<const TrialRow> rows);
 /// The mean of the positions, m.
 Vec3 middleOf(std::span<const TrialRow> rows);

@@ -30,7 +30,7 @@ struct SelfTestReport {
 /// How long it takes, s: shorter where no ten minutes are needed, at the cost of the figures' errors.
 struct SelfTestPace {
     double rest = 2;    ///< alone
-    double shake = 5;   ///< along each axis
+    double shake = 12;  ///< along each axis
     double settle = 2;  ///< before a weight is weighed
     int swings = 4;     ///< of two seconds, while it is weighed
     double buttons = 8; ///< for pressing all of them

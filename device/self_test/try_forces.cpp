@@ -19,7 +19,7 @@ constexpr double kLeastPush = 2e-4; ///< m: less is no motion
 // What holds the handle while it is shaken: soft, so that the delay that is sought cannot make it tremble.
 constexpr double kHoldStiffness = 60, kHoldDamping = 3; ///< N/m, N s/m
 constexpr double kEase = 1;                             ///< s, on the way to the middle
-constexpr double kLowest = 3, kHighest = 16;            ///< Hz, of the shaking
+constexpr double kLowest = 2.5, kHighest = 14;            ///< Hz, of the shaking
 constexpr double kSlowShare = 0.6;                      ///< of the force, at the lowest
 
 constexpr double kWeighStiffness = 200; ///< N/m, at most
