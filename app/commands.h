@@ -78,6 +78,12 @@ struct LatencyOptions {
     double rate = 1000; ///< Hz
 };
 
+/// What a device really is, measured with a person at hand.
+struct SelfTestOptions {
+    std::string device;                      ///< its id; empty: it is not asked for
+    std::filesystem::path out = "self-test"; ///< a folder for profile, report and ticks
+};
+
 /// A small picture of a scene.
 struct ThumbnailOptions {
     std::filesystem::path in, out;
@@ -110,6 +116,8 @@ Result<int> runFeel(const FeelOptions& options);
 Result<int> runThumbnail(const ThumbnailOptions& options);
 /// What is connected, and why what is not usable is not. `makers`: only what this maker's library knows of.
 Result<int> runDevices(const std::optional<std::string>& makers, bool json);
+/// Leads a person through the self-test of a device; 1 when something is wrong with it.
+Result<int> runSelfTest(const SelfTestOptions& options);
 /// How late this machine wakes a loop like the servo's; 3 when a device would lose its force by it.
 Result<int> runLatency(const LatencyOptions& options, bool json);
 /// Drives a device for another process of this program, which started this one (device/remote).

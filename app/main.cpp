@@ -321,6 +321,7 @@ struct Request {
     std::string device;
     bool json = false;
     LatencyOptions latency;
+    SelfTestOptions selfTest;
     std::optional<std::string> makers;
     std::string manual;
 };
@@ -392,6 +393,21 @@ void addDevices(CLI::App& program, Request& request) {
     addNumber(*devices, kLatencySeconds, [&](double value) { request.latency.seconds = value; });
     addNumber(*devices, kLatencyRate, [&](double value) { request.latency.rate = value; });
     devices->get_option("--rate")->needs("--latency");
+    CLI::Option* selfTest = devices
+                                ->add_option_function<std::string>(
+                                    "--self-test",
+                                    [&request](const std::string& id) {
+                                        if (id.empty())
+                                            throw CLI::ValidationError(
+                                                "--self-test", "is an empty id; tactum devices lists them");
+                                        request.selfTest.device = id;
+                                    },
+                                    "Lead a person through the measurement of this device; exit 1 when "
+                                    "something is wrong with it")
+                                ->type_name("ID");
+    addFile(*devices, "--out", request.selfTest.out,
+            "The folder for its profile, report and ticks; self-test without it")
+        ->needs(selfTest);
     // For this program itself; an empty group is not listed.
     devices->add_option("--makers", request.makers)->group("");
     CLI::App* server = program.add_subcommand("device-server", "Drive a device for another process");
@@ -446,6 +462,7 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("thumbnail")) return runThumbnail(request.thumbnail);
     if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
+    if (!request.selfTest.device.empty()) return runSelfTest(request.selfTest);
     if (request.latency.seconds > 0) return runLatency(request.latency, request.json);
     return runDevices(request.makers, request.json);
 }

@@ -38,6 +38,8 @@ private slots:
         QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
         QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
         QTest::newRow("no side") << QStringList{"touch", "x", "--path", "y", "--sides", "inside"};
+        QTest::newRow("self-test of no id") << QStringList{"devices", "--self-test", ""};
+        QTest::newRow("a folder without a self-test") << QStringList{"devices", "--out", "x"};
         QTest::newRow("contradicting friction") << QStringList{
             "touch", "x", "--path", "y", "--static-friction", "0.2", "--dynamic-friction", "0.5"};
     }

@@ -345,6 +345,16 @@ private slots:
     }
 
     /// How it turns out is the machine's affair.
+    void aSelfTestNeedsADeviceThatPushes() {
+        const Ended none = runTactum({"devices", "--self-test", "nothing"});
+        QCOMPARE(none.code, 1);
+        COMPARE_CONTAINS(none.error, "There is no device \"nothing\"");
+        const Ended simulated = runTactum({"devices", "--self-test", "simulated"});
+        QCOMPARE(simulated.code, 1);
+        COMPARE_CONTAINS(simulated.error, "there is nothing to measure");
+        QVERIFY(!QDir("self-test").exists());
+    }
+
     void devicesTellHowLateTheMachineIs() {
         const Ended said = runTactum({"devices", "--latency", "0.2"});
         QVERIFY(said.code == 0 || said.code == 3);
