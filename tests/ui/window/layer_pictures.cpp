@@ -52,13 +52,7 @@ void stroke(TouchedWindow& program) {
         program.moveTo(at);
         program.frames(2);
     }
-    program.release(at);
-    program.frames(10);
-    program.wheel(at, 0);
-    // Away from the model: the stroke is over.
-    QTest::keyClick(&program.window->view(), Qt::Key_PageDown);
-    for (int i = 0; i < 60; ++i)
-        QTest::keyClick(&program.window->view(), Qt::Key_PageDown);
+    program.release(at); // the hand lifts off, and the stroke is over
     program.frames(60);
 }
 
