@@ -118,7 +118,7 @@ private slots:
             const double mass = valueOf(*report, std::string("moving mass along ") + axis),
                          damping = valueOf(*report, std::string("damping along ") + axis);
             QVERIFY2(std::abs(mass / kFree.mass - 1) < 0.05, text);
-            QVERIFY2(std::abs(damping / kFree.damping - 1) < 0.15, text);
+            QVERIFY2(std::abs(damping / kFree.damping - 1) < 0.05, text);
         }
         QVERIFY2(!bench.device->overdriven(), text);
     }
