@@ -136,6 +136,20 @@ private slots:
         QCOMPARE(report->faults.size(), std::size_t(5));
     }
 
+    void aHandleThatIsThrownGetsNoForce() {
+        FalconBench bench(1);
+        WrongDevice device(bench.opened(), {});
+        bench.device->setHand(kFree);
+        bench.device->putGrip({0, -0.02, 0});
+        DeviceBench trials(device);
+        VERIFY_RESULT(trials.start());
+        const auto throws = [](const TrialRow&, const Vec3&) -> Vec3 { return {0, 7, 0}; };
+        const auto rows = trials.run(5, 8, throws);
+        QVERIFY(!rows);
+        COMPARE_CONTAINS(QByteArray::fromStdString(rows.error().text), "was faster than 1.5 m/s");
+        QTRY_VERIFY(bench.device->force().isZero());
+    }
+
     void aCableThatIsPulledEndsItWithASentence() {
         FalconBench bench(1);
         WrongDevice device(bench.opened(), {});
