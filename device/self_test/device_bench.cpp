@@ -6,6 +6,7 @@
 #include "core/loop/metronome.h"
 #include "core/port/force_limiter.h"
 #include "core/port/reading_clock.h"
+#include "device/self_test/trial.h"
 
 namespace tactum {
 namespace {
@@ -82,7 +83,7 @@ Result<std::vector<TrialRow>> DeviceBench::run(double seconds, double limit, con
     switch (job.end) {
     case Job::End::TooFast:
         return machineError(
-            info_.name + " was faster than " + std::to_string(info_.tripSpeed) +
+            info_.name + " was faster than " + trialNumber("%.2g", info_.tripSpeed) +
             " m/s and got no force any more: keep your hands off it when you are asked to, and look "
             "whether it has its place.");
     case Job::End::Silent:

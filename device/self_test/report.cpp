@@ -54,11 +54,10 @@ std::string profileOfReport(const SelfTestReport& report, const std::string& dat
             figures[figure.key] = {{"value", figure.measured.value},
                                    {"source", "self-test of " + date + ", +- " +
                                                   shortNumber(figure.measured.error) + " " + figure.unit}};
-    const nlohmann::ordered_json profile{
-        {"format", "tactum-device"},
-        {"version", 1},
-        {"note", "TrialFigure by tactum devices --self-test on " + date + "."},
-        {"figures", figures}};
+    const nlohmann::ordered_json profile{{"format", "tactum-device"},
+                                         {"version", 1},
+                                         {"note", "Measured by tactum devices --self-test on " + date + "."},
+                                         {"figures", figures}};
     // A name or a unit that is no UTF-8 is shown with a mark and not refused.
     return profile.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

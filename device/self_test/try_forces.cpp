@@ -19,7 +19,8 @@ constexpr double kLeastPush = 2e-4; ///< m: less is no motion
 // What holds the handle while it is shaken: soft, so that the delay that is sought cannot make it tremble.
 constexpr double kHoldStiffness = 60, kHoldDamping = 3; ///< N/m, N s/m
 constexpr double kEase = 1;                             ///< s, on the way to the middle
-constexpr double kLowest = 2.5, kHighest = 14;            ///< Hz, of the shaking
+constexpr double kLowest = 2.5, kHighest = 14;          ///< Hz, of the shaking
+constexpr double kSweep = 2;                            ///< s, from slow to fast and back
 constexpr double kSlowShare = 0.6;                      ///< of the force, at the lowest
 
 constexpr double kWeighStiffness = 200; ///< N/m, at most
@@ -81,7 +82,8 @@ void judgePush(Trial& trial, int axis, const Vec3& move) {
     }
 }
 
-/// Along one axis, by a soft spring and a force that rises and falls faster and faster.
+/// Along one axis, by a soft spring and a force that rises and falls, now slowly, now fast. All of it comes
+/// again and again: were only the end fast, a delay that drifts would look like damping.
 Result<std::vector<TrialRow>> shake(Trial& trial, int axis) {
     const double strength = std::min(0.25 * trial.device.maxForce, 2.0), length = trial.pace.shake;
     std::optional<Vec3> begin;
@@ -89,8 +91,10 @@ Result<std::vector<TrialRow>> shake(Trial& trial, int axis) {
         if (!begin) begin = row.position;
         Vec3 force = kHoldStiffness * (eased(*begin, row.time) - row.position) - kHoldDamping * velocity;
         if (const double time = row.time - kEase; time > 0) {
-            const double rise = (kHighest - kLowest) / length, now = kLowest + rise * time;
-            const double turns = kLowest * time + rise * time * time / 2;
+            const double middle = (kLowest + kHighest) / 2, half = kHighest - middle;
+            const double sweep = 2 * std::numbers::pi * time / kSweep;
+            const double now = middle - half * std::cos(sweep);
+            const double turns = middle * time - half * kSweep / (2 * std::numbers::pi) * std::sin(sweep);
             // Slow shaking moves a mass far: it is weaker.
             force[axis] +=
                 strength * std::max(kSlowShare, now / kHighest) * std::sin(2 * std::numbers::pi * turns);

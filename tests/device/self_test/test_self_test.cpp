@@ -244,8 +244,9 @@ private slots:
         QCOMPARE(read->info.amplifierLag, 0.0);
         QCOMPARE(read->info.maxForce, before.info.maxForce); // nothing else
         QCOMPARE(read->info.rate, before.info.rate);
-        QVERIFY(QByteArray::fromStdString(profileOfReport(report, "2026-01-02"))
-                    .contains("self-test of 2026-01-02, +-"));
+        const QByteArray text = QByteArray::fromStdString(profileOfReport(report, "2026-01-02"));
+        COMPARE_CONTAINS(text, "Measured by tactum devices --self-test on 2026-01-02");
+        QVERIFY(text.contains("self-test of 2026-01-02, +-"));
     }
 
     void itsPageSaysWhatIsWrongAndWhatWasMeasured() {
