@@ -216,7 +216,7 @@ void TestPainting::besideTheModelNothingHappens() {
     QVERIFY(begin(program, "paint-height"));
     const Scene before = program.document.scene();
     const double yaw = program.window->view().camera().yaw;
-    stroke(program, {6, 6}, {40, 6});
+    stroke(program, {6, 120}, {40, 120}); // below the row of the brush
     QVERIFY(program.document.scene() == before);
     QVERIFY(program.window->view().camera().yaw != yaw); // it orbits there
 }
