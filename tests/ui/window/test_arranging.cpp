@@ -354,7 +354,8 @@ private slots:
         QVERIFY(test::waitFor([&] { return desk.program.touch().force.norm() > 0.2; }));
         desk.program.release(top);
         QVERIFY(desk.program.atRest());
-        for (int i = 0; i < 20 && desk.program.touch().force.norm() < 0.3; ++i) { // what keys press in stays in
+        for (int i = 0; i < 20 && desk.program.touch().force.norm() < 0.3;
+             ++i) { // what keys press in stays in
             QTest::keyClick(&desk.program.window->view(), Qt::Key_PageUp);
             QVERIFY(desk.program.atRest());
         }
