@@ -6,19 +6,19 @@
 #include "app/commands.h"
 #include "app/terminal_progress.h"
 #include "core/loop/wake_latency.h"
+#include "core/safety/force_gate.h"
 
 namespace tactum {
 namespace {
 
 constexpr double kFelt = 1e-3;   ///< s: a force that stands still so much longer is one that buzzes
-constexpr double kStall = 0.01;  ///< s: later, and the guard takes the force away
 constexpr double kSeldom = 1e-3; ///< of the ticks that may be late by kFelt
 
 /// What it means for a hand, and what helps.
 std::string verdictOf(const LatencyReport& report) {
     const auto felt = double(report.late.laterThan(kFelt));
     if (report.late.laterThan(kStall) > 0)
-        return "A device would lose its force: its guard takes it away where a tick is more than 10 ms late. "
+        return "A device would lose its force: the guard takes it away where a tick is more than 10 ms late. "
                "docs/guide/real-time.md says what helps.";
     if (felt > kSeldom * double(report.late.ticks()))
         return "Hard surfaces would buzz: more than one tick in a thousand is over 1 ms late. "
