@@ -8,7 +8,7 @@
 namespace tactum::test {
 namespace {
 
-constexpr int kStrokes = 20, kStepsOfOne = 50;
+constexpr int kStepsOfOne = 50;
 constexpr double kTick = 1e-3;    // s
 constexpr double kMaxForce = 3.3; // N, of a common device
 
@@ -34,14 +34,14 @@ std::string faultOf(const HapticOutput& output, ForceLimiter& limiter) {
 
 } // namespace
 
-std::string faultOfTouch(const Scene& scene) {
+std::string faultOfTouch(const Scene& scene, int strokes) {
     const auto world = compile(scene);
     if (!world || scene.objects.empty()) return {};
     Rng rng(2001);
     SimState state;
     ForceLimiter limiter{.maxForce = kMaxForce};
     Vec3 from = somewhere(scene, rng), before = from;
-    for (int stroke = 0; stroke < kStrokes; ++stroke) {
+    for (int stroke = 0; stroke < strokes; ++stroke) {
         const Vec3 to = somewhere(scene, rng);
         for (int i = 1; i <= kStepsOfOne; ++i) {
             const Vec3 finger = from + (to - from) * (double(i) / kStepsOfOne);

@@ -7,9 +7,9 @@
 
 namespace tactum::test {
 
-/// 1000 haptic steps of strokes to, through and along what is there. What was wrong, in words; empty where
+/// Strokes of 50 haptic steps to, through and along what is there. What was wrong, in words; empty where
 /// every proxy and force was finite and the limiter let no more through than a device has. Takes a scene that
 /// does not compile for sound: that is an answer too.
-std::string faultOfTouch(const Scene& scene);
+std::string faultOfTouch(const Scene& scene, int strokes = 20);
 
 } // namespace tactum::test
