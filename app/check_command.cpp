@@ -46,7 +46,7 @@ Result<int> runCheck(const CheckOptions& options) {
     int worst = 0;
     for (const std::filesystem::path& scene : options.scenes) {
         const std::string name = shownPath(scene);
-        const auto loaded = importGiven(scene);
+        const auto loaded = importGiven(scene, options.axes);
         if (!loaded) { // the others are checked all the same
             worst = std::max(worst, sayError(loaded.error()));
             files.push_back(entryOf(name, 1, {}));

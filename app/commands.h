@@ -26,8 +26,10 @@ struct TouchOptions {
     std::optional<std::filesystem::path> out; ///< the touch, CSV
     std::optional<std::filesystem::path> summary;
     std::optional<std::filesystem::path> picture;
-    std::optional<double> fitDiagonal; ///< m
-    std::optional<double> proxyRadius; ///< m
+    std::optional<std::filesystem::path> vibration; ///< .wav, .hjif or .haptic
+    GivenAxes axes;                                 ///< of the scene
+    std::optional<double> fitDiagonal;              ///< m
+    std::optional<double> proxyRadius;              ///< m
     std::vector<MaterialOverride> materials;
     std::optional<bool> shading; ///< of every surface
     std::optional<Sides> sides;  ///< from which every surface is felt
@@ -90,8 +92,15 @@ struct ThumbnailOptions {
     double size = 256; ///< pixels, both ways
 };
 
+struct InfoOptions {
+    std::vector<std::filesystem::path> scenes;
+    GivenAxes axes; ///< of all of them
+    bool json = false;
+};
+
 struct CheckOptions {
     std::vector<std::filesystem::path> scenes;
+    GivenAxes axes; ///< of all of them
     bool json = false;
     bool strict = false; ///< a warning is an error
 };
@@ -103,7 +112,7 @@ Result<int> runSimulate(const SimulateOptions& options);
 /// Steps through a recording again; 1 when anything differs.
 Result<int> runPlay(const PlayOptions& options);
 /// Objects, surfaces, triangles, mesh health, every parameter with its unit, and what the reader found.
-Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json);
+Result<int> runInfo(const InfoOptions& options);
 /// From any format that is read to any that is written, by the endings; says what is lost on the way.
 Result<int> runConvert(const ConvertOptions& options);
 /// Every finding with object, sentence and remedy; 1 when there are errors.

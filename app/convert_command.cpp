@@ -35,11 +35,9 @@ constexpr const char* kTouchesNothing =
 Result<int> convert(const ConvertOptions& options) {
     if (const auto format = formatOf(options.out); !format) return tl::unexpected(format.error());
     if (const auto folder = checkFolder(options.out); !folder) return tl::unexpected(folder.error());
-    auto loaded = importGiven(options.in);
+    auto loaded = importGiven(options.in, options.axes);
     if (!loaded) return tl::unexpected(loaded.error());
     Scene& scene = loaded->scene;
-    if (const auto taken = takeAsGiven(*loaded, options.axes, options.in); !taken)
-        return tl::unexpected(taken.error());
     if (options.fitDiagonal) fitDiagonal(scene, *options.fitDiagonal); // the finger of the scene as well
     if (options.path) { // one that is given is where the result is, as it is for `touch`
         auto finger = readFingerPath(*options.path);

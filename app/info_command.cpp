@@ -258,25 +258,25 @@ void printInfo(const LoadedScene& loaded) {
 
 } // namespace
 
-Result<int> runInfo(const std::vector<std::filesystem::path>& scenes, bool json) {
+Result<int> runInfo(const InfoOptions& options) {
     Json all = Json::array();
     int worst = 0;
-    for (const std::filesystem::path& scene : scenes) {
-        const auto loaded = importGiven(scene);
+    for (const std::filesystem::path& scene : options.scenes) {
+        const auto loaded = importGiven(scene, options.axes);
         if (!loaded) worst = std::max(worst, sayError(loaded.error())); // the others are told all the same
-        if (json) {
+        if (options.json) {
             all.push_back(loaded ? loadedJson(*loaded)
                                  : Json{{"version", 1}, {"error", loaded.error().text}});
-            if (scenes.size() > 1) all.back()["file"] = shownPath(scene);
+            if (options.scenes.size() > 1) all.back()["file"] = shownPath(scene);
         } else if (loaded) {
-            if (scenes.size() > 1) std::cout << shownPath(scene) << ":\n";
+            if (options.scenes.size() > 1) std::cout << shownPath(scene) << ":\n";
             printInfo(*loaded);
         }
     }
-    if (json)
-        std::cout
-            << (scenes.size() > 1 ? all : all.front()).dump(2, ' ', false, Json::error_handler_t::replace)
-            << '\n';
+    if (options.json)
+        std::cout << (options.scenes.size() > 1 ? all : all.front())
+                         .dump(2, ' ', false, Json::error_handler_t::replace)
+                  << '\n';
     return worst;
 }
 

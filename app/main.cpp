@@ -147,6 +147,19 @@ void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Output
     if (const auto clash = clashOf(inputs, given)) throw CLI::ValidationError(clash->string(), kClash);
 }
 
+/// Of a file that may leave both open.
+void addAxes(CLI::App& command, const std::string& file, GivenAxes& axes) {
+    addWord(command, "--unit", "mm|cm|in|m",
+            ("What one unit of " + file + " is, where the file does not say").c_str(),
+            [&axes](std::string_view word) { return (axes.unit = metresOf(word)).has_value(); });
+    addWord(command, "--up", "y|z",
+            ("Which axis of " + file + " points up, where the file does not say").c_str(),
+            [&axes](std::string_view word) {
+                axes.zUp = word == "z";
+                return word == "y" || word == "z";
+            });
+}
+
 void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
     addFile(*touch, "SCENE", options.scene, "Any file that the program opens; - is standard input")
@@ -157,6 +170,9 @@ void addTouch(CLI::App& program, TouchOptions& options) {
             "Write the touch as CSV, one row for each update; - is standard output");
     addFile(*touch, "--summary", options.summary, "Write the summary as JSON");
     addFile(*touch, "--picture", options.picture, "Write a PNG of scene, paths and force; needs a display");
+    addFile(*touch, "--vibration", options.vibration,
+            "Write what vibrates under the finger, for actuators elsewhere; ends in .wav, .hjif or .haptic");
+    addAxes(*touch, "SCENE", options.axes);
     addNumber(*touch, kFitDiagonal, [&](double value) { options.fitDiagonal = value; });
     addNumber(*touch, kProxyRadius, [&](double value) { options.proxyRadius = value; });
     for (const MaterialField& field : kMaterialFields)
@@ -177,7 +193,8 @@ void addTouch(CLI::App& program, TouchOptions& options) {
                   "Standard output gets the summary, unless - sends the touch there.");
     touch->final_callback([&] {
         settleFriction(options);
-        checkOutputs({options.scene, options.path}, {options.out, options.summary, options.picture});
+        checkOutputs({options.scene, options.path},
+                     {options.out, options.summary, options.picture, options.vibration});
     });
 }
 
@@ -268,19 +285,6 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
 }
 
-/// Of a file that may leave both open.
-void addAxes(CLI::App& command, const std::string& file, GivenAxes& axes) {
-    addWord(command, "--unit", "mm|cm|in|m",
-            ("What one unit of " + file + " is, where the file does not say").c_str(),
-            [&axes](std::string_view word) { return (axes.unit = metresOf(word)).has_value(); });
-    addWord(command, "--up", "y|z",
-            ("Which axis of " + file + " points up, where the file does not say").c_str(),
-            [&axes](std::string_view word) {
-                axes.zUp = word == "z";
-                return word == "y" || word == "z";
-            });
-}
-
 void addConvert(CLI::App& program, ConvertOptions& options) {
     CLI::App* convert = program.add_subcommand(
         "convert", "Write a scene in another format, by the ending; what is lost goes to standard error");
@@ -316,9 +320,9 @@ struct Request {
     CheckOptions check;
     FeelOptions feel;
     ThumbnailOptions thumbnail;
-    std::vector<std::filesystem::path> scenes; ///< of info
     std::filesystem::path bundle;
     std::string device;
+    InfoOptions info;
     bool json = false;
     LatencyOptions latency;
     SelfTestOptions selfTest;
@@ -342,17 +346,19 @@ void addScenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
         ->expected(1, -1);
 }
 
-void addInfo(CLI::App& program, Request& request) {
+void addInfo(CLI::App& program, InfoOptions& options) {
     CLI::App* info = program.add_subcommand(
         "info", "Objects, surfaces, triangles, mesh health, every parameter, what the reader found");
-    addScenes(*info, request.scenes);
-    info->add_flag("--json", request.json, "As one JSON object; of several files as an array of them");
+    addScenes(*info, options.scenes);
+    addAxes(*info, "SCENE", options.axes);
+    info->add_flag("--json", options.json, "As one JSON object; of several files as an array of them");
 }
 
 void addCheck(CLI::App& program, CheckOptions& options) {
     CLI::App* check =
         program.add_subcommand("check", "Every finding with its remedy; exit 1 when there are errors");
     addScenes(*check, options.scenes);
+    addAxes(*check, "SCENE", options.axes);
     check->add_flag("--json", options.json, "As one JSON object");
     check->add_flag("--strict", options.strict, "A warning is an error as well");
 }
@@ -455,7 +461,7 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("convert")) return runConvert(request.convert);
     if (program.got_subcommand("simulate")) return runSimulate(request.simulate);
     if (program.got_subcommand("play")) return runPlay(request.play);
-    if (program.got_subcommand("info")) return runInfo(request.scenes, request.json);
+    if (program.got_subcommand("info")) return runInfo(request.info);
     if (program.got_subcommand("check")) return runCheck(request.check);
     if (program.got_subcommand("verify")) return runVerify(request.bundle, request.json);
     if (program.got_subcommand("feel")) return runFeel(request.feel);
@@ -481,7 +487,7 @@ int runVerb(int argc, char** argv) {
     addConvert(program, request.convert);
     addSimulate(program, request.simulate);
     addPlay(program, request.play);
-    addInfo(program, request);
+    addInfo(program, request.info);
     addCheck(program, request.check);
     addVerify(program, request);
     addFeel(program, request.feel);

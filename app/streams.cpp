@@ -69,7 +69,9 @@ Error renamed(Error error, const ScratchFolder& of, const std::string& name) {
     return error;
 }
 
-Result<LoadedScene> importGiven(const fs::path& file) {
+namespace {
+
+Result<LoadedScene> importWhole(const fs::path& file) {
     const TerminalProgress terminal("reading " + (isDash(file) ? std::string(kInput) : shownPath(file)));
     if (!isDash(file)) return importScene(file, terminal.progress());
     const ScratchFolder folder("pipe");
@@ -84,6 +86,15 @@ Result<LoadedScene> importGiven(const fs::path& file) {
     fs::rename(kept, copy, fault);
     auto loaded = importScene(copy, terminal.progress());
     if (!loaded) return tl::unexpected<Error>(renamed(loaded.error(), folder, kInput));
+    return loaded;
+}
+
+} // namespace
+
+Result<LoadedScene> importGiven(const fs::path& file, const GivenAxes& axes) {
+    auto loaded = importWhole(file);
+    if (!loaded) return loaded;
+    if (const auto taken = takeAsGiven(*loaded, axes, file); !taken) return tl::unexpected(taken.error());
     return loaded;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/given_axes.h"
 #include "core/base/result.h"
 #include "core/base/scratch_folder.h"
 #include "core/files/load_scene.h"
@@ -14,7 +15,8 @@ namespace tactum {
 /// as.
 Error renamed(Error error, const ScratchFolder& of, const std::string& name);
 
-/// importScene() of a file, or for "-" of standard input, whose format is told by its first bytes.
-Result<LoadedScene> importGiven(const std::filesystem::path& file);
+/// importScene() of a file, or for "-" of standard input, whose format is told by its first bytes; taken
+/// as the person says it is.
+Result<LoadedScene> importGiven(const std::filesystem::path& file, const GivenAxes& axes = {});
 
 } // namespace tactum

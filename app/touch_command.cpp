@@ -14,6 +14,7 @@
 #include "core/files/source.h"
 #include "core/haptics/compile.h"
 #include "core/haptics/replay.h"
+#include "core/vibration/vibration_files.h"
 
 namespace tactum {
 
@@ -71,6 +72,13 @@ nlohmann::ordered_json summaryOfTouch(const World& world, const TouchTrace& rows
     return json;
 }
 
+Result<void> writeVibration(const TouchOptions& options, const TouchTrace& rows) {
+    const auto vibration = vibrationOf(rows);
+    if (!vibration) return tl::unexpected(vibration.error());
+    const auto bytes = vibrationBytes(*vibration, *options.vibration, shownPath(options.scene.filename()));
+    return bytes ? writeFile(*options.vibration, *bytes) : tl::unexpected(bytes.error());
+}
+
 // Everything that was asked for in files; the first that cannot be written ends it.
 Result<void> writeResults(const TouchOptions& options, const Scene& scene, const TouchTrace& rows,
                           const std::string& summary) {
@@ -78,6 +86,8 @@ Result<void> writeResults(const TouchOptions& options, const Scene& scene, const
         if (auto written = writeFile(*options.out, touchCsv(rows)); !written) return written;
     if (options.summary)
         if (auto written = writeFile(*options.summary, summary + '\n'); !written) return written;
+    if (options.vibration)
+        if (auto written = writeVibration(options, rows); !written) return written;
     if (options.picture) return writePicture(scene, rows, *options.picture);
     return {};
 }
@@ -85,10 +95,13 @@ Result<void> writeResults(const TouchOptions& options, const Scene& scene, const
 } // namespace
 
 Result<int> runTouch(const TouchOptions& options) {
+    if (options.vibration)
+        if (const auto known = checkVibrationFile(*options.vibration); !known)
+            return tl::unexpected(known.error());
     const auto path = readFingerPath(options.path);
     if (!path) return tl::unexpected(path.error());
     const auto loading = Clock::now();
-    auto loaded = importGiven(options.scene);
+    auto loaded = importGiven(options.scene, options.axes);
     if (!loaded) return tl::unexpected(loaded.error());
     applyOverrides(loaded->scene, options);
     const double load = secondsSince(loading);

@@ -108,6 +108,17 @@ private slots:
                  3); // no display
     }
 
+    void aVibrationIsWrittenByItsEnding() {
+        const QStringList touch{"touch", plate(), "--path", pressAndSlide(0.002, 0), "--vibration"};
+        QCOMPARE(runTactum(touch + QStringList{file("a.haptic")}).code, 0);
+        QFile written(file("a.haptic"));
+        QVERIFY2(written.open(QIODevice::ReadOnly), qPrintable(written.errorString()));
+        COMPARE_CONTAINS(written.readAll(), "full scale is");
+        const Ended other = runTactum(touch + QStringList{file("a.ogg")});
+        QCOMPARE(other.code, 2);
+        COMPARE_CONTAINS(oneLine(other.error), ".wav, .hjif and .haptic");
+    }
+
     void resultsNeverReplaceTheirInputs() {
         const QString path = pressAndSlide(0.002, 0), model = plate();
         for (const QStringList& outputs : {QStringList{"--out", model}, QStringList{"--out", path},

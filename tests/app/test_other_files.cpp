@@ -326,6 +326,20 @@ private slots:
         QCOMPARE(runTactum({"convert", box, file("out.glb"), "--unit", "ell"}).code, 2);
     }
 
+    /// A sheet of 100: a finger 0.2 m from its corner touches it where it is one of metres, and not as one of
+    /// millimetres.
+    void everyVerbTakesTheUnit() {
+        const QString sheet = write("sheet.obj", "v 0 0 0\nv 100 0 0\nv 100 0 100\nv 0 0 100\nf 4 3 2 1\n");
+        COMPARE_CONTAINS(runTactum({"info", sheet, "--unit", "mm"}).out, "diagonal 0.141");
+        const Ended checked = runTactum({"check", sheet, "--unit", "mm"});
+        COMPARE_CONTAINS(checked.out, "is taken as you said, millimetres");
+        COMPARE_LACKS(checked.out, "in millimetres it would be");
+        const QString path = write("in.csv", "t,x,y,z\n0,0.2,0.01,0.2\n0.001,0.2,-0.001,0.2\n");
+        const QStringList touch{"touch", sheet, "--path", path};
+        COMPARE_LACKS(runTactum(touch).error, "touches nothing");
+        COMPARE_CONTAINS(runTactum(touch + QStringList{"--unit", "mm"}).error, "touches nothing");
+    }
+
     void theVersionIsALine() {
         const Ended version = runTactum({"--version"});
         QCOMPARE(version.code, 0);

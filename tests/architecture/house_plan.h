@@ -34,6 +34,7 @@ inline const std::vector<Room> kRooms{
     {"core/safety", {"core/haptics", "core/port"}},
     {"core/runtime", {"core/safety", "core/loop"}},
     {"core/bundle", {"core/haptics", "core/files"}},
+    {"core/vibration", {"core/haptics"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"core/session", {"core/runtime"}},
     {"core/protocol", {"core/session", "core/recording"}},
@@ -51,7 +52,7 @@ inline const std::vector<Room> kRooms{
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
     {"app/python", {"core/bundle", "core/presets", "core/recording"}},
-    {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol"}},
+    {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol", "core/vibration"}},
 };
 
 /// Includes that begin with `prefix` are seen only by files whose path begins with one of `places`.
@@ -62,6 +63,7 @@ struct Library {
 
 inline const std::vector<Library> kLibraries{
     {"Eigen/", {"core/", "device/", "ui/", "app/"}},
+    {"unsupported/Eigen/FFT", {"core/vibration/vibration.cpp"}},
     {"tl/expected.hpp", {"core/base/result.h"}},
     {"OpenMesh/", {"tests/core/geometry/"}},                    // what is compared with
     {"mujoco/", {"tests/core/dynamics/", "tests/benchmarks/"}}, // likewise
@@ -80,7 +82,7 @@ inline const std::vector<Library> kLibraries{
     {"sha2.h", {"core/archive/sha256.cpp"}},
     {"nlohmann/",
      {"core/archive/bundle_files.cpp", "core/files/gltf/gltf_file.h", "core/files/loss_report.cpp",
-      "core/recording/recording_file.cpp", "device/", "app/"}},
+      "core/recording/recording_file.cpp", "core/vibration/vibration_files.cpp", "device/", "app/"}},
     {"CLI/", {"app/"}},
     {"pybind11/", {"app/python/"}},
     {"grpc", {"core/protocol/"}},
