@@ -17,7 +17,6 @@ constexpr const char* kScript =
     "printf \":$2 - %s\\n\" \"rtprio 90\" \"nice -15\" \"memlock unlimited\" >\"$3\" && chmod 644 \"$3\" && "
     "udevadm control --reload && udevadm trigger --subsystem-match=usb";
 
-constexpr int kPriority = 80; ///< as the loops'
 
 /// Whose account it is, as the system counts.
 QString account() {
@@ -51,7 +50,7 @@ QString permitCommand(const QString& rule) {
 }
 
 bool lacksRealTime() {
-    return !mayHavePriority(kPriority) && !QFileInfo::exists(limitsFile());
+    return !mayHavePriority(kServoPriority) && !QFileInfo::exists(limitsFile());
 }
 
 UsbPermission::UsbPermission(QObject* parent) : QObject(parent) {}

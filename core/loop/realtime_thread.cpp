@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/base/clock.h"
+#include "core/loop/realtime_broker.h"
 
 namespace tactum {
 namespace {
@@ -33,9 +34,16 @@ struct Beginning {
 void* run(void* beginning) {
     touchStack();
     const std::unique_ptr<Beginning> own(static_cast<Beginning*>(beginning));
-    hasten(own->urgency);
-    own->granted.set_value(own->urgency);
+    Urgency& urgency = own->urgency;
+    if (urgency.priority == 0)
+        if (const auto granted = priorityByBroker(urgency.asked)) {
+            urgency.priority = granted->priority;
+            urgency.broker = granted->broker;
+        }
+    hasten(urgency);
+    own->granted.set_value(urgency);
     own->body();
+    forgetBroker();
     return nullptr;
 }
 

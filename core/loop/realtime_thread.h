@@ -10,9 +10,10 @@
 
 namespace tactum {
 
-/// A thread under SCHED_FIFO with the priority that is asked for, with as much as the account is allowed, or
-/// an ordinary one that is hastened (urgency.h). Its stack is touched before the body runs, so that the body
-/// meets no page fault there. Thread of every member: any one, not real time.
+/// A thread under SCHED_FIFO with the priority that is asked for, with as much as the account is allowed or
+/// the desktop gives (realtime_broker.h), or an ordinary one that is hastened (urgency.h). Its stack is
+/// touched before the body runs, so that the body meets no page fault there. Thread of every member: any one,
+/// not real time.
 class RealtimeThread {
 public:
     RealtimeThread() = default;

@@ -52,8 +52,14 @@ bool grantedSlice(int nice) noexcept {
            syscall(SYS_sched_getattr, 0, &kept, sizeof kept, 0) == 0 && kept.runtime == kSlice;
 }
 
+const char* givenBy(PriorityBroker broker) {
+    if (broker == PriorityBroker::RealtimeKit) return " by RealtimeKit";
+    return broker == PriorityBroker::Portal ? " by the desktop portal" : "";
+}
+
 std::string manner(const Urgency& urgency) {
-    if (urgency.priority > 0) return "real-time priority " + std::to_string(urgency.priority);
+    if (urgency.priority > 0)
+        return "real-time priority " + std::to_string(urgency.priority) + givenBy(urgency.broker);
     std::string words = "no real-time priority";
     if (urgency.nice != 0) words += ", nice " + std::to_string(urgency.nice);
     return words + (urgency.slice ? ", but slices of 0.1 ms and exact timers" : ", but exact timers");
@@ -70,10 +76,16 @@ bool mayHavePriority(int priority) noexcept {
     return geteuid() == 0 || allowedPriority() >= priority;
 }
 
+int onRung(int asked, int rung) {
+    return std::min(asked, rung - std::max(kServoPriority - asked, 0) / 10);
+}
+
 std::vector<int> rungsOf(int asked, int allowed) {
     std::vector<int> rungs{asked};
-    for (const int rung : {allowed, 50, 20})
-        if (rung > 0 && rung < rungs.back() && rung <= allowed) rungs.push_back(rung);
+    for (const int rung : {allowed, 50, 20}) {
+        const int priority = onRung(asked, rung);
+        if (priority > 0 && priority < rungs.back() && rung <= allowed) rungs.push_back(priority);
+    }
     rungs.push_back(0);
     return rungs;
 }

@@ -7,11 +7,18 @@
 
 namespace tactum {
 
-/// What one thread was granted: the first rung of the ladder that the kernel did not refuse.
+/// What a servo asks for. Loops that may wait for it ask for less.
+inline constexpr int kServoPriority = 80;
+
+/// Who gives priority to accounts without a limit (realtime_broker.h).
+enum class PriorityBroker { None, RealtimeKit, Portal };
+
+/// What one thread was granted: the first rung of the ladder that nobody refused.
 struct Urgency {
-    int asked = 0;      ///< priority, 1 to 99
-    int priority = 0;   ///< under SCHED_FIFO or SCHED_RR; 0: none
-    int refusal = 0;    ///< errno of what was asked for; 0: granted as asked
+    int asked = 0;                                ///< priority, 1 to 99
+    int priority = 0;                             ///< under SCHED_FIFO, by a broker under SCHED_RR; 0: none
+    PriorityBroker broker = PriorityBroker::None; ///< who gave the priority where the kernel refused it
+    int refusal = 0;                              ///< errno of what was asked for; 0: granted as asked
     int nice = 0;       ///< where there is no priority; below 0: before ordinary threads
     bool slice = false; ///< woken at once where an ordinary thread would have to wait (Linux 6.12 and later)
 };
@@ -24,8 +31,11 @@ int allowedPriority() noexcept;
 bool mayHavePriority(int priority) noexcept;
 
 /// What is tried one after the other where so much is allowed: as asked, as allowed, 50, 20, and 0, which is
-/// none.
+/// none. Whoever asks for less than a servo is that much lower on each rung, by a tenth, so that it never
+/// stands in a servo's way.
 std::vector<int> rungsOf(int asked, int allowed);
+/// On a rung that is as high as this.
+int onRung(int asked, int rung);
 
 /// Everything that helps without priority: nice as the limit allows, the shortest slice, timers without
 /// slack. None of it is missed where there is priority. Thread: the one that gets it, before its loop.

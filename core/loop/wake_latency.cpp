@@ -9,8 +9,7 @@
 namespace tactum {
 namespace {
 
-constexpr int kServoPriority = 80; ///< as the servo's
-constexpr double kLooks = 10;      ///< a second, of whoever waits
+constexpr double kLooks = 10; ///< a second, of whoever waits
 
 } // namespace
 

@@ -17,7 +17,7 @@
 namespace tactum {
 namespace {
 
-constexpr int kServoPriority = 80, kProxyPriority = 70;
+constexpr int kProxyPriority = kServoPriority - 10;
 /// Of a servo tick, what an update may take before something is left out.
 constexpr double kProxyShare = 0.8;
 

@@ -25,7 +25,6 @@ using wire::Kind;
 using wire::News;
 using wire::Packet;
 
-constexpr int kPriority = 80;       ///< as the servo's
 constexpr int kServerMoment = 20;   ///< ms between two looks at the device's trouble
 constexpr int kFarewells = 3;       ///< exchanges with zero, the last acts
 constexpr double kAnswerPart = 0.6; ///< of a period, for the answer to a frame
@@ -139,7 +138,7 @@ Result<void> Server::startLoop() {
     block_.lastTick = monotonicNanoseconds();
     // Before the thread: the device watchdog is a fork, which has only the thread that forks.
     if (Result<void> watched = watchdog_.start(device_); !watched) return watched;
-    return thread_.start("tactum-device", kPriority, [this] { loop(); });
+    return thread_.start("tactum-device", kServoPriority, [this] { loop(); });
 }
 
 void Server::endLoop() {

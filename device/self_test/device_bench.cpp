@@ -11,7 +11,6 @@
 namespace tactum {
 namespace {
 
-constexpr int kBenchPriority = 80;     ///< as the servo's
 constexpr double kBenchLooks = 50;     ///< a second, of whoever waits for the end
 constexpr double kVelocityTime = 5e-3; ///< s, of the low pass
 constexpr double kNoReading = 0.01;    ///< s without a reading or a tick: no force, as the port says
@@ -67,7 +66,7 @@ Result<void> DeviceBench::start() {
     // Before the thread: the device watchdog is a fork, which has only the thread that forks.
     if (Result<void> watched = info_.real ? watchdog_.start(device_) : Result<void>{}; !watched)
         return watched;
-    return thread_.start("tactum-trial", kBenchPriority, [this] { loop(); });
+    return thread_.start("tactum-trial", kServoPriority, [this] { loop(); });
 }
 
 Result<std::vector<TrialRow>> DeviceBench::run(double seconds, double limit, const TrialForce& force) {

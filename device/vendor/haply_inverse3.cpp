@@ -29,7 +29,6 @@ constexpr int kPresetPatience = 25;  ///< looks, for the workspace that was aske
 constexpr double kFelt = 0.1;        ///< N, that a service has to confirm
 constexpr int kUnconfirmed = 300;    ///< commands in a row, and it is said
 constexpr int kFarewells = 3;        ///< commands of zero, the last words
-constexpr int kPriority = 80;        ///< as the servo's
 constexpr double kHaplySilent = 0.1; ///< s without a reading
 constexpr const char* kHaplyConnect = "Connect to the Inverse Service";
 constexpr const char* kHaplyCalibrate = "Calibrate";
@@ -236,7 +235,7 @@ Result<void> Haply::open() {
     stop_ = false;
     open_ = true;
     lastReading_ = monotonicNanoseconds();
-    return thread_.start("tactum-haply", kPriority, [this] { converse(); });
+    return thread_.start("tactum-haply", kServoPriority, [this] { converse(); });
 }
 
 void Haply::shutDown() {

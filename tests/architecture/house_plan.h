@@ -120,6 +120,8 @@ inline const std::vector<Library> kLibraries{
      {"core/base/atomic_file.cpp", "core/base/child_program.cpp", "core/loop/device_watchdog.cpp",
       "core/loop/urgency.cpp", "core/import/", "core/protocol/", "device/", "app/"}},
     {"spawn.h", {"core/base/child_program.cpp"}},
+    {"systemd/",
+     {"core/loop/realtime_broker.cpp", "tests/core/loop/message_bus.cpp"}}, // the system's message bus
     {"linux/", {"core/base/futex.h", "core/import/worker/sandbox.cpp", "device/usb/"}},
 };
 
