@@ -120,6 +120,22 @@ class Moved(unittest.TestCase):
             world.step(AWAY)
         self.assertAlmostEqual(world.reading(body).value, before / 2, places=9)
 
+    def test_a_recording_of_them_plays_as_the_same_bits(self):
+        scene, body = block(gravity=(0, 0, 0))
+        joint = body.add_joint("slider", at=(0, 0, 0), axis=(0, 0, 1), spring=200, damping=2)
+        world = tactum.World(scene, record=True)
+        for row, z in enumerate(np.linspace(0.02, 0.005, 1500)):
+            world.step((0, 0, z))
+            if row == 1200:
+                joint.spring = 400
+                world.update(scene)
+        self.assertLess(world.reading(body).value, -0.003)
+        with tempfile.TemporaryDirectory() as folder:
+            world.save(pathlib.Path(folder) / "pushed.tactum-recording")
+            self.assertEqual(tactum.play(pathlib.Path(folder) / "pushed.tactum-recording").differ, 0)
+        world.restart()
+        self.assertEqual(world.reading(body).value, 0)
+
 
 class Read(unittest.TestCase):
     def test_a_sample_tells_its_joints(self):
