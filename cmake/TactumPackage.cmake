@@ -57,7 +57,7 @@ install(FILES "${made}/tactum.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/v
 # The add-on for Blender.
 install(FILES "${PROJECT_SOURCE_DIR}/resources/blender/tactum_haptics.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactum/blender")
 
-# Devices for whoever sits at the machine, and priority for their loops.
+# Devices for whoever sits at the machine. Priority for their loops an account gets by its person's consent, in the program.
 install(FILES "${PROJECT_SOURCE_DIR}/resources/udev/70-tactum.rules" DESTINATION lib/udev/rules.d)
 
 # What Debian asks of every package: who may do what with it, and what changed.

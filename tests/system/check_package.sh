@@ -54,9 +54,10 @@ done
 inside apt-get -q -y install --no-install-recommends "/tmp/$python" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
 cp "$(dirname "${BASH_SOURCE[0]}")/felt_as_expected.py" "$empty/home/person/"
 [ "$(wc -l <"$empty/home/person/felt_as_expected.py")" -le 20 ] || fail "felt_as_expected.py is longer than 20 lines"
-for sample in teapot friction-ladder texture-wall moving/windmill; do
-    person tactum convert "$samples/$sample.glb" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
-    expect "steps as expected" person python3 /home/person/felt_as_expected.py "$samples/$sample.glb" /home/person/sample.tactum
+for sample in "$empty$samples"/*.glb "$empty$samples"/moving/*.glb; do
+    sample=${sample#"$empty"}
+    person tactum convert "$sample" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
+    expect "steps as expected" person python3 /home/person/felt_as_expected.py "$sample" /home/person/sample.tactum
 done
 expect "python3-grpcio" person python3 -c "
 import tactum
