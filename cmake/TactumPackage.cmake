@@ -11,7 +11,17 @@ find_program(GZIP gzip REQUIRED)
 install(FILES "${desktop}/tactum.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES "${desktop}/tactum-mime.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME tactum.xml)
 install(FILES "${desktop}/tactum.thumbnailer" DESTINATION "${CMAKE_INSTALL_DATADIR}/thumbnailers")
-install(FILES "${desktop}/org.tactum.Tactum.metainfo.xml" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+
+# App stores show a program's pictures from an address.
+set(TACTUM_HOME "" CACHE STRING "An https address below which docs/pictures are found; without one the metainfo names no pictures")
+set(metainfo org.tactum.Tactum.metainfo.xml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${desktop}/${metainfo}")
+file(READ "${desktop}/${metainfo}" text)
+if(NOT TACTUM_HOME)
+  string(REGEX REPLACE "  <url type=\"homepage\">.*</screenshots>\n" "" text "${text}")
+endif()
+file(CONFIGURE OUTPUT "${made}/${metainfo}" CONTENT "${text}" @ONLY)
+install(FILES "${made}/${metainfo}" DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
 
 # Icons from one picture.
 set(icon "${PROJECT_SOURCE_DIR}/resources/icons/tactum.svg")
@@ -47,7 +57,7 @@ install(FILES "${made}/tactum.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/v
 # The add-on for Blender.
 install(FILES "${PROJECT_SOURCE_DIR}/resources/blender/tactum_haptics.py" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactum/blender")
 
-# Devices for whoever sits at the machine, and priority for their loops.
+# Devices for whoever sits at the machine. Priority for their loops an account gets by its person's consent, in the program.
 install(FILES "${PROJECT_SOURCE_DIR}/resources/udev/70-tactum.rules" DESTINATION lib/udev/rules.d)
 
 # What Debian asks of every package: who may do what with it, and what changed.

@@ -111,6 +111,11 @@ FloatArray arrayOf(const Vec3& v) {
     return FloatArray(py::array_t<double>(3, v.data()));
 }
 
+FloatArray arrayOf(const Quat& q) {
+    const double wxyz[] = {q.w(), q.x(), q.y(), q.z()};
+    return FloatArray(py::array_t<double>(4, wxyz));
+}
+
 FloatArray arrayOf(std::span<const Vec3> rows) {
     return FloatArray(py::array_t<double>({py::ssize_t(rows.size()), py::ssize_t(3)},
                                           reinterpret_cast<const double*>(rows.data())));

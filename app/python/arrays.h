@@ -53,6 +53,8 @@ std::vector<Index> indicesOf(const py::handle& values, const std::string& what, 
 std::vector<FingerPoint> fingerPathOf(const py::handle& rows, std::optional<double> rate);
 
 FloatArray arrayOf(const Vec3& v);
+/// (w, x, y, z).
+FloatArray arrayOf(const Quat& q);
 /// Rows of three.
 FloatArray arrayOf(std::span<const Vec3> rows);
 FloatArray arrayOf(std::span<const FingerPoint> path);

@@ -1,40 +1,15 @@
 // A layer of haptic texture.
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include <pybind11/stl.h>
 
-#include "app/python/scene_handles.h"
+#include "app/python/pattern_of.h"
 #include "app/python/texture_of.h"
 #include "core/base/text.h"
 
 namespace tactum::python {
 namespace {
-
-constexpr py::ssize_t kSide = TextureImage::kLargestSide;
-
-std::shared_ptr<const TextureImage> imageOf(const py::object& values) {
-    const Numbers rows = numbersOf(values, "image");
-    if (rows.ndim() != 2 || rows.shape(0) < 1 || rows.shape(0) > kSide || rows.shape(1) < 1 ||
-        rows.shape(1) > kSide || std::size_t(rows.size()) > TextureImage::kMaxTexels)
-        throw Failure("image: is an array of rows and columns, each from 1 to " + std::to_string(kSide) +
-                      ", with at most " + std::to_string(TextureImage::kMaxTexels) + " values");
-    std::vector<std::uint16_t> texels(std::size_t(rows.size()));
-    std::transform(rows.data(), rows.data() + rows.size(), texels.begin(), [](double value) {
-        return std::uint16_t(std::nearbyint(65535 * std::clamp(value, 0.0, 1.0))); // as numpy rounds
-    });
-    return std::make_shared<const TextureImage>(int(rows.shape(1)), int(rows.shape(0)), std::move(texels));
-}
-
-py::object arrayOfImage(const TextureLayer& of) {
-    if (!of.pattern.image) return py::none();
-    const TextureImage& image = *of.pattern.image;
-    py::array_t<double> rows({image.height(), image.width()});
-    for (int y = 0; y < image.height(); ++y)
-        std::transform(image.row(y), image.row(y) + image.width(), rows.mutable_data(y, 0),
-                       [](std::uint16_t texel) { return texel / 65535.0; });
-    return rows;
-}
 
 /// What is a height and what a ratio have other units: the strength begins anew.
 Property<TextureLayer> targetOfLayer() {
@@ -66,20 +41,24 @@ Property<TextureLayer> nameOfLayer() {
             }};
 }
 
+void setMask(const LayerHandle& of, const py::object& mask, const py::kwargs& values) {
+    TextureLayer& layer = of.get();
+    if (mask.is_none())
+        layer.mask.reset();
+    else
+        layer.mask = changed(maskOf(mask, layer.pattern, of.vertices()), patternProperties(), values);
+}
+
 } // namespace
 
-TextureLayer layerOf(const std::string& source, const py::object& image, const py::kwargs& values) {
+TextureLayer layerOf(const std::string& source, const PatternArrays& arrays, const py::object& mask,
+                     const py::kwargs& values, std::size_t vertices) {
     TextureLayer layer;
-    auto from = choice<TextureLayer>("source", "", kTextureSources,
-                                     [](TextureLayer& of) -> TextureSource& { return of.pattern.source; });
-    from.set(layer, py::str(source));
-    if (layer.pattern.source == TextureSource::Painted)
-        throw Failure("source: what is painted belongs to its mesh, and cannot be made here");
-    if ((layer.pattern.source == TextureSource::Image) == image.is_none())
-        throw Failure("image: is for the source 'image', and only for that");
-    if (!image.is_none()) layer.pattern.image = imageOf(image);
+    setSource(layer.pattern, source, arrays, vertices);
     layer.name = source;
-    return changed(std::move(layer), layerProperties(), values);
+    layer = changed(std::move(layer), layerProperties(), values);
+    if (!mask.is_none()) layer.mask = maskOf(mask, layer.pattern, vertices);
+    return layer;
 }
 
 const Properties<TextureLayer>& layerProperties() {
@@ -87,8 +66,6 @@ const Properties<TextureLayer>& layerProperties() {
         Properties<TextureLayer> made{
             nameOfLayer(),
             truth("enabled", "bool: Whether it counts.", &TextureLayer::enabled),
-            choice<TextureLayer>("mapping", "How it comes onto the surface", kTextureMappings,
-                                 [](TextureLayer& of) -> TextureMapping& { return of.pattern.mapping; }),
             targetOfLayer(),
             strengthOfLayer(),
             choice<TextureLayer>("blend", "How it joins what lies below", kTextureBlends,
@@ -98,21 +75,10 @@ const Properties<TextureLayer>& layerProperties() {
                 [](TextureLayer& of, double value) { of.opacity = value; }),
             truth("own_plane", "bool: Whether a height has a constraint plane of its own.",
                   &TextureLayer::ownPlane)};
-        for (const PatternField& field : kPatternFields)
-            made.push_back(number<TextureLayer>(
-                *field.parameter, [&field](const TextureLayer& of) { return of.pattern.*field.value; },
-                [&field](TextureLayer& of, double value) { of.pattern.*field.value = value; }));
-        made.push_back({"source",
-                        "str: Where its values come from.",
-                        [](const TextureLayer& of) {
-                            return py::str(std::string(kTextureSources[std::size_t(of.pattern.source)].key));
-                        },
-                        {}});
-        made.push_back({"image",
-                        "Optional[numpy.typing.NDArray[numpy.float64]]: A copy of its picture, rows and "
-                        "columns of values from 0 to 1; None for another source.",
-                        arrayOfImage,
-                        {}});
+        std::ranges::copy(
+            lifted<TextureLayer>(patternProperties(),
+                                 [](TextureLayer& of) -> TexturePattern& { return of.pattern; }),
+            std::back_inserter(made));
         return made;
     }();
     return all;
@@ -124,11 +90,26 @@ void bindLayer(py::module_& module) {
         "A layer of haptic texture on a surface. Setting a property changes the scene. Thread: any, one at a "
         "time.");
     declare(layer, layerProperties());
+    declarePaint(
+        layer, [](const LayerHandle& of) -> TexturePattern& { return of.get().pattern; },
+        [](const LayerHandle& of) { return of; });
     layer
         .def(
             "set",
             [](const LayerHandle& of, const py::kwargs& values) { setAll(of, layerProperties(), values); },
             "Several properties at once, all or none. An Error names what cannot be.")
+        .def_property_readonly(
+            "mask",
+            [](const LayerHandle& of) {
+                return of.get().mask ? std::optional(MaskHandle{of}) : std::nullopt;
+            },
+            "Optional[Mask]: Where it counts; None: everywhere.")
+        .def("set_mask", setMask, py::arg("mask"),
+             "Says where it counts, 1 all and 0 nothing.\n\n"
+             "mask: a picture, (rows, columns) of values from 0 to 1, row 0 at v = 0; or what is painted, a "
+             "value for each of the object's vertices; or noise, grooves, dots or weave; None takes it away. "
+             "It lies as the layer does unless further words, properties of a Mask, say otherwise: "
+             "set_mask(picture, mapping='uv-unit').")
         .def("__repr__", [](const LayerHandle& of) { return "<Layer " + inQuotes(of.get().name) + ">"; });
 }
 

@@ -4,8 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include "app/python/body_of.h"
 #include "app/python/preset_of.h"
-#include "app/python/scene_handles.h"
 #include "core/base/text.h"
 #include "core/scene/arrange.h"
 #include "core/scene/findings.h"
@@ -53,14 +53,7 @@ void declarePlace(py::class_<ObjectHandle>& object) {
             "numpy.typing.NDArray[numpy.float64]: Where its origin is, x, y, z in m in the world's frame, at "
             "the time 0. What hangs on it moves along. An Error beyond 1e6 m.")
         .def_property(
-            "rotation",
-            [](const ObjectHandle& of) {
-                const Quat& q = of.get().pose.rotation;
-                py::array_t<double> wxyz(4);
-                const double values[] = {q.w(), q.x(), q.y(), q.z()};
-                std::copy_n(values, 4, wxyz.mutable_data());
-                return FloatArray(wxyz);
-            },
+            "rotation", [](const ObjectHandle& of) { return arrayOf(of.get().pose.rotation); },
             [](const ObjectHandle& of, const ArrayLike& value) {
                 place(of, {rotationOf(value, "rotation"), of.get().pose.translation});
             },
@@ -136,6 +129,21 @@ void declareSurfaces(py::class_<ObjectHandle>& object) {
             py::arg("preset"), "Gives all its surfaces a preset: a Preset, a name of one, or a file.");
 }
 
+void declareBody(py::class_<ObjectHandle>& object) {
+    object
+        .def_property_readonly(
+            "body",
+            [](const ObjectHandle& of) {
+                const BodyId id = of.get().body;
+                return id == kWorldBody ? std::nullopt : std::optional(BodyHandle{of.of, id});
+            },
+            "Optional[Body]: That it moves with; None: no force moves it.")
+        .def("make_body", bodyMadeOf,
+             "Makes it a loose body of the density of water, and of all that stands still something that "
+             "bodies can lie on. What others meet of it is convex, for each of its parts. An Error where it "
+             "moves already, or has no triangles.");
+}
+
 } // namespace
 
 const Properties<SceneObject>& objectProperties() {
@@ -153,6 +161,7 @@ void bindObject(py::module_& module) {
     declarePlace(object);
     declareMesh(object);
     declareSurfaces(object);
+    declareBody(object);
     object
         .def_property_readonly(
             "id", [](const ObjectHandle& of) { return of.id; },

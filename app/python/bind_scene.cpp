@@ -138,6 +138,7 @@ void declareParts(SceneClass& scene) {
         .def_property_readonly(
             "surfaces", [](const SceneHold& of) { return surfacesOf(of); },
             "List[Surface]: Of all objects, in their order.")
+        .def_property_readonly("bodies", bodiesOf, "List[Body]: What forces move, in their order.")
         .def("__getitem__", objectNamed, py::arg("name"), "The first object of this name.")
         .def_property(
             "path",
@@ -240,6 +241,11 @@ const Properties<Scene>& sceneProperties() {
             made.push_back(number<Scene>(
                 *field.parameter, [&field](const Scene& of) { return of.mechanics.*field.value; },
                 [&field](Scene& of, double value) { of.mechanics.*field.value = value; }));
+        made.push_back(
+            {"gravity",
+             "numpy.typing.NDArray[numpy.float64]: What bodies fall with, in m/s^2, world's frame.",
+             [](const Scene& of) { return arrayOf(of.mechanics.gravity); },
+             [](Scene& of, const py::handle& value) { of.mechanics.gravity = vectorOf(value, "gravity"); }});
         return made;
     }();
     return all;

@@ -36,11 +36,11 @@ Property<Surface> shadingOfSurface() {
 }
 
 LayerHandle addLayer(const SurfaceHandle& of, const std::string& source, const py::object& image,
-                     const py::kwargs& values) {
+                     const py::object& paint, const py::object& mask, const py::kwargs& values) {
     Surface& surface = of.get();
     if (surface.layers.size() >= std::size_t(kMaxTextureLayers))
         throw Failure("a surface has at most " + std::to_string(kMaxTextureLayers) + " layers");
-    surface.layers.push_back(layerOf(source, image, values));
+    surface.layers.push_back(layerOf(source, {image, paint}, mask, values, of.object.vertices()));
     return {of, surface.layers.size() - 1};
 }
 
@@ -51,10 +51,14 @@ void declareLayers(py::class_<SurfaceHandle>& surface) {
             "List[Layer]: Its layers of haptic texture, lowest first.")
         .def(
             "add_layer", addLayer, py::arg("source") = "noise", py::arg("image") = py::none(),
+            py::arg("paint") = py::none(), py::arg("mask") = py::none(),
             "A layer of haptic texture on top of the others.\n\n"
-            "source: image, noise, grooves, dots or weave; image: rows and columns of values from 0 to 1 for "
-            "the first of them, row 0 at v = 0. Further words are properties of a Layer: "
-            "add_layer('grooves', size=2e-3, strength=1e-4). An Error at more than 16 layers.")
+            "source: image, noise, grooves, dots, weave or painted; image: rows and columns of values from 0 "
+            "to 1 for the first of them, row 0 at v = 0; paint: for the last one a value from 0 to 1 for "
+            "each "
+            "of the object's vertices; mask: where it counts, as for Layer.set_mask(). Further words are "
+            "properties of a Layer: add_layer('grooves', size=2e-3, strength=1e-4). An Error at more than 16 "
+            "layers.")
         .def(
             "remove_layer",
             [](const SurfaceHandle& of, std::size_t index) {

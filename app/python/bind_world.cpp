@@ -1,5 +1,6 @@
 // A scene that is touched step by step.
 #include <algorithm>
+#include <map>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -20,6 +21,7 @@ struct Step {
     Vec3 finger = Vec3::Zero();
     HapticOutput output;
     std::shared_ptr<const World> world; ///< whose bodies the contacts name
+    std::vector<PlacedObject> places;
 };
 
 /// One of its contacts.
@@ -37,6 +39,13 @@ std::vector<Touched> contactsOf(const Step& of) {
     return all;
 }
 
+std::map<ObjectId, Pose> placesOf(const Step& of) {
+    std::map<ObjectId, Pose> all;
+    for (const PlacedObject& place : of.places)
+        all[place.object] = place.pose;
+    return all;
+}
+
 double stepLength(double dt) {
     if (!(dt >= 1e-6 && dt <= 1)) throw Failure("dt: is not from 1e-6 to 1 s");
     return dt;
@@ -48,7 +57,7 @@ Step stepOnce(LiveWorld& of, const ArrayLike& finger, double dt, const py::objec
     const LiveWorld::Turn turn(of);
     const py::gil_scoped_release free;
     const HapticOutput output = of.step(move);
-    return {of.time(), move.finger, output, of.world()};
+    return {of.time(), move.finger, output, of.world(), of.places()};
 }
 
 TouchObject followed(LiveWorld& of, const ArrayLike& path, std::optional<double> rate) {
@@ -107,14 +116,59 @@ void bindStep(py::module_& module) {
         .def_property_readonly(
             "force", [](const Step& of) { return arrayOf(of.output.force); },
             "numpy.typing.NDArray[numpy.float64]: In N on the finger, before any device's limit.")
-        .def_property_readonly("contacts", contactsOf, "List[Contact]: What is touched.");
+        .def_property_readonly("contacts", contactsOf, "List[Contact]: What is touched.")
+        .def_property_readonly("places", placesOf,
+                               "Dict[int, Place]: Where each object is that forces move, by its id.");
+}
+
+void bindPlace(py::module_& module) {
+    py::class_<Pose>(module, "Place", "Where an object is in a Step. Immutable.")
+        .def_property_readonly(
+            "position", [](const Pose& of) { return arrayOf(of.translation); },
+            "numpy.typing.NDArray[numpy.float64]: Of its origin, x, y, z in m, world's frame.")
+        .def_property_readonly(
+            "rotation", [](const Pose& of) { return arrayOf(of.rotation); },
+            "numpy.typing.NDArray[numpy.float64]: How it is turned, a quaternion w, x, y, z from its frame "
+            "to the world's.");
+}
+
+/// Along the one freedom of its joint; nothing where there is none.
+std::optional<double> alongJoint(const BodyReading& of, double value) {
+    return of.turns || of.slides ? std::optional(value) : std::nullopt;
+}
+
+void bindReading(py::module_& module) {
+    py::class_<BodyReading>(module, "Reading", "How a body moves, after a step of a World. Immutable.")
+        .def_property_readonly(
+            "value", [](const BodyReading& of) { return alongJoint(of, of.value); },
+            "Optional[float]: Of the joint that it hangs on, 0 at the time 0: the angle of a hinge in rad, "
+            "else the way in m. None where that leaves more free.")
+        .def_property_readonly(
+            "rate", [](const BodyReading& of) { return alongJoint(of, of.rate); },
+            "Optional[float]: How fast that changes, in rad/s or m/s.")
+        .def_property_readonly(
+            "force", [](const BodyReading& of) { return alongJoint(of, of.force); },
+            "Optional[float]: What the joint does along it: spring, damper, motor, detents, friction and "
+            "stops, in N m or N.")
+        .def_property_readonly(
+            "kinetic", [](const BodyReading& of) { return of.kinetic; }, "float: Its energy of motion, in J.")
+        .def_property_readonly(
+            "potential", [](const BodyReading& of) { return of.potential; },
+            "float: Its energy of height, in J; 0 at the origin.");
+}
+
+BodyReading readingOf(LiveWorld& of, const BodyHandle& body) {
+    const LiveWorld::Turn turn(of);
+    return of.readingOf(body.id);
 }
 
 } // namespace
 
 void bindWorld(py::module_& module) {
     bindTouched(module);
+    bindPlace(module);
     bindStep(module);
+    bindReading(module);
     py::class_<LiveWorld>(
         module, "World",
         "A scene compiled for touch, with the finger that is in it. A later change of the scene is felt "
@@ -140,6 +194,9 @@ void bindWorld(py::module_& module) {
                 of.restart();
             },
             "As it was at first: no contact, time 0, and nothing recorded.")
+        .def("reading", readingOf, py::arg("body"),
+             "How a Body moves after the last step, and what its joint does. An Error for one that no force "
+             "moves in this World.")
         .def("save", saveRecording, py::arg("file"), py::arg("reason") = "saved by a script",
              "The last minute as a recording for tactum.play(), `tactum play` and the window. An Error "
              "without record=True.")

@@ -38,6 +38,7 @@ HapticOutput LiveWorld::step(const FingerMove& move) {
         record_->end(row);
     }
     before_ = move.finger;
+    felt_ = output;
     time_ += move.dt;
     return output;
 }
@@ -68,8 +69,30 @@ Result<TouchTrace> LiveWorld::follow(const std::vector<FingerPoint>& path, const
     return rows;
 }
 
+void LiveWorld::enter(std::shared_ptr<const World> world) {
+    world_ = std::move(world);
+    readings_.reset();
+}
+
+std::vector<PlacedObject> LiveWorld::places() const {
+    std::vector<PlacedObject> all;
+    if (!before_) return all;
+    for (const Mover& mover : world_->movers)
+        if (mover.driven >= 0)
+            all.push_back(
+                {world_->bodies[mover.body].object, world_->drivenMotions()[std::size_t(mover.driven)].now});
+    return all;
+}
+
+BodyReading LiveWorld::readingOf(BodyId body) {
+    if (!readings_) readings_.emplace(world_.get());
+    if (const auto reading = readings_->readingOf(state_->bodies, body, felt_)) return *reading;
+    throw Failure("body " + std::to_string(body) + " is moved by no force in this World");
+}
+
 void LiveWorld::restart() {
     *state_ = {};
+    felt_ = {};
     before_.reset();
     time_ = 0;
     if (record_) record_.emplace();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/python/run_record.h"
+#include "core/haptics/body_places.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/replay.h"
 
@@ -38,9 +39,15 @@ public:
     /// its time where there were steps before. Error: cancelled, or a path that begins before now.
     Result<TouchTrace> follow(const std::vector<FingerPoint>& path, const Progress& progress);
     /// Goes on in another World: contacts stay where the shape did.
-    void enter(std::shared_ptr<const World> world) { world_ = std::move(world); }
+    void enter(std::shared_ptr<const World> world);
     /// As it was at first, in the World of now.
     void restart();
+
+    /// Where the last step has put each object that forces move. Before the first one: none.
+    std::vector<PlacedObject> places() const;
+    /// How a body moved in the last step, while the finger touched as it did. Failure for one that no force
+    /// moves.
+    BodyReading readingOf(BodyId body);
 
     const std::shared_ptr<const World>& world() const { return world_; }
     double time() const { return time_; }
@@ -51,6 +58,8 @@ private:
     std::shared_ptr<const World> world_;
     std::unique_ptr<SimState> state_ = std::make_unique<SimState>(); // large
     std::optional<Vec3> before_;                                     ///< the finger of the last step
+    HapticOutput felt_;                                              ///< in it
+    std::optional<BodyPlaces> readings_;                             ///< of the World of now; made when asked
     double time_ = 0;                                                ///< s at the end of the last step
     std::optional<RunRecord> record_;
     std::mutex turn_;

@@ -7,9 +7,12 @@ PYBIND11_MODULE(_tactum, module) {
                    "throughout, the world's frame, y up.";
     raiseFailuresAs(py::module_::import("tactum.results").attr("Error"));
     bindParameters(module);
+    bindMask(module);
     bindLayer(module);
     bindPreset(module);
     bindSurface(module);
+    bindJoint(module);
+    bindBody(module);
     bindObject(module);
     bindScene(module);
     bindWorld(module);

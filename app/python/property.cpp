@@ -17,11 +17,11 @@ std::string unitOf(const Parameter& parameter) {
     return parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
 }
 
+} // namespace
+
 std::string rangeOf(const Parameter& parameter) {
     return "from " + textOf(parameter.minimum) + " to " + textOf(parameter.maximum) + unitOf(parameter);
 }
-
-} // namespace
 
 std::string pythonName(std::string_view key) {
     std::string name(key);

@@ -17,6 +17,8 @@ namespace tactum::python {
 
 /// "static-friction" as Python writes it: "static_friction".
 std::string pythonName(std::string_view key);
+/// "from 0 to 2", with the unit.
+std::string rangeOf(const Parameter& parameter);
 /// "float: Static friction, from 0 to 2, at first 0. What it does."
 std::string docOf(const Parameter& parameter);
 /// The number where the parameter allows it; `name` is named in errors, else the parameter's own.
@@ -33,14 +35,22 @@ template <class T> struct Property {
 };
 template <class T> using Properties = std::vector<Property<T>>;
 
+/// `name`: in Python, else that of the parameter.
 template <class T>
 Property<T> number(const Parameter& parameter, std::function<double(const T&)> get,
-                   std::function<void(T&, double)> set) {
-    return {pythonName(parameter.key), docOf(parameter),
-            [get = std::move(get)](const T& of) { return py::float_(get(of)); },
-            [&parameter, set = std::move(set)](T& of, const py::handle& value) {
-                set(of, allowed(parameter, value));
+                   std::function<void(T&, double)> set, std::string name = {}) {
+    if (name.empty()) name = pythonName(parameter.key);
+    return {name, docOf(parameter), [get = std::move(get)](const T& of) { return py::float_(get(of)); },
+            [&parameter, name, set = std::move(set)](T& of, const py::handle& value) {
+                set(of, allowed(parameter, value, name));
             }};
+}
+
+/// Three numbers, within 1e6.
+template <class T> Property<T> vector(std::string name, const std::string& doc, Vec3 T::*member) {
+    return {name, "numpy.typing.NDArray[numpy.float64]: " + doc,
+            [member](const T& of) { return arrayOf(of.*member); },
+            [name, member](T& of, const py::handle& value) { of.*member = vectorOf(value, name); }};
 }
 
 template <class T> Property<T> truth(std::string name, std::string doc, bool T::*member) {
@@ -89,7 +99,30 @@ template <class T> T changed(T of, const Properties<T>& all, const py::kwargs& v
     return of;
 }
 
-/// Declares them for what Python holds of a T: its get() is the T itself.
+/// What Python holds of a T gets another one: its get() is the T itself, or it has a put().
+template <class T, class Handle> void put(Handle& of, T value) {
+    if constexpr (requires { of.put(std::move(value)); })
+        of.put(std::move(value));
+    else
+        of.get() = std::move(value);
+}
+
+/// Properties of a part as those of the whole; `part` gives it in a T, where const has been taken off.
+template <class T, class Part, class Access> Properties<T> lifted(const Properties<Part>& of, Access part) {
+    Properties<T> all;
+    for (const Property<Part>& one : of) {
+        Property<T> made{one.name,
+                         one.doc,
+                         [&one, part](const T& whole) { return one.get(part(const_cast<T&>(whole))); },
+                         {}};
+        if (one.set)
+            made.set = [&one, part](T& whole, const py::handle& value) { one.set(part(whole), value); };
+        all.push_back(std::move(made));
+    }
+    return all;
+}
+
+/// Declares them for what Python holds of a T.
 template <class T, class Handle, class... Options>
 void declare(py::class_<Handle, Options...>& to, const Properties<T>& all) {
     for (const Property<T>& one : all) {
@@ -101,7 +134,7 @@ void declare(py::class_<Handle, Options...>& to, const Properties<T>& all) {
         const py::cpp_function write([&one](Handle& of, const py::object& value) {
             T changed = of.get();
             one.set(changed, value);
-            of.get() = std::move(changed);
+            put(of, std::move(changed));
         });
         to.def_property(one.name.c_str(), read, write, one.doc.c_str());
     }
@@ -109,7 +142,7 @@ void declare(py::class_<Handle, Options...>& to, const Properties<T>& all) {
 
 /// Several of them at once, by their names.
 template <class T, class Handle> void setAll(Handle& of, const Properties<T>& all, const py::kwargs& values) {
-    of.get() = changed(of.get(), all, values);
+    put(of, changed<T>(of.get(), all, values));
 }
 
 } // namespace tactum::python

@@ -7,6 +7,11 @@ SceneObject& ObjectHandle::get() const {
     throw Failure("object " + std::to_string(id) + " is not in the scene any more");
 }
 
+std::size_t ObjectHandle::vertices() const {
+    const auto& mesh = get().geometry;
+    return mesh ? mesh->positions.size() : 0;
+}
+
 Surface& SurfaceHandle::get() const {
     SceneObject& owner = object.get();
     if (index < owner.surfaces.size()) return owner.surfaces[index];
@@ -17,6 +22,33 @@ TextureLayer& LayerHandle::get() const {
     Surface& owner = surface.get();
     if (index < owner.layers.size()) return owner.layers[index];
     throw Failure("layer " + std::to_string(index) + " is not on its surface any more");
+}
+
+TexturePattern& MaskHandle::get() const {
+    if (auto& mask = layer.get().mask) return *mask;
+    throw Failure("the layer has no mask any more");
+}
+
+RigidBody& BodyHandle::get() const {
+    if (RigidBody* body = findBody(of->scene, id)) return *body;
+    throw Failure("body " + std::to_string(id) + " is not in the scene any more");
+}
+
+void JointHandle::expectThere() const {
+    body.get();
+    if (index >= tactum::jointsOf(body.of->scene, body.id))
+        throw Failure("joint " + std::to_string(index) + " is not on its body any more");
+}
+
+AxisJoint JointHandle::get() const {
+    expectThere();
+    if (const auto joint = axisJointOf(body.of->scene, body.id, index)) return *joint;
+    throw Failure("joint " + std::to_string(index) +
+                  " is neither hinge, slider nor path; remove it and add another one to change it");
+}
+
+void JointHandle::put(const AxisJoint& joint) const {
+    setAxisJoint(body.of->scene, body.id, joint, index);
 }
 
 std::vector<SurfaceHandle> surfacesOf(const ObjectHandle& object) {
@@ -38,6 +70,21 @@ std::vector<LayerHandle> layersOf(const SurfaceHandle& surface) {
     std::vector<LayerHandle> all;
     for (std::size_t i = 0; i < surface.get().layers.size(); ++i)
         all.push_back({surface, i});
+    return all;
+}
+
+std::vector<BodyHandle> bodiesOf(const SceneHold& scene) {
+    std::vector<BodyHandle> all;
+    for (const RigidBody& body : scene->scene.mechanics.bodies)
+        all.push_back({scene, body.id});
+    return all;
+}
+
+std::vector<JointHandle> jointsOf(const BodyHandle& body) {
+    body.get(); // is there
+    std::vector<JointHandle> all;
+    for (std::size_t i = 0; i < tactum::jointsOf(body.of->scene, body.id); ++i)
+        all.push_back({body, i});
     return all;
 }
 

@@ -3,11 +3,12 @@
 
 #include <string>
 
-#include "app/python/scene_handles.h"
+#include "app/python/pattern_of.h"
 
 namespace tactum::python {
 
-/// A layer of a source, with an image where that is one, and with further properties.
-TextureLayer layerOf(const std::string& source, const py::object& image, const py::kwargs& values);
+/// A layer of a source, with its array where that has one, a mask or None, and further properties.
+TextureLayer layerOf(const std::string& source, const PatternArrays& arrays, const py::object& mask,
+                     const py::kwargs& values, std::size_t vertices);
 
 } // namespace tactum::python

@@ -253,6 +253,11 @@ void putOnPath(Joint& joint, const AxisJoint& axis, const Scene& scene, BodyId b
     if (const auto on = nearestOn(axis.path, {place.rotation, axis.at})) joint.frameB = place.inverse() * *on;
 }
 
+/// Along the same line, between the same bodies.
+bool liesAlike(const AxisJoint& a, const AxisJoint& b) {
+    return a.kind == b.kind && a.to == b.to && a.at == b.at && a.axis == b.axis && a.path == b.path;
+}
+
 /// The end of the joints for one that there is not.
 auto jointAt(auto& joints, BodyId body, std::size_t which) {
     return std::ranges::find_if(joints, [&](const Joint& joint) { return joint.b == body && which-- == 0; });
@@ -426,6 +431,9 @@ void setAxisJoint(Scene& scene, BodyId body, const AxisJoint& axis, std::size_t 
     const bool named = held->name != "hinge" && held->name != "slider" && held->name != "path";
     if (named) made.name = held->name;
     if (made.path.isThere() && held->path.isThere()) made.frameB = held->frameB;
+    // To the bit: with frames that are rounded anew the bodies would begin anew too.
+    if (const auto before = axisJointOf(scene, body, which); before && liesAlike(*before, axis))
+        made.frameA = held->frameA, made.frameB = held->frameB, made.path = held->path;
     made.collide = held->collide;
     *held = std::move(made);
 }

@@ -15,7 +15,7 @@ fail() {
     exit 1
 }
 inside() { chroot "$empty" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
-person() { inside runuser -u person -- "$@"; }
+person() { inside runuser -u person -- env HOME=/home/person "$@"; }
 expect() { # expect TEXT COMMAND...: the command succeeds and prints TEXT
     local text=$1 printed
     shift
@@ -54,9 +54,10 @@ done
 inside apt-get -q -y install --no-install-recommends "/tmp/$python" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
 cp "$(dirname "${BASH_SOURCE[0]}")/felt_as_expected.py" "$empty/home/person/"
 [ "$(wc -l <"$empty/home/person/felt_as_expected.py")" -le 20 ] || fail "felt_as_expected.py is longer than 20 lines"
-for sample in teapot friction-ladder texture-wall moving/windmill; do
-    person tactum convert "$samples/$sample.glb" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
-    expect "steps as expected" person python3 /home/person/felt_as_expected.py "$samples/$sample.glb" /home/person/sample.tactum
+for sample in "$empty$samples"/*.glb "$empty$samples"/moving/*.glb; do
+    sample=${sample#"$empty"}
+    person tactum convert "$sample" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
+    expect "steps as expected" person python3 /home/person/felt_as_expected.py "$sample" /home/person/sample.tactum
 done
 expect "python3-grpcio" person python3 -c "
 import tactum
@@ -73,10 +74,36 @@ with tactum.serve() as haptics:
 inside apt-get -q -y install --no-install-recommends xvfb xauth libgl1-mesa-dri fonts-dejavu-core man-db xdg-utils libglib2.0-bin \
     shared-mime-info desktop-file-utils x11-utils >>"$place/apt.log" 2>&1
 expect "author haptic scenes" person man tactum
-person timeout 60 xvfb-run -a -s "-screen 0 1280x800x24" bash -c "
-    tactum $samples/teapot.glb & window=\$!
-    for i in \$(seq 200); do xwininfo -root -tree | grep -q 'teapot.glb - Tactum\|teapot.glb.*Tactum' && break; sleep 0.2; done
-    xwininfo -root -tree | grep -q 'teapot.glb.*Tactum' && kill -0 \$window && kill \$window" || fail "the window did not come up"
+comes_up() { # comes_up SCENE: the window is there with this file in its title, and remembers that it opened it
+    local name
+    name=$(basename "$1")
+    person timeout 60 xvfb-run -a -s "-screen 0 1280x800x24" bash -c "
+        is_up() { xwininfo -root -tree | grep -q '$name.*Tactum' && grep -q '$name' ~/.config/Tactum/Tactum.conf; }
+        tactum $1 & window=\$!
+        for i in \$(seq 200); do is_up && break; sleep 0.2; done
+        is_up && kill -0 \$window && kill \$window" || fail "the window did not come up"
+}
+comes_up "$samples/teapot.glb"
+
+# A newer package takes the place of this one, and what the person has set stays: what was opened last, and a switch of the view.
+settings="$empty/home/person/.config/Tactum/Tactum.conf"
+sed -i 's/^spheres=false$/spheres=true/' "$settings"
+cp "$settings" "$place/settings"
+newer() { # newer DEB: the same package under a higher version
+    rm -rf "$place/unpacked"
+    dpkg-deb -R "$empty/tmp/$1" "$place/unpacked"
+    sed -i 's/^Version: .*/&+newer/' "$place/unpacked/DEBIAN/control"
+    dpkg-deb --root-owner-group -Znone -b "$place/unpacked" "$empty/tmp/newer-$1" >>"$place/apt.log"
+}
+newer "$program"
+newer "$python"
+inside apt-get -q -y install --no-install-recommends "/tmp/newer-$program" "/tmp/newer-$python" >>"$place/apt.log" 2>&1 ||
+    { tail -n 20 "$place/apt.log"; exit 1; }
+expect "+newer" inside dpkg-query -W -f '${Version}' tactum
+cmp "$settings" "$place/settings" || fail "the upgrade changed the settings"
+comes_up "$samples/friction-ladder.glb"
+grep -q "^recentFiles=.*friction-ladder.glb.*teapot.glb" "$settings" && grep -q "^spheres=true$" "$settings" ||
+    fail "the newer program did not take over the settings"
 
 # A double click on a bundle.
 expect vnd.tactum.bundle person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query filetype /home/person/teapot.tactum

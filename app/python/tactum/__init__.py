@@ -14,8 +14,8 @@ import importlib
 
 from tactum.results import Error, Touch
 
-_NATIVE = ["Contact", "Layer", "Object", "Parameter", "Preset", "Recording", "Scene", "Step", "Surface", "World", "open",
-           "parameters", "play", "presets"]
+_NATIVE = ["Body", "Contact", "Joint", "Layer", "Mask", "Object", "Parameter", "Place", "Preset", "Reading", "Recording",
+           "Scene", "Step", "Surface", "World", "open", "parameters", "play", "presets"]
 _SERVER = ["Client", "State", "connect", "serve"]
 __all__ = sorted(["Error", "Touch"] + _NATIVE + _SERVER)
 

@@ -1,4 +1,4 @@
-"""What the tests of the compiled module share: a plate in z = 0 whose forces are known in closed form."""
+"""What the tests of the compiled module share: a plate in z = 0 whose forces are known in closed form, and boxes."""
 import os
 import subprocess
 
@@ -15,6 +15,14 @@ def plate(**feel):
     scene.add_mesh(CORNERS, TRIANGLES, name="plate")
     scene.set(**feel)
     return scene
+
+
+def box(low, high):
+    """Corners and triangles of a box along the axes."""
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    sides = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4],
+             [1, 5, 7], [1, 7, 3]]
+    return np.array(low) + corners * (np.array(high, dtype=float) - low), sides
 
 
 def slide(scene, depth=1e-3, way=0.03, rate=1000):

@@ -119,6 +119,29 @@ private slots:
         }
     }
 
+    // A change of a number takes the bodies nowhere: their places are kept by where joints are, to the bit.
+    void aNumberOfAJointLeavesItsPlace() {
+        for (const AxisKind kind : {AxisKind::Hinge, AxisKind::Slider, AxisKind::Path}) {
+            Doorway doorway;
+            Scene& scene = doorway.scene;
+            const BodyId body = makeBody(scene, doorway.door), post = makeBody(scene, doorway.post);
+            AxisJoint axis = guessedJoint(scene, body, kind);
+            axis.to = post, axis.axis = Vec3(1, 2, 2) / 3;
+            setAxisJoint(scene, body, axis);
+            scene.mechanics.joints[0].frameB.translation += Vec3(0.01, 0, 0); // begins pulled out
+            const Joint before = scene.mechanics.joints[0];
+            AxisJoint read = axisJointOf(scene, body).value();
+            read.damping += 0.01;
+            setAxisJoint(scene, body, read);
+            const Joint& now = scene.mechanics.joints[0];
+            QVERIFY(now.frameA == before.frameA && now.frameB == before.frameB && now.path == before.path);
+            COMPARE_NEAR(axisJointOf(scene, body)->damping, read.damping, 1e-15, "");
+            read.at += Vec3(0.01, 0, 0);
+            setAxisJoint(scene, body, read);
+            QVERIFY(kind == AxisKind::Path || !(scene.mechanics.joints[0].frameA == before.frameA));
+        }
+    }
+
     // It stays where it is, rides along the points, keeps its numbers, and refuses what is no curve.
     void aBodyRidesOnAPath() {
         Scene scene;
