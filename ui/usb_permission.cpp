@@ -17,7 +17,6 @@ constexpr const char* kScript =
     "printf \":$2 - %s\\n\" \"rtprio 90\" \"nice -15\" \"memlock unlimited\" >\"$3\" && chmod 644 \"$3\" && "
     "udevadm control --reload && udevadm trigger --subsystem-match=usb";
 
-
 /// Whose account it is, as the system counts.
 QString account() {
     return QString::number(QFileInfo(QStringLiteral("/proc/self")).ownerId());
