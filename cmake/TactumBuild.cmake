@@ -134,29 +134,11 @@ function(tactum_room name)
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
-    "$<INSTALL_INTERFACE:include/tactum>")
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   foreach(other IN LISTS ROOM_USES)
     target_link_libraries(${target} ${scope} tactum_${other})
   endforeach()
   if(ROOM_PRIVATE)
     target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})
   endif()
-endfunction()
-
-# tactum_install(room ...)
-# The rooms that other projects get from find_package(Tactum), with their headers.
-function(tactum_install)
-  foreach(room IN LISTS ARGN)
-    set_target_properties(tactum_${room} PROPERTIES EXPORT_NAME ${room})
-    install(TARGETS tactum_${room} EXPORT TactumTargets COMPONENT dev ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-    install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/${room}" COMPONENT dev
-      DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tactum/core" FILES_MATCHING PATTERN "*.h")
-  endforeach()
-  install(EXPORT TactumTargets NAMESPACE Tactum:: COMPONENT dev DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
-  include(CMakePackageConfigHelpers)
-  write_basic_package_version_file(TactumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES "${PROJECT_SOURCE_DIR}/cmake/TactumConfig.cmake"
-    "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" COMPONENT dev
-    DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
 endfunction()
