@@ -47,8 +47,9 @@ target_compile_options(tactum_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # At -O3 it also misses that an std::optional's value is not read while there is none. "Check" still warns.
   $<$<CONFIG:Release>:-Wno-maybe-uninitialized>
-  # One multiplication and one addition are two roundings everywhere, so that a native build and a
-  # portable one give the same bits.
+  # One multiplication and one addition are two roundings: the compiler fuses none. Eigen does where the processor is known
+  # to, in the products of its matrices, so that a native build differs from a portable one in the last place of some forces.
+  # Recordings and expected forces are those of portable builds.
   -ffp-contract=off)
 if(TACTUM_NATIVE)
   # g++ 12 takes the undefined lanes in its own AVX-512 headers for a mistake of ours.
