@@ -25,6 +25,8 @@ namespace {
 class ObjectsOfWorlds {
 public:
     void add(const core::World& world) {
+        constexpr std::size_t kMost = 64; // the loops are never so many Worlds behind
+        if (known_.size() == kMost) known_.erase(known_.begin());
         auto& objects = known_[world.revision];
         for (const WorldBody& body : world.bodies)
             objects.push_back(body.object);

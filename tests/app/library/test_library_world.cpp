@@ -3,8 +3,11 @@
 #include <limits>
 #include <thread>
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/app/keyed_pusher.h"
 #include "tests/app/library/plates.h"
 #include "tests/support/compare.h"
 #include "tests/support/patience.h"
@@ -16,6 +19,19 @@ using namespace tactum;
 using namespace tactum::test;
 
 namespace {
+
+/// What an animation leads past, and a finger that goes along from t = 1 s on and presses on it.
+lib::Scene ledPast(const QTemporaryDir& folder) {
+    QFile file(folder.filePath("led.gltf"));
+    if (!file.open(QFile::WriteOnly) || file.write(test_program::keyedPusher()) < 0) return {};
+    file.close();
+    lib::Scene scene = lib::Scene::open(file.fileName().toStdString());
+    std::vector<lib::FingerPoint> path;
+    for (int i = 0; i < 200; ++i)
+        path.push_back({1 + 1e-3 * i, {1e-3 * i + 0.03, 0.03, 0.01 - 6e-5 * i}});
+    scene.setPath(path);
+    return scene;
+}
 
 /// The same path by touch() and by steps.
 void compareSteps(const lib::Scene& scene, const std::vector<lib::FingerPoint>& path) {
@@ -49,6 +65,10 @@ private slots:
         const lib::Scene mill =
             lib::Scene::open(std::filesystem::path(TACTUM_SCENES) / "moving/windmill.glb");
         compareSteps(mill, mill.path());
+        const QTemporaryDir folder;
+        const lib::Scene led = ledPast(folder);
+        compareSteps(led, led.path());
+        QCOMPARE(led.touch().back().contacts, 1U); // only where restart() says the time
     }
     void tellsWhatIsTouched();
     void whatCannotBeChangesNothing_data();
