@@ -36,8 +36,9 @@ printf 'x' | dd of="$place/sample.tactum" bs=1 seek=2000 conv=notrunc status=non
 [ "$(cd "$place/tactum/include/tactum" && find . -name '*.h' | LC_ALL=C sort)" = \
     "$({ cd "$source/app/library/tactum" && find . -name '*.h'; echo ./tactum_driver.h; echo ./app/hl/hl.h; } | LC_ALL=C sort)" ] ||
     fail "other headers than the public ones are installed"
-[ -x "$library"/tactum-*/tactum-import ] || fail "there is no tactum-import beside the library"
-[ "$(find "$library"/tactum-*/presets -name '*.tactum-preset' | wc -l)" -gt 20 ] || fail "there are no presets beside the library"
+beside=$(echo "$library"/tactum-*)
+[ -x "$beside/tactum-import" ] || fail "there is no tactum-import beside the library"
+[ "$(find "$beside/presets" -name '*.tactum-preset' | wc -l)" -gt 20 ] || fail "there are no presets beside the library"
 
 # The same bits whatever the program is compiled for, and whatever it has loaded before: libdraco exports a tinygltf of its own.
 compile() { # compile PROGRAM FLAGS...
@@ -47,14 +48,14 @@ compile() { # compile PROGRAM FLAGS...
         "-Wl,-rpath,$library" -ltactum
 }
 compile portable
-wanted=$("$place/portable" "$samples/teapot.glb") || fail "the portable program failed: $wanted"
+wanted=$("$place/portable" "$samples/teapot.glb" "$place/copy.glb") || fail "the portable program failed: $wanted"
 echo "$wanted"
 for flags in -march=x86-64-v3 -march=native -O0 "-Wl,--no-as-needed -ldraco"; do
     # shellcheck disable=SC2086 # words on purpose
     compile other $flags
     if [[ $flags == *v3 ]] && ! /lib64/ld-linux-x86-64.so.2 --help | grep -q 'x86-64-v3 (supported'; then continue; fi
     for sample in teapot moving/windmill; do
-        [ "$("$place/other" "$samples/$sample.glb")" = "$("$place/portable" "$samples/$sample.glb")" ] ||
+        [ "$("$place/other" "$samples/$sample.glb" "$place/copy.glb")" = "$("$place/portable" "$samples/$sample.glb" "$place/copy.glb")" ] ||
             fail "with $flags $sample.glb gives other bits, or nothing"
     done
 done

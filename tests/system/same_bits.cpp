@@ -1,6 +1,6 @@
-// A consumer that is compiled for several processors and against what was installed: same_bits SCENE. Prints
-// a fingerprint of everything that a path feels and of the layout of what it is told, which all of them have
-// to have in common.
+// A consumer that is compiled for several processors and against what was installed: same_bits SCENE
+// COPY.glb. Prints a fingerprint of everything that a path feels and of the layout of what it is told, which
+// all of them have to have in common.
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -27,7 +27,7 @@ private:
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) return 2;
+    if (argc != 3) return 2;
     try {
         const tactum::Scene scene = tactum::Scene::open(argv[1]);
         tactum::World world(scene);
@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
                 print.add(contact.normal), print.add(contact.normalForce);
             largest = largest < step.force.y ? step.force.y : largest;
         }
-        for (const tactum::TouchRow& row : scene.touch())
+        scene.save(argv[2]);
+        for (const tactum::TouchRow& row : tactum::Scene::open(argv[2]).touch())
             print.add(row.force);
         std::printf("%016llx %zu %zu %zu %.3f\n", (unsigned long long)print.value(), sizeof(tactum::Step),
                     alignof(tactum::Step), sizeof(tactum::EngineState), largest);
