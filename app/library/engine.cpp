@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/library/parts.h"
+#include "core/geometry/soup_builder.h"
 #include "core/runtime/local_engine.h"
 #include "core/safety/inhibit_words.h"
 #include "device/registry.h"
@@ -134,8 +135,8 @@ void Engine::leadHand(const Vec3& to, double seconds) {
     goal.position = inward(to);
     goal.held = true;
     goal.time = seconds;
-    if (!goal.position.allFinite() || !(seconds >= 0 && seconds <= 3600))
-        refuse("leadHand: wants a finite place, and from 0 to 3600 s");
+    if (!std::ranges::all_of(goal.position, isCoordinate) || !(seconds >= 0 && seconds <= 3600))
+        refuse("leadHand: wants a place within 1e6 m, and from 0 to 3600 s");
     State::of(state_).hand->write(goal);
 }
 

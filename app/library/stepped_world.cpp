@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kShortest = 1e-6, kLongest = 1; ///< s
 constexpr double kFarthestPlace = 1e6;           ///< m
+constexpr double kFastest = 1e13;                ///< m/s, more than the farthest way in the shortest time
 
 ::tactum::Vec3 eigen(const Vec3& v) noexcept {
     return {v.x, v.y, v.z};
@@ -20,7 +21,8 @@ Vec3 plain(const ::tactum::Vec3& v) noexcept {
 
 bool canBe(const ::tactum::Vec3& finger, const ::tactum::Vec3& velocity, double dt) noexcept {
     return dt >= kShortest && dt <= kLongest && velocity.allFinite() &&
-           finger.cwiseAbs().maxCoeff() <= kFarthestPlace && finger.allFinite();
+           velocity.cwiseAbs().maxCoeff() <= kFastest && finger.cwiseAbs().maxCoeff() <= kFarthestPlace &&
+           finger.allFinite();
 }
 
 } // namespace

@@ -10,12 +10,14 @@
 
 namespace tactum::library {
 
-/// Immutable; copies share what they hold. Thread: any but real time.
+/// Immutable; copies share what they hold, and what is moved from is a copy. Thread: any but real time.
 class TACTUM_API Preset {
 public:
     /// Of a name that presets() lists, or of a file *.tactum-preset. Error: there is none, or the file is at
     /// fault.
     explicit Preset(const std::filesystem::path& nameOrFile);
+    Preset(const Preset&) = default;
+    Preset& operator=(const Preset&) = default;
 
     /// What people call it.
     std::string name() const;

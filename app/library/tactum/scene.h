@@ -28,6 +28,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// ask one that is not in the scene any more.
 class TACTUM_API Object {
 public:
+    Object(const Object&) = default; // as Layer
+    Object& operator=(const Object&) = default;
+
     /// Names it for its whole life, from 1: Contact::object.
     std::uint32_t id() const noexcept { return id_; }
     std::string name() const;
@@ -49,7 +52,7 @@ public:
 
 private:
     friend struct Parts;
-    Object(std::shared_ptr<SceneState> scene, std::uint32_t id);
+    TACTUM_INTERNAL Object(std::shared_ptr<SceneState> scene, std::uint32_t id);
 
     std::shared_ptr<SceneState> scene_;
     std::uint32_t id_;
@@ -127,7 +130,7 @@ public:
 
 private:
     friend struct Parts;
-    explicit Scene(std::shared_ptr<SceneState> state);
+    TACTUM_INTERNAL explicit Scene(std::shared_ptr<SceneState> state);
 
     std::shared_ptr<SceneState> state_;
 };

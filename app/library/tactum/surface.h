@@ -29,6 +29,9 @@ struct Image {
 /// surface.
 class TACTUM_API Layer {
 public:
+    Layer(const Layer&) = default; // no moves: what names something goes on to
+    Layer& operator=(const Layer&) = default;
+
     std::string name() const;
     /// A number by its key: "strength" (m where the target is height, else a ratio), "opacity", or one of a
     /// pattern such as "size" (parameters()). Error: no such number, or out of its range.
@@ -41,7 +44,8 @@ public:
 
 private:
     friend struct Parts;
-    Layer(std::shared_ptr<SceneState> scene, std::uint32_t object, std::size_t surface, std::size_t index);
+    TACTUM_INTERNAL Layer(std::shared_ptr<SceneState> scene, std::uint32_t object, std::size_t surface,
+                          std::size_t index);
 
     std::shared_ptr<SceneState> scene_;
     std::uint32_t object_;
@@ -51,6 +55,9 @@ private:
 /// A part of an object with one feel: a group or material of the file.
 class TACTUM_API Surface {
 public:
+    Surface(const Surface&) = default; // as Layer
+    Surface& operator=(const Surface&) = default;
+
     std::string name() const;
     /// A number by its key, SI: "stiffness", "damping", "static-friction", "dynamic-friction", "viscosity",
     /// "crease-angle". Dynamic friction is never above static: the other one follows. Error: no such number,
@@ -78,7 +85,7 @@ public:
 
 private:
     friend struct Parts;
-    Surface(std::shared_ptr<SceneState> scene, std::uint32_t object, std::size_t index);
+    TACTUM_INTERNAL Surface(std::shared_ptr<SceneState> scene, std::uint32_t object, std::size_t index);
 
     std::shared_ptr<SceneState> scene_;
     std::uint32_t object_;

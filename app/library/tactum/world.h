@@ -26,7 +26,7 @@ public:
     /// number that is not finite, another dt, a place farther than 1e6 m) changes nothing and gives no force.
     /// Thread: real time, one at a time. Neither allocates, locks, throws nor waits.
     Step step(const Vec3& finger, double dt = 1e-3) noexcept;
-    /// The same at a velocity that was measured, m/s.
+    /// The same at a velocity that was measured, m/s, up to 1e13.
     Step step(const Vec3& finger, const Vec3& velocity, double dt) noexcept;
 
     /// Begins anew at the next step: no contact, and bodies that move are where `time` (s) puts them.

@@ -101,7 +101,7 @@ void TestLibraryEngine::refusesWhatCannotBe() {
     QCOMPARE(sentenceOf([&] {
                  engine.leadHand({0, kNan, 0});
              }),
-             "leadHand: wants a finite place, and from 0 to 3600 s");
+             "leadHand: wants a place within 1e6 m, and from 0 to 3600 s");
     const lib::Engine elsewhere = std::move(engine);
     COMPARE_BEGINS(sentenceOf([&] { engine.open(); }), "this Engine was moved elsewhere");
     COMPARE_BEGINS(sentenceOf([&] { engine.state(); }), "this Engine was moved elsewhere");

@@ -292,6 +292,8 @@ void TestLibraryScene::handlesOfWhatIsGoneAreErrors() {
     QCOMPARE(sentenceOf([&] { surface.set("stiffness", 1); }), "object 1 is not in the scene any more");
     QCOMPARE(sentenceOf([&] { scene.remove(object); }), "object 1 is not in the scene any more");
     QCOMPARE(sentenceOf([&] { scene.object("plate"); }), "the scene has no object \"plate\"");
+    lib::Surface elsewhere = std::move(surface); // both name the same
+    QCOMPARE(sentenceOf([&] { surface.name(); }), sentenceOf([&] { elsewhere.name(); }));
     scene = lib::Scene(); // the handles keep the scene that they are of
     QCOMPARE(sentenceOf([&] { object.name(); }), "object 1 is not in the scene any more");
 }

@@ -129,6 +129,9 @@ void TestLibraryWorld::takesTheVelocityThatIsGiven() {
     const double difference =
         fast.step(at, {0, -0.1, 0}, 1e-3).force.y - still.step(at, {0, 0, 0}, 1e-3).force.y;
     COMPARE_NEAR(difference, 2 * 0.1, 1e-9, "N");
+    constexpr double kMost = std::numeric_limits<double>::max();
+    QCOMPARE(fast.step(at, {0, -kMost, 0}, 1e-3).force, lib::Vec3());
+    QCOMPARE(fast.step(at, {0, std::numeric_limits<double>::quiet_NaN(), 0}, 1e-3).force, lib::Vec3());
 }
 
 void TestLibraryWorld::beginsAnew() {
