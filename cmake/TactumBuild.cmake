@@ -47,8 +47,9 @@ target_compile_options(tactum_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # At -O3 it also misses that an std::optional's value is not read while there is none. "Check" still warns.
   $<$<CONFIG:Release>:-Wno-maybe-uninitialized>
-  # One multiplication and one addition are two roundings everywhere, so that a native build and a
-  # portable one give the same bits.
+  # One multiplication and one addition are two roundings: the compiler fuses none. Eigen does where the processor is known
+  # to, in the products of its matrices, so that a native build differs from a portable one in the last place of some forces.
+  # Recordings and expected forces are those of portable builds.
   -ffp-contract=off)
 if(TACTUM_NATIVE)
   # g++ 12 takes the undefined lanes in its own AVX-512 headers for a mistake of ours.
@@ -134,29 +135,11 @@ function(tactum_room name)
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
-    "$<INSTALL_INTERFACE:include/tactum>")
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   foreach(other IN LISTS ROOM_USES)
     target_link_libraries(${target} ${scope} tactum_${other})
   endforeach()
   if(ROOM_PRIVATE)
     target_link_libraries(${target} PRIVATE ${ROOM_PRIVATE})
   endif()
-endfunction()
-
-# tactum_install(room ...)
-# The rooms that other projects get from find_package(Tactum), with their headers.
-function(tactum_install)
-  foreach(room IN LISTS ARGN)
-    set_target_properties(tactum_${room} PROPERTIES EXPORT_NAME ${room})
-    install(TARGETS tactum_${room} EXPORT TactumTargets COMPONENT dev ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-    install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/${room}" COMPONENT dev
-      DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tactum/core" FILES_MATCHING PATTERN "*.h")
-  endforeach()
-  install(EXPORT TactumTargets NAMESPACE Tactum:: COMPONENT dev DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
-  include(CMakePackageConfigHelpers)
-  write_basic_package_version_file(TactumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES "${PROJECT_SOURCE_DIR}/cmake/TactumConfig.cmake"
-    "${CMAKE_CURRENT_BINARY_DIR}/TactumConfigVersion.cmake" COMPONENT dev
-    DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/Tactum")
 endfunction()

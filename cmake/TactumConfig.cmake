@@ -1,6 +1,6 @@
-# find_package(Tactum) gives Tactum::bundle, Tactum::runtime, Tactum::scene and the rooms below them;
-# find_package(Tactum COMPONENTS hl) gives Tactum::hl, the client of the haptic server, and nothing else.
-# What they were built on is found again, because the libraries are static.
+# find_package(Tactum) gives Tactum::tactum, the shared library with the headers in tactum/, and wants nothing else;
+# find_package(Tactum COMPONENTS hl) gives Tactum::hl, the client of the haptic server, and nothing else. It is static: what
+# it was built on is found again.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 if("hl" IN_LIST Tactum_FIND_COMPONENTS)
@@ -10,13 +10,5 @@ if("hl" IN_LIST Tactum_FIND_COMPONENTS)
   set(Tactum_hl_FOUND TRUE)
 endif()
 if(NOT Tactum_FIND_COMPONENTS STREQUAL "hl")
-  find_dependency(Eigen3 3.4)
-  find_dependency(meshoptimizer)
-  find_dependency(nlohmann_json)
-  find_dependency(PNG)
-  find_dependency(JPEG)
-  find_dependency(TIFF)
-  find_dependency(assimp)
-  find_dependency(pugixml)
   include("${CMAKE_CURRENT_LIST_DIR}/TactumTargets.cmake")
 endif()

@@ -1,5 +1,5 @@
-# The Debian packages, made by ./package: tactum (the program), libtactum-dev (the core and HL for other programs) and
-# python3-tactum (the core and the server's client for Python).
+# The Debian packages, made by ./package: tactum (the program), libtactum0.1 and libtactum-dev (the library and HL for other
+# programs) and python3-tactum (the core and the server's client for Python).
 
 set(desktop "${PROJECT_SOURCE_DIR}/resources/desktop")
 set(made "${CMAKE_CURRENT_BINARY_DIR}/package")
@@ -65,20 +65,25 @@ set(debian "${PROJECT_SOURCE_DIR}/resources/debian")
 add_custom_command(OUTPUT "${made}/changelog.gz" DEPENDS "${debian}/changelog" VERBATIM
   COMMAND sh -c "${GZIP} -9nc '${debian}/changelog' >'${made}/changelog.gz'")
 list(APPEND files "${made}/changelog.gz")
-foreach(pair program:tactum dev:libtactum-dev python:python3-tactum)
+set(library "libtactum${TACTUM_LIBRARY_ABI}") # as its soname says
+foreach(pair program:tactum lib:${library} dev:libtactum-dev python:python3-tactum)
   string(REPLACE ":" ";" pair "${pair}")
   list(GET pair 0 component)
   list(GET pair 1 package)
+  set(overrides "${package}")
+  if(component STREQUAL "lib")
+    set(overrides libtactum)
+  endif()
   install(FILES "${debian}/copyright" "${made}/changelog.gz" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}"
     COMPONENT ${component})
-  install(FILES "${debian}/${package}.lintian-overrides" DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides"
+  install(FILES "${debian}/${overrides}.lintian-overrides" DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides"
     RENAME "${package}" COMPONENT ${component})
 endforeach()
 add_custom_target(package-files ALL DEPENDS ${files})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program dev python)
+set(CPACK_COMPONENTS_ALL program lib dev python)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_NAME tactum)
@@ -97,14 +102,24 @@ moving parts) and touch it with a force-feedback device, or with the mouse
 and a simulated hand. Scenes are saved as glTF and exported as bundles that
 other programs open. Verbs without a window replay, convert and check.")
 
-# The libraries are static: who links them links what they stand on.
+file(CONFIGURE OUTPUT "${made}/triggers" CONTENT "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(CPACK_DEBIAN_LIB_PACKAGE_NAME ${library})
+set(CPACK_DEBIAN_LIB_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA "${made}/triggers")
+set(CPACK_COMPONENT_LIB_DESCRIPTION "haptics of Tactum for other programs, the library
+Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
+with its real-time loops and devices. Files are read by a process of its own.")
+
+# HL is static: who links it links what it stands on, and nobody else needs that.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libtactum-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libexpected-dev, libassimp-dev, libdraco-dev, libmeshoptimizer-dev, libpugixml-dev, \
-libgrpc++-dev, libprotobuf-dev, libpng-dev, libjpeg-dev, libtiff-dev, libzip-dev, libmd-dev, nlohmann-json3-dev")
-set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs
-Scenes, bundles, the haptic step of Ruspini and Khatib (2001) and the engine
-with its real-time loops: headers, static libraries and a CMake package.")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${library} (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libgrpc++-dev, libprotobuf-dev")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "haptics of Tactum for other programs, to build with
+The headers of the library and a CMake package; the header of device drivers;
+and HL, the client of a tactum serve, as a static library.")
 # Its module is for one Python, as Debian's packages of modules are. What the server's client needs is only recommended:
 # scenes are touched without it.
 math(EXPR next "${TACTUM_PYTHON_MINOR} + 1")

@@ -21,20 +21,9 @@ Property<SceneObject> nameOfObject() {
             }};
 }
 
-/// With everything that goes along. What goes alone gets the very numbers.
 void place(const ObjectHandle& of, const Pose& pose) {
-    SceneObject& object = of.get();
-    const Pose before = object.pose;
-    const ObjectId ids[] = {of.id};
-    const GoingAlong along = goingAlong(of.of->scene, ids);
-    if (along.objects.size() == 1 && along.bodies.empty() && along.colliders.empty()) {
-        object.pose = pose;
-        return;
-    }
-    arrange(of.of->scene, along,
-            {.about = before.translation,
-             .move = pose.translation - before.translation,
-             .turn = unitLength(pose.rotation * before.rotation.conjugate())});
+    of.get(); // is there
+    placeObject(of.of->scene, of.id, pose);
 }
 
 const TriangleSoup& meshOf(const ObjectHandle& of) {

@@ -143,12 +143,16 @@ Result<void> saveBundle(const Scene& scene, const std::filesystem::path& file, c
 Result<Bundle> openBundle(const std::filesystem::path& file) {
     auto loaded = loadScene(file);
     if (!loaded) return tl::unexpected<Error>(loaded.error());
+    return openBundle(file, std::move(loaded->scene));
+}
+
+Result<Bundle> openBundle(const std::filesystem::path& file, Scene scene) {
     const auto bytes = bundleBytes(file);
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     const auto files = BundleFiles::open(*bytes);
     if (!files) return inputError(file.string() + ": " + files.error().text);
     Bundle bundle;
-    bundle.scene = std::move(loaded->scene);
+    bundle.scene = std::move(scene);
     auto finger = readFingerPath(files->file(bundle_name::kFinger), file / bundle_name::kFinger);
     if (!finger) return tl::unexpected<Error>(finger.error());
     const auto forces = readForces(files->file(bundle_name::kForces), file / bundle_name::kForces);

@@ -49,5 +49,7 @@ struct Bundle {
 /// Opens a bundle in this process; importScene() is for files nobody trusts. Errors: one line with the path.
 /// Thread: any but real time.
 Result<Bundle> openBundle(const std::filesystem::path& file);
+/// The rest of a bundle whose scene importScene() has read. Errors and thread: likewise.
+Result<Bundle> openBundle(const std::filesystem::path& file, Scene scene);
 
 } // namespace tactum

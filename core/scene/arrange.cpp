@@ -225,4 +225,19 @@ void arrange(Scene& scene, const GoingAlong& along, const Arrangement& by) {
         if (along.has(object.id)) arrangeObject(object, by, soups);
 }
 
+void placeObject(Scene& scene, ObjectId id, const Pose& pose) {
+    SceneObject& object = *scene.find(id);
+    const Pose before = object.pose;
+    const ObjectId ids[] = {id};
+    const GoingAlong along = goingAlong(scene, ids);
+    if (along.objects.size() == 1 && along.bodies.empty() && along.colliders.empty()) {
+        object.pose = pose;
+        return;
+    }
+    arrange(scene, along,
+            {.about = before.translation,
+             .move = pose.translation - before.translation,
+             .turn = unitLength(pose.rotation * before.rotation.conjugate())});
+}
+
 } // namespace tactum

@@ -42,6 +42,10 @@ GoingAlong goingAlong(const Scene& scene, std::span<const ObjectId> objects);
 /// textures stay.
 void arrange(Scene& scene, const GoingAlong& along, const Arrangement& by);
 
+/// Puts an object to where `pose` is, with all that goes along: moved and turned about its own origin. What
+/// goes alone gets the very numbers. The object is in the scene; `pose` has unit length.
+void placeObject(Scene& scene, ObjectId id, const Pose& pose);
+
 /// What bodies meet of an object, by the places in Mechanics: the colliders of its body, or those of the
 /// still world that stand for it, which lie in it or are most like it.
 std::vector<std::size_t> collidersOf(const Scene& scene, const SceneObject& object);

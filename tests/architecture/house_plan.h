@@ -51,6 +51,7 @@ inline const std::vector<Room> kRooms{
     {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets"}},
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
+    {"app/library", {"core/bundle", "core/presets", "core/import", "core/runtime", "device"}},
     {"app/python", {"core/bundle", "core/presets", "core/recording"}},
     {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol", "core/vibration"}},
 };
@@ -87,6 +88,7 @@ inline const std::vector<Library> kLibraries{
     {"pybind11/", {"app/python/"}},
     {"grpc", {"core/protocol/"}},
     {"google/protobuf/", {"core/protocol/"}},
+    {"tactum/", {"app/library/"}},             // the public headers of the library
     {"tactum.", {"core/protocol/messages.h"}}, // what protoc makes
     {"openssl/", {"core/protocol/credentials.cpp"}},
     {"arpa/inet.h", {"core/protocol/"}},
@@ -94,7 +96,7 @@ inline const std::vector<Library> kLibraries{
     {"netinet/", {"core/protocol/front.cpp"}},
     {"libusb", {"device/usb/usb_link.cpp"}},
     {"stdint.h", {"device/plugin/tactum_driver.h"}}, // C
-    {"dlfcn.h", {"device/vendor/", "device/plugin/plugin_library.cpp"}},
+    {"dlfcn.h", {"device/vendor/", "device/plugin/plugin_library.cpp", "app/library/support_folder.cpp"}},
     {"boost/", {"device/vendor/web_socket.cpp"}},
     {"Q", {"ui/", "app/"}},
     {"QAudio", {"ui/sound/"}},

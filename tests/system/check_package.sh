@@ -32,6 +32,8 @@ inside apt-get -q update >"$place/apt.log" 2>&1
 inside find / -xdev -path /proc -prune -o -path /tmp -prune -o -print | sort >"$place/before"
 program=$(basename "$(printf '%s\n' "$@" | grep /tactum_)")
 python=$(basename "$(printf '%s\n' "$@" | grep /python3-tactum_)")
+library=$(basename "$(printf '%s\n' "$@" | grep '/libtactum[0-9]')")
+headers=$(basename "$(printf '%s\n' "$@" | grep /libtactum-dev_)")
 SECONDS=0
 inside apt-get -q -y install --no-install-recommends "/tmp/$program" >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
 echo "installed in $SECONDS s"
@@ -69,6 +71,17 @@ import tactum
 with tactum.serve() as haptics:
     haptics.open('$samples/teapot.glb')
     print((haptics.replay(tactum.open('$samples/teapot.glb').path).force == tactum.open('$samples/teapot.glb').touch().force).all())"
+
+# C++, out of its two packages alone: a project of a stranger's. Nothing of what the library is made of is installed with it.
+inside apt-get -q -y install --no-install-recommends "/tmp/$library" "/tmp/$headers" g++ cmake make >>"$place/apt.log" 2>&1 || { tail -n 20 "$place/apt.log"; exit 1; }
+[ ! -e "$empty/usr/include/eigen3" ] || fail "libtactum-dev brings Eigen along"
+cp -r "$(dirname "${BASH_SOURCE[0]}")/../../docs/examples/library" "$empty/home/person/project"
+inside chown -R person: /home/person/project
+person sh -c 'cd && cmake -S project -B built && cmake --build built' >"$place/project.log" 2>&1 || { tail "$place/project.log"; exit 1; }
+for sample in teapot friction-ladder texture-wall moving/windmill; do
+    person tactum convert "$samples/$sample.glb" /home/person/sample.tactum 2>/dev/null || fail "no bundle was written of $sample"
+    expect "steps, largest force" person /home/person/built/play_bundle /home/person/sample.tactum
+done
 
 # With one: the window comes up on the teapot and stays.
 inside apt-get -q -y install --no-install-recommends xvfb xauth libgl1-mesa-dri fonts-dejavu-core man-db xdg-utils libglib2.0-bin \
@@ -109,11 +122,12 @@ grep -q "^recentFiles=.*friction-ladder.glb.*teapot.glb" "$settings" && grep -q 
 expect vnd.tactum.bundle person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query filetype /home/person/teapot.tactum
 expect tactum.desktop person env XDG_CURRENT_DESKTOP=GNOME xdg-mime query default application/vnd.tactum.bundle+zip
 
-# Without the program Python reads files all the same: the package has an import process of its own.
+# Without the program Python and the library read files all the same: each package has an import process of its own.
 cp "$empty$samples/teapot.glb" "$empty/home/person/"
 inside apt-get -q -y purge tactum >>"$place/apt.log" 2>&1
 expect "steps as expected" person python3 /home/person/felt_as_expected.py /home/person/teapot.glb /home/person/teapot.tactum
-inside apt-get -q -y purge python3-tactum >>"$place/apt.log" 2>&1
+expect "steps, largest force" person /home/person/built/play_bundle /home/person/teapot.tactum
+inside apt-get -q -y purge python3-tactum 'libtactum*' >>"$place/apt.log" 2>&1
 left=$(inside find / -xdev -path /proc -prune -o -name '*actum*' -not -path '/tmp/*' -not -path '/home/*' -not -path '/var/cache/*' -print)
 [ -z "$left" ] || fail "removal leaves: $left"
 echo "packages: installed, used and removed"
