@@ -366,7 +366,9 @@ void SceneView::prepareFrame() {
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
-    impl_->paint.place(impl_->model.matrixOf(impl_->paint.object()));
+    const PaintedPicture& painted = impl_->paint.picture();
+    impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
+    impl_->paint.place(impl_->model.matrixOf(painted.object));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }
