@@ -263,7 +263,7 @@ private slots:
         const std::array<QImage, 2> first{shown.picture(false), shown.picture(true)};
         const int drawn = shown.view.modelPictures();
         for (int i = 1; i <= 20; ++i) {
-            shown.touch(Vec3(0.001 * i, 0.002 * i, 0.06));
+            shown.touch(Vec3(0.001 * i, 0.002 * i, 0.058 + 0.0005 * i)); // nearer to the eye
             for (const bool atRest : {false, true})
                 QCOMPARE_GT(differing(shown.picture(atRest), first[atRest]), 50);
         }
