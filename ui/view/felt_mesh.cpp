@@ -138,6 +138,7 @@ public:
             mesh_.low = values_.seen.low;
             mesh_.high = values_.seen.high;
         }
+        mesh_.cuts = cuts_;
         mesh_.lost = std::max(values_.lost(), heights_.lost());
         return std::move(mesh_);
     }
@@ -178,11 +179,8 @@ private:
             uvGradient = uvGradientOf(t, uvs);
         }
         const int first = int(mesh_.positions.size() / 3);
-        for (int i = 0; i <= cuts_; ++i)
-            for (int j = 0; j <= cuts_ - i; ++j) {
-                const Vec3 w(double(cuts_ - i - j) / cuts_, double(i) / cuts_, double(j) / cuts_);
-                vertex(f, t, facet.normalized(), w, uvs, uvGradient);
-            }
+        eachCut(cuts_, [&](const Vec3& w) { vertex(f, t, facet.normalized(), w, uvs, uvGradient); });
+        mesh_.faces.push_back(f);
         const auto row = [&](int i) { return first + i * (cuts_ + 1) - i * (i - 1) / 2; };
         for (int i = 0; i < cuts_; ++i)
             for (int j = 0; j < cuts_ - i; ++j) {

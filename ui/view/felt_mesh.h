@@ -30,10 +30,20 @@ struct FeltMesh {
     std::vector<float> positions, normals; ///< x, y, z of each vertex; already displaced
     std::vector<float> values;             ///< one of each vertex; empty where none was asked for
     std::vector<int> triangles;            ///< three vertices each
+    std::vector<Index> faces;              ///< those of the soup that were cut, in this order,
+    int cuts = 1;                          ///< each edge into so many parts
     double low = 0, high = 0;              ///< of the values
     /// Part of the range that is too fine for the triangles and was left out: 0 none, 1 all.
     double lost = 0;
 };
+
+/// Calls f(weights of the corners) for each vertex of a triangle whose edges are cut, in the order of the
+/// mesh.
+template <class F> void eachCut(int cuts, F f) {
+    for (int i = 0; i <= cuts; ++i)
+        for (int j = 0; j <= cuts - i; ++j)
+            f(Vec3(double(cuts - i - j) / cuts, double(i) / cuts, double(j) / cuts));
+}
 
 /// The value of a surface where no layer changes it. SI.
 double plainValue(const Material& material, FeltValue value);

@@ -65,7 +65,7 @@ FeltSurfaces::Result FeltSurfaces::make(const World& world, const FeltMeshWish& 
             made.object = body.object;
             made.soup = body.mesh->soup;
             made.surface = s;
-            made.mesh = feltMesh(body, s, *normals, wish, progress);
+            made.mesh = std::make_shared<const FeltMesh>(feltMesh(body, s, *normals, wish, progress));
             result.surfaces.push_back(std::move(made));
         }
     return result;
@@ -79,12 +79,23 @@ bool FeltSurfaces::takeFinished() {
     return true;
 }
 
+std::shared_ptr<const FeltMesh> FeltSurfaces::shapeOf(ObjectId object, const TriangleSoup* soup,
+                                                      Index surface) {
+    if (!world_ || asksNothing(wish_)) return nullptr;
+    for (const WorldBody& body : world_->bodies)
+        if (body.object == object && body.mesh->soup.get() == soup) {
+            const Made* made = madeOf(body, surface);
+            return made ? made->mesh : nullptr;
+        }
+    return nullptr;
+}
+
 FeltSurfaces::Made* FeltSurfaces::madeOf(const WorldBody& body, Index surface) {
     if (made_.wish.value != wish_.value || !varies(body, surface, wish_)) return nullptr;
     const auto found = std::ranges::find_if(made_.surfaces, [&](const Made& made) {
         return made.object == body.object && made.surface == surface && made.soup == body.mesh->soup;
     });
-    return found != made_.surfaces.end() && !found->mesh.positions.empty() ? &*found : nullptr;
+    return found != made_.surfaces.end() && !found->mesh->positions.empty() ? &*found : nullptr;
 }
 
 /// Over all surfaces, those that are still being sampled at what they are without their layers.
@@ -95,8 +106,8 @@ MapRange FeltSurfaces::rangeNow(FeltValue value) {
             if (!isFelt(body, s)) continue;
             const Made* made = varies(body, s, {.value = value}) ? madeOf(body, s) : nullptr;
             const double plain = plainValue(body.materials[s], value);
-            low = std::min(low, made ? made->mesh.low : plain);
-            high = std::max(high, made ? made->mesh.high : plain);
+            low = std::min(low, made ? made->mesh->low : plain);
+            high = std::max(high, made ? made->mesh->high : plain);
         }
     if (low > high) low = high = 0; // nothing is felt
     return rangeOf(low, high, 1 / wordsOf(value).factor);
@@ -121,7 +132,7 @@ void FeltSurfaces::dress() {
 /// Made anew only where its colours change.
 vtkPolyData* FeltSurfaces::drawn(Made& made) const {
     if (!made.drawn || (made_.wish.value && made.range != range_)) {
-        made.drawn = polyData(made.mesh);
+        made.drawn = polyData(*made.mesh);
         made.range = range_;
     }
     return made.drawn;
@@ -160,7 +171,7 @@ QString FeltSurfaces::legend() const {
     QStringList parts;
     double lost = 0;
     for (const Made& made : made_.surfaces)
-        lost = std::max(lost, made.mesh.lost);
+        lost = std::max(lost, made.mesh->lost);
     if (wish_.bumps > 0) {
         if (!pending() && made_.surfaces.empty())
             parts << QStringLiteral("Bumps: no surface here has a height layer");

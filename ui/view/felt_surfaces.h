@@ -28,6 +28,8 @@ public:
     const std::optional<FeltValue>& value() const { return wish_.value; }
     /// Of the colours; as long as surfaces are being made, of those that are known.
     const MapRange& range() const { return range_; }
+    /// What a surface of this mesh is drawn as now; null: as itself.
+    std::shared_ptr<const FeltMesh> shapeOf(ObjectId object, const TriangleSoup* soup, Index surface);
     /// What is exaggerated and what could not be drawn; empty when the surfaces look as they are.
     QString legend() const;
 
@@ -36,7 +38,7 @@ private:
         ObjectId object = 0;
         std::shared_ptr<const TriangleSoup> soup;
         Index surface = 0;
-        FeltMesh mesh;
+        std::shared_ptr<const FeltMesh> mesh;
         vtkSmartPointer<vtkPolyData> drawn; ///< made of the mesh in the colours of
         MapRange range;
     };

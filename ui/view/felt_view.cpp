@@ -19,7 +19,7 @@ constexpr double kEdge = 12, kLineGap = 4, kPad = 8;
 } // namespace
 
 FeltView::FeltView(ViewStage& stage, ModelLayer& model)
-    : stage_(stage), model_(model), cone_(*stage.solid, *stage.ghost), trail_(*stage.solid, *stage.ghost),
+    : stage_(stage), model_(model), cone_(*stage.touch, *stage.ghost), trail_(*stage.touch, *stage.ghost),
       spheres_(*stage.solid), normals_(*stage.solid), surfaces_(model) {}
 
 void FeltView::setTheme(const Theme& theme) {

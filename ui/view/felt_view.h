@@ -42,6 +42,10 @@ public:
 
     /// Places everything for a frame. `touch` is null where none is shown.
     void update(const TouchState* touch, const ViewCamera& camera, double ratio);
+    /// What a surface of this mesh is drawn as now; null: as itself.
+    std::shared_ptr<const FeltMesh> shapeOf(ObjectId object, const TriangleSoup* soup, Index surface) {
+        return surfaces_.shapeOf(object, soup, surface);
+    }
     /// Legends and the scale bar, in logical pixels.
     void drawLegends(QPainter& painter, const QSizeF& view, const Theme& theme) const;
 

@@ -29,6 +29,9 @@ public:
     /// Width in device pixels.
     void setWidth(float pixels) { width_ = pixels; }
 
+    /// The next outline is that of a new mask.
+    void forget() { maskTime_ = 0; }
+
     void Render(const vtkRenderState* state) override;
     void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -81,6 +81,33 @@ vtkSmartPointer<vtkCellArray> cellsOf(const TriangleSoup& soup, Index surface) {
     return cellArray(corners, 3);
 }
 
+/// On the vertices of a surface that is drawn in another shape.
+void setShape(vtkPolyData& data, const FeltMesh& shape) {
+    vtkNew<vtkPoints> points;
+    points->SetData(vectorArray(shape.positions));
+    data.SetPoints(points);
+    data.SetPolys(cellArray(shape.triangles, 3));
+}
+
+/// Calls f(triangle, weights of its corners) for each vertex of a shape.
+template <class F> void eachVertex(const FeltMesh& shape, F f) {
+    for (const Index face : shape.faces)
+        eachCut(shape.cuts, [&](const Vec3& weights) { f(face, weights); });
+}
+
+vtkNew<vtkFloatArray> texelsOf(const FeltMesh& shape, const TriangleSoup& soup, const TexelMap& map) {
+    vtkNew<vtkFloatArray> uvs;
+    uvs->SetNumberOfComponents(2);
+    eachVertex(shape, [&](Index face, const Vec3& weights) {
+        Eigen::Vector2d uv = Eigen::Vector2d::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            uv += weights[Eigen::Index(k)] * soup.cornerUvs[3 * std::size_t(face) + k].cast<double>();
+        const Eigen::Vector2d texel = map.perUv * uv + map.shift;
+        uvs->InsertNextTuple2(texel.x() / map.width, texel.y() / map.height);
+    });
+    return uvs;
+}
+
 } // namespace
 
 struct PaintLayer::Part {
@@ -90,6 +117,7 @@ struct PaintLayer::Part {
     vtkNew<vtkUnsignedCharArray> colours; ///< of every position
     vtkNew<vtkImageData> picture;
     vtkNew<vtkTexture> texture;
+    std::shared_ptr<const FeltMesh> shape; ///< null: that of the soup
 
     Part() {
         mapper->SetInputData(data);
@@ -104,14 +132,23 @@ struct PaintLayer::Part {
         texture->InterpolateOn();
     }
 
-    void colour(const PaintedValues* values, std::size_t positions) {
+    void colour(const PaintedValues* values, const TriangleSoup& soup) {
+        const std::size_t count = shape ? shape->positions.size() / 3 : soup.positions.size();
         colours->SetNumberOfComponents(4);
-        colours->SetNumberOfTuples(vtkIdType(positions));
+        colours->SetNumberOfTuples(vtkIdType(count));
         unsigned char* to = colours->GetPointer(0);
-        for (std::size_t i = 0; i < positions; ++i) {
-            const double value = values && i < values->size() ? (*values)[i] : 0;
+        const auto valueOf = [&](Index i) { return values && i < values->size() ? (*values)[i] : 0; };
+        const auto put = [&](double value) {
             to = std::ranges::copy(table()[std::size_t(std::lround(255 * value))], to).out;
-        }
+        };
+        if (shape)
+            eachVertex(*shape, [&](Index face, const Vec3& w) {
+                const auto& corners = soup.triangles[face];
+                put(w[0] * valueOf(corners[0]) + w[1] * valueOf(corners[1]) + w[2] * valueOf(corners[2]));
+            });
+        else
+            for (Index i = 0; i < Index(count); ++i)
+                put(valueOf(i));
         colours->Modified();
         data->GetPointData()->SetScalars(colours);
         data->Modified();
@@ -163,9 +200,10 @@ void PaintLayer::show(const PaintedPicture& picture) {
     for (std::size_t i = 0; i < picture.parts.size(); ++i) {
         const PaintedPart &now = picture.parts[i], *was = i < before ? &old.parts[i] : nullptr;
         if (sameSoup && was && *was == now) continue;
-        showPart(i, now,
-                 sameSoup && was && was->surface == now.surface && !was->image == !now.image &&
-                     was->map == now.map);
+        const bool sameShape = sameSoup && was && was->surface == now.surface && !was->image == !now.image &&
+                               was->map == now.map;
+        if (!sameShape) parts_[i]->shape.reset(); // it was another surface's
+        showPart(i, now, sameShape);
     }
 }
 
@@ -174,7 +212,11 @@ void PaintLayer::showPart(std::size_t i, const PaintedPart& part, bool sameShape
     if (!sameShape) {
         drawn.data->Initialize();
         drawn.actor->SetTexture(part.image ? drawn.texture.Get() : nullptr);
-        if (part.image) {
+        if (drawn.shape) {
+            setShape(*drawn.data, *drawn.shape);
+            if (part.image)
+                drawn.data->GetPointData()->SetTCoords(texelsOf(*drawn.shape, *picture_.soup, part.map));
+        } else if (part.image) {
             addCorners(*drawn.data, *picture_.soup, part.surface, part.map);
         } else {
             drawn.data->SetPoints(points_);
@@ -184,7 +226,16 @@ void PaintLayer::showPart(std::size_t i, const PaintedPart& part, bool sameShape
     if (part.image)
         drawn.colour(*part.image);
     else
-        drawn.colour(part.values.get(), picture_.soup->positions.size());
+        drawn.colour(part.values.get(), *picture_.soup);
+}
+
+void PaintLayer::lieOn(const std::function<std::shared_ptr<const FeltMesh>(Index)>& shapeOf) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        auto shape = shapeOf(picture_.parts[i].surface);
+        if (shape == parts_[i]->shape) continue;
+        parts_[i]->shape = std::move(shape);
+        showPart(i, picture_.parts[i], false);
+    }
 }
 
 void PaintLayer::place(vtkMatrix4x4* matrix) {

@@ -1,6 +1,7 @@
 // What was painted on surfaces, laid over the model in colours. Private to this folder.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 
+#include "ui/view/felt_mesh.h"
 #include "ui/view/painted_picture.h"
 
 class vtkMatrix4x4;
@@ -25,9 +27,12 @@ public:
 
     /// What stays of the shape is kept: of new values on the same surface nothing but the colours is made.
     void show(const PaintedPicture& picture);
+    /// On what each surface lies, before each frame: where it is drawn in another shape, the paint has that
+    /// too.
+    void lieOn(const std::function<std::shared_ptr<const FeltMesh>(Index surface)>& shapeOf);
     /// Where the object is; null: nowhere.
     void place(vtkMatrix4x4* matrix);
-    ObjectId object() const { return picture_.object; }
+    const PaintedPicture& picture() const { return picture_; }
 
 private:
     struct Part;

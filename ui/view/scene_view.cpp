@@ -22,12 +22,27 @@ constexpr double kOutlinePixels = 2.6;
 constexpr double kUnseenPixels = 0.1;
 // Diagonals of the scene: what forces have moved farther than this is not drawn.
 constexpr double kFarthestMoved = 10;
+constexpr double kRoomAbout = 0.1; // of the model's diagonal
+constexpr int kMostDoublings = 12; // what is 400 diagonals away may be cut off
+
+/// The box with room about it until it holds the other one. In coarse steps, for the planes that clip the
+/// picture follow it, and the model is drawn anew whenever they move.
+Bounds grownAround(const Bounds& box, const Bounds& inside) {
+    Vec3 room = Vec3::Constant(kRoomAbout * box.diagonal());
+    const auto holds = [&] {
+        return ((box.low - room).array() <= inside.low.array()).all() &&
+               ((box.high + room).array() >= inside.high.array()).all();
+    };
+    for (int i = 0; i < kMostDoublings && !holds(); ++i)
+        room *= 2;
+    return {box.low - room, box.high + room};
+}
 
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
     : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), paint(*stage.solid),
-      marks(*stage.solid, *stage.ghost), overlay(*stage.solid, *stage.ghost), felt(stage, model),
+      marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost), felt(stage, model),
       camera(defaultCamera()) {
     applyTheme();
 }
@@ -54,12 +69,13 @@ Bounds SceneView::Impl::shown() const {
         box.add(moving.high.cwiseMin(high).cwiseMax(low));
     }
     if (!touch) return box;
+    Bounds about;
     const Vec3 reach = Vec3::Constant(4 * proxyRadius);
     for (const Vec3& p : {touch->finger, touch->proxy}) {
-        box.add(p - reach);
-        box.add(p + reach);
+        about.add(p - reach);
+        about.add(p + reach);
     }
-    return box;
+    return box.empty() ? about : grownAround(box, about);
 }
 
 SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_unique<Impl>(*this)) {
@@ -350,7 +366,9 @@ void SceneView::prepareFrame() {
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
-    impl_->paint.place(impl_->model.matrixOf(impl_->paint.object()));
+    const PaintedPicture& painted = impl_->paint.picture();
+    impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
+    impl_->paint.place(impl_->model.matrixOf(painted.object));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }

@@ -137,6 +137,10 @@ public:
     bool makesFelt() const;
     /// How many actors there are, seen or not: a count that grows with switching on and off is a leak.
     int actorCount() const;
+    /// How often the model was drawn: not at all while only the touch changes.
+    int modelPictures() const;
+    /// Draws the model anew although nothing of it has changed, to compare and to measure.
+    void forgetPicture();
 
     /// Where the mouse leads the finger. World frame, metre.
     Vec3 handGoal() const;

@@ -52,7 +52,17 @@ bool SceneView::makesFelt() const {
 
 int SceneView::actorCount() const {
     return impl_->stage.solid->GetActors()->GetNumberOfItems() +
+           impl_->stage.touch->GetActors()->GetNumberOfItems() +
            impl_->stage.ghost->GetActors()->GetNumberOfItems();
+}
+
+int SceneView::modelPictures() const {
+    return impl_->stage.solid->drawn();
+}
+
+void SceneView::forgetPicture() {
+    impl_->stage.forgetPicture();
+    changed();
 }
 
 void SceneView::fadeOn() {

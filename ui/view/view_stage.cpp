@@ -1,6 +1,7 @@
 #include "ui/view/view_stage.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <numbers>
 
 #include <vtkActor.h>
@@ -36,15 +37,18 @@ ViewCamera defaultCamera() {
 
 ViewStage::ViewStage(vtkRenderWindow& window) : window_(window) {
     vtkNew<vtkCamera> shared;
-    for (vtkRenderer* renderer : {solid.Get(), outline_.Get(), ghost.Get()})
+    const std::initializer_list<vtkRenderer*> layers{solid, touch, outline_, ghost};
+    for (vtkRenderer* renderer : layers)
         addLayer(window, *renderer, shared);
+    touch->SetPreserveDepthBuffer(true); // the model hides what is behind it
     outline_->SetPass(outlinePass_);
     outline_->SetPreserveColorBuffer(false); // the mask starts empty; the picture beneath is not cleared
     outline_->SetBackgroundAlpha(0);
 }
 
 ViewStage::~ViewStage() {
-    for (vtkRenderer* renderer : {ghost.Get(), outline_.Get(), solid.Get()})
+    const std::initializer_list<vtkRenderer*> layers{ghost, outline_, touch, solid};
+    for (vtkRenderer* renderer : layers)
         window_.RemoveRenderer(renderer);
 }
 
@@ -53,6 +57,11 @@ void ViewStage::setBackground(const Theme& theme) {
     solid->SetBackground(theme.skyBottom.redF(), theme.skyBottom.greenF(), theme.skyBottom.blueF());
     solid->SetBackground2(theme.skyTop.redF(), theme.skyTop.greenF(), theme.skyTop.blueF());
     outlinePass_->setColour(theme.accent);
+}
+
+void ViewStage::forgetPicture() {
+    solid->forget();
+    outlinePass_->forget();
 }
 
 void ViewStage::setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors) {

@@ -10,6 +10,7 @@
 
 #include "core/geometry/triangle_soup.h"
 #include "ui/theme.h"
+#include "ui/view/kept_renderer.h"
 #include "ui/view/outline_pass.h"
 #include "ui/view/view_camera.h"
 
@@ -20,8 +21,9 @@ namespace tactum {
 /// Looks at the origin from the front, the right and above.
 ViewCamera defaultCamera();
 
-/// Three renderers of one camera in a window: the model and what stands among it; outlines over it; and the
-/// dimmed copies of what may be inside it. Takes them out of the window again. Thread: ui.
+/// Four renderers of one camera in a window: the model and what is laid over it, whose picture is kept while
+/// it stays the same; what moves among it when it is touched; outlines over both; and the dimmed copies of
+/// what may be inside it. Takes them out of the window again. Thread: ui.
 class ViewStage {
 public:
     explicit ViewStage(vtkRenderWindow& window);
@@ -32,12 +34,15 @@ public:
     /// The background and the outline's colour.
     void setBackground(const Theme& theme);
     void setOutlineWidth(double devicePixels) { outlinePass_->setWidth(float(devicePixels)); }
+    /// The next picture is drawn as a whole.
+    void forgetPicture();
     /// Draws one outline around these actors.
     void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
     /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
     void look(const ViewCamera& camera, const Bounds& shown);
 
-    vtkNew<vtkRenderer> solid, ghost;
+    vtkNew<KeptRenderer> solid;
+    vtkNew<vtkRenderer> touch, ghost;
 
 private:
     vtkRenderWindow& window_;

@@ -126,6 +126,24 @@ private slots:
         QCOMPARE_EQ(z.high, 0);
     }
 
+    void theVerticesLieWhereTheCutsAre() {
+        const auto world = sheetWorld({grooves(TextureTarget::StaticFriction, 0.5)});
+        const FeltMesh mesh = meshOf(*world, {.value = FeltValue::StaticFriction});
+        const TriangleSoup& soup = *world->bodies[0].mesh->soup;
+        QCOMPARE_GT(mesh.cuts, 1);
+        std::size_t at = 0;
+        for (const Index face : mesh.faces)
+            eachCut(mesh.cuts, [&](const Vec3& weights) {
+                Vec3 place = Vec3::Zero();
+                for (std::size_t k = 0; k < 3; ++k)
+                    place += weights[Eigen::Index(k)] * soup.positions[soup.triangles[face][k]];
+                const Vec3 vertex(mesh.positions[at], mesh.positions[at + 1], mesh.positions[at + 2]);
+                COMPARE_NEAR(vertex, place, 1e-7, "m");
+                at += 3;
+            });
+        QCOMPARE(at, mesh.positions.size());
+    }
+
     void onlyWhatALayerChangesVaries() {
         const auto world = sheetWorld({grooves(TextureTarget::StaticFriction, 0.5)});
         const WorldBody& body = world->bodies[0];

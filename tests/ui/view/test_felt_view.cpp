@@ -8,6 +8,7 @@
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "ui/theme.h"
+#include "ui/view/colour_map.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
@@ -79,6 +80,22 @@ struct Shown {
     FeltOptions options;
 };
 
+/// Ridges of 1 mm, 30 mm apart; and texture coordinates, the same everywhere.
+Scene groovedBall() {
+    Scene scene = ballScene();
+    TextureLayer layer;
+    layer.pattern.source = TextureSource::Grooves;
+    layer.pattern.mapping = TextureMapping::Planar;
+    layer.pattern.size = 0.03;
+    layer.strength = 1e-3;
+    for (Surface& surface : scene.objects[0].surfaces)
+        surface.layers = {layer};
+    auto soup = std::make_shared<TriangleSoup>(*scene.objects[0].geometry);
+    soup->cornerUvs.assign(3 * soup->triangles.size(), {0.5F, 0.5F});
+    scene.objects[0].geometry = soup;
+    return scene;
+}
+
 /// How many pixels around a place have about the hue of a colour.
 int hued(const QImage& picture, QPointF at, const QColor& colour, double reach = 3) {
     const double ratio = picture.devicePixelRatio();
@@ -126,7 +143,10 @@ public:
 private slots:
     // 4 of 8 N are an arrow of 120 pixels: so high is the cone, and half as wide where 0.5 holds.
     void theConeEndsWhereFrictionDoes() {
-        Shown shown;
+        Scene dark = ballScene(); // the cone is seen through, and what is behind it has no hue
+        for (Surface& surface : dark.objects[0].surfaces)
+            surface.colour = {0.02F, 0.02F, 0.02F};
+        Shown shown(dark);
         shown.touch(false);
         const QPointF apex = shown.pixelOf(kProxy);
         const QPointF atStatic = apex + QPointF(120, -60), atDynamic = apex + QPointF(120, -30);
@@ -275,15 +295,7 @@ private slots:
     }
 
     void bumpsAreDrawnAsManyTimesAsHigh() {
-        Scene scene = ballScene();
-        TextureLayer layer;
-        layer.pattern.source = TextureSource::Grooves;
-        layer.pattern.mapping = TextureMapping::Planar;
-        layer.pattern.size = 0.03;
-        layer.strength = 1e-3;
-        for (Surface& surface : scene.objects[0].surfaces)
-            surface.layers = {layer};
-        Shown shown(scene);
+        Shown shown(groovedBall());
         const QImage bare = shown.picture();
         shown.options.bumps = 1;
         shown.show();
@@ -302,6 +314,42 @@ private slots:
         shown.options.bumps = 0;
         shown.show();
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);
+    }
+
+    // What is painted is seen where bumps are drawn over the surface that it lies on: on a ridge, and between
+    // two.
+    void paintLiesOnTheBumps_data() {
+        QTest::addColumn<bool>("picture");
+        QTest::addRow("values at the corners") << false;
+        QTest::addRow("a picture") << true;
+    }
+    void paintLiesOnTheBumps() {
+        QFETCH(bool, picture);
+        Shown shown(groovedBall());
+        const SceneObject& ball = shown.scene.objects[0];
+        PaintedPart part;
+        part.surface = kUpper;
+        if (picture)
+            part.image = std::make_shared<const TextureImage>(1, 1, std::vector<std::uint16_t>{65535});
+        else
+            part.values = std::make_shared<const PaintedValues>(
+                std::vector<float>(ball.geometry->positions.size(), 1.0F));
+        const QColor painted = mapColour(1);
+        const auto seen = [&](double y) {
+            return hued(shown.picture(), shown.pixelOf({0, y, std::sqrt(2.5e-3 - y * y)}), painted, 2);
+        };
+        const std::array<double, 3> heights{0.012, 0.02, 0.03};
+        for (const double bumps : {0.0, 10.0}) {
+            shown.options.bumps = bumps;
+            shown.show();
+            for (const double y : heights)
+                QCOMPARE(seen(y), 0);
+            shown.view.setPainted({ball.id, ball.geometry, {part}});
+            for (const double y : heights)
+                QCOMPARE_GT(seen(y), 20);
+            QCOMPARE(seen(-0.02), 0); // the lower half has no paint
+            shown.view.setPainted({});
+        }
     }
 
     void switchingOnAndOffLeavesNothingBehind() {
