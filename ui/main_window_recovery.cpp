@@ -23,7 +23,7 @@ void MainWindow::connectRecovery() {
     connect(recovery_, &Recovery::recovered, this, [this](const QString& title, bool withHistory) {
         const QString same = withHistory ? tr("%1 is as it was before the program stopped, with its history.")
                                          : tr("%1 is as it was before the program stopped, but without its "
-                                              "history, which another version of the program has written.");
+                                              "history, which cannot be read.");
         notice_->showNote(same.arg(title) + u' ' + tr("Save it to keep it; its file has not been touched."));
     });
     recovery_->look();

@@ -83,7 +83,8 @@ private slots:
     }
 
     void theHistoryComesBackAndSharesTheMesh() {
-        const Scene now = sceneOf();
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf()));
+        const Scene now = loadScene(*unpackJournal(folder_))->scene; // as readers make it
         const auto with = [&](double stiffness) {
             Scene scene = now;
             scene.objects[0].surfaces[0].material.stiffness = stiffness;
