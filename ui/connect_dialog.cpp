@@ -46,7 +46,9 @@ public:
         note->setWordWrap(true);
         form->addRow(note);
         form->addRow(QObject::tr("&Server"), place_);
-        form->addRow(QObject::tr("&Folder of certificate and token"), row);
+        auto* folder = new QLabel(QObject::tr("&Folder of certificate and token"));
+        folder->setBuddy(folder_);
+        form->addRow(folder, row);
         form->addRow(buttons_);
         buttons_->button(QDialogButtonBox::Ok)->setText(QObject::tr("&Connect"));
         connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -1,6 +1,7 @@
 #include "ui/document.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "core/scene/bodies.h"
@@ -37,27 +38,32 @@ Gesture newGesture() {
     return ++last;
 }
 
+/// A step of the history.
+class Document::Step : public QUndoCommand {
+public:
+    using QUndoCommand::QUndoCommand;
+    /// The scene on the other side of it.
+    virtual void applyTo(Scene& scene) const = 0;
+};
+
 /// The one command: undo and redo are the same exchange of values.
-template <class T> class Document::Exchange : public QUndoCommand {
+template <class T> class Document::Exchange : public Step {
 public:
     Exchange(Document& document, const QString& text, std::vector<Place<T>> places, std::vector<T> values,
-             SceneChange change, Gesture gesture)
-        : QUndoCommand(text), document_(document), places_(std::move(places)), values_(std::move(values)),
-          change_(change), gesture_(gesture) {}
+             SceneChange change, Gesture gesture, int done = 0)
+        : Step(text), document_(document), places_(std::move(places)), values_(std::move(values)),
+          change_(change), gesture_(gesture), done_(done) {}
 
     /// As redo() does, before the history has it.
     void tryOut() {
         exchange();
-        tried_ = true;
+        done_ = 1;
     }
-    void redo() override {
-        if (std::exchange(tried_, false)) return;
-        giveUpTrial();
-        exchange();
-    }
-    void undo() override {
-        giveUpTrial();
-        exchange();
+    void redo() override { go(); }
+    void undo() override { go(); }
+    void applyTo(Scene& scene) const override {
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            if (T* there = places_[i](scene)) *there = values_[i];
     }
 
     int id() const override { return gesture_ == 0 ? -1 : gesture_; }
@@ -81,9 +87,11 @@ protected:
     Document& document() { return document_; }
 
 private:
-    /// The values are those of before the trial.
-    void giveUpTrial() {
+    void go() {
+        if (done_ > 0 && done_-- > 0) return;
+        // The values are those of before the trial.
         if (document_.trial_.get() != this) document_.giveUpTrial(document_.trying_);
+        exchange();
     }
     void exchange() {
         for (std::size_t i = 0; i < places_.size(); ++i)
@@ -96,7 +104,7 @@ private:
     std::vector<T> values_; ///< one for each place
     SceneChange change_;
     Gesture gesture_;
-    bool tried_ = false;
+    int done_; ///< how often the history goes over it before it changes anything: the scene is as it will be
 };
 
 /// The file that shapes are from changes with them, there and back.
@@ -159,6 +167,47 @@ void Document::edit(const QString& text, Place<T> place, T value, SceneChange ch
 
 const Surface* Document::surface(SurfaceRef ref) const {
     return find(const_cast<Scene&>(scene_), ref);
+}
+
+SceneHistory Document::stepsAround(int most) const {
+    SceneHistory around;
+    Scene scene = scene_;
+    const auto add = [&](std::vector<SceneHistory::Step>& steps, const Step& step) {
+        step.applyTo(scene);
+        steps.push_back({step.text().toStdString(), scene});
+    };
+    if (trial_) add(around.done, static_cast<const Step&>(*trial_));
+    const Scene present = scene;
+    const int now = history_.index();
+    for (int i = now - 1; i >= std::max(0, now - most); --i)
+        add(around.done, static_cast<const Step&>(*history_.command(i)));
+    scene = present;
+    for (int i = now; !trial_ && i < std::min(history_.count(), now + most); ++i)
+        add(around.undone, static_cast<const Step&>(*history_.command(i)));
+    std::ranges::reverse(around.done);
+    std::ranges::reverse(around.undone);
+    return around;
+}
+
+// Its steps change nothing while they are put onto the history, and those that are undone not either while
+// it comes back over them.
+void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own,
+                              const SceneHistory& history) {
+    job_.cancel();
+    adopt(std::move(loaded), file);
+    own_ = own;
+    const auto push = [this](const SceneHistory::Step& step, int done) {
+        history_.push(new Exchange<Scene>(*this, QString::fromStdString(step.text),
+                                          {[](Scene& scene) { return &scene; }}, {step.scene},
+                                          {SceneChange::What::Objects}, 0, done));
+    };
+    for (const SceneHistory::Step& step : history.done)
+        push(step, 1);
+    for (const SceneHistory::Step& step : history.undone | std::views::reverse)
+        push(step, 2);
+    history_.setIndex(int(history.done.size()));
+    history_.resetClean(); // no step leads to what is in the file
+    emit opened();
 }
 
 std::vector<Finding> Document::findings() const {

@@ -12,6 +12,7 @@
 #include <QString>
 #include <QUndoStack>
 
+#include "core/files/journal.h"
 #include "core/files/load_scene.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
@@ -193,7 +194,11 @@ public:
     void cancelOpen() { job_.cancel(); }
     /// Goes on with a scene that was not saved: under the name of its file, with unsaved changes. `own`:
     /// whether hasOwnFile() held. Ends with opened().
-    void adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own);
+    void adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own,
+                        const SceneHistory& history = {});
+    /// What can be undone and redone, at most so many steps next to the present. The scenes share meshes and
+    /// images with this one.
+    SceneHistory stepsAround(int most) const;
 
     /// Goes on with a scene that is kept elsewhere, at a haptic server: nothing of it is unsaved. `file`:
     /// where to offer to save it. Ends with opened().
@@ -237,6 +242,7 @@ signals:
 private:
     /// Finds the value that an edit exchanges; nullptr when it is gone.
     template <class T> using Place = std::function<T*(Scene&)>;
+    class Step;
     template <class T> class Exchange;
     class NewGeometry;
     template <class T>

@@ -46,14 +46,6 @@ void Document::openAs(const std::filesystem::path& file, bool isSample, const Ax
     emit openProgressed(0, -1);
 }
 
-void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool own) {
-    job_.cancel();
-    adopt(std::move(loaded), file);
-    own_ = own;
-    history_.resetClean(); // no step leads to what is in the file
-    emit opened();
-}
-
 void Document::adoptShared(Scene scene, const std::filesystem::path& file) {
     job_.cancel();
     adopt({std::move(scene), {}, true}, FileStamp(file));

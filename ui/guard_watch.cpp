@@ -5,6 +5,7 @@
 #include "core/safety/inhibit_words.h"
 #include "core/safety/motor_heat.h"
 #include "ui/health_words.h"
+#include "ui/numbers.h"
 
 namespace tactum {
 
@@ -35,12 +36,16 @@ QString warmWords() {
 GuardWatch::GuardWatch(Engine& engine, QObject* parent)
     : QObject(parent), engine_(engine), unread_(engine.servo().invalidSamples),
       pauses_(engine.servo().pauses), oscillations_(engine.servo().oscillations),
-      stepsDown_(engine.proxy().stepsDown) {}
+      stepsDown_(engine.proxy().stepsDown) {
+    clock_.start();
+    watchCeiling();
+}
 
 void GuardWatch::frame() {
     watchFault();
     watchPauses();
     watchProxy();
+    watchCeiling();
 }
 
 void GuardWatch::setArmed(bool armed) {
@@ -92,6 +97,18 @@ void GuardWatch::watchProxy() {
                 .arg(fidelityWords(proxy.fidelity)));
 }
 
+void GuardWatch::watchCeiling() {
+    const double before = ceiling_.shown().value;
+    const CeilingNow now = ceilingNow(engine_.servo(), engine_.device());
+    if (!ceiling_.follow(now, 1e-3 * double(clock_.elapsed()))) return;
+    const CeilingNow& shown = ceiling_.shown();
+    moved_ = (shown.value < before ? tr("The stiffness ceiling fell from %1 to %2 N/m: %3.")
+                                   : tr("The stiffness ceiling rose from %1 to %2 N/m: %3."))
+                 .arg(numberText(before, 0), numberText(shown.value, 0), shown.reason);
+    sinceMoved_.start();
+    add(false, moved_, moved_);
+}
+
 QString GuardWatch::quietNote() const {
     const ServoTelemetry& servo = engine_.servo();
     const auto lately = [](const QElapsedTimer& since) {
@@ -108,6 +125,7 @@ QString GuardWatch::quietNote() const {
         servo.inhibit != InhibitReason::ProxySilent || servo.lastPause == InhibitReason::ProxySilent;
     if (servo.gain < 1 && servo.inhibit != InhibitReason::NotArmed && away) return guardSentences(why);
     if (lately(sinceWarm_)) return warmWords();
+    if (lately(sinceMoved_)) return moved_;
     if (engine_.proxy().fidelity != Fidelity::Full) return fidelityWords(engine_.proxy().fidelity);
     return {};
 }

@@ -9,6 +9,7 @@
 #include <QTime>
 
 #include "core/runtime/engine.h"
+#include "ui/steady_ceiling.h"
 
 namespace tactum {
 
@@ -32,7 +33,12 @@ public:
     /// Forces on or off, by a person. On ends the fault.
     void setArmed(bool armed);
     /// The device that had the fault is not the engine's any more.
-    void forget() { fault_.reset(); }
+    void forget() {
+        fault_.reset();
+        ceiling_.forget();
+    }
+    /// The stiffness ceiling, without the machine's jitter.
+    const CeilingNow& ceiling() const { return ceiling_.shown(); }
     /// Until the person arms anew.
     std::optional<InhibitReason> fault() const { return fault_; }
     /// Why there is less force than usual, or less fidelity; empty when all is well.
@@ -49,6 +55,7 @@ private:
     void watchPauses();
     void watchHeat(const ServoTelemetry& servo);
     void watchProxy();
+    void watchCeiling();
     void add(bool fault, const QString& what, const QString& sentences);
 
     Engine& engine_;
@@ -56,7 +63,9 @@ private:
     std::uint64_t unread_ = 0, pauses_ = 0, oscillations_ = 0, stepsDown_ = 0;
     bool standsStill_ = false;
     bool warned_ = false; ///< that the motors are getting warm
-    QElapsedTimer sincePause_, sinceUnread_, sinceWarm_;
+    SteadyCeiling ceiling_;
+    QString moved_; ///< what was last said of it
+    QElapsedTimer clock_, sincePause_, sinceUnread_, sinceWarm_, sinceMoved_;
     std::deque<HealthEvent> events_;
 };
 

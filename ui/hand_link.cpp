@@ -6,7 +6,7 @@ namespace tactum {
 
 namespace {
 constexpr std::uint64_t kArrival = 50; // servo ticks, of which the jump takes one
-constexpr double kBeside = 0.15;       // of the model's diagonal, away from its box
+constexpr double kWithin = 0.95;       // of the workspace: at its wall it could not go on
 } // namespace
 
 HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)
@@ -23,11 +23,8 @@ HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> 
     });
 }
 
-void HandLink::placeBeside(const Bounds& model) {
-    if (model.empty()) return;
-    Vec3 beside = model.centre();
-    beside.x() = model.high.x() + kBeside * model.diagonal();
-    placeAt(beside);
+void HandLink::placeBeside() {
+    if (const auto place = view_.placeBeside(kWithin * engine_.device().workspaceRadius)) placeAt(*place);
 }
 
 void HandLink::placeAt(const Vec3& p_W) {

@@ -5,7 +5,6 @@
 
 #include <QObject>
 
-#include "core/geometry/triangle_soup.h"
 #include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
 
@@ -19,8 +18,8 @@ class HandLink : public QObject {
 public:
     HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent = nullptr);
 
-    /// Puts the finger beside a model, at rest, and the proxy onto it once it is there.
-    void placeBeside(const Bounds& model);
+    /// Puts the finger beside the model, where it is seen, at rest, and the proxy onto it once it is there.
+    void placeBeside();
     /// The same at a place.
     void placeAt(const Vec3& p_W);
     /// Once a frame.

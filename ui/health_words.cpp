@@ -43,7 +43,7 @@ CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device) {
     if (servo.stiffnessScale < 1)
         return {servo.stiffnessScale * now.value, QObject::tr("limited by an oscillation that was seen")};
     if (now.reason != CeilingReason::SurfaceDamping && now.value < kLateServo * promised.value)
-        return {now.value, QObject::tr("limited by a servo that comes late")};
+        return {now.value, QObject::tr("limited by a servo that comes late"), true};
     if (servo.doubted)
         return {now.value, QObject::tr("the grip seems lighter than chosen under Device > Live")};
     return {now.value, wordsOf(now.reason)};

@@ -14,7 +14,8 @@ QString guardSentences(InhibitReason why);
 /// The stiffness that is rendered at most, N/m, and what keeps it from being more.
 struct CeilingNow {
     double value = 0;
-    QString reason; ///< "limited by ..."
+    QString reason;    ///< "limited by ..."
+    bool late = false; ///< by a servo that comes late: it changes from tick to tick
 };
 /// Before the first tick: what the device promises.
 CeilingNow ceilingNow(const ServoTelemetry& servo, const DeviceInfo& device);

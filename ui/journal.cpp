@@ -18,6 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kMostSteps = 100;      // of the history, to each side of the present
+constexpr int kMostObjects = 20'000; // in the scenes of all steps: to copy them takes a few milliseconds
+
+int stepsOf(const Scene& scene) {
+    return std::clamp(kMostObjects / std::max(1, int(scene.objects.size())), 1, kMostSteps);
+}
+
 JournalEntry entryOf(const Document& document) {
     const FileStamp& stamp = document.stamp();
     std::error_code fault;
@@ -83,10 +90,10 @@ void Journal::write() {
     }
     writing_ = std::make_shared<std::atomic<bool>>(false);
     run([self = QPointer(this), cancelled = writing_, folder = folder_, entry = entryOf(document_),
-         scene = document_.scene()] {
+         scene = document_.scene(), history = document_.stepsAround(stepsOf(document_.scene()))] {
         Progress progress;
         progress.cancelled = cancelled.get();
-        const Result<void> result = writeJournal(folder, entry, scene, progress);
+        const Result<void> result = writeJournal(folder, entry, scene, history, progress);
         // Through the application object: `self` may only be looked at on the ui thread.
         QMetaObject::invokeMethod(qApp, [self, cancelled, result] {
             if (self && !*cancelled) self->finish(result);

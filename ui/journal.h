@@ -13,8 +13,9 @@
 
 namespace tactum {
 
-/// Thread: ui. Writing costs it a copy of the scene, which shares meshes and images; all else is done on a
-/// worker, one thing after the other. Each run has its own journal; there is one while something is unsaved.
+/// Thread: ui. Writing costs it copies of the scene and of those that its history leads to, which share
+/// meshes and images; all else is done on a worker, one thing after the other. Each run has its own journal;
+/// there is one while something is unsaved.
 class Journal : public QObject {
     Q_OBJECT
 public:

@@ -88,6 +88,7 @@ void showKeyboardSheet(QWidget* parent) {
     for (const Manner& manner : viewManners())
         addKeyRow(*grid, QObject::tr(manner.keys), QObject::tr(manner.text));
     auto* scroll = new QScrollArea;
+    scroll->setAccessibleName(sheet->windowTitle());
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

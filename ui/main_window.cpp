@@ -41,6 +41,7 @@
 #include "ui/shared_link.h"
 #include "ui/sound/sound_link.h"
 #include "ui/touch_hint.h"
+#include "ui/touched.h"
 #include "ui/usb_permission.h"
 #include "ui/view/scene_view.h"
 
@@ -118,17 +119,14 @@ MainWindow::~MainWindow() = default;
 
 QWidget* MainWindow::makeCentre() {
     auto* body = new QWidget;
-    auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(recoveryBar_);
     // Over the view, not above it: what comes by itself, or with a key, must not move the model under the
     // pointer that is about to press on it.
-    auto* layers = new QGridLayout;
+    auto* layers = new QGridLayout(body);
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     auto* head = new QVBoxLayout;
     head->setSpacing(0);
+    head->addWidget(recoveryBar_);
     head->addWidget(notice_);
     for (ToolStrip* strip : {selectStrip_, arrangeStrip_, paintStrip_})
         head->addWidget(strip, 0, Qt::AlignLeft);
@@ -137,9 +135,8 @@ QWidget* MainWindow::makeCentre() {
     foot->setSpacing(0);
     foot->addWidget(importBar_, 0, Qt::AlignHCenter);
     foot->addWidget(connection_, 0, Qt::AlignHCenter);
-    layers->addLayout(foot, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
-    column->addLayout(layers, 1);
-    column->addWidget(playbackBar_);
+    foot->addWidget(playbackBar_);
+    layers->addLayout(foot, 0, 0, Qt::AlignBottom);
     centre_->addWidget(start_);
     centre_->addWidget(view_);
     start_->setRecent(recentFiles());
@@ -170,12 +167,14 @@ void MainWindow::follow(const SceneChange& change) {
     // The World from before knows other objects by the same numbers.
     if (change.what == What::Everything) view_->setWorld(nullptr);
     if (change.touchesShape()) {
+        touched_.reset(); // its number may be another surface's now
         view_->setScene(document_.scene());
         view_->setProxyRadius(document_.scene().proxyRadius);
     }
     if (change.what == What::Everything) {
+        showCentre(); // or the view would not know yet how large it is
         view_->fit();
-        hand_->placeBeside(boundsOf(document_.scene()));
+        hand_->placeBeside();
     }
     for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry"})
         actions_[id].setEnabled(!document_.empty());
@@ -226,8 +225,27 @@ void MainWindow::frame() {
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
+    const World* world = publisher_.world().get();
+    const bool known = world && engine_.proxy().worldRevision == world->revision;
+    showTouched(known ? world : nullptr, trial_ && world ? *world->scene : document_.scene());
     drawTrace();
     status_->display(engine_);
+}
+
+/// `scene`: as the world was made of it, but with the names of now.
+void MainWindow::showTouched(const World* world, const Scene& scene) {
+    const HapticOutput& touch =
+        playback_->active() ? playback_->player().proxy().output : engine_.proxy().output;
+    const auto now = world ? touchedSurface(touch, *world) : std::nullopt;
+    touchedName_ = now ? nameOfSurface(scene, *now) : QString();
+    view_->setTouched(touchedName_);
+    status_->setTouched(touchedName_);
+    if (now && !trial_ && !playback_->active()) touched_ = now;
+}
+
+void MainWindow::selectTouched() {
+    if (touched_ && document_.surface(*touched_)) return document_.select(*touched_);
+    notice_->showNote(tr("Nothing has been touched yet: drag on the model."));
 }
 
 // The frame and the title of the window take some of it.

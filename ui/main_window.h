@@ -120,6 +120,8 @@ private:
     void setArmed(bool armed);
     void showArmed(bool armed);
     void frame();
+    void showTouched(const World* world, const Scene& scene);
+    void selectTouched();
     // Of selecting: main_window_selecting.cpp.
     void connectSelecting();
     void fillSelectStrip();
@@ -158,6 +160,7 @@ private:
     void takeOtherwise(const FileAxes& axes);
     void endAsking();
     void showImport();
+    void keepFootFree();
     void showImportCommands(const TakenAs* taken);
     // Of shapes that changed elsewhere: main_window_geometry.cpp.
     void connectGeometry();
@@ -274,21 +277,23 @@ private:
     std::optional<Trial> trial_;          ///< that is felt instead of the document
     std::optional<SurfaceRef> droppedOn_; ///< who gets the preset that is being imported
     Docks docks_;
-    std::optional<Feel> copied_;      ///< to be pasted
-    QStringList samples_;             ///< scenes to begin with, never written over
-    QByteArray shownPanels_;          ///< the layout to come back to while all panels are hidden
-    std::uint64_t shownShape_ = 0;    ///< of the recorded scene in the view
-    int healthFrames_ = 0;            ///< since the health was last displayed
-    std::function<void()> afterSave_; ///< what the person wanted to do next
-    bool importSeen_ = false;         ///< the person has closed the import bar
-    std::optional<FileAxes> asked_;   ///< as which the file is being read again
-    QString fittedNote_;              ///< what was last noted of the document
-    int updateStep_ = 0;              ///< of the history after the update that is told of; 0: none
-    QString updateNote_;              ///< what is told of it
-    QPointer<QDialog> updateList_;    ///< what is not as before
-    bool leaving_ = false;            ///< the person has agreed to close the window
-    bool riskAccepted_ = false;       ///< of stiffness above the ceiling, until the program ends
-    std::vector<TracePoint> trace_;   ///< of this frame
+    std::optional<Feel> copied_;        ///< to be pasted
+    QStringList samples_;               ///< scenes to begin with, never written over
+    QByteArray shownPanels_;            ///< the layout to come back to while all panels are hidden
+    std::uint64_t shownShape_ = 0;      ///< of the recorded scene in the view
+    int healthFrames_ = 0;              ///< since the health was last displayed
+    std::function<void()> afterSave_;   ///< what the person wanted to do next
+    bool importSeen_ = false;           ///< the person has closed the import bar
+    std::optional<FileAxes> asked_;     ///< as which the file is being read again
+    QString fittedNote_;                ///< what was last noted of the document
+    int updateStep_ = 0;                ///< of the history after the update that is told of; 0: none
+    QString updateNote_;                ///< what is told of it
+    QPointer<QDialog> updateList_;      ///< what is not as before
+    bool leaving_ = false;              ///< the person has agreed to close the window
+    bool riskAccepted_ = false;         ///< of stiffness above the ceiling, until the program ends
+    std::vector<TracePoint> trace_;     ///< of this frame
+    std::optional<SurfaceRef> touched_; ///< last, of the document
+    QString touchedName_;               ///< in this frame; empty: nothing is touched
     QTimer frames_;
 };
 

@@ -19,6 +19,7 @@
 #include "ui/hand_link.h"
 #include "ui/held_key.h"
 #include "ui/keyboard_sheet.h"
+#include "ui/mnemonics.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/start_page.h"
@@ -79,12 +80,13 @@ void MainWindow::makeToolBar() {
 void MainWindow::makeMenus() {
     actions_.fill(*menuBar());
     auto* file = menuBar()->findChild<QMenu*>(QStringLiteral("File"));
-    auto* recent = new QMenu(tr("Open &recent"), file);
+    auto* recent = new QMenu(tr("Ope&n recent"), file);
     file->insertMenu(&actions_["save-picture"], recent);
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
     auto* view = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
     QMenu* panels = createPopupMenu();
     panels->setTitle(tr("&Panels"));
+    connect(panels, &QMenu::aboutToShow, panels, [panels] { giveMnemonics(*panels); });
     view->addMenu(panels);
 }
 
@@ -92,7 +94,9 @@ void MainWindow::fillRecent(QMenu* menu) {
     menu->clear();
     const QStringList files = recentFiles();
     for (const QString& file : files)
-        menu->addAction(QFileInfo(file).fileName(), this, [this, file] { open(file); })->setToolTip(file);
+        menu->addAction(QFileInfo(file).fileName().replace(u'&', QStringLiteral("&&")), this,
+                        [this, file] { open(file); })
+            ->setToolTip(file);
     if (files.isEmpty())
         menu->addAction(tr("No file was opened yet"))->setEnabled(false);
     else
@@ -102,6 +106,7 @@ void MainWindow::fillRecent(QMenu* menu) {
             forgetRecentFiles();
             start_->setRecent({});
         });
+    giveMnemonics(*menu);
 }
 
 void MainWindow::connectTheme() {

@@ -236,7 +236,7 @@ void MainWindow::beginTrial(Trial trial) {
     const TrialFigures figures{.centre = servo.frame.offset,
                                .radius = servo.frame.scale * radiusOf(device),
                                .maxForce = device.maxForce,
-                               .ceiling = ceilingNow(servo, device).value};
+                               .ceiling = guard_->ceiling().value};
     trial_ = trial;
     const auto scene = std::make_shared<const Scene>(trialScene(trial, figures));
     publisher_.setTrial(scene);
@@ -260,7 +260,7 @@ void MainWindow::endTrial() {
     view_->setSelection(document_.selected());
     if (!document_.empty()) view_->fit();
     showCentre();
-    hand_->placeBeside(boundsOf(document_.scene()));
+    hand_->placeBeside();
     showTrial();
 }
 

@@ -120,7 +120,7 @@ void MainWindow::drawTrace() {
     for (TracePoint point; engine_.popTrace(point);)
         trace_.push_back(point);
     docks_.plot->take(trace_, engine_.proxy().output, engine_.device().maxForce, engine_.proxy().rate,
-                      view_->readingOf(engine_.proxy(), docks_.body->body()));
+                      view_->readingOf(engine_.proxy(), docks_.body->body()), touchedName_);
     view_->addTrail(trace_, engine_.proxy().output);
     sound_->play(trace_);
     docks_.layers->take(trace_, engine_.proxy().time);

@@ -59,7 +59,7 @@ void MainWindow::watchHealth() {
 void MainWindow::displayHealth() {
     if (playback_->active()) return displayRecordedHealth();
     const bool overridden = engine_.overridesCeiling();
-    const CeilingNow ceiling = ceilingNow(engine_.servo(), engine_.device());
+    const CeilingNow& ceiling = guard_->ceiling();
     docks_.inspector->setCeiling(ceiling, overridden);
     if (docks_.health->visibleRegion().isEmpty()) return; // behind another tab, for instance
     docks_.health->display(engine_.servo(), engine_.proxy(), engine_.device());

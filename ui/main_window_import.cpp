@@ -4,8 +4,10 @@
 #include <QUndoStack>
 
 #include "ui/panels/import_bar.h"
+#include "ui/panels/playback_bar.h"
 #include "ui/playback.h"
 #include "ui/touch_hint.h"
+#include "ui/view/scene_view.h"
 
 namespace tactum {
 
@@ -20,8 +22,7 @@ static_assert(std::size(kUnitCommands) == std::size(kLengthUnits));
 
 void MainWindow::connectImport() {
     connect(importBar_, &ImportBar::chosen, this, &MainWindow::takeOtherwise);
-    connect(importBar_, &ImportBar::arranged, this,
-            [this] { hint_->keepAbove(importBar_->isHidden() ? 0 : importBar_->sizeHint().height()); });
+    connect(importBar_, &ImportBar::arranged, this, &MainWindow::keepFootFree);
     for (std::size_t i = 0; i < std::size(kUnitCommands); ++i)
         connect(&actions_[kUnitCommands[i]], &QAction::triggered, this, [this, i] {
             if (const auto shown = shownAxes()) takeOtherwise({kLengthUnits[i].metres, shown->zUp});
@@ -92,7 +93,14 @@ void MainWindow::showImport() {
                             asked_ ? std::nullopt : std::optional(boundsOf(document_.scene()).diagonal()));
     } else
         importBar_->hide();
-    hint_->keepAbove(importBar_->isHidden() ? 0 : importBar_->sizeHint().height());
+    keepFootFree();
+}
+
+/// What the view says at its lower edge stays above the bars that lie there.
+void MainWindow::keepFootFree() {
+    const auto heightOf = [](const QWidget& bar) { return bar.isHidden() ? 0 : bar.sizeHint().height(); };
+    hint_->keepAbove(heightOf(*importBar_) + heightOf(*playbackBar_));
+    view_->setFoot(heightOf(*playbackBar_));
 }
 
 void MainWindow::showImportCommands(const TakenAs* taken) {

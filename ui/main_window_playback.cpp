@@ -34,9 +34,10 @@ constexpr double kSlice = 0.016;  // s
 
 /// What would change the document, the hand or the forces.
 constexpr const char* kLiveActions[] = {
-    "touch",         "select",       "hide",       "show-all",       "remove",         "armed",  "stop",
-    "restart-proxy", "undo",         "redo",       "record-stroke",  "take-stroke",    "mark-a", "swap-ab",
-    "compare-now",   "trial-spring", "trial-wall", "trial-friction", "workspace-axes", "arrange"};
+    "touch",          "select",         "select-touched", "hide",        "show-all",     "remove",
+    "armed",          "stop",           "restart-proxy",  "undo",        "redo",         "record-stroke",
+    "take-stroke",    "mark-a",         "swap-ab",        "compare-now", "trial-spring", "trial-wall",
+    "trial-friction", "workspace-axes", "arrange"};
 
 QString ending() {
     return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
@@ -49,7 +50,7 @@ QString suggestedFile() {
 }
 
 /// In slices as long as a frame: plot and trail take the contacts of one haptic step for each of them.
-void plot(ForcePlot& plot, SceneView& view, SoundLink& sound, Player& player) {
+void plot(ForcePlot& plot, SceneView& view, SoundLink& sound, Player& player, const QString& touched) {
     const std::vector<TracePoint> ticks = player.takeTrace();
     sound.play(ticks);
     const std::vector<ReplayedStep> steps = player.takeSteps();
@@ -61,7 +62,7 @@ void plot(ForcePlot& plot, SceneView& view, SoundLink& sound, Player& player) {
         while (passed < steps.size() && steps[passed].row->time <= ticks[i].t)
             ++passed;
         const HapticOutput& touch = passed > 0 ? steps[passed - 1].output : player.proxy().output;
-        plot.take(slice, touch, player.run().device.maxForce, player.proxy().rate);
+        plot.take(slice, touch, player.run().device.maxForce, player.proxy().rate, {}, touched);
         view.addTrail(slice, touch);
         slice.clear();
     }
@@ -179,7 +180,8 @@ void MainWindow::playFrame() {
         docks_.plot->clear();
         view_->clearTrail();
     }
-    plot(*docks_.plot, *view_, *sound_, player);
+    if (const World* world = player.world()) showTouched(world, *world->scene);
+    plot(*docks_.plot, *view_, *sound_, player, touchedName_);
     for (TracePoint live; engine_.popTrace(live);)
         continue;
     status_->display(player.proxy(), player.servo(), device);

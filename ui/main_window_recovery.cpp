@@ -20,10 +20,11 @@ void MainWindow::connectRecovery() {
     connect(recovery_, &Recovery::progressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Recovering"), fraction, secondsLeft, false);
     });
-    connect(recovery_, &Recovery::recovered, this, [this](const QString& title) {
-        notice_->showNote(tr("%1 is as it was before the program stopped. Save it to keep it; its file has "
-                             "not been touched.")
-                              .arg(title));
+    connect(recovery_, &Recovery::recovered, this, [this](const QString& title, bool withHistory) {
+        const QString same = withHistory ? tr("%1 is as it was before the program stopped, with its history.")
+                                         : tr("%1 is as it was before the program stopped, but without its "
+                                              "history, which cannot be read.");
+        notice_->showNote(same.arg(title) + u' ' + tr("Save it to keep it; its file has not been touched."));
     });
     recovery_->look();
 }

@@ -50,6 +50,7 @@ void MainWindow::connectSelecting() {
         {"invert", &SelectTool::invert}};
     for (const auto& [id, command] : simple)
         connect(&actions_[id], &QAction::triggered, selecting_, command);
+    connect(&actions_["select-touched"], &QAction::triggered, this, &MainWindow::selectTouched);
     connect(&actions_["box"], &QAction::triggered, this, [this] {
         actions_["select"].trigger();
         view_->beginBox();

@@ -108,7 +108,10 @@ void Recovery::recover(std::size_t index) {
         const auto file = unpackJournal(scene.folder);
         const auto loaded = std::make_shared<Result<LoadedScene>>(file ? importScene(*file, progress)
                                                                        : tl::unexpected<Error>(file.error()));
-        if (*loaded) return [=, this] { take(scene, std::move(**loaded)); };
+        if (*loaded)
+            return [=, this, history = readJournalHistory(scene.folder, (*loaded)->scene)] {
+                take(scene, std::move(**loaded), history);
+            };
         return [this, folder = scene.folder, error = loaded->error()] {
             if (error.kind != Error::Kind::Input) return emit failed(QString::fromStdString(error.text));
             const QString sentence = putAside(folder);
@@ -119,15 +122,15 @@ void Recovery::recover(std::size_t index) {
     emit progressed(0, -1);
 }
 
-void Recovery::take(const LostScene& scene, LoadedScene loaded) {
+void Recovery::take(const LostScene& scene, LoadedScene loaded, const Result<SceneHistory>& history) {
     FileStamp file;
     file.path = scene.entry.file;
     file.written = fs::file_time_type(fs::file_time_type::duration(scene.entry.fileWritten));
     file.bytes = scene.entry.fileBytes;
-    document_.adoptRecovered(std::move(loaded), file, scene.entry.own);
+    document_.adoptRecovered(std::move(loaded), file, scene.entry.own, history.value_or(SceneHistory()));
     journal_.takeOver(scene.folder); // only now: opening ends the journal of what was there before
     forget(scene.folder);
-    emit recovered(QString::fromStdString(scene.entry.title));
+    emit recovered(QString::fromStdString(scene.entry.title), history.has_value());
 }
 
 void Recovery::throwAway(std::size_t index) {

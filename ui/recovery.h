@@ -43,7 +43,7 @@ public:
 signals:
     /// scenes() are others.
     void changed();
-    void recovered(const QString& title);
+    void recovered(const QString& title, bool withHistory);
     /// One line for the person.
     void failed(const QString& sentence);
     void progressed(double fraction, double secondsLeft);
@@ -57,7 +57,7 @@ private:
     /// Takes the journal away from every other run; false when one of them was quicker.
     bool claim(LostScene& scene);
     void forget(const std::filesystem::path& folder);
-    void take(const LostScene& scene, LoadedScene loaded);
+    void take(const LostScene& scene, LoadedScene loaded, const Result<SceneHistory>& history);
 
     Document& document_;
     Journal& journal_;

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include "ui/mnemonics.h"
 #include "ui/style.h"
 
 namespace tactum {
@@ -44,6 +45,8 @@ constexpr Command kCommands[] = {
     {"select-all", "Select", "&All surfaces", "A", "", "Every surface that is visible"},
     {"select-none", "Select", "&Nothing", "Alt+A", "", "No surface and no triangle"},
     {"select-like", "Select", "&Same feel", "Shift+G", "", "Every surface that feels like the active one"},
+    {"select-touched", "Select", "What is t&ouched", "T", "",
+     "The surface that the finger touches, or has touched last; also while it is held"},
     {"take-surface", "Select", "A click takes the s&urface", "", "",
      "A click takes a surface; with Shift also, with Ctrl not any more", true, true},
     {"take-material", "Select", "A click takes the same &feel", "", "",
@@ -74,7 +77,7 @@ constexpr Command kCommands[] = {
     {"copy-feel", "Surface", "&Copy feel", "Ctrl+C", "",
      "Material, shading, sides and layers of the active surface, to be pasted onto others", false, true},
     {"paste-feel", "Surface", "Paste &feel", "Ctrl+V", "", "The selected surfaces feel like the copied one"},
-    {"same-feel", "Surface", "Same as the &active one", "Ctrl+L", "",
+    {"same-feel", "Surface", "Same as the active &one", "Ctrl+L", "",
      "The other selected surfaces feel like the one that was selected last"},
     {"normals-smooth", "Surface/&Normals", "&Smooth by the crease angle", "", "",
      "Force shading with computed normals: edges below the crease angle feel round", false, true},
@@ -87,7 +90,7 @@ constexpr Command kCommands[] = {
      "Neighbours of the object get their fronts on the same side, closed parts outside"},
     {"normals-weld", "Surface/&Normals", "&Weld vertices", "", "",
      "Vertices at the same place become one, so that normals run smoothly over them"},
-    {"preset-apply", "Surface", "&Apply the preset", "Ctrl+Shift+Return", "",
+    {"preset-apply", "Surface", "Apply the p&reset", "Ctrl+Shift+Return", "",
      "The selected surfaces get the values of the preset that is chosen in the library", false, true},
     {"preset-save", "Surface", "Sa&ve as preset...", "", "",
      "Keep how the active surface feels in the library, under a name"},
@@ -100,7 +103,7 @@ constexpr Command kCommands[] = {
     {"layer-weave", "Layer", "Add &weave", "", "", "A layer like woven cloth on all selected surfaces"},
     {"layer-image", "Layer", "Add an &image...", "", "picture",
      "A layer of a PNG, JPEG or TIFF picture on all selected surfaces; bright is high"},
-    {"layer-painted", "Layer", "Add a &painted layer", "", "paint",
+    {"layer-painted", "Layer", "Add a pain&ted layer", "", "paint",
      "An empty layer to be painted on all selected surfaces"},
     {"layer-duplicate", "Layer", "D&uplicate layer", "", "duplicate", "The same layer once more, above it",
      false, true},
@@ -143,7 +146,7 @@ constexpr Command kCommands[] = {
     {"brush-smooth", "Tools/The brush d&oes", "S&mooth", "", "", "Every stroke evens out what is there",
      true},
     {"brush-bigger", "Tools", "&Larger brush", "]", "", "A brush with a larger radius", false, true},
-    {"brush-smaller", "Tools", "S&maller brush", "[", "", "A brush with a smaller radius"},
+    {"brush-smaller", "Tools", "Smaller brus&h", "[", "", "A brush with a smaller radius"},
     {"brush-stronger", "Tools", "St&ronger brush", "}; Shift+]", "", "A brush that changes more"},
     {"brush-weaker", "Tools", "&Weaker brush", "{; Shift+[", "", "A brush that changes less"},
     {"pivot-middle", "Tools/About what o&bjects turn", "The &middle of all", "", "",
@@ -170,7 +173,7 @@ constexpr Command kCommands[] = {
     {"orbit-down", "View/&Camera", "Turn &down", "Num+2; Ctrl+Alt+Down", "", "Look from further below"},
     {"zoom-in", "View/&Camera", "&Nearer", "Num++; Ctrl+Alt+PgUp", "", "Come nearer to the model"},
     {"zoom-out", "View/&Camera", "&Farther", "Num+-; Ctrl+Alt+PgDown", "", "Go away from the model"},
-    {"overlay", "View", "Finger and f&orces", "Ctrl+T", "overlay", "Show finger, proxy, force and contacts",
+    {"overlay", "View", "Finger an&d forces", "Ctrl+T", "overlay", "Show finger, proxy, force and contacts",
      true, true},
     {"contact-normals", "View/&At the contact", "&Normals", "", "", "Where each contact pushes to", true},
     {"contact-planes", "View/&At the contact", "&Planes", "", "",
@@ -181,16 +184,16 @@ constexpr Command kCommands[] = {
      "The forces that friction holds: the force's arrow lies inside until the contact slips", true},
     {"trail", "View/&At the contact", "&Trail of the proxy", "", "trail",
      "Where the proxy was in the last seconds: beads where it stuck, a line where it slipped", true},
-    {"map-stiffness", "View/&Colour map", "&Stiffness", "", "", "Colours the surfaces by their stiffness",
+    {"map-stiffness", "View/Colo&ur map", "&Stiffness", "", "", "Colours the surfaces by their stiffness",
      true},
-    {"map-damping", "View/&Colour map", "&Damping", "", "", "Colours the surfaces by their damping", true},
-    {"map-static-friction", "View/&Colour map", "S&tatic friction", "", "",
+    {"map-damping", "View/Colo&ur map", "&Damping", "", "", "Colours the surfaces by their damping", true},
+    {"map-static-friction", "View/Colo&ur map", "S&tatic friction", "", "",
      "Colours the surfaces by their static friction, as their layers make it", true},
-    {"map-dynamic-friction", "View/&Colour map", "D&ynamic friction", "", "",
+    {"map-dynamic-friction", "View/Colo&ur map", "D&ynamic friction", "", "",
      "Colours the surfaces by their dynamic friction, as their layers make it", true},
-    {"map-viscosity", "View/&Colour map", "&Viscosity", "", "", "Colours the surfaces by their viscosity",
+    {"map-viscosity", "View/Colo&ur map", "&Viscosity", "", "", "Colours the surfaces by their viscosity",
      true},
-    {"map-height", "View/&Colour map", "&Height of texture", "", "",
+    {"map-height", "View/Colo&ur map", "&Height of texture", "", "",
      "Colours the surfaces by the sum of their height layers", true},
     {"bumps-1", "View/&Bumps", "As high as they are &felt", "", "", "Draws the height layers as they are",
      true},
@@ -200,7 +203,7 @@ constexpr Command kCommands[] = {
      "Draws the height layers a hundred times as high", true},
     {"sound", "View", "&Hear the contact", "", "sound",
      "What the force shakes with, as sound: texture judged without a device", true},
-    {"felt-normals", "View", "Felt &normals", "N", "normals",
+    {"felt-normals", "View", "F&elt normals", "N", "normals",
      "Needles along the normals that are felt; the view says where they are not those that are drawn", true},
     {"spheres", "View/&Sphere tree", "&Show", "Ctrl+B", "spheres",
      "The bounding spheres of one level of the collision hierarchy", true},
@@ -213,14 +216,14 @@ constexpr Command kCommands[] = {
     {"theme-dark", "View/The&me", "&Dark", "", "", "Light figures on dark grey", true},
     {"theme-light", "View/The&me", "&Light", "", "", "Dark figures on light grey", true},
     {"theme-system", "View/The&me", "Like the &system", "", "", "Dark or light as the desktop is", true},
-    {"panels", "View", "&Hide all panels", "F9", "",
+    {"panels", "View", "Hide al&l panels", "F9", "",
      "The view alone; Tab does the same while the view has the focus", true},
     {"next-panel", "View", "&Next panel", "F6", "", "Give the keys to the next panel", false, true},
     {"previous-panel", "View", "Pre&vious panel", "Shift+F6", "", "Give the keys to the panel before"},
     {"motion-run", "Motion", "&Run", "Ctrl+Space", "play",
      "Let time go on for all that moves: along keys, by its weight, by the hand", true},
     {"motion-slow", "Motion", "&Slow motion", "", "", "A tenth of the pace; the hand keeps its own", true},
-    {"motion-step", "Motion", "One s&tep", "Ctrl+.", "", "Stop, and go on by one step of the haptics"},
+    {"motion-step", "Motion", "One st&ep", "Ctrl+.", "", "Stop, and go on by one step of the haptics"},
     {"motion-reset", "Motion", "&Back to the start", "Ctrl+Home", "reset",
      "Everything that moves goes to where it began"},
     {"body-loose", "Motion", "&Loose body", "Ctrl+M", "",
@@ -307,17 +310,6 @@ QList<QKeySequence> keysOf(const Command& command) {
     return keys;
 }
 
-/// The title with a key for Alt that no menu before it has.
-QString withKey(const QString& title, QString& used) {
-    for (qsizetype i = 0; i < title.size(); ++i) {
-        const QChar letter = title[i].toLower();
-        if (!letter.isLetter() || used.contains(letter)) continue;
-        used += letter;
-        return QString(title).insert(i, u'&');
-    }
-    return title;
-}
-
 QString tooltipOf(const Command& command) {
     const QList<QKeySequence> keys = keysOf(command);
     const QString sentence = QObject::tr(command.sentence);
@@ -331,7 +323,7 @@ QMenu* menuOf(QMenuBar& bar, const QString& name, QString& used) {
     if (auto* known = bar.findChild<QMenu*>(name)) return known;
     const QString parent = name.section(u'/', 0, -2), title = QObject::tr(qPrintable(name.section(u'/', -1)));
     QMenu* menu =
-        parent.isEmpty() ? bar.addMenu(withKey(title, used)) : menuOf(bar, parent, used)->addMenu(title);
+        parent.isEmpty() ? bar.addMenu(withMnemonic(title, used)) : menuOf(bar, parent, used)->addMenu(title);
     menu->setObjectName(name);
     return menu;
 }

@@ -13,6 +13,8 @@
 #include <QSvgRenderer>
 #include <QWidget>
 
+#include "ui/mnemonics.h"
+
 // Outside of any namespace, as Qt asks: the resources live in a static library.
 static void initIcons() {
     Q_INIT_RESOURCE(tactum);
@@ -112,6 +114,8 @@ void applyTheme(ThemeChoice choice) {
     QApplication::setFont(applicationFont());
     QApplication::setPalette(paletteOf(theme()));
     qApp->setStyleSheet(styleSheetOf(theme()));
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    giveMnemonicsToDialogs();
 }
 
 const Theme& theme() {

@@ -14,6 +14,7 @@
 #include "core/base/byte_stream.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/source.h"
+#include "core/scene/scene_bytes.h"
 
 namespace tactum {
 
@@ -25,7 +26,8 @@ namespace fs = std::filesystem;
 // the header and the JSON in one file, and the rest in blocks, each a file named by its fingerprint: an edit
 // of a number writes kilobytes, and the last block, where small pictures of a material for other programs
 // are. Who replaces the first file has changed the journal, so that is done last.
-constexpr std::string_view kMagic = "tactum journal 1\n";
+constexpr std::string_view kMagic = "tactum journal 2\n";
+constexpr std::string_view kWithoutHistory = "tactum journal 1\n"; // of an earlier version; as long
 constexpr const char *kNumbers = "journal", *kUnpacked = "scene.glb";
 constexpr std::string_view kShapes = "shapes-";
 constexpr std::size_t kBlock = std::size_t(4) << 20;
@@ -65,6 +67,7 @@ struct Journal {
     JournalEntry entry;
     std::vector<Print> blocks;
     std::string numbers; ///< the beginning of the glb
+    std::string history; ///< see historyOf()
 };
 
 template <class Io> void fields(Io& io, Journal& journal) {
@@ -78,9 +81,85 @@ template <class Io> void fields(Io& io, Journal& journal) {
     io(journal.numbers);
 }
 
+/// What its scenes have in common.
+struct HistoryTables {
+    SceneTables shared;
+    std::vector<SceneObject> objects;
+};
+
+/// A scene as a row of numbers: an object that is as it was in the scene before is the same one.
+template <class Io>
+void stateBytes(Io& io, Scene& scene, HistoryTables& tables, std::vector<std::uint32_t>& before) {
+    Scene bare = scene;
+    bare.objects.clear();
+    sceneBytes(io, bare, tables.shared);
+    std::vector<std::uint32_t> numbers(scene.objects.size());
+    if constexpr (!Io::kReads)
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const bool same = i < before.size() && tables.objects[before[i]] == scene.objects[i];
+            numbers[i] = same ? before[i] : std::uint32_t(tables.objects.size());
+            if (!same) tables.objects.push_back(scene.objects[i]);
+        }
+    io.bulk(numbers);
+    if constexpr (Io::kReads) {
+        scene = std::move(bare);
+        for (const std::uint32_t number : numbers) {
+            io.demand(number < tables.objects.size(), "a step names an object that there is not");
+            scene.objects.push_back(tables.objects[number]);
+        }
+    }
+    before = std::move(numbers);
+}
+
+template <class Io> void historyBytes(Io& io, SceneHistory& history, HistoryTables& tables) {
+    std::vector<std::uint32_t> before;
+    for (auto* steps : {&history.done, &history.undone}) {
+        io.count(*steps, 16);
+        for (SceneHistory::Step& step : *steps)
+            io(step.text), stateBytes(io, step.scene, tables, before);
+    }
+}
+
+/// What is in the scene itself is only named.
+std::string bytesOf(SceneHistory history, const KnownParts& elsewhere) {
+    HistoryTables tables;
+    StringOut states, objects, shapes;
+    historyBytes(states, history, tables);
+    objects.count(tables.objects, 64);
+    for (SceneObject& each : tables.objects)
+        objectBytes(objects, each, tables.shared);
+    writeTables(shapes, tables.shared, elsewhere);
+    return shapes.bytes + objects.bytes + states.bytes;
+}
+
+SceneHistory readHistory(ByteIn& in, const Scene& scene) {
+    HistoryTables tables;
+    readTables(in, tables.shared, {[&] { return KnownParts(scene); }});
+    in.count(tables.objects, 64);
+    for (SceneObject& each : tables.objects)
+        objectBytes(in, each, tables.shared);
+    SceneHistory history;
+    historyBytes(in, history, tables);
+    return history;
+}
+
+/// The steps next to the present that fit.
+std::string historyOf(const Scene& scene, SceneHistory history) {
+    constexpr std::size_t kMostBytes = std::size_t(16) << 20;
+    const KnownParts elsewhere(history.size() > 0 ? scene : Scene());
+    while (history.size() > 0) {
+        std::string bytes = bytesOf(history, elsewhere);
+        if (bytes.size() <= kMostBytes) return bytes;
+        for (auto* steps : {&history.done, &history.undone})
+            steps->erase(steps->begin(), steps->begin() + std::ptrdiff_t(steps->size() + 1) / 2);
+    }
+    return {};
+}
+
 std::string bytesOf(Journal journal) {
     StringOut out;
     fields(out, journal);
+    out(journal.history);
     return std::string(kMagic) + sha256(out.bytes) + out.bytes;
 }
 
@@ -111,7 +190,8 @@ Result<Journal> readStamp(const fs::path& folder) {
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     constexpr std::size_t kPrint = 64;
     const std::string_view all = *bytes;
-    if (!all.starts_with(kMagic) || all.size() < kMagic.size() + kPrint)
+    const bool isOld = all.starts_with(kWithoutHistory);
+    if (!(all.starts_with(kMagic) || isOld) || all.size() < kMagic.size() + kPrint)
         return damaged(folder, "it does not begin as one");
     const std::string_view rest = all.substr(kMagic.size() + kPrint);
     if (sha256(rest) != all.substr(kMagic.size(), kPrint)) return damaged(folder, "bytes have changed");
@@ -119,6 +199,7 @@ Result<Journal> readStamp(const fs::path& folder) {
         ByteIn in(rest, "the journal", kMagic.size() + kPrint, "it was kept");
         Journal journal;
         fields(in, journal);
+        if (!isOld) in(journal.history);
         return journal;
     } catch (const ByteFault& fault) {
         return damaged(folder, fault.error.text);
@@ -135,9 +216,10 @@ void tidy(const fs::path& folder, const std::set<std::string>& named) {
     }
 }
 
-Result<void> replaceJournal(const fs::path& folder, const JournalEntry& entry, std::string_view glb) {
+Result<void> replaceJournal(const fs::path& folder, const JournalEntry& entry, std::string_view glb,
+                            std::string history) {
     const std::size_t end = endOfNumbers(glb);
-    Journal journal{entry, {}, std::string(glb.substr(0, end))};
+    Journal journal{entry, {}, std::string(glb.substr(0, end)), std::move(history)};
     std::set<std::string> named;
     std::error_code fault;
     fs::create_directories(folder, fault); // what is wrong with it the first write says
@@ -158,12 +240,12 @@ Result<void> replaceJournal(const fs::path& folder, const JournalEntry& entry, s
 } // namespace
 
 Result<void> writeJournal(const fs::path& folder, const JournalEntry& entry, const Scene& scene,
-                          const Progress& progress) {
+                          const SceneHistory& history, const Progress& progress) {
     try {
         const auto glb = glbOf(scene, progress);
         if (!glb) return tl::unexpected<Error>(glb.error());
         if (progress.isCancelled()) return cancelledError();
-        return replaceJournal(folder, entry, *glb);
+        return replaceJournal(folder, entry, *glb, historyOf(scene, history));
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(folder) + ": not enough memory for the journal; close other programs");
     }
@@ -189,6 +271,18 @@ Result<fs::path> unpackJournal(const fs::path& folder) {
     if (const auto written = writeFileAtomically(file, glb, 0); !written)
         return tl::unexpected<Error>(written.error());
     return file;
+}
+
+Result<SceneHistory> readJournalHistory(const fs::path& folder, const Scene& scene) {
+    const auto journal = readStamp(folder);
+    if (!journal) return tl::unexpected<Error>(journal.error());
+    if (journal->history.empty()) return SceneHistory();
+    try {
+        ByteIn in(journal->history, "the history in the journal", 0, "the scene itself can be recovered");
+        return readHistory(in, scene);
+    } catch (const ByteFault& fault) {
+        return damaged(folder, fault.error.text);
+    }
 }
 
 bool holdsJournal(const fs::path& folder) {

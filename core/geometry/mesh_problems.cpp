@@ -29,7 +29,6 @@ public:
         findDuplicates();
         if (progress_.isCancelled()) return cancelledError();
         findSlivers();
-        findEdges(ProblemKind::Crowded, Edge::Crowd);
         if (progress_.isCancelled()) return cancelledError();
         return std::move(problems_);
     }

@@ -11,9 +11,7 @@ enum class ProblemKind : std::uint8_t {
     InsideOut,  ///< closed parts whose front looks inward, and that no other part encloses
     Duplicate,  ///< triangles with the same corners as an earlier one
     Sliver,     ///< triangles whose area is below 1e-12 of the squared diagonal of the box
-    Crowded,    ///< edges of more than two triangles
-    ThinWall,   ///< see core/health/mesh_probe.h, as for the next
-    Unreachable ///< parts that the proxy cannot come to
+    Unreachable ///< parts that the proxy cannot come to (core/health/mesh_probe.h)
 };
 
 /// All of one kind in one mesh. Body frame, metre.

@@ -22,8 +22,6 @@ Repair repairOf(ProblemKind kind) {
         return Repair::RemoveDuplicates;
     case ProblemKind::Sliver:
         return Repair::RepairSlivers;
-    case ProblemKind::Crowded:
-    case ProblemKind::ThinWall:
     case ProblemKind::Unreachable:
         break;
     }
@@ -49,16 +47,9 @@ Finding findingOf(const Problem& problem, const MeshHealth& health, const std::s
     case ProblemKind::Sliver:
         only.slivers = health.slivers;
         break;
-    case ProblemKind::Crowded:
-        only.nonManifoldEdges = health.nonManifoldEdges;
-        break;
     case ProblemKind::InsideOut:
         notes.add(Severity::Warning, problem.count, "closed part", "whose front looks inward",
                   "turn it over; a surface that is felt from its front alone cannot be felt from outside");
-        break;
-    case ProblemKind::ThinWall:
-        notes.add(Severity::Note, problem.count, "triangle", "of walls thinner than the proxy",
-                  "kept; make the proxy smaller, or the wall thicker, if both sides are to be felt apart");
         break;
     case ProblemKind::Unreachable:
         notes.add(Severity::Note, problem.count, "part", "inside another one that the proxy cannot enter",
@@ -139,15 +130,11 @@ private:
         const auto health = healthOf(*mesh.soup, partOf(progress, 0.1, 0.2));
         auto problems = problemsOf(*graph, partOf(progress, 0.2, 0.3));
         if (!health || !problems) return false;
-        const SphereTree tree(*mesh.soup);
-        const auto thin = thinWalls(*graph, tree, mesh.proxyRadius, partOf(progress, 0.5, 0.9));
-        if (!thin) return false;
-        const auto inside = unreachableParts(*graph, mesh.sides, mesh.proxyRadius, partOf(progress, 0.9, 1));
+        const auto inside = unreachableParts(*graph, mesh.sides, mesh.proxyRadius, partOf(progress, 0.3, 1));
         if (!inside) return false;
         mesh.health = *health;
         mesh.problems = std::move(*problems);
-        for (const Problem& problem : {*thin, *inside})
-            if (problem.count > 0) mesh.problems.push_back(problem);
+        if (inside->count > 0) mesh.problems.push_back(*inside);
         return true;
     }
 

@@ -39,7 +39,7 @@ struct Examined {
 };
 
 /// What validate() says, with places where a finding is about a mesh; then what takes a look inside: closed
-/// parts that are inside out, thin walls, parts out of reach. A mesh that is among `known` as it is now is
+/// parts that are inside out, parts out of reach. A mesh that is among `known` as it is now is
 /// not looked at again. Some 4 s for a million triangles. Fails only when cancelled. Thread: any but real
 /// time; uses all cores.
 Result<Examined> examine(const Scene& scene, const std::vector<KnownMesh>& known = {},

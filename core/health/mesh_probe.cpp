@@ -1,22 +1,15 @@
 #include "core/health/mesh_probe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 
-#include "core/base/parallel.h"
 #include "core/collision/nearest.h"
 #include "core/geometry/filing.h"
 #include "core/geometry/weld.h"
 
 namespace tactum {
 namespace {
-
-Vec3 middleOf(const TriangleSoup& soup, Index t) {
-    const Corners& c = soup.triangles[t];
-    return (soup.positions[c[0]] + soup.positions[c[1]] + soup.positions[c[2]]) / 3;
-}
 
 Problem finished(ProblemGatherer gatherer, ProblemKind kind) {
     std::vector<Problem> found;
@@ -26,51 +19,6 @@ Problem finished(ProblemGatherer gatherer, ProblemKind kind) {
     none.kind = kind;
     return none;
 }
-
-/// Straight inward from the middle of one triangle after the other.
-class WallProbe {
-public:
-    WallProbe(const FaceGraph& graph, const SphereTree& tree, double reach)
-        : graph_(graph), soup_(*graph.soup()), tree_(tree) {
-        // The tree is made for short moves: it looks at everything within a move's length.
-        constexpr double kLongest = 0.01;
-        const double diagonal = boundsOf(soup_).diagonal();
-        reach = std::min(reach, diagonal);
-        if (!(reach > 0)) return;
-        pieces_ = std::max(1, int(std::ceil(reach / (kLongest * diagonal))));
-        piece_ = reach / pieces_;
-        thin_ = 1e-7 * reach;
-    }
-
-    /// How many triangles to go on by, so that the work stays bounded.
-    std::size_t stride() const {
-        constexpr std::size_t kMaxSweeps = 4'000'000;
-        return 1 + graph_.triangles() * std::size_t(pieces_) / kMaxSweeps;
-    }
-
-    bool isThin(Index t) const {
-        constexpr float kFacesAway = 0.5f; // within 60 degrees
-        const Eigen::Vector3f& normal = graph_.normal(t);
-        if (normal == Eigen::Vector3f::Zero()) return false;
-        const Vec3 inward = -normal.cast<double>();
-        SpherePath path;
-        path.from = middleOf(soup_, t) + 4 * thin_ * inward;
-        path.motion = piece_ * inward;
-        path.radius = thin_;
-        for (int i = 0; i < pieces_; ++i, path.from += path.motion) {
-            const SweepHit hit = tree_.sweep(soup_, path, std::span(&t, 1));
-            if (hit.t <= 1) return graph_.normal(hit.triangle).dot(-normal) >= kFacesAway;
-        }
-        return false;
-    }
-
-private:
-    const FaceGraph& graph_;
-    const TriangleSoup& soup_;
-    const SphereTree& tree_;
-    int pieces_ = 0;
-    double piece_ = 0, thin_ = 0; ///< m; the probe is a sphere of radius `thin_`
-};
 
 /// What hangs together over edges.
 struct Part {
@@ -219,28 +167,6 @@ private:
 };
 
 } // namespace
-
-Result<Problem> thinWalls(const FaceGraph& graph, const SphereTree& tree, double proxyRadius,
-                          const Progress& progress) {
-    const WallProbe probe(graph, tree, 2 * proxyRadius);
-    const std::size_t n = graph.triangles();
-    const std::size_t stride = probe.stride();
-    std::vector<TriangleSet> thin(parallelParts(n));
-    const Progress quiet{{}, progress.cancelled};
-    parallelFor(n, [&](std::size_t part, std::size_t begin, std::size_t end) {
-        ProgressMeter meter(part == 0 ? progress : quiet, end - begin, 1 << 12);
-        for (std::size_t t = begin; t < end && meter.goesOn(t - begin); t += stride)
-            if (probe.isThin(Index(t))) thin[part].push_back(Index(t));
-    });
-    if (progress.isCancelled()) return cancelledError();
-    ProblemGatherer found(*graph.soup(), ProblemKind::ThinWall);
-    for (const TriangleSet& some : thin)
-        for (Index t : some) {
-            found.count();
-            found.add(t);
-        }
-    return finished(std::move(found), ProblemKind::ThinWall);
-}
 
 Result<Problem> unreachableParts(const FaceGraph& graph, const std::vector<Sides>& sides, double proxyRadius,
                                  const Progress& progress) {

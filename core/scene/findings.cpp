@@ -41,25 +41,19 @@ void appendHealth(std::vector<Finding>& findings, const std::string& object, con
               "kept; merge close vertices to remove them");
     notes.add(warning, health.duplicateFaces, "triangle", "equal to another one",
               "kept; remove doubles in the modelling program");
-    notes.add(note, health.nonManifoldEdges, "edge", "with more than two triangles",
-              "kept; touch does not mind");
     notes.add(warning, health.flippedEdges, "edge", "whose two triangles face opposite ways",
               "kept; both sides can be touched, but make the normals consistent for shading");
     if (health.boundaryEdges > 0)
         notes.add(note, health.holes, "open rim", "with " + counted(health.boundaryEdges, "edge"),
                   "kept open; the finger can pass through if it is larger than the proxy");
     notes.add(note, health.unreferencedVertices, "vertex", "that no face uses", "ignored");
-    if (health.components > 1)
-        notes.add(note, health.components, "part", "that share no vertex",
-                  "kept; if they should be one, merge close vertices");
 }
 
 bool saysHealth(const Finding& finding) {
     static const std::vector<Finding> all = [] {
         MeshHealth every;
-        every.slivers = every.duplicateFaces = every.nonManifoldEdges = every.flippedEdges = 1;
+        every.slivers = every.duplicateFaces = every.flippedEdges = 1;
         every.boundaryEdges = every.holes = 1;
-        every.components = 2;
         std::vector<Finding> findings;
         appendHealth(findings, {}, every);
         return findings;

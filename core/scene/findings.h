@@ -29,7 +29,8 @@ std::string lineOf(const Finding& finding);
 /// Everything that `tactum check` says: the health of each mesh and every value out of its range.
 std::vector<Finding> validate(const Scene& scene);
 
-/// What the health of a mesh lets a person expect, in sentences.
+/// What the health of a mesh lets a person expect, in sentences. Several parts, and edges where more than two
+/// triangles meet, are no trouble: most models are put together so, and they feel as they look.
 void appendHealth(std::vector<Finding>& findings, const std::string& object, const MeshHealth& health);
 /// Whether a finding is one of those, about triangles: it was true of the mesh then, and may be repaired
 /// since.

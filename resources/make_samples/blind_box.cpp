@@ -66,7 +66,17 @@ Vec3 onHidden(double rise, double turn) {
 
 SceneObject hidden() {
     Mesh mesh;
-    mesh.grid(evenly(1e-3, std::numbers::pi / 2, 24), evenly(0, kTurn, 100), onHidden);
+    constexpr int kAround = 100;
+    const auto around = [](double rise, int way) {
+        std::vector<Vec3> ring;
+        for (int i = 0; i < kAround; ++i)
+            ring.push_back(onHidden(rise, way * kTurn * i / kAround));
+        return ring;
+    };
+    constexpr double kTip = 1e-3, kFoot = std::numbers::pi / 2;
+    mesh.grid(evenly(kTip, kFoot, 24), evenly(0, kTurn, kAround), onHidden);
+    mesh.fan(onHidden(0, 0), around(kTip, 1));
+    mesh.fan({0, onHidden(kFoot, 0).y(), 0}, around(kFoot, -1));
     Surface made = surface("shape", {0.60f, 0.16f, 0.20f},
                            {.stiffness = 700, .staticFriction = 0.3, .dynamicFriction = 0.2});
     made.shading.on = true;

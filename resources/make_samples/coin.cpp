@@ -42,7 +42,8 @@ SceneObject coin() {
     const auto raised = [](double r, double turn) {
         return Index(relief(r * std::cos(turn), r * std::sin(turn)) > 0.15);
     };
-    mesh.grid(evenly(1e-3, 1, kRings), evenly(0, kTurn, kAround), onFace, raised, uvAt);
+    constexpr double kMiddle = 1e-3;
+    mesh.grid(evenly(kMiddle, 1, kRings), evenly(0, kTurn, kAround), onFace, raised, uvAt);
     // From the face over the rim to the table; the lines are sharp.
     const std::array<Eigen::Vector2d, 5> profile{
         {{kField, kFace}, {kField + 0.001, kRim}, {kEdge - 0.001, kRim}, {kEdge, kRim - 0.001}, {kEdge, 0}}};
@@ -53,6 +54,19 @@ SceneObject coin() {
             return Vec3(p.x() * std::cos(turn), p.y(), -p.x() * std::sin(turn));
         },
         [](double, double) { return Index(2); });
+    // The middle of the face, and what lies on the table.
+    const auto around = [&](double r, double y, int way) {
+        std::vector<Vec3> ring;
+        for (int i = 0; i < kAround; ++i) {
+            const double turn = way * kTurn * i / kAround;
+            ring.emplace_back(r * std::cos(turn), y, -r * std::sin(turn));
+        }
+        return ring;
+    };
+    mesh.fan({0, kFace, 0}, around(kField * kMiddle, kFace, 1), 1, [](const Vec3& p) {
+        return Uv(float(0.5 + 0.5 * p.x() / kField), float(0.5 - 0.5 * p.z() / kField));
+    });
+    mesh.fan(Vec3::Zero(), around(kEdge, 0, -1), 2);
     const Material metal{.stiffness = 1000, .damping = 0.5, .staticFriction = 0.25, .dynamicFriction = 0.2};
     return object("coin", mesh,
                   {surface("field", {0.32f, 0.19f, 0.05f}, metal),

@@ -82,6 +82,21 @@ Vec3 onCushion(double x, double z) {
     return {x - kWidth / 2, kBulge * (1 - std::pow(a, 6)) * (1 - std::pow(b, 6)), kDepth / 2 - z};
 }
 
+/// Where it lies on the board, counter-clockwise seen from below.
+std::vector<Vec3> outline() {
+    const int wide = int(std::lround(kWidth / kCell)), deep = int(std::lround(kDepth / kCell));
+    std::vector<Vec3> rim;
+    for (int i = 0; i < deep; ++i)
+        rim.push_back(onCushion(0, kDepth * i / deep));
+    for (int i = 0; i < wide; ++i)
+        rim.push_back(onCushion(kWidth * i / wide, kDepth));
+    for (int i = deep; i > 0; --i)
+        rim.push_back(onCushion(kWidth, kDepth * i / deep));
+    for (int i = wide; i > 0; --i)
+        rim.push_back(onCushion(kWidth * i / wide, 0));
+    return rim;
+}
+
 SceneObject cushion() {
     Mesh mesh;
     mesh.grid(
@@ -89,14 +104,16 @@ SceneObject cushion() {
         evenly(0, kDepth, int(std::lround(kDepth / kCell))), onCushion,
         [](double x, double z) { return Index(stitch(x, z, 1e-6) > 0.5); },
         [](double x, double z) { return Uv(float(x / kWidth), float(z / kDepth)); });
+    mesh.fan(Vec3::Zero(), outline(), 2); // on the board: nobody feels it
     const Material material{.stiffness = 400, .damping = 1, .staticFriction = 0.6, .dynamicFriction = 0.5};
     SceneObject made = object("cushion", mesh,
                               {surface("leather", {0.23f, 0.09f, 0.04f}, material),
-                               surface("thread", {0.70f, 0.55f, 0.32f}, material)});
+                               surface("thread", {0.70f, 0.55f, 0.32f}, material),
+                               surface("lining", {0.16f, 0.12f, 0.10f}, material)});
     const std::vector<TextureLayer> all = layers();
-    for (Surface& each : made.surfaces) {
-        each.layers = all;
-        each.shading = {.on = true, .normals = NormalSource::Computed};
+    for (std::size_t i = 0; i < 2; ++i) {
+        made.surfaces[i].layers = all;
+        made.surfaces[i].shading = {.on = true, .normals = NormalSource::Computed};
     }
     return made;
 }

@@ -83,6 +83,16 @@ void Mesh::grid(const std::vector<double>& us, const std::vector<double>& vs, co
         }
 }
 
+void Mesh::fan(const Vec3& apex, const std::vector<Vec3>& rim, Index surface,
+               const std::function<Uv(const Vec3&)>& uvAt) {
+    const auto add = [&](const Vec3& p) { return point(p, uvAt ? uvAt(p) : Uv::Zero()); };
+    const Index middle = add(apex), first = middle + 1, count = Index(rim.size());
+    for (const Vec3& p : rim)
+        add(p);
+    for (Index i = 0; i < count; ++i)
+        triangle(middle, first + i, first + (i + 1) % count, surface);
+}
+
 std::shared_ptr<const TriangleSoup> Mesh::soup() const {
     TriangleSoup whole = soup_;
     if (hasUvs_)

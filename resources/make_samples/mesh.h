@@ -31,6 +31,10 @@ public:
     void grid(const std::vector<double>& us, const std::vector<double>& vs, const Place& place,
               const SurfaceAt& surfaceAt = {}, const UvAt& uvAt = {});
 
+    /// Closes a rim, counter-clockwise seen from outside, with triangles that meet at `apex`.
+    void fan(const Vec3& apex, const std::vector<Vec3>& rim, Index surface = 0,
+             const std::function<Uv(const Vec3&)>& uvAt = {});
+
     /// With normals where it has texture coordinates: programs show a bump only where there are both. They
     /// are the mean of the facets around a corner, but for those beyond an edge of more than 30 degrees.
     std::shared_ptr<const TriangleSoup> soup() const;

@@ -160,15 +160,33 @@ Panel sandpaperPanel() {
              surface("shining grit", {0.56f, 0.41f, 0.25f}, rough)}};
 }
 
+/// The edge of a panel, counter-clockwise seen from behind.
+std::vector<Vec3> outlineOf(const Panel& panel) {
+    const auto &xs = panel.xs, &ys = panel.ys;
+    std::vector<Vec3> rim;
+    for (std::size_t i = 0; i + 1 < ys.size(); ++i)
+        rim.emplace_back(xs.front(), ys[i], 0);
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i)
+        rim.emplace_back(xs[i], ys.back(), 0);
+    for (std::size_t i = ys.size() - 1; i > 0; --i)
+        rim.emplace_back(xs.back(), ys[i], 0);
+    for (std::size_t i = xs.size() - 1; i > 0; --i)
+        rim.emplace_back(xs[i], ys.front(), 0);
+    return rim;
+}
+
 /// `place`: of its lower left corner on the wall's face, m.
 SceneObject objectOf(const Panel& panel, const Eigen::Vector2d& place) {
     Mesh mesh;
+    const auto uvAt = [](double x, double y) { return Uv(float(x / kUvLength), float(y / kUvLength)); };
     mesh.grid(
-        panel.xs, panel.ys, [](double x, double y) { return Vec3(x, y, 0); }, panel.surfaceAt,
-        [](double x, double y) { return Uv(float(x / kUvLength), float(y / kUvLength)); });
-    SceneObject made = object(panel.name, mesh, {panel.surfaces[0], panel.surfaces[1]});
-    for (Surface& each : made.surfaces)
-        each.layers = {panel.layer};
+        panel.xs, panel.ys, [](double x, double y) { return Vec3(x, y, 0); }, panel.surfaceAt, uvAt);
+    mesh.fan({kPanelWidth / 2, kPanelHeight / 2, -0.9 * kBefore}, outlineOf(panel), 2);
+    SceneObject made = object(panel.name, mesh,
+                              {panel.surfaces[0], panel.surfaces[1],
+                               surface("back", {0.30f, 0.30f, 0.28f}, panel.surfaces[0].material)});
+    for (std::size_t i = 0; i < 2; ++i)
+        made.surfaces[i].layers = {panel.layer};
     made.pose.rotation = Quat(Eigen::AngleAxisd(-kLean, Vec3::UnitX()));
     made.pose.translation = made.pose.rotate({place.x(), place.y(), kBefore});
     return made;

@@ -226,13 +226,13 @@ void ForcePlot::changeEvent(QEvent* event) {
 }
 
 void ForcePlot::take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit,
-                     double proxyRate, const std::optional<BodyReading>& body) {
+                     double proxyRate, const std::optional<BodyReading>& body, const QString& touched) {
     limit_ = std::max(limit, 0.1);
     if (paused_) return;
     offer(body);
     // The mouse rests on the glass, not on the curve.
     const double before = history_.end();
-    history_.add(points, {&touch, proxyRate, body.value_or(BodyReading{})});
+    history_.add(points, {&touch, proxyRate, body.value_or(BodyReading{}), touched.toStdString()});
     if (time_.cursor) *time_.cursor += history_.end() - before;
     refresh();
 }
@@ -296,6 +296,10 @@ void ForcePlot::refresh() {
         seen.empty() ? tr("choose what to plot") : tr("last %1 s").arg(numberText(time_.span, decimals));
     if (time_.cursor)
         text = tr("at \u2212%1 s").arg(numberText(std::max(0.0, history_.end() - *time_.cursor), 3));
+    // What is touched there: at the cursor, or at the newest end.
+    const TouchSample* sample = history_.at(time_.cursor.value_or(history_.end()));
+    if (sample && sample->touching && !history_.nameOf(*sample).empty())
+        text = QStringLiteral("%1  %2").arg(QString::fromStdString(history_.nameOf(*sample)), text);
     if (paused_) text = tr("paused") + QStringLiteral("  ") + text;
     caption_->setText(text);
 }

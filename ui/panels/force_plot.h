@@ -25,9 +25,10 @@ public:
     explicit ForcePlot(QWidget* parent = nullptr);
 
     /// What the servo loop did since the last frame. `touch` is of the last of the points; limit in N, of the
-    /// device; proxyRate in Hz. `body`: the selected one, in the last frame.
+    /// device; proxyRate in Hz. `body`: the selected one, in the last frame. `touched`: the name of the
+    /// surface that is touched; empty for none.
     void take(const std::vector<TracePoint>& points, const HapticOutput& touch, double limit,
-              double proxyRate = 0, const std::optional<BodyReading>& body = {});
+              double proxyRate = 0, const std::optional<BodyReading>& body = {}, const QString& touched = {});
     /// Forgets what was; the time of what comes next may be any.
     void clear();
     bool paused() const { return paused_; }

@@ -1,4 +1,4 @@
-// Under the view while a recording is played: play, speed, time, what happened, and the way back.
+// Over the foot of the view while a recording is played: play, speed, time, what happened, and the way back.
 #pragma once
 
 #include <QWidget>

@@ -1,4 +1,4 @@
-// Above the view: scenes of runs that died, each with what to do about it. Never modal.
+// Over the top of the view: scenes of runs that died, each with what to do about it. Never modal.
 #pragma once
 
 #include <set>

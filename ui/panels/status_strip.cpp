@@ -20,18 +20,21 @@ QString kilohertz(double hertz) {
                         : numberText(1e-3 * hertz, 1) + QStringLiteral(" kHz");
 }
 
+QString contactsMeaning() {
+    return StatusStrip::tr("What is touched, and whether friction holds or slides");
+}
+
+QString countText(int contacts) {
+    return StatusStrip::tr("%1 %2").arg(contacts).arg(contacts == 1 ? StatusStrip::tr("contact")
+                                                                    : StatusStrip::tr("contacts"));
+}
+
 /// What the contacts do, in words: a contact with friction either holds or slides.
-QString touchText(const HapticOutput& out) {
-    if (out.contacts == 0) return StatusStrip::tr("free");
+QString mannerText(const HapticOutput& out) {
     const std::span known(out.contact.data(), std::size_t(std::min(out.contacts, kMaxModelPlanes)));
-    const QString count =
-        StatusStrip::tr("%1 %2")
-            .arg(out.contacts)
-            .arg(out.contacts == 1 ? StatusStrip::tr("contact") : StatusStrip::tr("contacts"));
-    if (std::ranges::all_of(known, &ContactReport::frictionless)) return count;
+    if (std::ranges::all_of(known, &ContactReport::frictionless)) return {};
     const bool slips = std::ranges::all_of(known, [](const auto& c) { return c.slipping || c.frictionless; });
-    return StatusStrip::tr("%1 \u00b7 %2")
-        .arg(count, slips ? StatusStrip::tr("slip") : StatusStrip::tr("stick"));
+    return QStringLiteral(" \u00b7 ") + (slips ? StatusStrip::tr("slip") : StatusStrip::tr("stick"));
 }
 
 } // namespace
@@ -51,9 +54,8 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
     proxy_ = addReading(QStringLiteral("status-proxy"),
                         tr("Proxy loop: updates a second, and the mean time of one"),
                         QStringLiteral("proxy 99.9 kHz  99.9 \u00b5s"));
-    contacts_ = addReading(QStringLiteral("status-contacts"),
-                           tr("How many surfaces push, and whether friction holds or slides"),
-                           QStringLiteral("2 contacts \u00b7 stick"));
+    contacts_ = addReading(QStringLiteral("status-contacts"), contactsMeaning(),
+                           QStringLiteral("the upper front edge \u00b7 stick"));
     force_ = new ForceMeter;
     row->addWidget(force_);
     note_ = new QLabel;
@@ -118,7 +120,20 @@ void StatusStrip::display(const ProxyTelemetry& proxy, const ServoTelemetry& ser
 
 void StatusStrip::showTouch(const ProxyTelemetry& proxy, const ServoTelemetry& servo,
                             const DeviceInfo& device) {
-    contacts_->setText(touchText(proxy.output));
+    const HapticOutput& out = proxy.output;
+    QString what = tr("free"), manner;
+    if (out.contacts > 0) {
+        what = touched_.isEmpty() ? countText(out.contacts) : touched_;
+        manner = mannerText(out);
+    }
+    const QFontMetrics metrics = contacts_->fontMetrics();
+    const int room = contacts_->minimumWidth() - metrics.horizontalAdvance(manner);
+    contacts_->setText(metrics.elidedText(what, Qt::ElideRight, room) + manner);
+    contacts_->setToolTip(out.contacts > 0
+                              ? touched_.isEmpty()
+                                    ? contactsMeaning()
+                                    : tr("%1: %2 (T selects it)").arg(touched_, countText(out.contacts))
+                              : contactsMeaning());
     force_->setForce(servo.force.norm(), std::max(0.1, device.maxForce));
 }
 

@@ -23,6 +23,8 @@ public:
     void display(const Engine& engine);
     /// A moment of a recording, made with that device.
     void display(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
+    /// The name of the surface that is touched, instead of how many push; empty for none.
+    void setTouched(const QString& name) { touched_ = name; }
     /// Instead of figures and note, until cleared with an empty one.
     void setFault(const QString& sentences);
     /// Instead of the priority note: why there is less force than usual, or less detail. May be empty.
@@ -46,7 +48,7 @@ private:
     QLabel* note_;
     QPushButton* arm_;
     QPushButton* stop_;
-    QString fault_, quiet_;
+    QString fault_, quiet_, touched_;
 };
 
 } // namespace tactum

@@ -40,6 +40,7 @@ void TouchHistory::add(const std::vector<TracePoint>& points, const TouchFrame& 
             s.staticFriction = contact->staticFriction;
             s.dynamicFriction = contact->dynamicFriction;
         }
+        if (s.touching) s.surface = numberOf(frame.surface);
         s.lag = (point.proxy - point.finger).norm();
         s.energy = point.energy;
         s.servoRate = rate(point.t);
@@ -70,6 +71,13 @@ double TouchHistory::rate(double t) const {
     const std::size_t ticks = std::min(kRateTicks, samples_.size());
     if (ticks == 0) return 0;
     return double(ticks) / (t - samples_[samples_.size() - ticks].t);
+}
+
+std::uint32_t TouchHistory::numberOf(const std::string& name) {
+    const auto known = std::ranges::find(names_, name);
+    const auto number = std::uint32_t(known - names_.begin());
+    if (known == names_.end()) names_.push_back(name);
+    return number;
 }
 
 const TouchSample* TouchHistory::at(double t) const {

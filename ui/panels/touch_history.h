@@ -26,6 +26,7 @@ struct TouchSample {
     double jointTorque = 0, jointForce = 0;
     double kinetic = 0, potential = 0;
     bool touching = false, slipping = false;
+    std::uint32_t surface = 0; ///< see TouchHistory::nameOf()
 };
 
 /// What comes with the ticks of one frame.
@@ -33,6 +34,7 @@ struct TouchFrame {
     const HapticOutput* touch = nullptr; ///< of the last of them
     double proxyRate = 0;                ///< Hz
     BodyReading body{};                  ///< the selected one, if it moves
+    std::string surface{};               ///< the name of the one that is touched; empty for none
 };
 
 /// Thread: ui.
@@ -42,7 +44,12 @@ public:
 
     /// Time that goes back, or jumps, begins a new history.
     void add(const std::vector<TracePoint>& points, const TouchFrame& frame);
-    void clear() { samples_.clear(); }
+    void clear() {
+        samples_.clear();
+        names_.resize(1);
+    }
+    /// Of the surface that is touched; empty for none.
+    const std::string& nameOf(const TouchSample& sample) const { return names_[sample.surface]; }
     const std::deque<TouchSample>& samples() const { return samples_; }
     double end() const { return samples_.empty() ? 0 : samples_.back().t; }
     /// The sample nearest to a time; null when there is none.
@@ -52,7 +59,10 @@ private:
     bool slips(const TouchSample& now) const;
     double rate(double t) const;
 
+    std::uint32_t numberOf(const std::string& name);
+
     std::deque<TouchSample> samples_;
+    std::vector<std::string> names_{1}; ///< each once; the first is empty
 };
 
 /// The samples from a time on as CSV: a line of names with their units, then a row for each servo tick;

@@ -209,4 +209,15 @@ bool ScenePicker::isFree(const Vec3& from, const Vec3& to) const {
     return !hit || hit->distance > length;
 }
 
+bool ScenePicker::isClear(const Vec3& from, const Vec3& to) const {
+    const double length = (to - from).norm();
+    if (!(length > 0)) return true;
+    const Ray ray{from, (to - from) / length};
+    return std::ranges::none_of(targets_, [&](const Target& target) {
+        if (!target.visible || target.box.empty()) return false;
+        const auto [enter, leave] = spanIn(target.box, ray);
+        return enter <= leave && enter <= length;
+    });
+}
+
 } // namespace tactum

@@ -47,6 +47,8 @@ public:
     std::shared_ptr<const TriangleSoup> soupOf(ObjectId object) const;
     /// Whether nothing lies between two points. World frame.
     bool isFree(const Vec3& from, const Vec3& to) const;
+    /// Whether not even a visible body's box does: known at once, whatever is still being built.
+    bool isClear(const Vec3& from, const Vec3& to) const;
 
 private:
     using Tree = std::shared_future<std::shared_ptr<const SphereTree>>;

@@ -335,6 +335,17 @@ void SceneView::setTheme(bool dark) {
     changed();
 }
 
+void SceneView::setTouched(const QString& name) {
+    if (std::exchange(impl_->touchedName, name) == name) return;
+    setAccessibleDescription(name);
+    changed();
+}
+
+void SceneView::setFoot(int pixels) {
+    impl_->foot = pixels;
+    changed();
+}
+
 Vec3 SceneView::handGoal() const {
     return impl_->hand.goal();
 }
@@ -397,8 +408,9 @@ void SceneView::paintOver() {
     impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->path.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->arranging.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt, impl_->arranged);
-    impl_->felt.drawLegends(painter, size(), impl_->theme());
-    if (impl_->showsTouch()) drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme());
+    impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
+    if (impl_->showsTouch())
+        drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName);
 }
 
 } // namespace tactum

@@ -125,6 +125,8 @@ public:
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);
+    /// How many logical pixels of the lower edge something lies over, from side to side: legends are above.
+    void setFoot(int pixels);
 
     /// What is shown of how things feel; it is that of the World given here, which belongs to the scene.
     void setFelt(const FeltOptions& options);
@@ -141,6 +143,12 @@ public:
     int modelPictures() const;
     /// Draws the model anew although nothing of it has changed, to compare and to measure.
     void forgetPicture();
+
+    /// A place beside the model where a finger is seen: well inside the view, nothing before it. At most
+    /// `reach` from the origin; 0: anywhere. Nothing where there is no model. World frame, metre.
+    std::optional<Vec3> placeBeside(double reach = 0) const;
+    /// The name of the surface that is touched, which is written beside the proxy; empty: none is.
+    void setTouched(const QString& name);
 
     /// Where the mouse leads the finger. World frame, metre.
     Vec3 handGoal() const;

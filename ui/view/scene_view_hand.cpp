@@ -1,6 +1,7 @@
 // How the view's mouse takes the finger, leads it and lets it go.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/view/scene_view_impl.h"
 
@@ -9,6 +10,10 @@ namespace tactum {
 namespace {
 
 constexpr double kGrabPixels = 24;
+/// Of the model's diagonal: how far a finger that waits is off its box, and nearer where that is too far.
+constexpr double kBesideFar = 0.15, kBesideNear = 0.06;
+constexpr double kClearRadii = 4;                ///< of the proxy, at least
+constexpr double kSeenAcross = 32, kSeenUp = 64; ///< pixels off the edges of the view, where bars lie
 /// Hovers: a finger so near to the place that is pressed is pressed down there, and not taken from there.
 constexpr double kOverPlace = 4;
 constexpr double kFarthestBack = 10; ///< hovers, that what was pressed may come back
@@ -124,6 +129,32 @@ bool SceneView::Impl::nudgeKey(int key, double scale) {
     hand.nudge(scale * steps, camera);
     goalMoved();
     return true;
+}
+
+bool SceneView::Impl::isSeen(const Vec3& p_W) const {
+    const auto at = camera.project(p_W);
+    const QRectF inside = QRectF({0, 0}, camera.size).adjusted(kSeenAcross, kSeenUp, -kSeenAcross, -kSeenUp);
+    return at && inside.contains(*at) && picker.isClear(camera.eye(), p_W);
+}
+
+// To the right of the picture, where there is room in most windows; and last before the model, where it is
+// seen for certain.
+std::optional<Vec3> SceneView::placeBeside(double reach) const {
+    const Bounds& box = impl_->picker.bounds();
+    if (box.empty()) return std::nullopt;
+    const ViewCamera& camera = impl_->camera;
+    const Vec3 right = camera.right(), up = camera.up();
+    const auto place = [&](const Vec3& way, double part) {
+        const double off = std::max(part * box.diagonal(), kClearRadii * impl_->proxyRadius);
+        return Vec3(box.centre() + (0.5 * way.cwiseAbs().dot(box.high - box.low) + off) * way);
+    };
+    const double slant = std::numbers::sqrt2 / 2;
+    for (const Vec3& way : {right, Vec3(-right), Vec3(slant * (right + up)), Vec3(slant * (up - right)), up,
+                            Vec3(-up), Vec3(-camera.forward())})
+        for (const double part : {kBesideFar, kBesideNear, 0.0})
+            if (const Vec3 at = place(way, part); (reach <= 0 || at.norm() < reach) && impl_->isSeen(at))
+                return at;
+    return place(Vec3::UnitX(), kBesideFar);
 }
 
 void SceneView::endTouch() {

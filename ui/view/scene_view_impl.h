@@ -40,6 +40,7 @@ struct SceneView::Impl {
     void leaveHand(bool givenUp);
     void liftHand();
     Vec3 clearPlace() const;
+    bool isSeen(const Vec3& p_W) const;
     std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;
     void pressLeft(QPointF cursor, bool alt);
     void takeHold(QPointF cursor, const std::optional<PickHit>& hit);
@@ -98,9 +99,11 @@ struct SceneView::Impl {
     HandTool hand;
 
     std::optional<TouchState> touch;
+    QString touchedName;
     double proxyRadius = kProxyRadius.initial;
     bool overlayVisible = true;
     bool dark = true;
+    int foot = 0; ///< logical pixels
     bool fitted = false;
     std::vector<SurfaceRef> selection;
     std::optional<SurfaceRef> hovered;

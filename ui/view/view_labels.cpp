@@ -92,8 +92,8 @@ private:
 
 } // namespace
 
-void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera,
-                     const Theme& theme) {
+void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
+                     const QString& touched) {
     const auto proxy = camera.project(state.proxy), finger = camera.project(state.finger);
     if (!proxy || !finger) return;
     LabelBoard board(painter, theme, camera.size);
@@ -103,10 +103,14 @@ void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamer
             board.put(*tip, *tip - *proxy, forceText(state), Badge::Dot,
                       state.atLimit() ? theme.fault : theme.proxy);
     }
+    const QPointF beside = *proxy - QPointF(26, 0), left(-1, 0);
     if (state.contacts > 0 && !state.contact[0].frictionless) {
         const bool slips = state.contact[0].slipping;
-        board.put(*proxy - QPointF(26, 0), QPointF(-1, 0), slips ? "slip" : "stick",
+        const QString manner = slips ? "slip" : "stick";
+        board.put(beside, left, touched.isEmpty() ? manner : touched + " \u00b7 " + manner,
                   slips ? Badge::Waves : Badge::Bar, slips ? theme.slip : theme.stick);
+    } else if (state.contacts > 0 && !touched.isEmpty()) {
+        board.put(beside, left, touched, Badge::Dot, theme.contact);
     }
     if (std::hypot(apart.x(), apart.y()) > 26) board.put(*finger, apart, "finger", Badge::Ring, theme.finger);
 }

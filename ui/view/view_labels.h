@@ -11,8 +11,9 @@ class QPainter;
 
 namespace tactum {
 
-/// Draws the labels of a touch beside what they name, in logical pixels.
-void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera,
-                     const Theme& theme);
+/// Draws the labels of a touch beside what they name, in logical pixels. `touched`: the name of the surface;
+/// may be empty.
+void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
+                     const QString& touched = {});
 
 } // namespace tactum

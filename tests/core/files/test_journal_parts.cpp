@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/archive/sha256.h"
 #include "core/files/journal.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -79,6 +80,58 @@ private slots:
         QCOMPARE(file->parent_path(), folder_);
         const auto loaded = loadScene(*file);
         VERIFY_RESULT(loaded);
+    }
+
+    void theHistoryComesBackAndSharesTheMesh() {
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf()));
+        const Scene now = loadScene(*unpackJournal(folder_))->scene; // as readers make it
+        const auto with = [&](double stiffness) {
+            Scene scene = now;
+            scene.objects[0].surfaces[0].material.stiffness = stiffness;
+            return scene;
+        };
+        const SceneHistory history{{{"cut", sceneOf(100, 50)}, {"softer", with(300)}},
+                                   {{"harder", with(900)}}};
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), now, history));
+        const auto loaded = loadScene(*unpackJournal(folder_));
+        VERIFY_RESULT(loaded);
+        const auto back = readJournalHistory(folder_, loaded->scene);
+        VERIFY_RESULT(back);
+        QCOMPARE(back->done.size(), 2u);
+        QCOMPARE(back->undone.size(), 1u);
+        QCOMPARE(back->done[1].text, "softer");
+        QCOMPARE(back->done[1].scene.objects[0].surfaces[0].material.stiffness, 300.0);
+        QCOMPARE(back->undone[0].scene.objects[0].surfaces[0].material.stiffness, 900.0);
+        QVERIFY(back->done[1].scene.objects[0].geometry == loaded->scene.objects[0].geometry);
+        QCOMPARE(back->done[0].scene.objects[0].geometry->positions.size(), 50u);
+    }
+
+    /// What does not fit is what is farthest from the present.
+    void aLongHistoryIsCutAtItsEnds() {
+        SceneHistory history;
+        for (int i = 0; i < 6; ++i)
+            history.done.push_back({std::to_string(i), sceneOf(i + 1, 100'000)}); // 4.4 MB each
+        const Scene now = sceneOf();
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), now, history));
+        QCOMPARE_LT(fs::file_size(folder_ / "journal"), std::uintmax_t(17) << 20);
+        const auto back = readJournalHistory(folder_, loadScene(*unpackJournal(folder_))->scene);
+        VERIFY_RESULT(back);
+        QCOMPARE(back->done.size(), 3u);
+        QCOMPARE(back->done.back().text, "5");
+    }
+
+    void aJournalWithoutAHistoryIsRead() {
+        VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf()));
+        const std::string now = read(folder_ / "journal");
+        constexpr std::size_t kMagicLength = 17, kPrint = 64, kEmptyHistory = 8;
+        const std::string rest =
+            now.substr(kMagicLength + kPrint, now.size() - kMagicLength - kPrint - kEmptyHistory);
+        std::ofstream(folder_ / "journal", std::ios::binary) << "tactum journal 1\n" << sha256(rest) << rest;
+        const auto loaded = loadScene(*unpackJournal(folder_));
+        VERIFY_RESULT(loaded);
+        const auto back = readJournalHistory(folder_, loaded->scene);
+        VERIFY_RESULT(back);
+        QCOMPARE(back->size(), 0u);
     }
 
     /// What an edit of a number costs is its numbers, and the last block: meshes lie in files that stay.
@@ -166,7 +219,7 @@ private slots:
     void cancellingLeavesTheOneBefore() {
         VERIFY_RESULT(writeJournal(folder_, entryOf(), sceneOf()));
         const std::atomic<bool> cancelled = true;
-        QVERIFY(!writeJournal(folder_, entryOf(), sceneOf(600), {{}, &cancelled}));
+        QVERIFY(!writeJournal(folder_, entryOf(), sceneOf(600), {}, {{}, &cancelled}));
         const auto loaded = loadScene(*unpackJournal(folder_));
         VERIFY_RESULT(loaded);
         QCOMPARE(loaded->scene.objects[0].surfaces[0].material.stiffness, 500.0);

@@ -1,4 +1,4 @@
-// Thin walls, parts out of reach, mistaken units, and the list of all that is the matter with a scene.
+// Parts out of reach, mistaken units, and the list of all that is the matter with a scene.
 #include <cmath>
 
 #include <QTest>
@@ -27,10 +27,6 @@ TriangleSoup box(const Vec3& low, const Vec3& size) {
 
 FaceGraph graphOf(const TriangleSoup& soup) {
     return FaceGraph::build(std::make_shared<const TriangleSoup>(soup)).value();
-}
-
-Problem thin(const TriangleSoup& soup, double radius = kRadius) {
-    return thinWalls(graphOf(soup), SphereTree(soup), radius).value();
 }
 
 Problem hidden(const TriangleSoup& soup, const std::vector<Sides>& sides = {}) {
@@ -65,40 +61,6 @@ class TestExamine : public QObject {
     Q_OBJECT
 
 private slots:
-    void aPlateThinnerThanTheProxyIsFoundOnBothSides() {
-        const TriangleSoup plate = box({0, 0, 0}, {0.1, 0.1, 1.9e-3});
-        const Problem found = thin(plate);
-        QCOMPARE(found.triangles, (TriangleSet{0, 1, 2, 3})); // bottom and top, not the rims
-        QCOMPARE(found.count, std::size_t(4));
-        COMPARE_NEAR(found.centre, Vec3(0.05, 0.05, 0.95e-3), 1e-12, "m");
-        QCOMPARE(thin(box({0, 0, 0}, {0.1, 0.1, 2.1e-3})).count, std::size_t(0));
-        QCOMPARE(thin(plate, 0.9e-3).count, std::size_t(0));
-    }
-
-    /// What is narrow from outside is a crevice; two boxes close to each other are no wall.
-    void gapsAreNoWalls() {
-        QCOMPARE(thin(joined(box({0, 0, 0}, {0.1, 0.1, 0.1}), box({0, 0, 0.101}, {0.1, 0.1, 0.1}))).count,
-                 std::size_t(0));
-        // A body in a body, close beneath its top: both look up.
-        QCOMPARE(
-            thin(joined(box({0, 0, 0}, {0.1, 0.1, 0.1}), box({0.02, 0.02, 0.049}, {0.05, 0.05, 0.05}))).count,
-            std::size_t(0));
-        TriangleSoup insideOut = box({0, 0, 0}, {0.1, 0.1, 1e-3});
-        turnAll(insideOut);
-        QCOMPARE(thin(insideOut).count, std::size_t(0));
-    }
-
-    void finePlatesAndLargeProxies() {
-        TriangleSoup top = grid(60, [](double, double) { return 0.001; });
-        TriangleSoup bottom = grid(60, [](double, double) { return 0.0; });
-        turnAll(bottom);
-        const TriangleSoup plate = joined(top, bottom);
-        QCOMPARE(thin(plate).count, plate.triangles.size());
-        QCOMPARE(thin(plate, 0.05).count, plate.triangles.size()); // several looks each
-        QCOMPARE(thin(plate, 1e-4).count, std::size_t(0));
-        QCOMPARE(thin({}).count, std::size_t(0));
-    }
-
     void aHollowIsOutOfReach() {
         const TriangleSoup soup = hollowBox();
         const Problem found = hidden(soup);
@@ -194,7 +156,7 @@ private slots:
         QCOMPARE(first.meshes.size(), std::size_t(1));
         QCOMPARE(first.findings.back().problem->kind, ProblemKind::Unreachable);
         first.meshes[0].problems.clear(); // so that it shows
-        QVERIFY(!examine(scene, first.meshes)->findings.back().problem);
+        QVERIFY(examine(scene, first.meshes)->findings.empty());
         scene.objects[0].surfaces[0].sides = Sides::Front;
         QVERIFY(examine(scene, first.meshes)->findings.back().problem.has_value());
     }

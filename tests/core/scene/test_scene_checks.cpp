@@ -154,7 +154,6 @@ private slots:
         soup->triangles[0] = soup->triangles[1];
         scene.objects[0].geometry = soup;
         QCOMPARE(only(scene, "1 triangle equal to another one"), Severity::Warning);
-        QCOMPARE(only(scene, "2 edges with more than two triangles"), Severity::Note);
         QCOMPARE(only(scene, "1 open rim with 2 edges"), Severity::Note);
     }
 

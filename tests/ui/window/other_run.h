@@ -44,14 +44,15 @@ inline std::vector<std::filesystem::path> journals() {
     return found;
 }
 
-/// The program that is killed: opens a scene, edits it `edits` times, says what it has, and goes on until
-/// then.
+/// The program that is killed: opens a scene, edits it, takes the last edit back as the one that makes them
+/// `edits`, says what it has, and goes on until then.
 inline int editUntilKilled(const QString& settings, const QString& scene, int edits) {
     useSettingsIn(settings);
     TouchedWindow program;
     if (!program.open(scene)) return 2;
-    for (int i = 1; i <= edits; ++i)
+    for (int i = 1; i < edits; ++i)
         setStiffness(program.document, 100 + i);
+    program.document.history().undo();
     write(settings + QStringLiteral("/edited.glb"), *glbOf(program.document.scene()));
     for (;;)
         program.frames(10);

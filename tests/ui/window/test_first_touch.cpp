@@ -1,5 +1,7 @@
 // The first touch from end to end: open a model, press into it with the mouse, feel its friction, change it,
 // feel the difference, take it back.
+#include <numbers>
+
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTest>
@@ -39,6 +41,9 @@ private slots:
     void init();
     void cleanup() { program_.reset(); }
 
+    void theFingerStartsWhereItIsSeen_data();
+    void theFingerStartsWhereItIsSeen();
+    void whatIsTouchedIsNamed();
     void proxyStaysOutsideWhileFingerIsInside();
     void frictionTypedIntoTheInspectorIsFeltAndUndone();
     void stopEndsTheForce();
@@ -83,6 +88,68 @@ void TestFirstTouch::breakAway(double& ratio) {
     program_->frames(20);
 }
 
+void TestFirstTouch::theFingerStartsWhereItIsSeen_data() {
+    QTest::addColumn<double>("yaw");
+    QTest::addColumn<double>("pitch");
+    QTest::addColumn<double>("scale");
+    for (const double degrees : {0.0, 90.0, 180.0, 270.0, 45.0})
+        QTest::addRow("from %g degrees", degrees) << degrees << 0.0 << 1.0;
+    QTest::newRow("from above") << 0.0 << 90.0 << 1.0;
+    QTest::newRow("as large as the workspace") << 0.0 << 0.0 << 2.4;
+}
+
+/// Wherever the camera stands: not behind the model, not out of the view, not beyond what the hand reaches.
+void TestFirstTouch::theFingerStartsWhereItIsSeen() {
+    QFETCH(const double, yaw);
+    QFETCH(const double, pitch);
+    QFETCH(const double, scale);
+    constexpr double kDegree = std::numbers::pi / 180;
+    SceneView& view = program_->window->view();
+    view.moveCamera(yaw * kDegree, pitch * kDegree);
+    QVERIFY(program_->open(writeCube(folder_, scale)));
+    QVERIFY(program_->atRest());
+    const ViewCamera& camera = view.camera();
+    const auto at = camera.project(program_->finger());
+    QVERIFY(at.has_value());
+    QVERIFY(QRectF(view.rect()).adjusted(20, 40, -20, -40).contains(*at));
+    COMPARE_NEAR(program_->finger(), view.handGoal(), 1e-3, "m"); // the wall of the workspace did not stop it
+    // The way of the eye to it meets no side of the cube.
+    const double half = kHalf * scale;
+    for (double part = 0; part < 1; part += 1e-3) {
+        const Vec3 p = camera.eye() + part * (program_->finger() - camera.eye());
+        QVERIFY(p.cwiseAbs().maxCoeff() > half);
+    }
+    QVERIFY(!program_->touch().contacts);
+}
+
+void TestFirstTouch::whatIsTouchedIsNamed() {
+    const SceneView& view = program_->window->view();
+    const auto textOf = [&](const char* name) {
+        return program_->window->findChild<QLabel*>(QLatin1String(name))->text();
+    };
+    const ObjectId cube = program_->document.scene().objects.front().id;
+    QTest::keyClick(program_->window.get(), Qt::Key_T);
+    COMPARE_BEGINS(textOf("notice-text"), QStringLiteral("Nothing has been touched yet"));
+    QCOMPARE(textOf("status-contacts"), QStringLiteral("free"));
+    pressIntoTheFront();
+    QTRY_COMPARE_WITH_TIMEOUT(textOf("status-contacts"), QStringLiteral("front"), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(textOf("plot-caption").startsWith(QStringLiteral("front  ")), kPatience);
+    QCOMPARE(view.accessibleDescription(), QStringLiteral("front"));
+    // A name of now, whatever it was when the surfaces were prepared; selected while the mouse holds on.
+    program_->document.renameSurface({cube, 4}, QStringLiteral("face"));
+    QTRY_COMPARE_WITH_TIMEOUT(view.accessibleDescription(), QStringLiteral("face"), kPatience);
+    program_->document.select(SurfaceRef{cube, 1});
+    QTest::keyClick(program_->window.get(), Qt::Key_T);
+    QCOMPARE(program_->document.selection()->surface, Index(4));
+    // And afterwards the one that was touched last.
+    program_->release(program_->centre());
+    QTRY_COMPARE_WITH_TIMEOUT(textOf("status-contacts"), QStringLiteral("free"), kPatience);
+    QCOMPARE(view.accessibleDescription(), QString());
+    program_->document.select(SurfaceRef{cube, 1});
+    QTest::keyClick(program_->window.get(), Qt::Key_T);
+    QCOMPARE(program_->document.selection()->surface, Index(4));
+}
+
 void TestFirstTouch::proxyStaysOutsideWhileFingerIsInside() {
     pressIntoTheFront();
     const double radius = program_->document.scene().proxyRadius;
@@ -95,7 +162,7 @@ void TestFirstTouch::proxyStaysOutsideWhileFingerIsInside() {
     COMPARE_NEAR(program_->touch().force.z(), kStiffness.initial * distance, 0.05, "N");
     // Without friction it neither sticks nor slips.
     const auto* status = program_->window->findChild<QLabel*>(QStringLiteral("status-contacts"));
-    QTRY_COMPARE_WITH_TIMEOUT(status->text(), QStringLiteral("1 contact"), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(status->text(), QStringLiteral("front"), kPatience);
     const auto picked = program_->document.selection();
     QVERIFY(picked.has_value());
 }

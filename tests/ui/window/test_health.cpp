@@ -14,8 +14,10 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/health_words.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/period_chart.h"
+#include "ui/steady_ceiling.h"
 #include "ui/view/scene_view.h"
 
 namespace test_health {
@@ -93,6 +95,8 @@ private slots:
     void detailThatIsLeftOutIsSaid();
     void periodsAreCountedInTheirBins();
     void whatLimitsTheStiffnessIsSaid();
+    void theCeilingStandsStillWhereTheMachineJitters();
+    void jitterDoesNotMoveTheCeilingOfTheWindow();
     void motorsWarmUp();
     void theCeilingIsOverriddenOnceItsRiskIsTaken();
     void theButtonMustBeHeldToFeel();
@@ -277,6 +281,64 @@ void TestHealth::whatLimitsTheStiffnessIsSaid() {
     device.positionResolution = 1e-6;
     servo = {};
     COMPARE_CONTAINS(ceilingNow(servo, device).reason, QStringLiteral("resolution"));
+}
+
+void TestHealth::theCeilingStandsStillWhereTheMachineJitters() {
+    const CeilingNow whole{2000, QStringLiteral("limited by the damping")};
+    const auto late = [](double value) {
+        return CeilingNow{value, QStringLiteral("limited by a late servo"), true};
+    };
+    SteadyCeiling steady;
+    double time = 0;
+    const auto follow = [&](const CeilingNow& now, double seconds) {
+        int moves = 0;
+        for (int i = 0; i < std::lround(seconds * 60); ++i)
+            moves += steady.follow(now, time += 1.0 / 60);
+        return moves;
+    };
+    QCOMPARE(follow(whole, 0.5), 0);
+    QCOMPARE(steady.shown().value, 2000.0);
+    // Bursts, and what comes back after each.
+    for (int burst = 0; burst < 10; ++burst) {
+        QCOMPARE(follow(late(700), 0.1) + follow(late(1400), 0.4) + follow(whole, 0.2), 0);
+        QCOMPARE(steady.shown().value, 2000.0);
+    }
+    // What lasts is shown: the most of it, and why.
+    QCOMPARE(follow(late(900), 0.5) + follow(late(1000), 0.7), 1);
+    QCOMPARE(steady.shown().value, 1000.0);
+    COMPARE_CONTAINS(steady.shown().reason, QStringLiteral("late"));
+    QCOMPARE(follow(late(1030), 5), 0); // the same, as far as anybody sees
+    QCOMPARE(follow(late(1500), 2), 0);
+    QCOMPARE(follow(whole, 1.2), 1); // and comes back as far as it lasted
+    QCOMPARE(steady.shown().value, 1500.0);
+    QCOMPARE(follow(whole, 3.2), 1);
+    QCOMPARE(steady.shown().value, 2000.0);
+    QVERIFY(!steady.shown().late);
+    // What a person does is shown at once, and is no news.
+    QCOMPARE(follow({600, QStringLiteral("limited by the damping of the surface")}, 0.02), 0);
+    QCOMPARE(steady.shown().value, 600.0);
+}
+
+void TestHealth::jitterDoesNotMoveTheCeilingOfTheWindow() {
+    auto trouble = std::make_shared<Trouble>();
+    TroubledWindow troubled(trouble);
+    TouchedWindow& program = troubled.program;
+    QVERIFY(program.open(writeCube(folder_)));
+    troubled.showHealth();
+    trouble->jitters = true;
+    QString before = troubled.text("health-ceiling");
+    int moves = 0;
+    for (int i = 0; i < 30; ++i) {
+        program.frames(7);
+        const QString now = troubled.text("health-ceiling");
+        moves += std::exchange(before, now) != now;
+    }
+    QVERIFY2(moves <= 5, qPrintable(QString::number(moves))); // each has lasted for a second
+    trouble->jitters = false;
+    trouble->late = true;
+    QTRY_VERIFY_WITH_TIMEOUT(troubled.events().contains(QStringLiteral("The stiffness ceiling fell from")),
+                             kPatience);
+    COMPARE_CONTAINS(troubled.text("health-reason"), QStringLiteral("comes late"));
 }
 
 void TestHealth::motorsWarmUp() {

@@ -75,6 +75,7 @@ private slots:
     void initTestCase();
 
     void itIsShownInsteadOfTheLiveScene();
+    void itsBarMovesNothing();
     void scrubbingGoesThere();
     void playingGoesOnAtItsSpeed();
     void healthIsTheRecordings();
@@ -116,6 +117,25 @@ void TestPlayback::itIsShownInsteadOfTheLiveScene() {
     QVERIFY(!barOf(program).isVisible());
     QVERIFY(!program.window->view().isVisible()); // the start page again
     COMPARE_LACKS(textOf(program, "status-device"), QStringLiteral("recorded"));
+}
+
+void TestPlayback::itsBarMovesNothing() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const QRect before = program.placeOf(program.window->view());
+    QVERIFY(opened(program, recording_));
+    program.frames(10);
+    QCOMPARE(program.placeOf(program.window->view()), before);
+    const QRect bar = program.placeOf(barOf(program));
+    QVERIFY(before.contains(bar));
+    QVERIFY2(bar.height() < before.height() / 4, "it is a bar, not a curtain");
+    const QWidget* seen = program.window->childAt(bar.center());
+    QVERIFY2(barOf(program).isAncestorOf(seen), "the view hides it");
+    QTest::mouseClick(program.window->findChild<QPushButton*>(QStringLiteral("playback-back")),
+                      Qt::LeftButton);
+    program.frames(10);
+    QVERIFY(!barOf(program).isVisible());
+    QCOMPARE(program.placeOf(program.window->view()), before);
 }
 
 void TestPlayback::scrubbingGoesThere() {

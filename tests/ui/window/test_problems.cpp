@@ -1,7 +1,9 @@
 // The list of problems: where they are, and repairing them.
 #include <QApplication>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 #include <QUndoStack>
@@ -10,6 +12,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/problems.h"
+#include "ui/panels/sample_gallery.h"
 #include "ui/view/scene_view.h"
 
 namespace test_problems {
@@ -66,6 +69,7 @@ private slots:
     void rowsShowTheirPlace();
     void fixRepairsAndUndoBringsBack();
     void aWrongUnitIsOneStep();
+    void noSampleHasProblems();
 };
 
 const auto kHole = QStringLiteral("open rim"), kFlipped = QStringLiteral("face opposite ways");
@@ -150,6 +154,28 @@ void TestProblems::aWrongUnitIsOneStep() {
     QTRY_VERIFY_WITH_TIMEOUT(!row(program, unit), kPatience);
     program.document.history().undo();
     QCOMPARE(boundsOf(program.document.scene()).diagonal(), large);
+}
+
+/// Who begins with a sample sees a list that is empty, and nothing over the view.
+void TestProblems::noSampleHasProblems() {
+    TouchedWindow program;
+    const auto* notice = program.window->findChild<QLabel*>(QStringLiteral("notice-text"));
+    const auto* rows = dynamic_cast<const Problems*>(&list(program));
+    QSignalSpy counted(rows, &Problems::counted);
+    QStringList trouble;
+    const QStringList samples = samplesIn(QStringLiteral(TACTUM_RESOURCES "/scenes"));
+    QCOMPARE_GT(samples.size(), 20);
+    for (const QString& sample : samples) {
+        counted.clear();
+        QVERIFY(program.open(sample));
+        QTRY_VERIFY_WITH_TIMEOUT(!counted.empty(), kPatience);
+        const QString name = QFileInfo(sample).fileName() + QStringLiteral(": ");
+        for (int i = 0; i < rows->topLevelItemCount(); ++i)
+            trouble << name + rows->topLevelItem(i)->text(0);
+        if (notice->isVisible()) trouble << name + notice->text();
+        if (program.document.modified()) trouble << name + QStringLiteral("edited");
+    }
+    QVERIFY2(trouble.empty(), qPrintable(trouble.join(u'\n')));
 }
 
 TACTUM_GUI_TEST(TestProblems)

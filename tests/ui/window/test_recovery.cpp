@@ -11,6 +11,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
 
 #include "core/base/process_mark.h"
 #include "core/files/gltf/write_gltf.h"
@@ -21,6 +23,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
 #include "ui/panels/recovery_bar.h"
+#include "ui/view/scene_view.h"
 
 namespace test_recovery {
 
@@ -80,6 +83,7 @@ private slots:
 
     void aKilledProgramLosesNothing();
     void aRunThatGoesOnKeepsItsJournal();
+    void theBarMovesNothing();
     void throwingAwayCanBeTakenBackUntilTheEnd();
     void severalAreOfferedAtOnce();
     void aDamagedJournalIsSaidAndKept();
@@ -110,7 +114,7 @@ void TestRecovery::aKilledProgramLosesNothing() {
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, kPatience);
     const std::string recovered = *glbOf(program.document.scene());
     QVERIFY(QByteArray::fromStdString(recovered) == edited);
-    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 120.0);
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 118.0);
     // Under the old name, modified, and its file as it was.
     QVERIFY(program.document.modified());
     QVERIFY(program.window->isWindowModified());
@@ -119,6 +123,20 @@ void TestRecovery::aKilledProgramLosesNothing() {
     QVERIFY(!program.document.hasOwnFile());
     QCOMPARE(read(cube), original);
     QVERIFY(!bar(program).isVisible());
+    // With its history: the same steps, and the last undone one can be done again.
+    QUndoStack& history = program.document.history();
+    QCOMPARE(history.count(), 19);
+    QCOMPARE(history.index(), 18);
+    QCOMPARE(history.text(17), QStringLiteral("Stiffness of right"));
+    QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 117.0);
+    QTest::keyClick(program.window.get(), Qt::Key_Y, Qt::ControlModifier);
+    QTest::keyClick(program.window.get(), Qt::Key_Y, Qt::ControlModifier);
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, 119.0);
+    while (history.canUndo())
+        history.undo();
+    QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, kStiffness.initial);
+    QVERIFY(program.document.modified()); // the file may be another one by now
     // Still in a journal, now this run's, until it is saved.
     QCOMPARE(journals().size(), std::size_t(1));
     QVERIFY(holdsJournal(journals().front()));
@@ -141,6 +159,24 @@ void TestRecovery::aRunThatGoesOnKeepsItsJournal() {
     QVERIFY(run.waitForJournals(2));
     program.window->journal().discard();
     QTRY_VERIFY_WITH_TIMEOUT(journals() == theirs, kPatience);
+}
+
+void TestRecovery::theBarMovesNothing() {
+    leaveJournal(someScene(), "lost.obj", 1);
+    TouchedWindow program;
+    QTRY_VERIFY_WITH_TIMEOUT(bar(program).isVisible(), kPatience);
+    QVERIFY(program.open(writeCube(*folder_)));
+    const SceneView& view = program.window->view();
+    const QRect before = program.placeOf(view), covered = program.placeOf(bar(program));
+    QCOMPARE(before, program.placeOf(*program.window->centralWidget()));
+    QVERIFY(before.contains(covered));
+    QVERIFY2(covered.height() < before.height() / 4, "it is one line, not a curtain");
+    QVERIFY2(bar(program).isAncestorOf(program.window->childAt(covered.center())), "the view hides it");
+    QTest::mouseClick(program.window->findChild<QToolButton*>(QStringLiteral("recovery-later")),
+                      Qt::LeftButton);
+    program.frames(5);
+    QVERIFY(!bar(program).isVisible());
+    QCOMPARE(program.placeOf(view), before);
 }
 
 void TestRecovery::throwingAwayCanBeTakenBackUntilTheEnd() {

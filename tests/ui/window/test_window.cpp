@@ -118,11 +118,10 @@ void TestWindow::aNoticeMovesNothing() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     const SceneView& view = program.window->view();
-    const auto placed = [&] { return QRect(view.mapTo(program.window.get(), QPoint(0, 0)), view.size()); };
-    const QRect before = placed();
+    const QRect before = program.placeOf(view);
     program.window->showFault(QStringLiteral("The disk is full; make room and save again."));
     program.frames(5);
-    QCOMPARE(placed(), before);
+    QCOMPARE(program.placeOf(view), before);
     const auto* notice = program.window->findChild<QWidget*>(QStringLiteral("notice"));
     QCOMPARE(notice->mapTo(program.window.get(), QPoint(0, 0)), before.topLeft());
     QCOMPARE(notice->width(), before.width());
@@ -136,16 +135,15 @@ void TestWindow::theRowOfAToolMovesNothing() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     const SceneView& view = program.window->view();
-    const auto placed = [&] { return QRect(view.mapTo(program.window.get(), QPoint(0, 0)), view.size()); };
-    const QRect before = placed();
+    const QRect before = program.placeOf(view);
     for (const auto& [key, name] :
          {std::pair(Qt::Key_Q, "tool-strip"), {Qt::Key_M, "arrange-strip"}, {Qt::Key_P, "paint-strip"}}) {
         QTest::keyClick(program.window.get(), key);
         program.frames(5);
         const auto* row = program.window->findChild<QWidget*>(QLatin1String(name));
         QVERIFY(row->isVisible());
-        QCOMPARE(placed(), before);
-        const QRect covered(row->mapTo(program.window.get(), QPoint(0, 0)), row->size());
+        QCOMPARE(program.placeOf(view), before);
+        const QRect covered = program.placeOf(*row);
         QVERIFY(before.contains(covered));
         QVERIFY2(covered.height() < before.height() / 4, "it is one line, not a curtain");
         const QWidget* seen = program.window->childAt(covered.center());

@@ -15,6 +15,8 @@ namespace tactum {
 struct Trouble {
     std::atomic<bool> nonsense{false}; ///< the readings are no numbers
     std::atomic<bool> slow{false};     ///< every exchange takes 30 ms
+    std::atomic<bool> late{false};     ///< every exchange takes 3 ms
+    std::atomic<bool> jitters{false};  ///< 8 of 300 exchanges do
     std::atomic<bool> hangs{false};    ///< no exchange comes back while it is so
     double continuousForce = 0;        ///< N, of DeviceInfo
     double maxStiffness = 0;           ///< N/m, of DeviceInfo
@@ -36,6 +38,8 @@ public:
     Result<void> open() override { return hand_->open(); }
     void close() override { hand_->close(); }
     DeviceSample exchange(const DeviceCommand& command, double dt) noexcept override {
+        const bool inBurst = trouble_->jitters && ticks_++ % 300 < 8;
+        if (trouble_->late || inBurst) std::this_thread::sleep_for(std::chrono::milliseconds(3));
         if (trouble_->slow) std::this_thread::sleep_for(std::chrono::milliseconds(30));
         while (trouble_->hangs)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -47,6 +51,7 @@ public:
 private:
     std::unique_ptr<HapticDevice> hand_;
     std::shared_ptr<Trouble> trouble_;
+    int ticks_ = 0;
 };
 
 } // namespace tactum

@@ -117,6 +117,10 @@ QPoint TouchedWindow::centre() const {
     return window->view().rect().center();
 }
 
+QRect TouchedWindow::placeOf(const QWidget& widget) const {
+    return {widget.mapTo(window.get(), QPoint(0, 0)), widget.size()};
+}
+
 void TouchedWindow::press(QPoint at) {
     QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
 }

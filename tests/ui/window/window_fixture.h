@@ -52,6 +52,8 @@ public:
 
     // Real mouse events at the window, positions in the view.
     QPoint centre() const;
+    /// Where something is in the window.
+    QRect placeOf(const QWidget& widget) const;
     void press(QPoint at);
     void moveTo(QPoint at);
     void release(QPoint at);

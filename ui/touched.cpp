@@ -1,0 +1,25 @@
+#include "ui/touched.h"
+
+#include <algorithm>
+#include <span>
+
+namespace tactum {
+
+std::optional<SurfaceRef> touchedSurface(const HapticOutput& touch, const World& world) {
+    const std::span known(touch.contact.data(), std::size_t(std::clamp(touch.contacts, 0, kMaxModelPlanes)));
+    if (known.empty()) return std::nullopt;
+    const ContactReport& most = *std::ranges::max_element(known, {}, &ContactReport::normalForce);
+    if (most.body >= world.bodies.size()) return std::nullopt;
+    return SurfaceRef{world.bodies[most.body].object, most.surface};
+}
+
+QString nameOfSurface(const Scene& scene, SurfaceRef ref) {
+    const auto object = std::ranges::find(scene.objects, ref.object, &SceneObject::id);
+    if (object == scene.objects.end() || ref.surface >= object->surfaces.size()) return {};
+    const QString surface = QString::fromStdString(object->surfaces[ref.surface].name);
+    const QString whole = QString::fromStdString(object->name);
+    if (scene.objects.size() == 1 || surface == whole) return surface.isEmpty() ? whole : surface;
+    return object->surfaces.size() == 1 ? whole : QStringLiteral("%1: %2").arg(whole, surface);
+}
+
+} // namespace tactum
