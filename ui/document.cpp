@@ -46,21 +46,30 @@ public:
     virtual void applyTo(Scene& scene) const = 0;
 };
 
+/// What the history will say once of a step while the scene is so already.
+struct Document::Already {
+    bool redone = false, undone = false;
+};
+
 /// The one command: undo and redo are the same exchange of values.
 template <class T> class Document::Exchange : public Step {
 public:
     Exchange(Document& document, const QString& text, std::vector<Place<T>> places, std::vector<T> values,
-             SceneChange change, Gesture gesture, int done = 0)
+             SceneChange change, Gesture gesture, Already already = {})
         : Step(text), document_(document), places_(std::move(places)), values_(std::move(values)),
-          change_(change), gesture_(gesture), done_(done) {}
+          change_(change), gesture_(gesture), already_(already) {}
 
     /// As redo() does, before the history has it.
     void tryOut() {
         exchange();
-        done_ = 1;
+        already_.redone = true;
     }
-    void redo() override { go(); }
-    void undo() override { go(); }
+    void redo() override {
+        if (!std::exchange(already_.redone, false)) go();
+    }
+    void undo() override {
+        if (!std::exchange(already_.undone, false)) go();
+    }
     void applyTo(Scene& scene) const override {
         for (std::size_t i = 0; i < places_.size(); ++i)
             if (T* there = places_[i](scene)) *there = values_[i];
@@ -88,7 +97,6 @@ protected:
 
 private:
     void go() {
-        if (done_ > 0 && done_-- > 0) return;
         // The values are those of before the trial.
         if (document_.trial_.get() != this) document_.giveUpTrial(document_.trying_);
         exchange();
@@ -104,7 +112,7 @@ private:
     std::vector<T> values_; ///< one for each place
     SceneChange change_;
     Gesture gesture_;
-    int done_; ///< how often the history goes over it before it changes anything: the scene is as it will be
+    Already already_;
 };
 
 /// The file that shapes are from changes with them, there and back.
@@ -196,15 +204,15 @@ void Document::adoptRecovered(LoadedScene loaded, const FileStamp& file, bool ow
     job_.cancel();
     adopt(std::move(loaded), file);
     own_ = own;
-    const auto push = [this](const SceneHistory::Step& step, int done) {
+    const auto push = [this](const SceneHistory::Step& step, Already already) {
         history_.push(new Exchange<Scene>(*this, QString::fromStdString(step.text),
                                           {[](Scene& scene) { return &scene; }}, {step.scene},
-                                          {SceneChange::What::Objects}, 0, done));
+                                          {SceneChange::What::Objects}, 0, already));
     };
     for (const SceneHistory::Step& step : history.done)
-        push(step, 1);
+        push(step, {.redone = true});
     for (const SceneHistory::Step& step : history.undone | std::views::reverse)
-        push(step, 2);
+        push(step, {.redone = true, .undone = true});
     history_.setIndex(int(history.done.size()));
     history_.resetClean(); // no step leads to what is in the file
     emit opened();

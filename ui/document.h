@@ -243,6 +243,7 @@ private:
     /// Finds the value that an edit exchanges; nullptr when it is gone.
     template <class T> using Place = std::function<T*(Scene&)>;
     class Step;
+    struct Already;
     template <class T> class Exchange;
     class NewGeometry;
     template <class T>

@@ -51,13 +51,17 @@ template <class T> bool parseWhole(std::string_view token, T& value) {
 } // namespace
 
 std::string printable(std::string_view text, std::size_t limit) {
+    constexpr std::string_view kDots = "...";
+    const std::size_t room = limit - std::min(limit, kDots.size());
     std::string result;
+    std::size_t cut = 0; ///< where dots still have room behind it
     while (!text.empty()) {
         const std::size_t length = utf8Length(text);
         const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-        if (result.size() + character.size() > limit) return result + "...";
         const bool hidden = length == 0 || isControl(character) || turnsDirection(character);
         result += hidden ? "?" : character;
+        if (result.size() > limit) return result.substr(0, cut).append(kDots);
+        if (result.size() <= room) cut = result.size();
         text.remove_prefix(character.size());
     }
     return result;

@@ -7,7 +7,7 @@
 
 namespace tactum {
 
-/// Text from a file made safe to print: valid UTF-8 without control characters, at most `limit` bytes.
+/// Text made safe to print: valid UTF-8 without control characters, at most `limit` bytes (3 or more).
 std::string printable(std::string_view text, std::size_t limit = 60);
 /// Of an object, a surface or a layer: bytes.
 inline constexpr std::size_t kLongestName = 1000;

@@ -112,12 +112,20 @@ private slots:
 
     void longTextIsCutBetweenCharacters() {
         QCOMPARE(printable("abcd", 4), "abcd");
-        QCOMPARE(printable("abcde", 4), "abcd...");
-        QCOMPARE(printable("abc\xC3\xA4", 4), "abc..."); // the a with dots has no room
+        QCOMPARE(printable("abcde", 4), "a...");
+        QCOMPARE(printable("ab\xC3\xA4"
+                           "cdef",
+                           6),
+                 "ab..."); // the a with dots has no room
+        QCOMPARE(printable(printable("ab\xC3\xA4"
+                                     "cdef",
+                                     6),
+                           6),
+                 "ab..."); // and is not cut again
         QCOMPARE(printable("abc\xC3\xA4", 5), "abc\xC3\xA4");
         QCOMPARE(printable("", 0), "");
         QCOMPARE(printable(std::string(60, 'x')), std::string(60, 'x'));
-        QCOMPARE(printable(std::string(61, 'x')), std::string(60, 'x') + "...");
+        QCOMPARE(printable(std::string(61, 'x')), std::string(57, 'x') + "...");
     }
 
     void percentsStandForBytes() {
