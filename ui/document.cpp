@@ -44,6 +44,13 @@ public:
     using QUndoCommand::QUndoCommand;
     /// The scene on the other side of it.
     virtual void applyTo(Scene& scene) const = 0;
+    /// The same of one that may be made of several, which are taken back from the last to the first.
+    static void apply(const QUndoCommand& step, bool back, Scene& scene) {
+        if (const auto* own = dynamic_cast<const Step*>(&step)) return own->applyTo(scene);
+        const int count = step.childCount();
+        for (int i = 0; i < count; ++i)
+            apply(*step.child(back ? count - 1 - i : i), back, scene);
+    }
 };
 
 /// What the history will say once of a step while the scene is so already.
@@ -180,18 +187,18 @@ const Surface* Document::surface(SurfaceRef ref) const {
 SceneHistory Document::stepsAround(int most) const {
     SceneHistory around;
     Scene scene = scene_;
-    const auto add = [&](std::vector<SceneHistory::Step>& steps, const Step& step) {
-        step.applyTo(scene);
+    const auto add = [&](std::vector<SceneHistory::Step>& steps, const QUndoCommand& step, bool back) {
+        Step::apply(step, back, scene);
         steps.push_back({step.text().toStdString(), scene});
     };
-    if (trial_) add(around.done, static_cast<const Step&>(*trial_));
+    if (trial_) add(around.done, *trial_, true);
     const Scene present = scene;
     const int now = history_.index();
     for (int i = now - 1; i >= std::max(0, now - most); --i)
-        add(around.done, static_cast<const Step&>(*history_.command(i)));
+        add(around.done, *history_.command(i), true);
     scene = present;
     for (int i = now; !trial_ && i < std::min(history_.count(), now + most); ++i)
-        add(around.undone, static_cast<const Step&>(*history_.command(i)));
+        add(around.undone, *history_.command(i), false);
     std::ranges::reverse(around.done);
     std::ranges::reverse(around.undone);
     return around;

@@ -177,7 +177,7 @@ void TestSelecting::theRowShowsWhatAClickTakes() {
     QCOMPARE(list->currentText(), QStringLiteral("Surface"));
     command(program, "take-smooth").trigger();
     QCOMPARE(list->currentText(), QStringLiteral("Smooth"));
-    QTest::keyClicks(list, QStringLiteral("T"));
+    QTest::keyClick(list, Qt::Key_End); // letters are commands of the window
     QVERIFY(command(program, "take-triangle").isChecked());
 }
 
