@@ -236,7 +236,8 @@ void MainWindow::beginTrial(Trial trial) {
     const TrialFigures figures{.centre = servo.frame.offset,
                                .radius = servo.frame.scale * radiusOf(device),
                                .maxForce = device.maxForce,
-                               .ceiling = guard_->ceiling().value};
+                               .ceiling =
+                                   ceilingNow(servo, device).value}; // not the one that is shown, which waits
     trial_ = trial;
     const auto scene = std::make_shared<const Scene>(trialScene(trial, figures));
     publisher_.setTrial(scene);

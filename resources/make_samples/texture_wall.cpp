@@ -182,9 +182,10 @@ SceneObject objectOf(const Panel& panel, const Eigen::Vector2d& place) {
     mesh.grid(
         panel.xs, panel.ys, [](double x, double y) { return Vec3(x, y, 0); }, panel.surfaceAt, uvAt);
     mesh.fan({kPanelWidth / 2, kPanelHeight / 2, -0.9 * kBefore}, outlineOf(panel), 2);
-    SceneObject made = object(panel.name, mesh,
-                              {panel.surfaces[0], panel.surfaces[1],
-                               surface("back", {0.30f, 0.30f, 0.28f}, panel.surfaces[0].material)});
+    SceneObject made =
+        object(panel.name, mesh,
+               {panel.surfaces[0], panel.surfaces[1],
+                surface((panel.name + " back").c_str(), {0.30f, 0.30f, 0.28f}, panel.surfaces[0].material)});
     for (std::size_t i = 0; i < 2; ++i)
         made.surfaces[i].layers = {panel.layer};
     made.pose.rotation = Quat(Eigen::AngleAxisd(-kLean, Vec3::UnitX()));
