@@ -55,6 +55,7 @@ StartPage::StartPage(const QStringList& samples, QWidget* parent) : QWidget(pare
     new QVBoxLayout(recent_);
     auto* page = new QWidget;
     auto* centred = new QVBoxLayout(page);
+    centred->addSpacing(5 * kRhythm); // for what lies over the page: who has lost work reads two headings
     centred->addStretch(2);
     centred->addWidget(body, 0, Qt::AlignHCenter);
     centred->addStretch(3);

@@ -93,6 +93,7 @@ private slots:
     void aDragIsInItToo();
     void whatCannotBeWrittenIsSaidOnce();
     void theHistoryOutlivesASave();
+    void aStepOfSeveralIsOneStep();
 };
 
 void TestRecovery::aKilledProgramLosesNothing() {
@@ -363,6 +364,31 @@ void TestRecovery::theHistoryOutlivesASave() {
     program.document.history().undo();
     QCOMPARE(program.document.scene().objects[0].surfaces[0].material.stiffness, before);
     QVERIFY(program.document.modified());
+}
+
+// A preset is several edits and one step. The last of them is taken back first, or another value than that of
+// before would come back.
+void TestRecovery::aStepOfSeveralIsOneStep() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(*folder_)));
+    Document& document = program.document;
+    const std::string before = *glbOf(document.scene());
+    document.history().beginMacro(QStringLiteral("Several"));
+    setStiffness(document, 333);
+    setStiffness(document, 444);
+    document.setProxyRadius(0.0071);
+    document.history().endMacro();
+    const std::string after = *glbOf(document.scene());
+    const SceneHistory done = document.stepsAround(10);
+    QCOMPARE(done.done.size(), std::size_t(1));
+    QCOMPARE(QString::fromStdString(done.done[0].text), QStringLiteral("Several"));
+    QCOMPARE(*glbOf(done.done[0].scene), before);
+    document.history().undo();
+    const SceneHistory undone = document.stepsAround(10);
+    QCOMPARE(undone.done.size(), std::size_t(0));
+    QCOMPARE(undone.undone.size(), std::size_t(1));
+    QCOMPARE(*glbOf(undone.undone[0].scene), after);
+    QCOMPARE(*glbOf(document.scene()), before); // looking changes nothing
 }
 
 TACTUM_GUI_TEST(TestRecovery)
