@@ -5,13 +5,11 @@
 
 #include "app/library/parts.h"
 #include "core/base/text.h"
-#include "core/files/load_scene.h"
+#include "core/files/scene_of_arrays.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum::library {
 namespace {
-
-constexpr std::uint32_t kMostSurfaces = 10000;
 
 std::vector<core::Vec3> positionsOf(std::span<const Vec3> vertices) {
     std::vector<core::Vec3> positions;
@@ -30,9 +28,9 @@ std::vector<Index> surfacesOf(std::span<const std::uint32_t> surfaces, std::size
     if (surfaces.size() != triangles)
         refuse("surfaces: has " + std::to_string(surfaces.size()) + " numbers, and there are " +
                counted(triangles, "triangle"));
-    if (std::ranges::max(surfaces) >= kMostSurfaces)
+    if (std::ranges::max(surfaces) >= kMostArraySurfaces)
         refuse("surfaces: names " + std::to_string(std::ranges::max(surfaces)) + ", and there are " +
-               std::to_string(kMostSurfaces) + " at most");
+               std::to_string(kMostArraySurfaces) + " at most");
     return {surfaces.begin(), surfaces.end()};
 }
 
@@ -57,13 +55,7 @@ TriangleSoup soupOf(std::span<const Vec3> vertices, std::span<const Triangle> tr
 Object Scene::addMesh(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
                       std::span<const std::uint32_t> surfaces, std::string_view name) {
     SceneState& state = *Parts::state(*this);
-    TriangleSoup soup = soupOf(vertices, triangles, surfaces);
-    const std::string shown = printable(name, kLongestName);
-    std::vector<core::Surface> all(std::size_t(std::ranges::max(soup.surfaceOf)) + 1);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].name = all.size() == 1 ? shown : "surface " + std::to_string(i);
-    auto loaded = valueOf(sceneOfMesh(shown, std::move(soup), std::move(all)));
-    if (loaded.scene.objects.empty()) refuse("the mesh has nothing that can be felt");
+    auto loaded = valueOf(sceneOfArrays(name, soupOf(vertices, triangles, surfaces)));
     std::ranges::move(linesOf(loaded.findings), std::back_inserter(state.findings));
     return Parts::object(state_, state.scene.add(std::move(loaded.scene.objects.front())).id);
 }

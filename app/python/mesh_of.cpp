@@ -4,13 +4,11 @@
 #include <cstring>
 
 #include "core/base/text.h"
-#include "core/files/load_scene.h"
+#include "core/files/scene_of_arrays.h"
 #include "core/geometry/soup_builder.h"
 
 namespace tactum::python {
 namespace {
-
-constexpr std::size_t kMostSurfaces = 10000;
 
 std::vector<Vec3> verticesOf(const py::handle& values) {
     const Numbers rows = numbersOf(values, "vertices");
@@ -34,7 +32,7 @@ TriangleSoup soupOf(const py::handle& vertices, const py::handle& triangles, con
         soup.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
     soup.surfaceOf.assign(soup.triangles.size(), 0);
     if (surfaces.is_none()) return soup;
-    soup.surfaceOf = indicesOf(surfaces, "surfaces", 1, kMostSurfaces);
+    soup.surfaceOf = indicesOf(surfaces, "surfaces", 1, kMostArraySurfaces);
     if (soup.surfaceOf.size() != soup.triangles.size())
         throw Failure("surfaces: has " + std::to_string(soup.surfaceOf.size()) + " numbers, and there are " +
                       counted(soup.triangles.size(), "triangle"));
@@ -46,15 +44,10 @@ TriangleSoup soupOf(const py::handle& vertices, const py::handle& triangles, con
 ObjectHandle addMesh(const SceneHold& to, const ArrayLike& vertices, const ArrayLike& triangles,
                      const py::object& surfaces, const std::string& name) {
     TriangleSoup soup = soupOf(vertices, triangles, surfaces);
-    std::vector<Surface> all(std::size_t(*std::ranges::max_element(soup.surfaceOf)) + 1);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].name = all.size() == 1 ? name : "surface " + std::to_string(i);
-    auto loaded = unlocked([&](const Progress& progress) {
-        return sceneOfMesh(printable(name, kLongestName), std::move(soup), std::move(all), progress);
-    });
+    auto loaded =
+        unlocked([&](const Progress& progress) { return sceneOfArrays(name, std::move(soup), progress); });
     for (const Finding& finding : loaded.findings)
         to->findings.push_back(lineOf(finding));
-    if (loaded.scene.objects.empty()) throw Failure("the mesh has nothing that can be felt");
     return {to, to->scene.add(std::move(loaded.scene.objects.front())).id};
 }
 
