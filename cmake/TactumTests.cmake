@@ -116,11 +116,14 @@ function(tactum_ctest name)
   set_tests_properties(${name} PROPERTIES TIMEOUT 600 LABELS "${T_ROOM};${T_LABELS}" ENVIRONMENT "TACTUM_BUSY=1")
 endfunction()
 
-# tactum_quiet_test(ROOM NAME function...): functions of a test of the room that judge the processor, run once more by
-# ./check --all where nothing else runs.
+# tactum_quiet_test(ROOM NAME [PROGRAM name] FUNCTIONS function...): functions of a test of the room that judge the
+# processor, run once more by ./check --all where nothing else runs. PROGRAM: as in tactum_tests.
 function(tactum_quiet_test room name)
-  string(REPLACE "/" "-" folder "${room}")
-  add_test(NAME test_${name}_quiet COMMAND ${folder}-tests test_${name} ${ARGN})
+  cmake_parse_arguments(T "" "PROGRAM" "FUNCTIONS" ${ARGN})
+  if(NOT T_PROGRAM)
+    string(REPLACE "/" "-" T_PROGRAM "${room}")
+  endif()
+  add_test(NAME test_${name}_quiet COMMAND ${T_PROGRAM}-tests test_${name} ${T_FUNCTIONS})
   set_tests_properties(test_${name}_quiet PROPERTIES TIMEOUT 600 RUN_SERIAL ON LABELS "${room};quiet")
 endfunction()
 

