@@ -150,7 +150,8 @@ void TestPress::aPressIsNoBlow() {
         QCOMPARE_EQ(left, 0.0);
         QCOMPARE_LT(last - released, 150); // ticks
     }
-    if (judged < 2 && test::mayBeBusy()) QSKIP("the machine stood still in every press: ctest -R test_press_quiet");
+    if (judged < 2 && test::mayBeBusy())
+        QSKIP("the machine stood still in every press: ctest -R test_press_quiet");
     QCOMPARE(judged, 2);
 }
 
