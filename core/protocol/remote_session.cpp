@@ -162,6 +162,7 @@ void RemoteSession::connect() {
     {
         const std::lock_guard lock(mutex_);
         mine = ++connection_;
+        newestRevision_ = 0; // the server before counted its own
     }
     auto made = std::make_shared<Connection>(
         settings_.target, settings_.name,
