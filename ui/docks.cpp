@@ -72,17 +72,24 @@ void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name,
     window.tabifiedDockWidgets(dock).first()->raise();
 }
 
+void sizeDocks(QMainWindow& window) {
+    const auto dock = [&](const char* name) {
+        return window.findChild<QDockWidget*>(QString::fromLatin1(name));
+    };
+    window.resizeDocks({dock("dock-outliner"), dock("dock-inspector")}, {212, 288}, Qt::Horizontal);
+    window.resizeDocks({dock("dock-outliner"), dock("dock-presets")}, {300, 360}, Qt::Vertical);
+    window.resizeDocks({dock("dock-plot")}, {216}, Qt::Vertical);
+}
+
 Docks addDocks(QMainWindow& window, Document& document) {
     Docks docks{new Outliner(document), new Inspector(document),  new Problems(document), new ForcePlot,
                 new HealthPanel,        new LayerPanel(document), new BodyPanel(document)};
-    auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
-                             Qt::LeftDockWidgetArea);
+    addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
+            Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
                              Qt::LeftDockWidgetArea);
     auto* inspector = addDock(window, QStringLiteral("dock-inspector"), QObject::tr("Surface"),
                               docks.inspector, Qt::RightDockWidgetArea);
-    auto* history = addDock(window, QStringLiteral("dock-history"), QObject::tr("History"),
-                            new HistoryList(document.history()), Qt::RightDockWidgetArea);
     auto* plot = addDock(window, QStringLiteral("dock-plot"), QObject::tr("Force"), docks.plot,
                          Qt::BottomDockWidgetArea);
     auto* health = addDock(window, QStringLiteral("dock-health"), QObject::tr("Health"), docks.health,
@@ -93,13 +100,12 @@ Docks addDocks(QMainWindow& window, Document& document) {
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     shareTabs(window, *inspector, *layers);
     addTabBeside(window, *layers, QStringLiteral("dock-body"), QObject::tr("Body"), docks.body);
+    addTabBeside(window, *problems, QStringLiteral("dock-history"), QObject::tr("History"),
+                 new HistoryList(document.history()));
+    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
     // The side docks reach down to the status bar; the plot stands under the view alone.
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    window.resizeDocks({outliner, inspector}, {232, 288}, Qt::Horizontal);
-    window.resizeDocks({outliner, problems}, {480, 200}, Qt::Vertical);
-    window.resizeDocks({inspector, history}, {520, 180}, Qt::Vertical);
-    window.resizeDocks({plot}, {216}, Qt::Vertical);
     QObject::connect(docks.problems, &Problems::counted, problems, [problems](int count) {
         problems->setWindowTitle(count ? QObject::tr("Problems  %1").arg(count) : QObject::tr("Problems"));
     });

@@ -30,6 +30,9 @@ struct Docks {
 void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name, const QString& title,
                   QWidget* body);
 
+/// As they are at first: one that comes later takes the room of the others.
+void sizeDocks(QMainWindow& window);
+
 /// Adds all docks to a window; it owns them.
 Docks addDocks(QMainWindow& window, Document& document);
 

@@ -17,6 +17,7 @@
 #include "ui/arrange_tool.h"
 #include "ui/comparison.h"
 #include "ui/device_link.h"
+#include "ui/folds.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/journal.h"
@@ -81,6 +82,8 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     addCompareDock();
     addPresetDock();
     addDeviceDock();
+    sizeDocks(*this);
+    folds_ = new Folds(*this);
     makeToolBar();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
@@ -187,17 +190,6 @@ void MainWindow::showOpened() {
     if (!hand_->idle()) hint_->offer();
 }
 
-void MainWindow::hidePanels(bool hidden) {
-    if (hidden) {
-        shownPanels_ = saveState();
-        for (auto* dock : findChildren<QDockWidget*>())
-            dock->hide();
-    } else if (!shownPanels_.isEmpty()) {
-        restoreState(shownPanels_);
-        shownPanels_.clear();
-    }
-}
-
 void MainWindow::setArmed(bool armed) {
     const bool faulty = guard_->fault().has_value();
     if (armed) link_->stop().pressed = false; // held still, it stops again at once
@@ -221,6 +213,7 @@ void MainWindow::frame() {
     saver_->watch(); // before a fault switches the forces off
     watchHealth();
     watchDevice();
+    showPlots();
     if (playback_->active()) return playFrame();
     hand_->follow();
     if (view_->isVisible())
@@ -250,7 +243,7 @@ void MainWindow::selectTouched() {
 
 // The frame and the title of the window take some of it.
 QSize MainWindow::firstSize(QSize room) {
-    return QSize(1440, 900).boundedTo(room - QSize(0, 5 * kRhythm));
+    return QSize(1920, 1080).boundedTo(room - QSize(0, 5 * kRhythm));
 }
 
 void MainWindow::restore() {
@@ -258,6 +251,7 @@ void MainWindow::restore() {
     QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+    restoreFolds();
     setWindowTitle(tr("Tactum"));
 }
 
@@ -265,6 +259,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
+    saveFolds();
     saver_->flush();
     if (leaving_ || !document_.modified()) {
         engine_.setArmed(false);

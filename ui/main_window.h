@@ -32,6 +32,7 @@ class Comparison;
 class ConnectionBar;
 class DeviceCatalogue;
 class DeviceLink;
+class Folds;
 class DevicePanel;
 class GuardWatch;
 class HandLink;
@@ -116,6 +117,11 @@ private:
     void showOpened();
     void askForFile();
     void savePicture();
+    // Of the room of the view: main_window_panels.cpp.
+    void connectFolds();
+    void restoreFolds();
+    void saveFolds() const;
+    void showPlots();
     void hidePanels(bool hidden);
     void setArmed(bool armed);
     void showArmed(bool armed);
@@ -277,9 +283,15 @@ private:
     std::optional<Trial> trial_;          ///< that is felt instead of the document
     std::optional<SurfaceRef> droppedOn_; ///< who gets the preset that is being imported
     Docks docks_;
-    std::optional<Feel> copied_;        ///< to be pasted
-    QStringList samples_;               ///< scenes to begin with, never written over
-    QByteArray shownPanels_;            ///< the layout to come back to while all panels are hidden
+    std::optional<Feel> copied_; ///< to be pasted
+    QStringList samples_;        ///< scenes to begin with, never written over
+    QByteArray shownPanels_;     ///< the layout to come back to while all panels are hidden
+    QStringList foldedPanels_;   ///< the same of what is folded
+    Folds* folds_ = nullptr;
+    /// Who says whether the plots are folded: nothing was felt yet, the hand is still there, they came by
+    /// themselves, the person.
+    enum class Plots { Empty, Due, Shown, AsDecided } plots_ = Plots::Empty;
+    bool grabbed_ = false;              ///< the finger in the view
     std::uint64_t shownShape_ = 0;      ///< of the recorded scene in the view
     int healthFrames_ = 0;              ///< since the health was last displayed
     std::function<void()> afterSave_;   ///< what the person wanted to do next

@@ -15,6 +15,7 @@
 
 #include "core/recording/recording_file.h"
 #include "ui/ask_where.h"
+#include "ui/folds.h"
 #include "ui/guide_window.h"
 #include "ui/hand_link.h"
 #include "ui/held_key.h"
@@ -206,6 +207,7 @@ void MainWindow::connectView() {
     connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
     actions_["overlay"].setChecked(true);
     connect(&actions_["panels"], &QAction::toggled, this, &MainWindow::hidePanels);
+    connectFolds();
     // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
     auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
@@ -250,9 +252,7 @@ void MainWindow::connectMotion() {
                                    {"body-still", Hold::Still}})
         connect(&actions_[id], &QAction::triggered, this, [this, chosen = hold] {
             docks_.body->hold(chosen);
-            auto* dock = findChild<QDockWidget*>(QStringLiteral("dock-body"));
-            dock->show();
-            dock->raise();
+            folds_->bringForward(*findChild<QDockWidget*>(QStringLiteral("dock-body")));
         });
     connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
     connect(docks_.body, &BodyPanel::marked, this, [this] {

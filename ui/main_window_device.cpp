@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ui/device_link.h"
+#include "ui/folds.h"
 #include "ui/guard_watch.h"
 #include "ui/hand_link.h"
 #include "ui/health_words.h"
@@ -46,9 +47,6 @@ void MainWindow::addDeviceDock() {
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QString::fromLatin1(name)); };
     addTabBeside(*this, *dock("dock-inspector"), QStringLiteral("dock-device"), tr("Device"), devicePanel_);
     dock("dock-inspector")->raise();
-    // A dock that comes later takes the room of the others.
-    resizeDocks({dock("dock-inspector")}, {288}, Qt::Horizontal);
-    resizeDocks({dock("dock-inspector"), dock("dock-history")}, {520, 180}, Qt::Vertical);
 }
 
 void MainWindow::connectDevices() {
@@ -118,9 +116,7 @@ void MainWindow::connectDevices() {
 }
 
 void MainWindow::showDevicePage(int page) {
-    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock-device"));
-    dock->show();
-    dock->raise();
+    folds_->bringForward(*findChild<QDockWidget*>(QStringLiteral("dock-device")));
     devicePanel_->showPage(DevicePanel::Page(page));
     devicePanel_->setFocus(Qt::ShortcutFocusReason);
 }

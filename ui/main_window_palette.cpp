@@ -5,9 +5,11 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/folds.h"
 #include "ui/main_window.h"
 #include "ui/panel_focus.h"
 #include "ui/panels/command_palette.h"
+#include "ui/panels/import_bar.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
 
@@ -111,9 +113,8 @@ void MainWindow::addPanels(std::vector<PaletteEntry>& entries) {
                            {},
                            tr("Show the panel and give it the keys"),
                            {},
-                           [dock] {
-                               dock->show();
-                               dock->raise();
+                           [this, dock] {
+                               folds_->bringForward(*dock);
                                dock->widget()->setFocus(Qt::ShortcutFocusReason);
                            }});
     }
@@ -138,10 +139,10 @@ void MainWindow::connectPalette() {
     connect(&actions_["palette"], &QAction::triggered, this, &MainWindow::openPalette);
     const auto docks = findChildren<QDockWidget*>(); // now: who comes to the front comes last later
     connect(&actions_["next-panel"], &QAction::triggered, this, [this, docks] {
-        focusNextPanel({centre_->currentWidget(), importBar_}, docks, true);
+        focusNextPanel({centre_->currentWidget(), importBar_}, docks, *folds_, true);
     });
     connect(&actions_["previous-panel"], &QAction::triggered, this, [this, docks] {
-        focusNextPanel({centre_->currentWidget(), importBar_}, docks, false);
+        focusNextPanel({centre_->currentWidget(), importBar_}, docks, *folds_, false);
     });
     auto* search = new QToolButton;
     search->setObjectName(QStringLiteral("palette-button"));

@@ -84,6 +84,9 @@ void MainWindow::connectRecordings() {
     });
     connect(link_, &DeviceLink::letsGo, saver_, &RecordingSaver::flush);
     connect(playback_, &Playback::begun, this, &MainWindow::beginPlayback);
+    connect(playback_, &Playback::begun, this, [this] {
+        if (plots_ == Plots::Empty) plots_ = Plots::Due;
+    });
     connect(playback_, &Playback::ended, this, &MainWindow::endPlayback);
     connect(playback_, &Playback::failed, notice_, &NoticeBar::showError);
     connect(playback_, &Playback::progressed, this, [this](double fraction, double secondsLeft) {

@@ -30,11 +30,7 @@ void MainWindow::addPresetDock() {
     presets_ = new PresetLibrary(*presetStore_);
     addTabBeside(*this, *findChild<QDockWidget*>(QStringLiteral("dock-problems")),
                  QStringLiteral("dock-presets"), tr("Presets"), presets_);
-    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
-    // A dock that comes later takes the room of the others.
-    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(QString::fromLatin1(name)); };
-    resizeDocks({dock("dock-outliner"), dock("dock-inspector")}, {248, 288}, Qt::Horizontal);
-    resizeDocks({dock("dock-outliner"), dock("dock-problems")}, {300, 400}, Qt::Vertical);
+    findChild<QDockWidget*>(QStringLiteral("dock-presets"))->raise();
 }
 
 void MainWindow::connectPresets() {

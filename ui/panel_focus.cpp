@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QDockWidget>
 
+#include "ui/folds.h"
+
 namespace tactum {
 
 namespace {
@@ -20,7 +22,8 @@ QWidget* firstWithKeys(QWidget& panel) {
 
 } // namespace
 
-void focusNextPanel(const QList<QWidget*>& centre, const QList<QDockWidget*>& docks, bool forward) {
+void focusNextPanel(const QList<QWidget*>& centre, const QList<QDockWidget*>& docks, Folds& folds,
+                    bool forward) {
     QList<QDockWidget*> open = docks;
     // What lies behind a tab is hidden, but its action knows better.
     open.removeIf([](const QDockWidget* dock) { return !dock->toggleViewAction()->isChecked(); });
@@ -34,7 +37,7 @@ void focusNextPanel(const QList<QWidget*>& centre, const QList<QDockWidget*>& do
     for (qsizetype i = 0; i < ring.size(); ++i)
         if (now && (ring[i] == now || ring[i]->isAncestorOf(now))) at = i;
     const qsizetype next = (at + (forward ? 1 : ring.size() - 1)) % ring.size();
-    if (next >= central) open[next - central]->raise();
+    if (next >= central) folds.bringForward(*open[next - central]);
     firstWithKeys(*ring[next])->setFocus(Qt::TabFocusReason);
 }
 

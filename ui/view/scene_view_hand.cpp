@@ -154,6 +154,15 @@ std::optional<Vec3> SceneView::placeBeside(double reach) const {
         for (const double part : {kBesideFar, kBesideNear, 0.0})
             if (const Vec3 at = place(way, part); (reach <= 0 || at.norm() < reach) && impl_->isSeen(at))
                 return at;
+    // A model that fills the view, or the hand's reach: before it, as far out as can be.
+    const QPointF middle(0.5 * camera.size.width(), 0.5 * camera.size.height());
+    for (const double part : {0.9, 0.7, 0.5, 0.3})
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, -1), QPointF(0, 1)}) {
+            const QPointF pixel = middle + part * QPointF(way.x() * middle.x(), way.y() * middle.y());
+            if (const Vec3 at = camera.pointAtDepthOf(box.centre(), pixel);
+                (reach <= 0 || at.norm() < reach) && impl_->isSeen(at))
+                return at;
+        }
     return place(Vec3::UnitX(), kBesideFar);
 }
 

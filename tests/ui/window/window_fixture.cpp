@@ -30,6 +30,8 @@ void useSettingsIn(const QString& folder) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
     qputenv("XDG_DATA_HOME", folder.toLocal8Bit()); // the journals
+    QSettings().setValue(QStringLiteral("window/folded"),
+                         QStringList()); // a person who wants to see the plots
 }
 
 QString writeFile(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {

@@ -23,6 +23,7 @@ namespace tactum {
 
 /// What a program must do once before its first window: surface format, C numbers, settings in `folder`.
 void prepareProcess();
+/// The panels are unfolded there.
 void useSettingsIn(const QString& folder);
 
 /// For the macros of Qt Test, which wait with the patience of tests/support/patience.h whatever it says here.
