@@ -34,11 +34,18 @@ QList<QDockWidget*> Folds::together(QDockWidget& dock) const {
     return window_.tabifiedDockWidgets(&dock) << &dock;
 }
 
+QTabBar* Folds::barOf(const QDockWidget& dock) const {
+    for (auto* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+        for (int tab = 0; tab < bar->count(); ++tab)
+            if (dockOf(*bar, tab) == &dock) return bar;
+    return nullptr;
+}
+
 /// What lies behind tabs keeps the size that it had when it was last in front.
 QDockWidget& Folds::frontOf(QDockWidget& dock) const {
-    for (QDockWidget* each : together(dock))
-        if (!each->visibleRegion().isEmpty()) return *each;
-    return dock;
+    const QTabBar* bar = barOf(dock);
+    QDockWidget* front = bar ? dockOf(*bar, bar->currentIndex()) : nullptr;
+    return front ? *front : dock;
 }
 
 bool Folds::isFolded(const QDockWidget& dock) const {
@@ -47,12 +54,25 @@ bool Folds::isFolded(const QDockWidget& dock) const {
 
 void Folds::setFolded(QDockWidget& dock, bool folded) {
     if (isFolded(dock) == folded) return;
-    int& height = heights_[window_.dockWidgetArea(&dock)];
-    QDockWidget& front = frontOf(dock);
-    if (folded && front.height() >= kLeastHeight) height = front.height();
+    if (const int now = frontOf(dock).height(); folded && now >= kLeastHeight)
+        heights_[window_.dockWidgetArea(&dock)] = now;
+    fold(dock, folded);
+}
+
+void Folds::fold(QDockWidget& dock, bool folded) {
+    if (isFolded(dock) == folded) return;
     for (QDockWidget* each : together(dock))
         each->setMaximumHeight(folded ? 0 : QWIDGETSIZE_MAX);
-    if (!folded) window_.resizeDocks({&front}, {height}, Qt::Vertical);
+    if (!folded) // once it is known which one is in front
+        QMetaObject::invokeMethod(
+            &dock,
+            [this, &dock] {
+                QDockWidget& front = frontOf(dock);
+                const QTabBar* bar = barOf(front); // which resizeDocks() counts
+                const int height = heights_[window_.dockWidgetArea(&front)] + (bar ? bar->height() : 0);
+                window_.resizeDocks({&front}, {height}, Qt::Vertical);
+            },
+            Qt::QueuedConnection);
     showButtons();
     emit changed();
 }
@@ -72,7 +92,7 @@ QStringList Folds::names() const {
 
 void Folds::restore(const QStringList& names) {
     for (auto* dock : window_.findChildren<QDockWidget*>())
-        setFolded(*dock, names.contains(dock->objectName()));
+        fold(*dock, names.contains(dock->objectName()));
 }
 
 bool Folds::eventFilter(QObject* watched, QEvent* event) {

@@ -20,7 +20,7 @@ public:
     explicit Folds(QMainWindow& window);
 
     bool isFolded(const QDockWidget& dock) const;
-    /// All docks that share tabs with this one.
+    /// All docks that share tabs with this one; they come back as high as they were.
     void setFolded(QDockWidget& dock, bool folded);
     /// Seen, whatever hid it.
     void bringForward(QDockWidget& dock);
@@ -38,7 +38,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void fold(QDockWidget& dock, bool folded);
     QList<QDockWidget*> together(QDockWidget& dock) const;
+    QTabBar* barOf(const QDockWidget& dock) const;
     QDockWidget& frontOf(QDockWidget& dock) const;
     QDockWidget* dockOf(const QTabBar& bar, int tab) const;
     void adopt(QTabBar& bar);
