@@ -22,10 +22,10 @@ struct MaterialOverride {
 
 struct TouchOptions {
     std::filesystem::path scene;
-    std::filesystem::path path;               ///< the finger, CSV
-    std::optional<std::filesystem::path> out; ///< the touch, CSV
+    std::vector<std::filesystem::path> paths; ///< a finger for each hand, CSV
+    std::vector<std::filesystem::path> outs;  ///< the touch of each, CSV; or none
     std::optional<std::filesystem::path> summary;
-    std::optional<std::filesystem::path> picture;
+    std::optional<std::filesystem::path> picture;   ///< of one hand, as is the vibration
     std::optional<std::filesystem::path> vibration; ///< .wav, .hjif or .haptic
     GivenAxes axes;                                 ///< of the scene
     std::optional<double> fitDiagonal;              ///< m
@@ -105,7 +105,7 @@ struct CheckOptions {
     bool strict = false; ///< a warning is an error
 };
 
-/// Replays a finger path through hapticStep, one update a row, and writes what it gave.
+/// Replays finger paths through hapticStep, one update a row, and writes what they gave.
 Result<int> runTouch(const TouchOptions& options);
 /// Lets the bodies of a scene move by forces and writes where they were.
 Result<int> runSimulate(const SimulateOptions& options);

@@ -23,6 +23,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/bundle/output_files.h"
+#include "core/haptics/moving_bodies.h"
 #include "core/port/device_check.h"
 #include "core/scene/placing.h"
 #include "core/scene/scene.h"
@@ -106,6 +107,21 @@ CLI::Option* addFile(CLI::App& command, const char* name, Path& file, const char
     return name[0] == '-' ? option->type_name("FILE") : option;
 }
 
+/// The same of as many as a person names.
+CLI::Option* addFiles(CLI::App& command, const char* name, std::vector<std::filesystem::path>& files,
+                      const char* help) {
+    CLI::Option* option = command.add_option_function<std::vector<std::string>>(
+        name,
+        [&files, name](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+                if (text.empty()) throw CLI::ValidationError(name, kEmptyName);
+                files.emplace_back(text);
+            }
+        },
+        help);
+    return name[0] == '-' ? option->type_name("FILE")->expected(1)->take_all() : option;
+}
+
 // One of a few words; `take` says whether it knows the word.
 void addWord(CLI::App& command, const char* name, const char* words, const char* help,
              std::function<bool(std::string_view)> take) {
@@ -147,6 +163,21 @@ void checkOutputs(const std::vector<std::filesystem::path>& inputs, const Output
     if (const auto clash = clashOf(inputs, given)) throw CLI::ValidationError(clash->string(), kClash);
 }
 
+// Whatever is of one finger has one path; what each finger gives has a file of its own.
+void checkHands(const TouchOptions& options) {
+    const std::size_t hands = options.paths.size();
+    if (hands > kMaxHands)
+        throw CLI::ValidationError("--path", "is given " + std::to_string(hands) + " times; " +
+                                                 std::to_string(kMaxHands) + " hands are the most");
+    if (!options.outs.empty() && options.outs.size() != hands)
+        throw CLI::ValidationError("--out", "is given " + std::to_string(options.outs.size()) +
+                                                " times for --path " + std::to_string(hands) +
+                                                " times; give each path its own, or none");
+    if (hands > 1 && (options.picture || options.vibration))
+        throw CLI::ValidationError(options.picture ? "--picture" : "--vibration",
+                                   "is of one finger; give one --path");
+}
+
 /// Of a file that may leave both open.
 void addAxes(CLI::App& command, const std::string& file, GivenAxes& axes) {
     addWord(command, "--unit", "mm|cm|in|m",
@@ -164,10 +195,11 @@ void addTouch(CLI::App& program, TouchOptions& options) {
     CLI::App* touch = program.add_subcommand("touch", "Replay a finger path over a scene");
     addFile(*touch, "SCENE", options.scene, "Any file that the program opens; - is standard input")
         ->required();
-    addFile(*touch, "--path", options.path, "The finger: CSV with the header t,x,y,z in seconds and metres")
+    addFiles(*touch, "--path", options.paths,
+             "The finger: CSV with the header t,x,y,z in seconds and metres; once for each hand")
         ->required();
-    addFile(*touch, "--out", options.out,
-            "Write the touch as CSV, one row for each update; - is standard output");
+    addFiles(*touch, "--out", options.outs,
+             "Write the touch as CSV, one row for each update; - is standard output; once for each --path");
     addFile(*touch, "--summary", options.summary, "Write the summary as JSON");
     addFile(*touch, "--picture", options.picture, "Write a PNG of scene, paths and force; needs a display");
     addFile(*touch, "--vibration", options.vibration,
@@ -190,11 +222,17 @@ void addTouch(CLI::App& program, TouchOptions& options) {
             [&](std::string_view word) { return (options.sides = sidesNamed(word)).has_value(); });
     touch->footer("Without --dynamic-friction, dynamic friction is what --static-friction says.\n"
                   "Forces are those before the device's limit, whichever device that will be.\n"
+                  "Of several hands the first path has the times of the steps; the others go straight from "
+                  "point to point, and rest before the first and after the last.\n"
                   "Standard output gets the summary, unless - sends the touch there.");
     touch->final_callback([&] {
         settleFriction(options);
-        checkOutputs({options.scene, options.path},
-                     {options.out, options.summary, options.picture, options.vibration});
+        checkHands(options);
+        std::vector<std::filesystem::path> inputs{options.paths};
+        inputs.push_back(options.scene);
+        Outputs outputs{options.summary, options.picture, options.vibration};
+        outputs.insert(outputs.begin(), options.outs.begin(), options.outs.end());
+        checkOutputs(inputs, outputs);
     });
 }
 
@@ -332,16 +370,7 @@ struct Request {
 
 /// As many files as a person names.
 void addScenes(CLI::App& command, std::vector<std::filesystem::path>& scenes) {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "SCENE",
-            [&scenes](const std::vector<std::string>& names) {
-                for (const std::string& name : names) {
-                    if (name.empty()) throw CLI::ValidationError("SCENE", kEmptyName);
-                    scenes.emplace_back(name);
-                }
-            },
-            "Files that the program opens, one or more; - is standard input")
+    addFiles(command, "SCENE", scenes, "Files that the program opens, one or more; - is standard input")
         ->required()
         ->expected(1, -1);
 }

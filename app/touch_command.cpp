@@ -51,6 +51,24 @@ void applyOverrides(Scene& scene, const TouchOptions& options) {
         }
 }
 
+bool touches(const TouchRow& row) {
+    return row.contacts > 0;
+}
+
+/// What each hand felt.
+nlohmann::ordered_json summaryOfHands(const TouchOptions& options, const std::vector<TouchTrace>& hands) {
+    auto json = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < hands.size(); ++i) {
+        double largest = 0;
+        for (const TouchRow& row : hands[i])
+            largest = std::max(largest, row.force.norm());
+        json.push_back({{"path", shownPath(options.paths[i])},
+                        {"touching_updates", std::ranges::count_if(hands[i], touches)},
+                        {"largest_force_n", largest}});
+    }
+    return json;
+}
+
 nlohmann::ordered_json summaryOfTouch(const World& world, const TouchTrace& rows, double load, double build) {
     std::size_t triangles = 0;
     for (const WorldBody& body : world.bodies)
@@ -80,16 +98,33 @@ Result<void> writeVibration(const TouchOptions& options, const TouchTrace& rows)
 }
 
 // Everything that was asked for in files; the first that cannot be written ends it.
-Result<void> writeResults(const TouchOptions& options, const Scene& scene, const TouchTrace& rows,
-                          const std::string& summary) {
-    if (options.out)
-        if (auto written = writeFile(*options.out, touchCsv(rows)); !written) return written;
+Result<void> writeResults(const TouchOptions& options, const Scene& scene,
+                          const std::vector<TouchTrace>& hands, const std::string& summary) {
+    for (std::size_t i = 0; i < options.outs.size(); ++i)
+        if (auto written = writeFile(options.outs[i], touchCsv(hands[i])); !written) return written;
     if (options.summary)
         if (auto written = writeFile(*options.summary, summary + '\n'); !written) return written;
     if (options.vibration)
-        if (auto written = writeVibration(options, rows); !written) return written;
-    if (options.picture) return writePicture(scene, rows, *options.picture);
+        if (auto written = writeVibration(options, hands[0]); !written) return written;
+    if (options.picture) return writePicture(scene, hands[0], *options.picture);
     return {};
+}
+
+Result<std::vector<FingerPath>> readPaths(const std::vector<std::filesystem::path>& files) {
+    std::vector<FingerPath> paths;
+    for (const std::filesystem::path& file : files) {
+        auto path = readFingerPath(file);
+        if (!path) return tl::unexpected(path.error());
+        paths.push_back(std::move(*path));
+    }
+    return paths;
+}
+
+void noteIdleHands(const TouchOptions& options, const std::vector<TouchTrace>& hands) {
+    for (std::size_t i = 0; i < hands.size(); ++i)
+        if (std::ranges::none_of(hands[i], touches))
+            std::cerr << "note: the finger path " << shownPath(options.paths[i])
+                      << " touches nothing; is it in metres, and where the scene is?\n";
 }
 
 } // namespace
@@ -98,8 +133,8 @@ Result<int> runTouch(const TouchOptions& options) {
     if (options.vibration)
         if (const auto known = checkVibrationFile(*options.vibration); !known)
             return tl::unexpected(known.error());
-    const auto path = readFingerPath(options.path);
-    if (!path) return tl::unexpected(path.error());
+    const auto paths = readPaths(options.paths);
+    if (!paths) return tl::unexpected(paths.error());
     const auto loading = Clock::now();
     auto loaded = importGiven(options.scene, options.axes);
     if (!loaded) return tl::unexpected(loaded.error());
@@ -109,16 +144,17 @@ Result<int> runTouch(const TouchOptions& options) {
     const auto world = compile(loaded->scene);
     if (!world) return tl::unexpected(world.error());
     const double build = secondsSince(building);
-    const TouchTrace rows = [&] {
+    const std::vector<TouchTrace> hands = [&] {
         const TerminalProgress terminal("touching " + shownPath(options.scene));
-        return replay(**world, *path, terminal.progress()).value(); // nobody cancels it
+        return replay(**world, *paths, terminal.progress()).value(); // nobody cancels it
     }();
-    if (std::ranges::none_of(rows, [](const TouchRow& row) { return row.contacts > 0; }))
-        std::cerr << "note: the finger path touches nothing; is it in metres, and where the scene is?\n";
-    const std::string summary = summaryOfTouch(**world, rows, load, build).dump();
-    if (const auto written = writeResults(options, loaded->scene, rows, summary); !written)
+    noteIdleHands(options, hands);
+    auto json = summaryOfTouch(**world, hands[0], load, build);
+    if (hands.size() > 1) json["hands"] = summaryOfHands(options, hands);
+    const std::string summary = json.dump();
+    if (const auto written = writeResults(options, loaded->scene, hands, summary); !written)
         return tl::unexpected(written.error());
-    if (!isDash(options.out) && !isDash(options.summary))
+    if (std::ranges::find(options.outs, "-") == options.outs.end() && !isDash(options.summary))
         if (const auto written = writeFile("-", summary + '\n'); !written)
             return tl::unexpected(written.error());
     return 0;

@@ -7,7 +7,7 @@ namespace tactum {
 namespace {
 
 /// What the finger does to the bodies: the opposite of what it feels, as far as the hand gets it.
-FingerPushes pushesOf(const HapticOutput& touch, const BodiesState& state, const std::vector<int>& driven,
+FingerPushes pushesOf(const HapticOutput& touch, const Coupling& hand, const std::vector<int>& driven,
                       double forceScale) {
     FingerPushes pushes;
     const int count = std::clamp(touch.contacts, 0, int(touch.contact.size()));
@@ -18,7 +18,7 @@ FingerPushes pushesOf(const HapticOutput& touch, const BodiesState& state, const
         total += contact.normalForce;
         rest -= contact.normalForce * contact.normal;
     }
-    const double felt = touch.force.norm(), given = state.coupling.force;
+    const double felt = touch.force.norm(), given = hand.force;
     const double part = forceScale * (felt > given ? given / felt : 1);
     for (int i = 0; i < count; ++i) {
         const ContactReport& contact = touch.contact[std::size_t(i)];
@@ -70,11 +70,11 @@ std::span<const PlacedObject> BodyPlaces::at(const BodiesState& state) {
 }
 
 std::optional<BodyReading> BodyPlaces::readingOf(const BodiesState& state, BodyId body,
-                                                 const HapticOutput& touch) {
+                                                 const HapticOutput& touch, const Coupling& given) {
     if (!bodies_) return std::nullopt;
     BodiesState seen = state;
     bodies_->begin(seen);
-    return bodies_->readingOf(body, pushesOf(touch, state, driven_, bodies_->scale().force));
+    return bodies_->readingOf(body, pushesOf(touch, given, driven_, bodies_->scale().force));
 }
 
 } // namespace tactum

@@ -33,9 +33,9 @@ public:
     std::span<const PlacedObject> at(const BodiesState& state);
     /// Of each joint of one freedom that has detents, always in the same order, as at() was last told.
     std::span<const AtDetent> detents() const { return atDetents_; }
-    /// While the finger touches as it is told. Nothing for what no force moves.
+    /// While the finger touches as it is told, and the hand gets `given`. Nothing for what no force moves.
     std::optional<BodyReading> readingOf(const BodiesState& state, BodyId body,
-                                         const HapticOutput& touch = {});
+                                         const HapticOutput& touch = {}, const Coupling& given = {});
 
 private:
     struct Detents {

@@ -19,7 +19,7 @@ Vec3 velocityOf(const World& world, const StepMotions& movers, const Contact& co
 
 // Stiffness, damping and velocity of several contacts: the mean, weighted by how hard each pushes. Without a
 // push the last values stay, for a proxy that is still on its way.
-void mixMaterials(const World& world, const StepMotions& movers, SimState& state, double dt) {
+void mixMaterials(const World& world, const StepMotions& movers, HandState& state, double dt) {
     const ProxyState& proxy = state.proxy;
     double total = 0, stiffness = 0, damping = 0;
     Vec3 velocity = Vec3::Zero();
@@ -45,7 +45,7 @@ void addPlane(LocalContactModel& model, const Contact& contact, const Vec3& norm
 }
 
 // Of shaded and textured surfaces the servo gets the planes that are felt.
-void describeSurroundings(const World& world, const StepMotions& movers, SimState& state, double dt) {
+void describeSurroundings(const World& world, const StepMotions& movers, HandState& state, double dt) {
     LocalContactModel& model = state.model;
     const ProxyState& proxy = state.proxy;
     model.proxy = proxy.position;
@@ -65,7 +65,7 @@ void describeSurroundings(const World& world, const StepMotions& movers, SimStat
     }
 }
 
-HapticOutput reportOf(const World& world, const SimState& state) {
+HapticOutput reportOf(const World& world, const HandState& state) {
     HapticOutput output;
     output.proxy = state.proxy.position;
     for (int i = 0; i < state.proxy.contactCount && output.contacts < kMaxModelPlanes; ++i) {
@@ -88,13 +88,13 @@ HapticOutput reportOf(const World& world, const SimState& state) {
 // At first, and when nobody knows which way the finger went, the proxy begins at the finger. After a change
 // of shape it stays where it is. Where there is something now, it goes to the nearest clear place; so it does
 // where it would be inside of what it was outside of, for no way of the finger leads there.
-void startAnew(const World& world, SimState& state, const HapticInput& input) {
+void startAnew(const World& world, double time, HandState& state, const HapticInput& input) {
     const bool first = state.shapeRevision == kNoShape;
     const bool atFinger = first || input.restart || input.found;
     const Vec3 wanted = atFinger ? input.finger : state.proxy.position;
     FormerPlace former{state.shapeRevision};
     if (input.found && !first) former.at_W = state.proxy.position;
-    const StepMotions movers(world.movers, state.time, state.time, world.drivenMotions());
+    const StepMotions movers(world.movers, time, time, world.drivenMotions());
     const Vec3 place =
         clearPlace(world.obstacles, movers, world.proxyRadius, wanted, former).value_or(wanted);
     restart(state.proxy, place);
@@ -103,53 +103,95 @@ void startAnew(const World& world, SimState& state, const HapticInput& input) {
     state.shapeRevision = world.shapeRevision;
 }
 
-// What the finger did in the last step acts on the bodies until this one.
-void moveBodies(const World& world, SimState& state, double dt, double time) noexcept {
-    const FingerPushes pushes =
-        pushesOf(state.proxy, state.bodies, state.model.stiffness, {world.moving->scale().force, time});
-    world.moving->step(state.bodies, pushes, dt, [&](std::uint32_t obstacle) {
+using Hands = InplaceVector<HandStep*, std::size_t(kMaxHands)>;
+
+void beginBodies(const World& world, WorldState& shared, const Hands& hands) noexcept {
+    // A replay that begins here knows the states alone.
+    const auto isNew = [&](const HandStep* hand) { return hand->state.model.revision != world.revision; };
+    if (std::ranges::any_of(hands.all(), isNew)) world.moving->forget();
+    if (!world.moving->begin(shared.bodies)) return;
+    for (HandStep* hand : hands.all())
+        hand->state.press.force = hand->state.press.velocity = Vec3::Zero();
+}
+
+// What the fingers did in the last step acts on the bodies until this one.
+void moveBodies(const World& world, WorldState& shared, const Hands& hands, double dt, double time) noexcept {
+    const auto drivenOf = [&](std::uint32_t obstacle) {
         const int mover = world.obstacles[obstacle].mover;
         return mover < 0 ? -1 : world.movers[std::size_t(mover)].driven;
-    });
+    };
+    for (const HandStep* hand : hands.all()) {
+        const HandState& state = hand->state;
+        world.moving->press(
+            pushesOf(state.proxy, state.press, state.model.stiffness, {world.moving->scale().force, time}),
+            drivenOf);
+    }
+    world.moving->step(shared.bodies, dt);
 }
 
 int roundsAt(Fidelity fidelity) {
     return fidelity == Fidelity::PlaneOnly ? kFewRounds : kMaxRounds;
 }
 
-} // namespace
+bool canBe(const HapticInput& input) noexcept {
+    return input.finger.allFinite() && input.fingerVelocity.allFinite();
+}
 
-HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept {
-    if (!input.finger.allFinite() || !input.fingerVelocity.allFinite()) {
-        // Contacts of another shape may name bodies and triangles that this world does not have.
-        if (state.shapeRevision == world.shapeRevision) return reportOf(world, state);
-        HapticOutput output;
-        output.proxy = state.proxy.position;
-        return output;
-    }
-    if (input.begin) state.time = 0, state.bodies.of = 0, state.shapeRevision = kBeginAnew;
-    if (world.moving) {
-        // A replay that begins here knows the state alone.
-        if (state.model.revision != world.revision) world.moving->forget();
-        world.moving->begin(state.bodies);
-    }
-    if (input.restart || input.found || state.shapeRevision != world.shapeRevision)
-        startAnew(world, state, input);
-    const double time = input.pace * (world.moving ? world.moving->scale().time : 1), way = time * dt;
-    const double before = std::exchange(state.time, state.time + way);
-    if (world.moving) moveBodies(world, state, way, time);
-    const StepMotions movers(world.movers, before, state.time, world.drivenMotions());
+/// Of a hand that has no part in the step.
+HapticOutput leftOut(const World& world, const HandState& state) {
+    // Contacts of another shape may name bodies and triangles that this world does not have.
+    if (state.shapeRevision == world.shapeRevision) return reportOf(world, state);
+    HapticOutput output;
+    output.proxy = state.proxy.position;
+    return output;
+}
+
+void touch(const World& world, const StepMotions& movers, HandStep& hand, double dt) noexcept {
+    HandState& state = hand.state;
+    const HapticInput& input = hand.input;
     const ProxyReport report =
         moveAndUpdate(state.proxy, world.obstaclesAt(input.fidelity), world.proxyRadius, input.finger, dt,
                       movers, roundsAt(input.fidelity), &world.near);
     describeSurroundings(world, movers, state, dt);
-    HapticOutput output = reportOf(world, state);
-    output.report = report;
-    output.force = springForce(state.model, output.proxy, input.finger, input.fingerVelocity);
-    state.bodies.force = output.force;
-    state.bodies.fingerVelocity = input.fingerVelocity;
-    state.bodies.coupling = input.coupling;
-    return output;
+    hand.output = reportOf(world, state);
+    hand.output.report = report;
+    hand.output.force = springForce(state.model, hand.output.proxy, input.finger, input.fingerVelocity);
+    state.press = {hand.output.force, input.fingerVelocity, input.coupling};
+}
+
+} // namespace
+
+void hapticStep(const World& world, WorldState& shared, std::span<HandStep> all, double dt,
+                const BodiesTime& bodies) noexcept {
+    Hands hands;
+    for (HandStep& hand : all)
+        if (canBe(hand.input))
+            hands.push(&hand);
+        else
+            hand.output = leftOut(world, hand.state);
+    if (hands.size() == 0) return;
+    if (bodies.begin) {
+        shared.time = 0, shared.bodies.of = 0;
+        for (HandStep& hand : all)
+            hand.state.shapeRevision = kBeginAnew;
+    }
+    if (world.moving) beginBodies(world, shared, hands);
+    for (HandStep* hand : hands.all())
+        if (hand->input.restart || hand->input.found || hand->state.shapeRevision != world.shapeRevision)
+            startAnew(world, shared.time, hand->state, hand->input);
+    const double time = bodies.pace * (world.moving ? world.moving->scale().time : 1), way = time * dt;
+    const double before = std::exchange(shared.time, shared.time + way);
+    if (world.moving) moveBodies(world, shared, hands, way, time);
+    const StepMotions movers(world.movers, before, shared.time, world.drivenMotions());
+    for (HandStep* hand : hands.all())
+        touch(world, movers, *hand, dt);
+}
+
+HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt,
+                        const BodiesTime& bodies) noexcept {
+    HandStep hand{state, input};
+    hapticStep(world, state, {&hand, 1}, dt, bodies);
+    return hand.output;
 }
 
 void rehearse(const World& world, const SimState& state, const HapticInput& next, double dt,

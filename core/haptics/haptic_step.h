@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/base/vec.h"
 #include "core/haptics/contact_model.h"
@@ -21,9 +22,13 @@ struct HapticInput {
     /// Nobody knows which way the finger came: as `restart`, but closed bodies that the proxy was outside of
     /// it stays outside of.
     bool found = false;
-    double pace = 1;     ///< of the bodies' time to that of the hand; 0: they stand still. From 0 to 1
     Coupling coupling{}; ///< what of the force the hand gets: what is beyond it reaches no body either
-    bool begin = false;  ///< first put all bodies to where they are at the time 0
+};
+
+/// How time goes for the bodies in a step, whoever touches them.
+struct BodiesTime {
+    double pace = 1;    ///< of their time to that of the hands; 0: they stand still. From 0 to 1
+    bool begin = false; ///< first put all of them to where they are at the time 0
 };
 
 /// One touched place, for the display.
@@ -50,26 +55,47 @@ struct HapticOutput {
 /// The shapeRevision of no World: the next step is the first.
 inline constexpr std::uint64_t kNoShape = ~std::uint64_t(0);
 
-/// All that changes at haptic rate.
-struct SimState {
+/// What changes at haptic rate of one hand.
+struct HandState {
     ProxyState proxy;
     LocalContactModel model;                ///< written by the step for the servo
     std::uint64_t shapeRevision = kNoShape; ///< of the World that the contacts belong to
+    std::uint32_t restarts = 0;             ///< how often the proxy was put elsewhere instead of going there
+    FingerPress press;                      ///< of the last step
+};
+
+/// What changes at haptic rate of what all hands touch.
+struct WorldState {
     /// s since the motions began: the end of the last step. It goes on through every change of the World, so
     /// that an edit does not make bodies jump.
     double time = 0;
-    std::uint32_t restarts = 0; ///< how often the proxy was put elsewhere instead of going there
-    BodiesState bodies;         ///< that forces move
+    BodiesState bodies; ///< that forces move
 };
 
-/// Carries, moves and updates the proxy (sections 2 and 4) and computes the force on the finger (24).
-/// Bodies that move by themselves go on by dt, those that forces move under the opposite of the last force on
-/// the finger (23); the finger then meets them where they are. Deterministic: the same world, state, input
-/// and dt give the same bits. dt in s, > 0. At first the proxy starts on the finger; after a change of shape
-/// it stays. Both only where there is room: else it starts beside what is there. Input that is not finite
-/// changes nothing and gives no force. Thread: real time. Bounded: at most kMaxRounds sweeps of each body,
-/// and where bodies move by themselves those of carry() before them.
-HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt) noexcept;
+/// One hand, and what it touches alone.
+struct SimState : HandState, WorldState {};
+
+/// One of the hands in a step: what goes in, and what comes out.
+struct HandStep {
+    HandState& state;
+    HapticInput input;
+    HapticOutput output{};
+};
+
+/// Carries, moves and updates the proxy of each hand (sections 2 and 4) and computes the force on its finger
+/// (24). Bodies that move by themselves go on by dt, those that forces move under the opposite of the last
+/// forces on all fingers (23); each finger then meets them where they are. Proxies do not meet each other.
+/// Deterministic: the same world, states, inputs, order of hands and dt give the same bits. At most kMaxHands
+/// hands, dt in s, > 0. At first a proxy starts on its finger; after a change of shape it stays. Both only
+/// where there is room: else it starts beside what is there. A hand whose input is not finite stays as it is,
+/// gets no force and gives none; where that is every hand nothing changes. Thread: real time. Bounded: for
+/// each hand at most kMaxRounds sweeps of each body, and where bodies move by themselves those of carry()
+/// before them.
+void hapticStep(const World& world, WorldState& shared, std::span<HandStep> hands, double dt,
+                const BodiesTime& bodies = {}) noexcept;
+/// The same for one hand.
+HapticOutput hapticStep(const World& world, SimState& state, const HapticInput& input, double dt,
+                        const BodiesTime& bodies = {}) noexcept;
 
 /// Goes the way that the next step is likely to go, on a copy of the proxy: what of the mesh it will look at
 /// is in the caches then. Neither the world nor the state changes, and so no bit of any step. `next`: the

@@ -61,21 +61,21 @@ std::uint64_t keyOf(const Mechanism& mechanism) {
 }
 
 /// Of the force on the finger, that the hand gets.
-double partGiven(const BodiesState& bodies, double stiffness) noexcept {
-    const Coupling& hand = bodies.coupling;
+double partGiven(const FingerPress& press, double stiffness) noexcept {
+    const Coupling& hand = press.coupling;
     const double softer = stiffness > hand.stiffness ? hand.stiffness / stiffness : 1;
-    const double given = softer * bodies.force.norm();
+    const double given = softer * press.force.norm();
     return given > hand.force ? softer * hand.force / given : softer;
 }
 
 } // namespace
 
-FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness,
+FingerPushes pushesOf(const ProxyState& proxy, const FingerPress& press, double stiffness,
                       const HandScale& scale) noexcept {
     FingerPushes pushes;
     if (!(scale.time > 0)) return pushes;
     double total = 0;
-    Vec3 rest = bodies.force;
+    Vec3 rest = press.force;
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
@@ -83,7 +83,7 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         rest -= stiffness * contact.lambda * contact.normal;
     }
     if (!(total > 0)) return pushes;
-    const double part = scale.force * partGiven(bodies, stiffness);
+    const double part = scale.force * partGiven(press, stiffness);
     for (int i = 0; i < proxy.contactCount; ++i) {
         const Contact& contact = proxy.contacts[std::size_t(i)];
         if (!(contact.lambda > 0)) continue;
@@ -91,8 +91,8 @@ FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double
         AppliedForce force;
         force.force_W = -part * (stiffness * contact.lambda * contact.normal + share * rest);
         force.stiffness = part * stiffness;
-        force.damping = force.stiffness * scale.time * bodies.coupling.delay;
-        force.velocity_W = bodies.fingerVelocity / scale.time;
+        force.damping = force.stiffness * scale.time * press.coupling.delay;
+        force.velocity_W = press.velocity / scale.time;
         force.start_W = contact.point;
         force.into_W = -contact.normal;
         force.sticks = hasFriction(contact.material) && !contact.slipping;
@@ -117,19 +117,20 @@ void MovingBodies::read(const BodiesState& state) noexcept {
     std::copy_n(state.v.begin(), state.vs, now_.v.data());
 }
 
-void MovingBodies::begin(BodiesState& state) noexcept {
+bool MovingBodies::begin(BodiesState& state) noexcept {
     const bool known = state.of == key_ && state.qs == mechanism_->qs && state.vs == mechanism_->vs;
     if (!known) {
         state.of = key_;
         state.qs = mechanism_->qs, state.vs = mechanism_->vs;
         std::copy_n(mechanism_->q0.data(), state.qs, state.q.begin());
         std::copy_n(mechanism_->v0.data(), state.vs, state.v.begin());
-        state.force = state.fingerVelocity = Vec3::Zero();
     }
     read(state);
     dynamics_.posesOf(now_, poses_);
     for (std::size_t i = 0; i < driven_.size(); ++i)
         motions_[i].before = motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
+    forces_.clear();
+    return !known;
 }
 
 /// Which of the mechanism it is; nothing for what stands still.
@@ -159,10 +160,9 @@ std::optional<BodyReading> MovingBodies::readingOf(BodyId body, const FingerPush
     reading.turns = link.kind == LinkKind::Turn;
     reading.slides = !reading.turns;
     reading.value = now_.q[link.q], reading.rate = now_.v[link.v];
-    forces_.clear();
-    for (const FingerPush& push : pushes.all())
-        addForce(push.force, int(push.obstacle));
+    press(pushes, [](std::uint32_t driven) { return int(driven); });
     reading.force = dynamics_.jointForce(now_, gravity_, forces_.all(), kLook, place);
+    forces_.clear();
     return reading;
 }
 
@@ -176,7 +176,7 @@ void MovingBodies::addForce(AppliedForce force, int driven) noexcept {
 }
 
 // The finger's spring and the body make an oscillator: its parts are short enough to follow it, and where
-// none is, it is softer.
+// none is, it is softer. Where several hold one body the dynamics cut the parts once more.
 int MovingBodies::partsFor(double dt) noexcept {
     double fastest = 0;
     for (AppliedForce& force : forces_.all()) {
@@ -193,7 +193,7 @@ int MovingBodies::partsFor(double dt) noexcept {
     return int(std::clamp(std::ceil(fastest / kSwing), 1.0, double(kSwingParts)));
 }
 
-void MovingBodies::advance(BodiesState& state, double dt) noexcept {
+void MovingBodies::step(BodiesState& state, double dt) noexcept {
     dt = std::min(dt, kMostBodyTime);
     const int parts = partsFor(dt);
     for (int i = 0; i < parts; ++i)
@@ -203,6 +203,7 @@ void MovingBodies::advance(BodiesState& state, double dt) noexcept {
     dynamics_.posesOf(now_, poses_);
     for (std::size_t i = 0; i < driven_.size(); ++i)
         motions_[i].now = poses_[driven_[i].body] * driven_[i].offset;
+    forces_.clear();
 }
 
 } // namespace tactum

@@ -20,14 +20,21 @@ inline constexpr int kMaxCoordinates = 1024;
 /// Bodies go on by no more than this in one haptic step, however long it was, s.
 inline constexpr double kMostBodyTime = 0.1;
 
+/// So many hands at most are in one World at once.
+inline constexpr int kMaxHands = 4;
+
 /// Where the bodies are and how they move, between two steps.
 struct BodiesState {
     std::uint64_t of = 0; ///< MovingBodies::key(); 0: of none
     int qs = 0, vs = 0;
     std::array<double, kMaxCoordinates> q{}, v{};
-    // Of the finger in the last step: the force on it (N, world frame), its velocity (m/s) and who feels it.
-    Vec3 force = Vec3::Zero(), fingerVelocity = Vec3::Zero();
-    Coupling coupling;
+};
+
+/// What a finger felt in a step: what it touches gets the opposite in the next one. World frame, SI.
+struct FingerPress {
+    Vec3 force = Vec3::Zero();    ///< N, on the finger
+    Vec3 velocity = Vec3::Zero(); ///< m/s, of the finger
+    Coupling coupling;            ///< who feels it
 };
 
 /// How the finger presses on one body until the next step.
@@ -47,7 +54,7 @@ struct HandScale {
 /// plane (19), and what is left, which is friction and damping, in the same shares (23). A contact that
 /// sticks gives way in every direction. Beyond what the hand gets all of it is less in one proportion.
 /// `stiffness`: of the finger's spring, N/m. None where time stands still. Thread: real time.
-FingerPushes pushesOf(const ProxyState& proxy, const BodiesState& bodies, double stiffness,
+FingerPushes pushesOf(const ProxyState& proxy, const FingerPress& press, double stiffness,
                       const HandScale& scale = {}) noexcept;
 
 /// How one body moves, for who looks at it.
@@ -82,17 +89,18 @@ public:
     /// Of each driven obstacle, in the last begin() or step(). They stay where they are in memory.
     std::span<const BodyMotion> motions() const noexcept { return motions_; }
 
-    /// Takes the bodies to where a state has them; a state of another mechanism begins at the time 0 first.
-    void begin(BodiesState& state) noexcept;
-    /// They go on by dt, under gravity, their joints, each other and the finger. Deterministic after
-    /// forget(): the same state and pushes give the same bits. `drivenOf(obstacle)` is Mover::driven or -1.
-    template <class DrivenOf>
-    void step(BodiesState& state, const FingerPushes& pushes, double dt, DrivenOf&& drivenOf) noexcept {
-        forces_.clear();
+    /// Takes the bodies to where a state has them. A state of another mechanism begins at the time 0 first:
+    /// true then, and what fingers did before is void.
+    bool begin(BodiesState& state) noexcept;
+    /// One hand presses during the next step(), beside the others that did since the last: at most kMaxHands.
+    /// `drivenOf(obstacle)` is Mover::driven or -1.
+    template <class DrivenOf> void press(const FingerPushes& pushes, DrivenOf&& drivenOf) noexcept {
         for (const FingerPush& push : pushes.all())
             if (const int driven = drivenOf(push.obstacle); driven >= 0) addForce(push.force, driven);
-        advance(state, dt);
     }
+    /// They go on by dt, under gravity, their joints, each other and the hands that press. Deterministic
+    /// after forget(): the same state and pushes in the same order give the same bits.
+    void step(BodiesState& state, double dt) noexcept;
     void forget() noexcept { dynamics_.forget(); }
     /// Of the joint of one freedom that moves a body, as in the last begin() or step(): m or rad. Nothing for
     /// any other body. Thread: any but real time.
@@ -104,7 +112,6 @@ public:
 private:
     std::optional<std::size_t> indexOf(BodyId body) const;
     void addForce(AppliedForce force, int driven) noexcept;
-    void advance(BodiesState& state, double dt) noexcept;
     int partsFor(double dt) noexcept;
     void read(const BodiesState& state) noexcept;
 
@@ -117,7 +124,7 @@ private:
     std::vector<Pose> poses_; ///< of each body
     std::vector<Driven> driven_;
     std::vector<BodyMotion> motions_;
-    InplaceVector<AppliedForce, kMaxPlanes> forces_;
+    InplaceVector<AppliedForce, std::size_t(kMaxHands) * kMaxPlanes> forces_; ///< since the last step
 };
 
 } // namespace tactum

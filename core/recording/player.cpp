@@ -238,6 +238,7 @@ void Player::stepProxy() {
     proxy_.worldRevision = row.world;
     proxy_.time = sim_.time;
     proxy_.bodies = sim_.bodies;
+    proxy_.coupling = sim_.press.coupling;
     proxy_.boundHits += output.report.boundHit;
     proxy_.squeezed += output.report.squeezed;
     proxy_.passed += output.report.passed;

@@ -40,6 +40,7 @@ struct ProxyTelemetry {
     std::uint64_t passed = 0;        ///< steps in which a moving body had to pass over the proxy
     double time = 0;                 ///< s, of the bodies that move by themselves
     BodiesState bodies;              ///< of those that forces move
+    Coupling coupling{};             ///< of the last update: with what it pushed them
     Fidelity fidelity = Fidelity::Full;
     std::uint64_t stepsDown = 0; ///< how often the fidelity was lowered
 };
@@ -80,7 +81,7 @@ struct Channels {
     std::atomic<std::uint32_t> deadMan{0};    ///< buttons of which one must be held; 0: none
     std::atomic<bool> overrideCeiling{false}; ///< the person knows better than safeStiffness()
     std::atomic<bool> grasped{false};         ///< the person says that the whole hand holds the device
-    std::atomic<double> pace{1};              ///< HapticInput::pace
+    std::atomic<double> pace{1};              ///< BodiesTime::pace
     std::atomic<bool> stop{false};
 };
 

@@ -81,7 +81,7 @@ template <class Io> void bytes(Io& io, BodiesState& bodies) {
 
 template <class Io> void bytes(Io& io, ProxyTelemetry& proxy) {
     auto& [output, finger, updates, worldRevision, worldSince, rate, updateMicros, worstUpdateMicros,
-           boundHits, squeezed, passed, time, bodies, fidelity, stepsDown] = proxy;
+           boundHits, squeezed, passed, time, bodies, coupling, fidelity, stepsDown] = proxy;
     bytes(io, output);
     io(finger), io(updates), io(worldRevision), io(worldSince), io(rate), io(updateMicros);
     io(worstUpdateMicros), io(boundHits), io(squeezed), io(passed), io(time), io(stepsDown);

@@ -100,6 +100,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
     telemetry.passed += output.report.passed;
     telemetry.time = proxy.state.time;
     if (proxy.world->moving) telemetry.bodies = proxy.state.bodies;
+    telemetry.coupling = proxy.state.press.coupling;
     telemetry.fidelity = proxy.ladder.fidelity();
     telemetry.stepsDown = proxy.ladder.stepsDown();
     proxy.channels.proxyTelemetry.write(telemetry);

@@ -28,14 +28,14 @@ struct ProxyRow {
         Restart = 1,   ///< HapticInput::restart
         Forget = 2,    ///< the sweep memories were emptied: the state before this row was kept
         Found = 4,     ///< HapticInput::found
-        Begin = 16,    ///< HapticInput::begin
+        Begin = 16,    ///< BodiesTime::begin
         kFidelity = 8, ///< from this bit on: Fidelity
         kAllFlags = 23 | 3 << kFidelity
     };
 
     double time = 0; ///< s since the recorder was made: when the loop woke
     double dt = 0;
-    double pace = 1; ///< HapticInput::pace
+    double pace = 1; ///< BodiesTime::pace
     Triple coupling{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                     0}; ///< HapticInput::coupling
     Triple finger{}, velocity{};
@@ -98,10 +98,9 @@ inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& 
                             .restart = (row.flags & ProxyRow::Restart) != 0,
                             .fidelity = row.fidelity(),
                             .found = (row.flags & ProxyRow::Found) != 0,
-                            .pace = row.pace,
-                            .coupling = {row.coupling[0], row.coupling[1], row.coupling[2]},
-                            .begin = (row.flags & ProxyRow::Begin) != 0};
-    return hapticStep(world, state, input, row.dt);
+                            .coupling = {row.coupling[0], row.coupling[1], row.coupling[2]}};
+    return hapticStep(world, state, input, row.dt,
+                      {.pace = row.pace, .begin = (row.flags & ProxyRow::Begin) != 0});
 }
 
 /// Writes down what came out. Thread: real time.

@@ -47,15 +47,19 @@ void fields(auto& visit, MaybeConst<ProxyState> auto& proxy) {
     visit.counted(proxy.straddled, proxy.straddledCount);
 }
 void fields(auto& visit, MaybeConst<BodiesState> auto& bodies) {
-    visit(bodies.of, bodies.force, bodies.fingerVelocity);
-    visit.unbounded(bodies.coupling.stiffness);
-    visit.unbounded(bodies.coupling.force);
-    visit(bodies.coupling.delay);
     visit.counted(bodies.q, bodies.qs);
     visit.counted(bodies.v, bodies.vs);
 }
+void fields(auto& visit, MaybeConst<FingerPress> auto& press) {
+    visit(press.force, press.velocity);
+    visit.unbounded(press.coupling.stiffness);
+    visit.unbounded(press.coupling.force);
+    visit(press.coupling.delay);
+}
+// In the order of before there were several hands: recordings stay what they are.
 void fields(auto& visit, MaybeConst<SimState> auto& state) {
-    visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts, state.bodies);
+    visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts, state.bodies.of,
+          state.press, state.bodies);
 }
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
@@ -93,8 +97,9 @@ static_assert(sizeof(OscillationDetector) == 192 && sizeof(MotorHeat) == 24 && s
 static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2448);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
 static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
-static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 88);
-static_assert(sizeof(SimState) == 360 + sizeof(ProxyState) + sizeof(BodiesState));
+static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 16 && sizeof(FingerPress) == 72);
+static_assert(sizeof(HandState) == 384 + sizeof(ProxyState));
+static_assert(sizeof(WorldState) == 8 + sizeof(BodiesState));
 #endif
 
 template <class State, std::size_t Room> void writeState(const State& state, StateBytes<Room>& to) noexcept {

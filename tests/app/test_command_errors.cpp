@@ -38,6 +38,16 @@ private slots:
         QTest::newRow("infinite") << QStringList{"touch", "x", "--path", "y", "--fit-diagonal", "inf"};
         QTest::newRow("shading maybe") << QStringList{"touch", "x", "--path", "y", "--shading", "maybe"};
         QTest::newRow("no side") << QStringList{"touch", "x", "--path", "y", "--sides", "inside"};
+        QTest::newRow("more hands than can be") << QStringList{"touch",  "x", "--path", "a", "--path", "b",
+                                                               "--path", "c", "--path", "d", "--path", "e"};
+        QTest::newRow("one result of two hands")
+            << QStringList{"touch", "x", "--path", "a", "--path", "b", "--out", "c"};
+        QTest::newRow("two results of one hand")
+            << QStringList{"touch", "x", "--path", "a", "--out", "b", "--out", "c"};
+        QTest::newRow("two hands in one file")
+            << QStringList{"touch", "x", "--path", "a", "--path", "b", "--out", "-", "--out", "-"};
+        QTest::newRow("the vibration of two hands")
+            << QStringList{"touch", "x", "--path", "a", "--path", "b", "--vibration", "c.wav"};
         QTest::newRow("self-test of no id") << QStringList{"devices", "--self-test", ""};
         QTest::newRow("a folder without a self-test") << QStringList{"devices", "--out", "x"};
         QTest::newRow("contradicting friction") << QStringList{

@@ -58,6 +58,8 @@ private slots:
     void touchIsAsItsSchema() {
         fits("touch",
              runTactum({"touch", folder_.plate(), "--path", folder_.pressAndSlide(0.001, 0.01)}).out);
+        const QString path = folder_.pressAndSlide(0.001, 0.01);
+        fits("touch", runTactum({"touch", folder_.plate(), "--path", path, "--path", path}).out);
     }
 
     void reportsAreAsTheirSchema() {

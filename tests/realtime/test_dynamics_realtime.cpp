@@ -10,6 +10,7 @@
 #include "tests/support/hand.h"
 #include "tests/support/soups.h"
 #include "tests/support/test_program.h"
+#include "tests/support/two_hands.h"
 
 namespace test_dynamics_realtime {
 
@@ -84,6 +85,28 @@ private slots:
         QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
         QCOMPARE_GT(touching, 3000);
         QVERIFY2(std::abs(state.bodies.q[0]) > 1e-4, "it was not dragged");
+    }
+
+    // Two that take a box off its floor, turn it to and fro and let it go.
+    void tenThousandHapticStepsOfTwoHands() {
+        const auto world = compile(boxOnFloor(0.05, rough(0.9, 0.6))).value();
+        TwoHands hands(world);
+        const auto fingers = [](double depth, double y, double z) {
+            const double x = kBoxHalf + kFingertip - depth;
+            return std::array{Vec3(-x, y, z), Vec3(x, y, -z)};
+        };
+        int held = 0;
+        interposer::reset();
+        for (int i = 0; i < 10'000; ++i) {
+            const double t = 1e-3 * i;
+            const auto at = fingers(2e-3 * std::sin(2 * t), 0.01 * std::max(0.0, std::sin(2 * t)),
+                                    2e-3 * std::sin(11 * t));
+            const RealtimeScope scope;
+            hands.to(at, {kAnswersLate, kAnswersLate});
+            held += hands.box().y() > 1e-3;
+        }
+        QVERIFY2(interposer::hits() == 0, interposer::firstHit().c_str());
+        QCOMPARE_GT(held, 2000);
     }
 };
 

@@ -35,7 +35,8 @@ void SceneView::setWorld(std::shared_ptr<const World> world) {
 }
 
 std::optional<BodyReading> SceneView::readingOf(const ProxyTelemetry& proxy, BodyId body) {
-    return body == kWorldBody ? std::nullopt : impl_->bodies.readingOf(proxy.bodies, body, proxy.output);
+    if (body == kWorldBody) return std::nullopt;
+    return impl_->bodies.readingOf(proxy.bodies, body, proxy.output, proxy.coupling);
 }
 
 void SceneView::addTrail(std::span<const TracePoint> points, const HapticOutput& touch) {
