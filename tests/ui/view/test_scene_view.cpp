@@ -253,7 +253,7 @@ private slots:
         QSignalSpy hovered(&shown.view, &SceneView::surfaceHovered);
         QTRY_VERIFY((shown.move(upper, Qt::NoButton), !hovered.isEmpty()));
         const QColor lit = shown.colourAt(upper);
-        shown.scene.objects[0].surfaces[kUpper].material.staticFriction = 0.5;
+        shown.scene.objects[0].surfaces[kUpper].material.damping = 0.5;
         shown.view.setScene(shown.scene);
         QCOMPARE(hovered.size(), 1);
         QCOMPARE_LT(difference(shown.colourAt(upper), lit), 3);

@@ -342,10 +342,28 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices]]]: with
-// the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of what
-// moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of
-// its dock in both themes; `moving`: every scene in which bodies move.
+/// The view of every scene at home, in both themes: whether what is felt can be told apart by looking.
+void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
+    TouchedWindow program(size);
+    for (const QString& name : QDir(scenes).entryList({QStringLiteral("*.glb")})) {
+        if (!program.open(scenes + name)) qFatal("no %s", qPrintable(name));
+        for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            applyTheme(theme);
+            program.frames(20);
+            const QString file =
+                folder.filePath(QFileInfo(name).completeBaseName() +
+                                QLatin1String(theme == ThemeChoice::Light ? "-light.png" : "-dark.png"));
+            if (!program.window->view().grabPicture().save(file))
+                qFatal("%s cannot be written", qPrintable(file));
+            qInfo("%s", qPrintable(file));
+        }
+    }
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices|looks]]]:
+// with the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of
+// what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page
+// of its dock in both themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -371,6 +389,10 @@ int main(int argc, char** argv) {
     if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (only == "looks") {
+        takeLooks(folder, scenes, size);
+        return 0;
+    }
     if (wanted("connected")) takeConnectedPicture(folder, scenes, size);
     if (only == "connected") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);
