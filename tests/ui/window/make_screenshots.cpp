@@ -342,21 +342,29 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
+void chooseTheme(TouchedWindow& program, const char* text) {
+    for (QAction* action : program.window->findChildren<QAction*>())
+        if (action->text() == QLatin1String(text)) action->trigger();
+    program.frames(20);
+}
+
 /// The view of every scene at home, in both themes: whether what is felt can be told apart by looking.
 void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
     TouchedWindow program(size);
+    const auto save = [&](const QString& name) {
+        const QString file = folder.filePath(name);
+        if (!program.window->view().grabPicture().save(file))
+            qFatal("%s cannot be written", qPrintable(file));
+        qInfo("%s", qPrintable(file));
+    };
     for (const QString& name : QDir(scenes).entryList({QStringLiteral("*.glb")})) {
         if (!program.open(scenes + name)) qFatal("no %s", qPrintable(name));
-        for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark}) {
-            applyTheme(theme);
-            program.frames(20);
-            const QString file =
-                folder.filePath(QFileInfo(name).completeBaseName() +
-                                QLatin1String(theme == ThemeChoice::Light ? "-light.png" : "-dark.png"));
-            if (!program.window->view().grabPicture().save(file))
-                qFatal("%s cannot be written", qPrintable(file));
-            qInfo("%s", qPrintable(file));
-        }
+        program.document.select(std::nullopt);
+        const QString stem = QFileInfo(name).completeBaseName();
+        chooseTheme(program, "&Light");
+        save(stem + QStringLiteral("-light.png"));
+        chooseTheme(program, "&Dark");
+        save(stem + QStringLiteral("-dark.png"));
     }
 }
 
