@@ -374,7 +374,6 @@ void ReliefShader::wear(vtkActor& actor, vtkPolyDataMapper& mapper,
         actor.GetProperty()->SetTexture(samplers_.back().c_str(),
                                         tiles.of(*patterns[i], relief->smallestFeature));
     }
-    actor.Modified(); // uniforms have no time of their own
 }
 
 void giveCorners(vtkPolyData& data, Index surface, const Relief& relief) {

@@ -342,12 +342,6 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-void chooseTheme(TouchedWindow& program, const char* text) {
-    for (QAction* action : program.window->findChildren<QAction*>())
-        if (action->text() == QLatin1String(text)) action->trigger();
-    program.frames(20);
-}
-
 /// The view of every scene at home, in both themes: whether what is felt can be told apart by looking.
 void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
     TouchedWindow program(size);
@@ -361,10 +355,11 @@ void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
         if (!program.open(scenes + name)) qFatal("no %s", qPrintable(name));
         program.document.select(std::nullopt);
         const QString stem = QFileInfo(name).completeBaseName();
-        chooseTheme(program, "&Light");
-        save(stem + QStringLiteral("-light.png"));
-        chooseTheme(program, "&Dark");
-        save(stem + QStringLiteral("-dark.png"));
+        program.frames(20);
+        for (const bool dark : {false, true}) {
+            program.window->view().setTheme(dark);
+            save(stem + QLatin1String(dark ? "-dark.png" : "-light.png"));
+        }
     }
 }
 
