@@ -4,6 +4,7 @@
 #include "core/bundle/bundle.h"
 #include "core/files/save_scene.h"
 #include "core/import/import_scene.h"
+#include "core/scene/surface_colours.h"
 #include "ui/document.h"
 
 namespace tactum {
@@ -29,6 +30,7 @@ void Document::openAs(const std::filesystem::path& file, bool isSample, const Ax
         if (!*loaded)
             return [this, loaded] { emit openFailed(QString::fromStdString(loaded->error().text)); };
         const bool ours = (*loaded)->ours;
+        if (!ours) tellSurfacesApart((*loaded)->scene);
         const auto taken = takeAs(**loaded, choice);
         return [=, this, fitting = ours ? (*loaded)->scene : fitted((*loaded)->scene)] {
             if (anew && modified())

@@ -5,6 +5,7 @@
 
 #include "core/geometry/surfaces.h"
 #include "core/paint/carry.h"
+#include "core/scene/surface_colours.h"
 #include "ui/document.h"
 
 namespace tactum {
@@ -50,7 +51,8 @@ SceneObject regrouped(SceneObject object, const TriangleSoup& soup) {
     return object;
 }
 
-/// The triangles as a surface of their own, the last one. Those of locked surfaces stay where they are.
+/// The triangles as a surface of their own, the last one, in another colour. Those of locked surfaces stay
+/// where they are.
 Result<SceneObject> split(SceneObject object, const TriangleSet& faces) {
     TriangleSet free;
     std::ranges::copy_if(faces, std::back_inserter(free), [&](Index face) {
@@ -65,6 +67,7 @@ Result<SceneObject> split(SceneObject object, const TriangleSet& faces) {
     const TriangleSoup soup = withSurface(*object.geometry, free, Index(object.surfaces.size()));
     Surface part = object.surfaces[mainSurfaceOf(object, free)];
     part.name = freshName(object, part.name);
+    part.colour = colourApartFrom(object.surfaces);
     object.surfaces.push_back(std::move(part));
     return regrouped(std::move(object), soup);
 }

@@ -24,10 +24,13 @@ struct Switch {
     const char* id;
     bool FeltOptions::*on;
 };
-constexpr Switch kSwitches[] = {
-    {"contact-normals", &FeltOptions::normals},  {"contact-planes", &FeltOptions::planes},
-    {"friction-cone", &FeltOptions::cone},       {"trail", &FeltOptions::trail},
-    {"felt-normals", &FeltOptions::feltNormals}, {"spheres", &FeltOptions::spheres}};
+constexpr Switch kSwitches[] = {{"contact-normals", &FeltOptions::normals},
+                                {"contact-planes", &FeltOptions::planes},
+                                {"friction-cone", &FeltOptions::cone},
+                                {"trail", &FeltOptions::trail},
+                                {"felt-normals", &FeltOptions::feltNormals},
+                                {"spheres", &FeltOptions::spheres},
+                                {"relief", &FeltOptions::relief}};
 constexpr std::pair<const char*, FeltValue> kMaps[] = {{"map-stiffness", FeltValue::Stiffness},
                                                        {"map-damping", FeltValue::Damping},
                                                        {"map-static-friction", FeltValue::StaticFriction},

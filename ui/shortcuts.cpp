@@ -195,6 +195,8 @@ constexpr Command kCommands[] = {
      true},
     {"map-height", "View/Colo&ur map", "&Height of texture", "", "",
      "Colours the surfaces by the sum of their height layers", true},
+    {"relief", "View/&Bumps", "In &light and shade", "", "",
+     "Height layers tilt the light as they tilt what is felt; the shape stays as it is", true},
     {"bumps-1", "View/&Bumps", "As high as they are &felt", "", "", "Draws the height layers as they are",
      true},
     {"bumps-10", "View/&Bumps", "&Ten times as high", "", "", "Draws the height layers ten times as high",

@@ -56,8 +56,9 @@ Crowd::Crowd(vtkRenderer& renderer) {
     glows_->SetName("bodyGlow");
     for (vtkFloatArray* array : {positions_.Get(), normals_.Get(), colours_.Get(), glows_.Get()})
         array->SetNumberOfComponents(3);
+    gloss_->SetName("bodyGloss");
     points_->SetData(positions_);
-    for (const char* name : {"bodyColour", "bodyGlow"})
+    for (const char* name : {"bodyColour", "bodyGlow", "bodyGloss"})
         mapper_->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS);
     mapper_->ScalarVisibilityOff();
     actor_->SetMapper(mapper_);
@@ -76,7 +77,8 @@ void Crowd::setParts(std::vector<CrowdPart*> parts) {
         part->first = vertices;
         vertices += int(part->positions.size() / 3);
     }
-    for (vtkFloatArray* array : {positions_.Get(), normals_.Get(), colours_.Get(), glows_.Get()})
+    for (vtkFloatArray* array :
+         {positions_.Get(), normals_.Get(), colours_.Get(), glows_.Get(), gloss_.Get()})
         setSize(*array, vertices);
 }
 
@@ -97,6 +99,8 @@ void Crowd::place(const CrowdPart& part, const Pose& X_WB) {
 void Crowd::paint(const CrowdPart& part) {
     fill(*colours_, part, part.colour);
     fill(*glows_, part, part.glow);
+    std::fill_n(gloss_->GetPointer(part.first), part.positions.size() / 3, part.gloss);
+    gloss_->Modified();
 }
 
 vtkSmartPointer<vtkPolyData> Crowd::cellsOf(const std::vector<const CrowdPart*>& parts) const {
@@ -120,6 +124,7 @@ void Crowd::showVisible() {
     const auto data = cellsOf(shown);
     data->GetPointData()->AddArray(colours_);
     data->GetPointData()->AddArray(glows_);
+    data->GetPointData()->AddArray(gloss_);
     mapper_->SetInputData(data);
     actor_->SetVisibility(!shown.empty());
 }

@@ -24,6 +24,7 @@ struct CrowdPart {
     std::vector<float> positions, normals; ///< x, y, z of each vertex; metre, body frame
     DisplaySurface cells;                  ///< in the numbers of these vertices
     Eigen::Vector3f colour = Eigen::Vector3f::Ones(), glow = Eigen::Vector3f::Zero(); ///< linear
+    float gloss = 0.4F;                                                               ///< 0 chalk, 1 glaze
     bool visible = false;
     int first = 0; ///< its first vertex among those of all
 };
@@ -50,7 +51,7 @@ private:
 
     std::vector<CrowdPart*> parts_;
     vtkNew<vtkPoints> points_;
-    vtkNew<vtkFloatArray> positions_, normals_, colours_, glows_; ///< of every vertex
+    vtkNew<vtkFloatArray> positions_, normals_, colours_, glows_, gloss_; ///< of every vertex
     vtkNew<vtkPolyDataMapper> mapper_;
     vtkNew<vtkActor> actor_;
 };

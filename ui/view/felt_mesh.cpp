@@ -6,6 +6,7 @@
 #include "core/geometry/corner_normals.h"
 #include "core/surface/texture_feel.h"
 #include "ui/view/display_mesh.h"
+#include "ui/view/relief.h"
 
 namespace tactum {
 
@@ -46,20 +47,6 @@ bool changes(const CompiledLayer& layer, FeltValue value) {
 bool concerns(const CompiledLayer& layer, const FeltMeshWish& wish) {
     return (wish.value && changes(layer, *wish.value)) ||
            (wish.bumps > 0 && layer.target == TextureTarget::Height);
-}
-
-const TextureStack* stackOf(const WorldBody& body, Index surface) {
-    return surface < body.textures.size() ? body.textures[surface].get() : nullptr;
-}
-
-/// A layer that has a plane of its own is felt as high as if it were added to the others.
-TextureStack withoutOwnPlanes(const TextureStack& stack) {
-    TextureStack result;
-    result.layers = stack.layers;
-    std::ranges::stable_partition(result.layers, [](const CompiledLayer& l) { return !l.ownPlane; });
-    for (CompiledLayer& layer : result.layers)
-        if (std::exchange(layer.ownPlane, false)) layer.blend = TextureBlend::Add;
-    return result;
 }
 
 /// m, of vertices that show what the wish asks for.
@@ -116,7 +103,7 @@ class Maker {
 public:
     Maker(const WorldBody& body, Index surface, const CornerNormals& drawn, const FeltMeshWish& wish)
         : soup_(*body.mesh->soup), material_(body.materials[surface]), drawn_(drawn), wish_(wish),
-          stack_(withoutOwnPlanes(*stackOf(body, surface))) {
+          stack_(asOneHeight(*stackOf(body, surface))) {
         for (Index f = 0; f < Index(soup_.triangles.size()); ++f)
             if (soup_.surfaceOf[f] == surface && isTriangle(soup_.triangles[f])) faces_.push_back(f);
         chooseCuts();

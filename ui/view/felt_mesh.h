@@ -53,6 +53,11 @@ inline bool isFelt(const WorldBody& body, Index surface) {
     return surface >= body.sides.size() || body.sides[surface] != Sides::None;
 }
 
+/// Its layers; null: it has none.
+inline const TextureStack* stackOf(const WorldBody& body, Index surface) {
+    return surface < body.textures.size() ? body.textures[surface].get() : nullptr;
+}
+
 /// Whether the surface looks different from place to place, for this wish.
 bool varies(const WorldBody& body, Index surface, const FeltMeshWish& wish);
 

@@ -18,7 +18,8 @@ struct FeltOptions {
     int sphereLevel = 2;  ///< so deep below its eight coarsest, which are 0
     bool feltNormals = false;
     std::optional<FeltValue> map; ///< drawn instead of the surfaces' own colours
-    double bumps = 0; ///< height layers drawn so many times as high as they are felt; 0: not at all
+    bool relief = true; ///< height layers in light and shade, on surfaces that show neither map nor bumps
+    double bumps = 0;   ///< height layers drawn so many times as high as they are felt; 0: not at all
 
     bool operator==(const FeltOptions&) const = default;
 };

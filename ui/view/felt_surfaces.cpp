@@ -24,9 +24,10 @@ bool asksNothing(const FeltMeshWish& wish) {
 
 } // namespace
 
-void FeltSurfaces::set(std::shared_ptr<const World> world, std::optional<FeltValue> value, double bumps) {
+void FeltSurfaces::set(std::shared_ptr<const World> world, const FeltOptions& options) {
     world_ = std::move(world);
-    wish_ = {.value = value, .bumps = bumps};
+    wish_ = {.value = options.map, .bumps = options.bumps};
+    relief_ = options.relief;
     work_.forget();
     if (!world_ || asksNothing(wish_)) {
         made_ = {};
@@ -114,7 +115,8 @@ MapRange FeltSurfaces::rangeNow(FeltValue value) {
 }
 
 void FeltSurfaces::dress() {
-    if (!world_ || asksNothing(wish_)) return model_.setDresses({});
+    if (!world_ || (!relief_ && asksNothing(wish_))) return model_.setDresses({});
+    std::erase_if(reliefs_, [](const auto& known) { return known.first.use_count() == 1; });
     if (wish_.value) range_ = rangeNow(*wish_.value);
     std::map<ObjectId, std::vector<SurfaceDress>> dresses;
     for (const WorldBody& body : world_->bodies)
@@ -124,9 +126,25 @@ void FeltSurfaces::dress() {
             if (made) dress.mesh = drawn(*made);
             if (wish_.value && !made)
                 dress.colour = mapColour(range_.part(plainValue(body.materials[s], *wish_.value)));
+            if (!wish_.value && !made) dress.relief = relief(body, s);
             dresses[body.object].push_back(std::move(dress));
         }
     model_.setDresses(std::move(dresses));
+}
+
+std::shared_ptr<const Relief> FeltSurfaces::relief(const WorldBody& body, Index surface) {
+    if (!relief_ || !stackOf(body, surface)) return nullptr;
+    auto& known = reliefs_[body.textures[surface]];
+    if (!known || known->smallestFeature != smallestFeature_)
+        known = reliefOf(body.textures[surface], smallestFeature_);
+    return known;
+}
+
+void FeltSurfaces::setPixel(double metres) {
+    const double octave = std::exp2(std::round(std::log2(metres)));
+    if (octave == smallestFeature_ || !std::isfinite(octave)) return;
+    smallestFeature_ = octave;
+    if (relief_) dress();
 }
 
 /// Made anew only where its colours change.

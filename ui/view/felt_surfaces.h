@@ -1,4 +1,5 @@
-// The model's surfaces in the colours of what they feel like, and with their bumps. Private to this folder.
+// The model's surfaces with their relief, in the colours of what they feel like, and with their bumps.
+// Private to this folder.
 #pragma once
 
 #include <map>
@@ -21,7 +22,10 @@ class FeltSurfaces {
 public:
     explicit FeltSurfaces(ModelLayer& model) : model_(model) {}
 
-    void set(std::shared_ptr<const World> world, std::optional<FeltValue> value, double bumps);
+    void set(std::shared_ptr<const World> world, const FeltOptions& options);
+    /// How large a pixel is on the model, m > 0: what is finer is left out of the relief, in steps of an
+    /// octave.
+    void setPixel(double metres);
     bool pending() const { return work_.pending(); }
     bool takeFinished();
 
@@ -51,6 +55,7 @@ private:
     Made* madeOf(const WorldBody& body, Index surface);
     MapRange rangeNow(FeltValue value);
     void dress();
+    std::shared_ptr<const Relief> relief(const WorldBody& body, Index surface);
     vtkPolyData* drawn(Made& made) const;
     vtkSmartPointer<vtkPolyData> polyData(const FeltMesh& mesh) const;
 
@@ -60,6 +65,10 @@ private:
     Result made_;
     Aside<Result> work_;
     MapRange range_;
+    bool relief_ = true;
+    double smallestFeature_ = 0; ///< m, of the relief
+    /// Of the stack that each was made of.
+    std::map<std::shared_ptr<const TextureStack>, std::shared_ptr<const Relief>> reliefs_;
 };
 
 } // namespace tactum

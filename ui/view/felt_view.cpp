@@ -36,8 +36,8 @@ void FeltView::setOptions(const FeltOptions& options) {
     if (options.trail != before.trail) trail_.setVisible(options.trail);
     if (options.spheres != before.spheres || options_.sphereLevel != before.sphereLevel) askSpheres();
     if (options.feltNormals != before.feltNormals) askNormals();
-    if (options.map != before.map || options.bumps != before.bumps)
-        surfaces_.set(world_, options.map, options.bumps);
+    if (options.map != before.map || options.bumps != before.bumps || options.relief != before.relief)
+        surfaces_.set(world_, options);
 }
 
 void FeltView::setWorld(std::shared_ptr<const World> world) {
@@ -54,7 +54,7 @@ void FeltView::setWorld(std::shared_ptr<const World> world) {
         askSpheres();
     }
     if (!sameNormals) askNormals();
-    if (options_.map || options_.bumps > 0) surfaces_.set(world_, options_.map, options_.bumps);
+    surfaces_.set(world_, options_);
 }
 
 void FeltView::askSpheres() {
@@ -81,6 +81,7 @@ void FeltView::update(const TouchState* touch, const ViewCamera& camera, double 
     if (touch) cone_.update(*touch, camera);
     trail_.update(ratio);
     normals_.setWidth(kNeedleWidth * ratio);
+    surfaces_.setPixel(camera.pixelSize(camera.focus) / ratio);
     if (!world_) return;
     for (const WorldBody& body : world_->bodies) {
         vtkMatrix4x4* matrix = model_.matrixOf(body.object);

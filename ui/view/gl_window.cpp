@@ -54,6 +54,7 @@ void GlWindow::renderFrame() {
     state->Reset(); // Qt has changed it since the last frame
     state->Push();
     state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglEnable(GL_MULTISAMPLE); // a painter without antialiasing switches it off
     Render();
     state->Pop();
 }

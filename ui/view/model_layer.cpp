@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cmath>
 
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -34,6 +36,12 @@ vtkSmartPointer<vtkPolyData> polyData(vtkPoints* points, vtkDataArray* normals,
     return data;
 }
 
+vtkSmartPointer<vtkPolyData> polyData(const CrowdPart& part) {
+    vtkNew<vtkPoints> points;
+    points->SetData(vectorArray(part.positions));
+    return polyData(points, vectorArray(part.normals), part.cells);
+}
+
 void setMatrix(vtkMatrix4x4& matrix, const Pose& pose) {
     const Mat3 rotation = pose.rotation.toRotationMatrix();
     for (int row = 0; row < 3; ++row) {
@@ -49,6 +57,12 @@ Bounds boxOf(const TriangleSoup& soup) {
         for (const Index corner : triangle)
             box.add(soup.positions[corner]);
     return box;
+}
+
+/// How glossy a surface looks: as slippery as it is. Glass on glass at 0.1 is nearly glaze, rubber at 1 is
+/// chalk.
+float glossOf(const Material& material) {
+    return float(std::exp(-2.5 * std::max(0.0, material.staticFriction)));
 }
 
 /// A colour as it is on the screen as linear light.
@@ -132,10 +146,14 @@ void ModelLayer::resize(Model& model, std::size_t surfaces) {
 
 void ModelLayer::giveActor(const Model& model, Part& part) {
     part.mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    // Places as they are: a relief is at places, and to move and scale them would carry it elsewhere.
+    static_cast<vtkOpenGLPolyDataMapper&>(*part.mapper)
+        .SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     part.actor = vtkSmartPointer<vtkActor>::New();
     part.actor->SetMapper(part.mapper);
     part.actor->SetUserMatrix(model.matrix);
     part.actor->GetProperty()->SetPointSize(3);
+    part.relief = {};
     useStudioLight(*part.actor);
     renderer_.AddActor(part.actor);
 }
@@ -158,8 +176,10 @@ void ModelLayer::regroup(Model& model, const SceneObject& object) {
 void ModelLayer::show(Model& model, DisplayMesh mesh) {
     if (model.small) {
         const auto surfaces = bySurface(mesh.corners, model.soup->surfaceOf, model.parts.size());
-        for (std::size_t i = 0; i < model.parts.size(); ++i)
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
             model.parts[i]->crowd = crowdPartOf(mesh, surfaces[i]);
+            model.parts[i]->cornered = nullptr;
+        }
         crowdStale_ = true;
         return;
     }
@@ -175,6 +195,7 @@ void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
         Part& part = *model.parts[i];
         part.own = polyData(points, normals, surfaces[i]);
         part.smooth = normals != nullptr;
+        part.cornered = nullptr;
         part.mapper->SetInputData(part.own);
         part.actor->GetProperty()->SetInterpolation(normals ? VTK_GOURAUD : VTK_FLAT);
     }
@@ -183,6 +204,7 @@ void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
 void ModelLayer::update(Model& model, const SceneObject& object) {
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         model.parts[i]->colour = object.surfaces[i].colour;
+        model.parts[i]->gloss = glossOf(object.surfaces[i].material);
         model.parts[i]->visible = object.visible && object.surfaces[i].visible;
     }
     dress(object.id, model);
@@ -264,22 +286,24 @@ void ModelLayer::setDresses(std::map<ObjectId, std::vector<SurfaceDress>> dresse
     dresses_ = std::move(dresses);
     for (auto& [id, model] : models_)
         dress(id, *model);
+    tiles_.dropUnused();
     showCrowd();
 }
 
 void ModelLayer::dress(ObjectId id, Model& model) {
     const auto found = dresses_.find(id);
     for (std::size_t i = 0; i < model.parts.size(); ++i)
-        dress(model, *model.parts[i],
+        dress(model, i,
               found != dresses_.end() && i < found->second.size() ? found->second[i] : SurfaceDress{});
     if (highlight_ && highlight_->object == id) glow(true);
 }
 
-void ModelLayer::dress(const Model& model, Part& part, const SurfaceDress& dress) {
-    const bool alone = !model.small || dress.mesh;
+void ModelLayer::dress(const Model& model, std::size_t surface, const SurfaceDress& dress) {
+    Part& part = *model.parts[surface];
+    const bool alone = !model.small || dress.mesh || dress.relief;
     if (alone && !part.actor) giveActor(model, part);
     if (!alone && part.actor) drop(part);
-    if (alone) dressAlone(part, dress, part.visible);
+    if (alone) dressAlone(model, surface, dress);
     if (model.small) dressInCrowd(part, dress, part.visible && !alone);
 }
 
@@ -293,19 +317,36 @@ void ModelLayer::dressInCrowd(Part& part, const SurfaceDress& dress, bool visibl
     const Eigen::Vector3f shine = (dress.colour ? float(kMapGlow) : 0) * colour;
     const Eigen::Vector3f lit = (dress.colour ? float(kMapLight) : 1) * colour;
     part.glow = {shine.x(), shine.y(), shine.z()};
-    if (part.crowd.colour == lit && part.crowd.glow == shine) return;
+    if (part.crowd.colour == lit && part.crowd.glow == shine && part.crowd.gloss == part.gloss) return;
+    part.crowd.gloss = part.gloss;
     part.crowd.colour = lit;
     part.crowd.glow = shine;
     crowd_.paint(part.crowd);
 }
 
-void ModelLayer::dressAlone(Part& part, const SurfaceDress& dress, bool visible) {
+/// That of a large body shares its vertices, as long as nothing is asked of single corners.
+vtkPolyData* ModelLayer::reliefMesh(const Model& model, Part& part, std::size_t surface,
+                                    const Relief& relief) {
+    if (!model.small && !relief.corners) return part.own;
+    const bool known = part.cornered && part.relief.worn() == &relief;
+    if (!part.cornered) part.cornered = corneredMesh(model.small ? *polyData(part.crowd) : *part.own);
+    if (!known) giveCorners(*part.cornered, Index(surface), relief);
+    return part.cornered;
+}
+
+void ModelLayer::dressAlone(const Model& model, std::size_t surface, const SurfaceDress& dress) {
+    Part& part = *model.parts[surface];
+    const auto relief = dress.mesh ? nullptr : dress.relief;
     const bool byVertex = dress.mesh && dress.mesh->GetPointData()->GetScalars();
-    const bool smooth = dress.mesh || part.smooth;
-    part.actor->SetVisibility(visible);
-    part.mapper->SetInputData(dress.mesh ? dress.mesh : part.own);
+    const bool smooth = dress.mesh || part.smooth || model.small;
+    part.actor->SetVisibility(part.visible);
+    part.mapper->SetInputData(dress.mesh ? dress.mesh.Get()
+                              : relief   ? reliefMesh(model, part, surface, *relief)
+                                         : part.own.Get());
+    part.relief.wear(*part.actor, *part.mapper, relief, tiles_);
     part.mapper->SetScalarVisibility(byVertex);
     vtkProperty& look = *part.actor->GetProperty();
+    look.SetSpecular(part.gloss);
     look.SetInterpolation(smooth ? VTK_GOURAUD : VTK_FLAT);
     look.SetAmbient(byVertex ? kMapGlow : 1); // with scalars VTK takes their colour for the ambient, too
     part.glow = {};

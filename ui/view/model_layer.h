@@ -24,6 +24,7 @@
 #include "ui/theme.h"
 #include "ui/view/crowd.h"
 #include "ui/view/display_mesh.h"
+#include "ui/view/relief_shader.h"
 
 class vtkRenderer;
 
@@ -31,12 +32,13 @@ namespace tactum {
 
 /// What a surface shows instead of its own look.
 struct SurfaceDress {
-    vtkSmartPointer<vtkPolyData> mesh; ///< null: its own; with scalars it is drawn in their colours
-    std::optional<QColor> colour;      ///< as on the screen; empty: its own
+    vtkSmartPointer<vtkPolyData> mesh = nullptr; ///< null: its own; with scalars it is drawn in their colours
+    std::optional<QColor> colour = {};           ///< as on the screen; empty: its own
+    std::shared_ptr<const Relief> relief = nullptr; ///< on its own mesh; null: none
 };
 
 /// One actor for each surface of a large body, whose surfaces share their vertices; one for all small bodies
-/// together, but for surfaces that are dressed in a mesh. Thread: ui.
+/// together, but for surfaces that are dressed in a mesh or a relief. Thread: ui.
 class ModelLayer {
 public:
     explicit ModelLayer(vtkRenderer& renderer) : renderer_(renderer), crowd_(renderer) {}
@@ -79,8 +81,11 @@ private:
         vtkSmartPointer<vtkPolyDataMapper> mapper; ///< of the actor
         vtkSmartPointer<vtkPolyData> own;          ///< what it looks like undressed; null in a small body
         bool smooth = false;                       ///< own has normals
+        vtkSmartPointer<vtkPolyData> cornered;     ///< the same with corners of its own for each triangle
+        ReliefShader relief;                       ///< of the actor
         bool visible = true;
         Eigen::Vector3f colour = Eigen::Vector3f::Ones();
+        float gloss = 0;              ///< by its friction: 0 chalk, 1 glaze
         std::array<double, 3> glow{}; ///< of its dress: what it shines by itself
     };
     struct Model {
@@ -114,13 +119,16 @@ private:
     void gather();
     void showCrowd();
     void dress(ObjectId id, Model& model);
-    void dress(const Model& model, Part& part, const SurfaceDress& dress);
+    void dress(const Model& model, std::size_t surface, const SurfaceDress& dress);
+    /// What a surface without a mesh of its dress is drawn as under its relief.
+    vtkPolyData* reliefMesh(const Model& model, Part& part, std::size_t surface, const Relief& relief);
     void dressInCrowd(Part& part, const SurfaceDress& dress, bool visible);
-    void dressAlone(Part& part, const SurfaceDress& dress, bool visible);
+    void dressAlone(const Model& model, std::size_t surface, const SurfaceDress& dress);
     const Part* visiblePart(const SurfaceRef& surface) const;
     void glow(bool on);
 
     vtkRenderer& renderer_;
+    ReliefTiles tiles_;
     Crowd crowd_;
     bool crowdStale_ = false;  ///< other parts are in it
     bool hidingStale_ = false; ///< some of them appeared or disappeared

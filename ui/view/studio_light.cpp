@@ -12,13 +12,21 @@ namespace tactum {
 
 namespace {
 
+constexpr double kUsualGloss = 0.4;
+
 // Replaces VTK's light loop in the fragment shader: one pass with fixed lights in the camera's frame costs
 // less than a kit of five, which matters where the processor draws.
-constexpr const char* kLight = R"(
+constexpr const char* kNormal = R"(
     vec3 toEye = normalize(-vertexVC.xyz);
     vec3 facet = cross(dFdx(vertexVC.xyz), dFdy(vertexVC.xyz));
     facet *= sign(dot(facet, toEye));
     vec3 n = dot(normalVCVSOutput, facet) < 0.0 ? -normalVCVSOutput : normalVCVSOutput;
+)";
+
+// A soft box is a lit rectangle in the direction that the surface mirrors; what is rough blurs its edges
+// until little of it is left. Above 0.8 the curve bends towards white, so that what is bright keeps its
+// colour.
+constexpr const char* kLight = R"(
     const vec3 toKey = vec3(-0.44, 0.66, 0.61);
     const vec3 toFill = vec3(0.83, 0.12, 0.54);
     float key = max(0.0, (dot(n, toKey) + 0.15) / 1.15);
@@ -26,10 +34,23 @@ constexpr const char* kLight = R"(
     float facing = clamp(dot(n, toEye), 0.0, 1.0);
     vec3 light = mix(vec3(0.085, 0.08, 0.075), vec3(0.18, 0.2, 0.23), 0.5 + 0.5 * n.y)
                + 0.72 * key * vec3(1.0, 0.965, 0.91) + 0.14 * fill * vec3(0.78, 0.88, 1.0);
-    float gloss = pow(max(0.0, dot(n, normalize(toKey + toEye))), 42.0);
+    float gloss = clamp(specularColor.x, 0.0, 1.0);
+    float sharp = pow(max(0.0, dot(n, normalize(toKey + toEye))), mix(6.0, 70.0, gloss));
+    vec3 mirrored = 2.0 * dot(n, toEye) * n - toEye;
+    float blur = mix(0.75, 0.1, gloss);
+    const vec3 keyAcross = vec3(0.811, 0.0, 0.585), keyUp = vec3(0.386, 0.748, -0.535);
+    vec2 onKey = abs(vec2(dot(mirrored, keyAcross), dot(mirrored, keyUp)));
+    vec2 onFill = abs(vec2(mirrored.z, mirrored.y - 0.15));
+    vec2 key2 = 1.0 - smoothstep(vec2(0.3 - 0.3 * blur), vec2(0.3 + blur), onKey);
+    vec2 fill2 = 1.0 - smoothstep(vec2(0.2, 0.5) - 0.2 * blur, vec2(0.2, 0.5) + blur, onFill);
+    float boxes = key2.x * key2.y * step(0.0, dot(mirrored, toKey)) + 0.5 * fill2.x * fill2.y * step(0.0, mirrored.x);
+    float fresnel = 0.25 + 0.75 * pow(1.0 - facing, 5.0);
     float rim = pow(1.0 - facing, 4.0) * (0.55 + 0.45 * n.y);
-    vec3 linear = diffuseColor * light + vec3(0.13 * gloss) + vec3(0.11, 0.12, 0.14) * rim + ambientColor;
-    gl_FragData[0] = vec4(pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)), opacity);
+    vec3 linear = diffuseColor * light + vec3(mix(0.02, 0.13, gloss) * sharp + 0.45 * gloss * fresnel * boxes)
+                + mix(0.5, 1.0, gloss) * vec3(0.11, 0.12, 0.14) * rim + ambientColor;
+    vec3 bright = max(linear - 0.8, 0.0);
+    linear = min(linear, 0.8) + 0.2 * (1.0 - exp(-5.0 * bright));
+    gl_FragData[0] = vec4(pow(max(linear, 0.0), vec3(1.0 / 2.2)), opacity);
 )";
 
 constexpr const char* kBubble = R"(
@@ -48,11 +69,13 @@ void useBubbleLight(vtkActor& actor) {
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kBubble, false);
 }
 
-void useStudioLight(vtkActor& actor) {
+void useStudioLight(vtkActor& actor, const std::string& tilt) {
     actor.GetProperty()->SetAmbient(1);
     actor.GetProperty()->SetAmbientColor(0, 0, 0);
     actor.GetProperty()->SetDiffuse(1);
-    actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kLight, false);
+    actor.GetProperty()->SetSpecular(kUsualGloss);
+    actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                            kNormal + tilt + kLight, false);
 }
 
 void useVertexColours(vtkActor& actor) {
@@ -64,10 +87,14 @@ void useVertexColours(vtkActor& actor) {
         shaders.AddFragmentShaderReplacement(where, true, std::string(where) + "\n" + what, false);
     };
     inVertex("//VTK::PositionVC::Dec",
-             "in vec3 bodyColour; in vec3 bodyGlow; out vec3 colourOfBody; out vec3 glowOfBody;\n");
-    inVertex("//VTK::PositionVC::Impl", "colourOfBody = bodyColour; glowOfBody = bodyGlow;\n");
-    inFragment("//VTK::PositionVC::Dec", "in vec3 colourOfBody; in vec3 glowOfBody;\n");
-    inFragment("//VTK::Color::Impl", "diffuseColor = colourOfBody; ambientColor = glowOfBody;\n");
+             "in vec3 bodyColour; in vec3 bodyGlow; in float bodyGloss;\n"
+             "out vec3 colourOfBody; out vec3 glowOfBody; out float glossOfBody;\n");
+    inVertex("//VTK::PositionVC::Impl",
+             "colourOfBody = bodyColour; glowOfBody = bodyGlow; glossOfBody = bodyGloss;\n");
+    inFragment("//VTK::PositionVC::Dec", "in vec3 colourOfBody; in vec3 glowOfBody; in float glossOfBody;\n");
+    inFragment(
+        "//VTK::Color::Impl",
+        "diffuseColor = colourOfBody; ambientColor = glowOfBody; specularColor = vec3(glossOfBody);\n");
 }
 
 void useNoLight(vtkActor& actor) {

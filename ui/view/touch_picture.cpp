@@ -57,6 +57,17 @@ ViewCamera cameraFor(const Scene& scene, const TouchTrace& rows, QSize pixels) {
     return camera;
 }
 
+/// Every height layer, as fine as a pixel in the middle of the picture.
+std::map<ObjectId, std::vector<SurfaceDress>> reliefsOf(const Scene& scene, const ViewCamera& camera) {
+    std::map<ObjectId, std::vector<SurfaceDress>> dresses;
+    for (const SceneObject& object : scene.objects)
+        for (Index s = 0; s < Index(object.surfaces.size()); ++s) {
+            const auto stack = compileTextures(object.surfaces[s].layers, object.geometry, s);
+            dresses[object.id].push_back({.relief = reliefOf(stack, camera.pixelSize(camera.focus))});
+        }
+    return dresses;
+}
+
 QImage drawScene(OffscreenWindow& offscreen, const Scene& scene, const TouchTrace& rows,
                  const ViewCamera& camera, const Theme& theme) {
     ViewStage stage(offscreen.window());
@@ -64,6 +75,7 @@ QImage drawScene(OffscreenWindow& offscreen, const Scene& scene, const TouchTrac
     ModelLayer model(*stage.solid);
     model.setScene(scene);
     model.finish();
+    model.setDresses(reliefsOf(scene, camera));
     const PathLayer paths(*stage.solid, *stage.ghost, rows, camera, theme);
     stage.look(camera, boundsOfTouch(scene, rows));
     return offscreen.render(camera.size.toSize());

@@ -7,6 +7,7 @@
 #include "core/scene/describe.h"
 #include "core/scene/finger_path.h"
 #include "core/scene/object_bounds.h"
+#include "core/scene/surface_colours.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 
@@ -200,6 +201,29 @@ private slots:
                 path[0].position[i] = x;
                 QVERIFY(!is(path));
             }
+    }
+
+    void surfacesThatNobodyColouredAreToldApart() {
+        Scene scene;
+        SceneObject many = plate("many", {0, 0, 0});
+        many.surfaces.resize(6);
+        scene.add(many);
+        scene.add(plate("coloured", {0, 0, 0})).surfaces[1].colour = {1, 0, 0};
+        scene.add(plate("one", {0, 0, 0})).surfaces.resize(1);
+        const Scene before = scene;
+        tellSurfacesApart(scene);
+        const std::vector<Surface>& told = scene.objects[0].surfaces;
+        for (std::size_t i = 0; i < told.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                QCOMPARE_GT(double((told[i].colour - told[j].colour).norm()), 0.1);
+        QCOMPARE((told[0].colour - Surface{}.colour).norm(), 0.0F);
+        QVERIFY(scene.objects[1] == before.objects[1]); // the file has said a colour
+        QVERIFY(scene.objects[2] == before.objects[2]);
+        tellSurfacesApart(scene); // they have colours now
+        QVERIFY(scene.objects[0].surfaces == told);
+        const auto last = colourApartFrom(told);
+        for (const Surface& surface : told)
+            QCOMPARE_GT(double((surface.colour - last).norm()), 0.1);
     }
 
     void aPathIsWrittenToTheLastBit() {

@@ -294,6 +294,62 @@ private slots:
         QCOMPARE(changedShare(bare, shown.picture()), 0.0);
     }
 
+    // Without being asked for, from where the program looks first.
+    void heightLayersAreSeenInLightAndShade() {
+        Shown smooth, grooved(groovedBall());
+        const QImage plain = smooth.picture();
+        QCOMPARE_GT(changedShare(grooved.picture(), plain), 0.05);
+        grooved.options.relief = false;
+        grooved.show();
+        QCOMPARE(changedShare(grooved.picture(), plain), 0.0);
+    }
+
+    /// A highlight on what slips, none on what holds on; both are drawn alike, alone or in a crowd.
+    void whatIsSlipperyShines() {
+        for (const Index rings : {32, 8}) {
+            const auto brightest = [&](double friction) {
+                Scene scene = ballScene(2 * rings, rings);
+                for (Surface& surface : scene.objects[0].surfaces)
+                    surface.material.staticFriction = friction;
+                Shown shown(scene);
+                const QImage picture = shown.picture();
+                const QPoint centre = picture.rect().center();
+                int most = 0;
+                for (int y = -centre.y() / 2; y < centre.y() / 2; ++y)
+                    for (int x = -centre.y() / 2; x < centre.y() / 2; ++x)
+                        most = std::max(most, picture.pixelColor(centre + QPoint(x, y)).lightness());
+                return most;
+            };
+            QCOMPARE_GT(brightest(0.05), brightest(1) + 15);
+        }
+    }
+
+    // As a brush paints: nothing but the World changes, and the picture is that of what is felt now.
+    void aHeightThatIsPaintedIsSeenAtOnce() {
+        Scene scene = ballScene();
+        TextureLayer painted;
+        painted.pattern.source = TextureSource::Painted;
+        painted.strength = 5e-3;
+        for (Surface& surface : scene.objects[0].surfaces)
+            surface.layers = {painted};
+        const auto paint = [&](double ridge) {
+            std::vector<float> values;
+            for (const Vec3& p : scene.objects[0].geometry->positions)
+                values.push_back(std::abs(p.x()) < ridge ? 1 : 0);
+            for (Surface& surface : scene.objects[0].surfaces)
+                surface.layers[0].pattern.painted.values = std::make_shared<const PaintedValues>(values);
+        };
+        paint(0);
+        Shown shown(scene);
+        const QImage flat = shown.picture();
+        paint(0.01);
+        shown.view.setWorld(compile(scene).value());
+        const QImage painting = shown.picture();
+        QCOMPARE_GT(changedShare(painting, flat), 0.01);
+        Shown fresh(scene);
+        QCOMPARE(changedShare(painting, fresh.picture()), 0.0);
+    }
+
     void bumpsAreDrawnAsManyTimesAsHigh() {
         Shown shown(groovedBall());
         const QImage bare = shown.picture();

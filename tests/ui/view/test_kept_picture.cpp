@@ -213,6 +213,32 @@ const std::vector<Change>& changes() {
         {"spheres", [](KeptView& v) { v.felt([](FeltOptions& o) { o.spheres = true; }); }},
         {"another level of them", [](KeptView& v) { v.felt([](FeltOptions& o) { o.sphereLevel = 0; }); }},
         {"none of it", [](KeptView& v) { v.felt([](FeltOptions& o) { o = {}; }); }},
+        {"a layer of noise",
+         [](KeptView& v) {
+             v.edit([](Scene& s) {
+                 s.objects[0].surfaces[kUpper].layers[0].pattern.source = TextureSource::Noise;
+             });
+             v.setWorld();
+         }},
+        {"a layer of another height",
+         [](KeptView& v) {
+             v.edit([](Scene& s) { s.objects[0].surfaces[kUpper].layers[0].strength = 3e-3; });
+             v.setWorld();
+         }},
+        {"a layer that is painted",
+         [](KeptView& v) {
+             v.edit([](Scene& s) {
+                 TextureLayer& layer = s.objects[0].surfaces[kUpper].layers[0];
+                 layer.pattern.source = TextureSource::Painted;
+                 std::vector<float> values(s.objects[0].geometry->positions.size());
+                 for (std::size_t i = 0; i < values.size(); i += 3)
+                     values[i] = 1;
+                 layer.pattern.painted.values = std::make_shared<const PaintedValues>(values);
+             });
+             v.setWorld();
+         }},
+        {"no relief", [](KeptView& v) { v.felt([](FeltOptions& o) { o.relief = false; }); }},
+        {"the relief again", [](KeptView& v) { v.felt([](FeltOptions& o) { o.relief = true; }); }},
         {"the finger before it",
          [](KeptView& v) {
              v.touch({0, 0, 0.055});
@@ -332,6 +358,18 @@ void TestKeptPicture::figures() {
         shown.view.setSelectedFaces(0, {});
         measure("orbit", atRest, count, [&](int) { shown.view.moveCamera(0.05, 0); });
     }
+    for (const TextureSource source : {TextureSource::Grooves, TextureSource::Noise})
+        for (const TextureMapping mapping : {TextureMapping::Planar, TextureMapping::Triplanar}) {
+            for (Surface& surface : shown.scene.objects[0].surfaces) {
+                surface.layers.assign(1, {});
+                surface.layers[0].pattern.source = source;
+                surface.layers[0].pattern.mapping = mapping;
+            }
+            shown.setWorld();
+            qInfo("a relief of %s, %s:", kTextureSources[std::size_t(source)].label.data(),
+                  kTextureMappings[std::size_t(mapping)].label.data());
+            measure("orbit", false, 21, [&](int) { shown.view.moveCamera(0.05, 0); });
+        }
 }
 
 TACTUM_GUI_TEST(TestKeptPicture)

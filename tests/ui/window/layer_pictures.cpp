@@ -8,7 +8,6 @@
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/profile_chart.h"
-#include "ui/view/scene_view.h"
 
 namespace tactum {
 
@@ -65,8 +64,6 @@ void takeLayerPictures(TouchedWindow& program, const QDir& folder, const QString
     save(program, folder, "layers-empty.png");
     makeLayers(program);
     stroke(program);
-    program.command("bumps-1").trigger();
-    (void)test::waitFor([&] { return !program.window->view().makesFelt(); });
     save(program, folder, "layers.png");
     program.command("mapping").trigger();
     save(program, folder, "layers-mapping.png");
@@ -76,7 +73,6 @@ void takeLayerPictures(TouchedWindow& program, const QDir& folder, const QString
     for (QAction* action : program.window->findChildren<QAction*>())
         if (action->text() == QLatin1String("&Dark")) action->trigger();
     program.command("mapping").trigger();
-    program.command("bumps-1").trigger();
 }
 
 } // namespace tactum

@@ -191,12 +191,8 @@ void takePresets(TouchedWindow& program, const QDir& folder) {
     list->scrollToItem(row, QAbstractItemView::PositionAtCenter);
     program.document.select(program.window->view().surfaceAt(program.centre()));
     program.command("preset-apply").trigger();
-    program.command("bumps-10").trigger();
     program.frames(60);
-    (void)test::waitFor([&] { return !program.window->view().makesFelt(); });
-    program.frames(10);
     save(program, folder, QStringLiteral("presets.png"));
-    program.command("bumps-10").trigger();
     program.document.history().undo();
     program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
 }
@@ -342,10 +338,31 @@ void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices]]]: with
-// the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of what
-// moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of
-// its dock in both themes; `moving`: every scene in which bodies move.
+/// The view of every scene at home, in both themes: whether what is felt can be told apart by looking.
+void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
+    TouchedWindow program(size);
+    const auto save = [&](const QString& name) {
+        const QString file = folder.filePath(name);
+        if (!program.window->view().grabPicture().save(file))
+            qFatal("%s cannot be written", qPrintable(file));
+        qInfo("%s", qPrintable(file));
+    };
+    for (const QString& name : QDir(scenes).entryList({QStringLiteral("*.glb")})) {
+        if (!program.open(scenes + name)) qFatal("no %s", qPrintable(name));
+        program.document.select(std::nullopt);
+        const QString stem = QFileInfo(name).completeBaseName();
+        program.frames(20);
+        for (const bool dark : {false, true}) {
+            program.window->view().setTheme(dark);
+            save(stem + QLatin1String(dark ? "-dark.png" : "-light.png"));
+        }
+    }
+}
+
+// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices|looks]]]:
+// with the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of
+// what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page
+// of its dock in both themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -371,6 +388,10 @@ int main(int argc, char** argv) {
     if (only == "devices" || only == "device") return 0;
     if (wanted("paint")) takePainting(folder, sample, size);
     const QString scenes = QStringLiteral(TACTUM_RESOURCES "/scenes/");
+    if (only == "looks") {
+        takeLooks(folder, scenes, size);
+        return 0;
+    }
     if (wanted("connected")) takeConnectedPicture(folder, scenes, size);
     if (only == "connected") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);

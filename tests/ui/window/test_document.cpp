@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/scene/surface_colours.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
@@ -31,6 +32,7 @@ private slots:
     void lockedSurfacesStayAsTheyAre();
     void trianglesSplitOffAndMergeBack();
     void mergingLeavesTheOthersAsTheyWere();
+    void surfacesHaveColoursOfTheirOwn();
     void splittingLeavesTheOthersAsTheyWere();
     void mergingOfTooFewOrOfLockedOnesIsRefused();
     void whatIsChangedMeanwhileIsNotChangedAgain();
@@ -57,6 +59,16 @@ void TestDocument::surfacesComeFromGroups() {
     QCOMPARE(document_->scene().objects.size(), std::size_t(1));
     QCOMPARE(document_->scene().objects[0].surfaces.size(), std::size_t(6));
     QCOMPARE(document_->surface(front())->name, std::string("front"));
+    QCOMPARE(document_->history().count(), 0);
+}
+
+// The cube's file names no colours: its sides get some, which is no edit.
+void TestDocument::surfacesHaveColoursOfTheirOwn() {
+    for (Index i = 0; i < 6; ++i)
+        for (Index j = 0; j < i; ++j)
+            QVERIFY(document_->surface({front().object, i})->colour !=
+                    document_->surface({front().object, j})->colour);
+    QVERIFY(!document_->modified());
     QCOMPARE(document_->history().count(), 0);
 }
 
@@ -217,7 +229,8 @@ void TestDocument::mergingLeavesTheOthersAsTheyWere() {
         }
 }
 
-// Every triangle by itself: the part feels like what it was split off from, under a name that nobody has. A
+// Every triangle by itself: the part feels like what it was split off from, under a name and in a colour that
+// nobody has. A
 // surface that loses its last triangle goes, one that never had any stays.
 void TestDocument::splittingLeavesTheOthersAsTheyWere() {
     const ObjectId cube = front().object;
@@ -241,7 +254,10 @@ void TestDocument::splittingLeavesTheOthersAsTheyWere() {
         for (Index triangle = 0; triangle < 12; ++triangle) {
             const Surface& now = is.surfaces[is.geometry->surfaceOf[triangle]];
             Surface expected = was.surfaces[was.geometry->surfaceOf[triangle]];
-            if (triangle == face) expected.name += expected.name == "front" ? " 3" : " 2";
+            if (triangle == face) {
+                expected.name += expected.name == "front" ? " 3" : " 2";
+                expected.colour = colourApartFrom(was.surfaces);
+            }
             QVERIFY2(now == expected,
                      qPrintable(
                          QString("triangle %1 split off: %2 is of \"%3\" instead of \"%4\"")

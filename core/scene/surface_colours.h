@@ -1,0 +1,19 @@
+// Colours by which the surfaces of an object are told apart where nobody chose any.
+#pragma once
+
+#include <span>
+
+#include "core/scene/scene.h"
+
+namespace tactum {
+
+/// The colour of a small palette that is least like those of the surfaces: linear RGB, 0 to 1. The first of
+/// the palette where there are none. Thread: any but real time.
+Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces);
+
+/// Gives each surface a colour of its own in objects that have several and all of them in the colour of a
+/// Surface that nobody coloured. Others stay as they are: their file has said something. Thread: any but real
+/// time.
+void tellSurfacesApart(Scene& scene);
+
+} // namespace tactum
