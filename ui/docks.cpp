@@ -75,8 +75,8 @@ void addTabBeside(QMainWindow& window, QDockWidget& beside, const QString& name,
 Docks addDocks(QMainWindow& window, Document& document) {
     Docks docks{new Outliner(document), new Inspector(document),  new Problems(document), new ForcePlot,
                 new HealthPanel,        new LayerPanel(document), new BodyPanel(document)};
-    auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
-                             Qt::LeftDockWidgetArea);
+    auto* outliner = addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"),
+                             searchable(*docks.outliner), Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
                              Qt::LeftDockWidgetArea);
     auto* inspector = addDock(window, QStringLiteral("dock-inspector"), QObject::tr("Surface"),

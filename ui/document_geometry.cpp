@@ -129,7 +129,9 @@ Result<Document::Updated> Document::updated(const Scene& now, const Source& sour
 }
 
 void Document::takeOtherwise(const AxesChoice& choice) {
-    if (justUpdated())
+    if (const TakenFile* added = justAdded())
+        startAdding({{added->file, choice}}, history_.index());
+    else if (justUpdated())
         startUpdate(source_.file.path, choice, true);
     else
         reopen(choice);

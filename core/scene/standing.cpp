@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -165,7 +166,8 @@ double wayToGround(const Scene& scene, const GoingAlong& along) {
     for (const Bounds& other : around.boxes)
         if (other.high.y() <= box.low.y() + rounding && isUnder(other))
             level = std::max(level, other.high.y());
-    return level - box.low.y();
+    const double way = level - box.low.y();
+    return std::abs(way) > rounding ? way : 0;
 }
 
 } // namespace tactum
