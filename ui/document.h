@@ -224,7 +224,8 @@ public:
     /// The shapes of a file with the feel of this scene, by names (carryFeel()), where the objects have been
     /// put: one step of the history. On a worker; ends with geometryUpdated() and editEnded(). Of a file of
     /// the source's format the axes are the source's, unless by another unit alone it is about as large as
-    /// before. Feel that finds no surface waits for the next update, until another scene is opened.
+    /// before. What came in besides stays as it is. Feel that finds no surface waits for the next update,
+    /// until another scene is opened.
     void updateGeometry(const std::filesystem::path& file, const AxesChoice& choice = {}) {
         startUpdate(file, choice, false);
     }
@@ -334,7 +335,7 @@ private:
     struct NewShapes;
     static Result<NewShapes> readShapes(const Source& source, const std::filesystem::path& file,
                                         const AxesChoice& choice, bool chosen, const Progress& progress);
-    static Result<Updated> updated(const Scene& now, const Source& source, NewShapes shapes);
+    static Result<Updated> updated(const Scene& whole, const Source& source, NewShapes shapes);
     void startUpdate(const std::filesystem::path& file, const AxesChoice& choice, bool chosen);
     bool justUpdated() const;
     void openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew);

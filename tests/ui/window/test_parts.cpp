@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTest>
@@ -140,7 +141,10 @@ public:
     static void initMain() { prepareProcess(); }
 
 private slots:
-    void init() { useSettingsIn(folder_.path()); }
+    void init() {
+        useSettingsIn(folder_.path());
+        QSettings().clear(); // as what files were taken before
+    }
 
     // Five models of ten surfaces from five files, from the start page on: felt, saved, opened again, and the
     // same in Blender.
@@ -325,6 +329,29 @@ private slots:
         QCOMPARE(desk.document.history().count(), steps);
         COMPARE_NEAR(boundsOf(desk.named("bolt")).diagonal(), kHandDiagonal, 1e-9, "m"); // 0.8 m fit no hand
         COMPARE_NEAR(boundsOf(desk.named("cup")).diagonal(), 0.05 * std::sqrt(3), 1e-9, "m");
+    }
+
+    // New shapes for what the scene began with; what was added since keeps its place, number and feel.
+    void whatWasAddedOutlivesNewShapes() {
+        Desk desk;
+        const QString cup = writeModel(folder_, "cup", 0.05);
+        QVERIFY(desk.program.open(cup));
+        desk.drop({writeModel(folder_, "jug", 0.06)});
+        desk.program.command("add-box").trigger();
+        QVERIFY(desk.added(3));
+        const SceneObject jug = desk.named("jug"), box = desk.named("Box");
+        const Scene before = desk.scene();
+        writeModel(folder_, "cup", 0.055);
+        QSignalSpy ended(&desk.document, &Document::editEnded);
+        desk.document.updateGeometry(cup.toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+        QCOMPARE(ended[0][0].toString(), QString());
+        COMPARE_NEAR(boundsOf(desk.named("cup")).diagonal(), 0.055 * std::sqrt(3), 1e-9, "m");
+        QVERIFY(desk.named("jug") == jug);
+        QVERIFY(desk.named("Box") == box);
+        COMPARE_LACKS(desk.notice.text(), QStringLiteral("not there any more"));
+        desk.program.command("undo").trigger();
+        QVERIFY(desk.scene() == before);
     }
 
     // What hangs on what is deleted is told, in one line; what is locked stays.
