@@ -51,7 +51,7 @@ constexpr Command kCommands[] = {
     {"remove", "Edit", "D&elete", "Del; Ctrl+Del", "remove",
      "Take the selected objects out of the scene, with their bodies and joints"},
     {"rename", "Edit", "Re&name", "F2", "", "Another name for the object or surface that was selected last"},
-    {"drop", "Edit", "Dr&op to the ground", "End", "",
+    {"drop", "Edit", "Dr&op to the ground", "Ctrl+End", "",
      "The selected objects come down onto what is beneath them, or on the ground"},
     {"palette", "Edit", "&Find a command...", "Ctrl+Shift+P", "", "Every command by a few letters of it",
      false, true},
