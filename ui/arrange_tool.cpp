@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/standing.h"
 #include "ui/numbers.h"
 #include "ui/view/scene_view.h"
 
@@ -11,13 +12,6 @@ namespace {
 // Of one drag or number: what is meant by hand is less, and what comes of it stays a thing that can be felt.
 constexpr double kMostMove = 10; // m
 constexpr double kLeastSize = 1e-5, kMostSize = 10;
-
-SurfaceRefs surfacesOf(const SceneObject& object) {
-    SurfaceRefs all;
-    for (Index i = 0; i < Index(object.surfaces.size()); ++i)
-        all.push_back({object.id, i});
-    return all;
-}
 
 } // namespace
 
@@ -65,9 +59,7 @@ bool ArrangeTool::isFree(const GoingAlong& along) const {
 }
 
 std::vector<ObjectId> ArrangeTool::objects() const {
-    std::vector<ObjectId> all;
-    for (const SurfaceRef& ref : document_.selected())
-        if (std::ranges::find(all, ref.object) == all.end()) all.push_back(ref.object);
+    std::vector<ObjectId> all = document_.selectedObjects();
     const auto isLocked = [](const SceneObject& object) {
         return std::ranges::any_of(object.surfaces, &Surface::locked);
     };
@@ -104,11 +96,11 @@ Vec3 ArrangeTool::pivotOf(const std::vector<ObjectId>& objects) const {
 }
 
 /// One for all, or one for each, but for those that go along with another one anyway.
-std::vector<ArrangeTool::Group> ArrangeTool::groups() const {
+std::vector<ArrangeTool::Group> ArrangeTool::groups(bool each) const {
     const std::vector<ObjectId> chosen = objects();
     const Scene& scene = document_.scene();
     if (chosen.empty()) return {};
-    if (pivot_ != Pivot::Each) return {{goingAlong(scene, chosen), pivotOf(chosen)}};
+    if (!each) return {{goingAlong(scene, chosen), pivotOf(chosen)}};
     std::vector<Group> all;
     for (const ObjectId id : chosen)
         all.push_back({goingAlong(scene, std::array{id}), middleOf(*scene.find(id))});
@@ -150,7 +142,7 @@ QString ArrangeTool::textOf(const Arrangement& by) const {
 
 void ArrangeTool::begin() {
     before_ = document_.scene();
-    held_ = groups();
+    held_ = groups(pivot_ == Pivot::Each);
     frame_ = view_.arranging().shown().value_or(Pose{});
     gesture_ = document_.beginTrial();
     if (std::ranges::any_of(held_, [](const Group& group) { return !group.along.bodies.empty(); }))
@@ -180,15 +172,35 @@ void ArrangeTool::apply(const Arrangement& by, Gesture gesture) {
         own.about = group.about;
         arrange(next, group.along, own);
     }
+    put(textOf(by), std::move(next), gesture);
+}
+
+void ArrangeTool::put(const QString& text, Scene next, Gesture gesture) {
     applying_ = true;
     document_.editScene(
-        textOf(by), SceneChange::What::Objects, [&](Scene& scene) { scene = std::move(next); }, gesture);
+        text, SceneChange::What::Objects, [&](Scene& scene) { scene = std::move(next); }, gesture);
     applying_ = false;
+}
+
+void ArrangeTool::dropToGround() {
+    std::vector<Group> falling = groups(true);
+    if (falling.empty()) return emit refused(whyNot());
+    Scene next = document_.scene();
+    // The lowest first: what stands on it falls onto where it comes to.
+    std::ranges::sort(falling, {},
+                      [&](const Group& group) { return boundsOf(next, group.along.objects).low.y(); });
+    for (const Group& group : falling)
+        arrange(next, group.along, {.move = wayToGround(next, group.along) * Vec3::UnitY()});
+    if (next == document_.scene()) return emit refused(tr("It stands on the ground already."));
+    if (std::ranges::any_of(falling, [](const Group& group) { return !group.along.bodies.empty(); }))
+        emit begun();
+    put(tr("Drop to the ground"), std::move(next), newGesture());
+    refresh();
 }
 
 void ArrangeTool::place(const Arrangement& by, Gesture gesture) {
     before_ = document_.scene();
-    held_ = groups();
+    held_ = groups(pivot_ == Pivot::Each);
     if (held_.empty())
         emit refused(whyNot());
     else
@@ -202,7 +214,7 @@ void ArrangeTool::choose(const std::optional<PickHit>& hit, Qt::KeyboardModifier
     if (!object) return also ? void() : document_.select(SurfaceRefs{});
     document_.selectFaces({});
     const bool again = also && active() == object;
-    document_.select(surfacesOf(*object), again  ? SelectMode::Subtract
+    document_.selectObjects({object->id}, again  ? SelectMode::Subtract
                                           : also ? SelectMode::Add
                                                  : SelectMode::Replace);
 }

@@ -43,6 +43,8 @@ public:
 
     /// Arranges the objects about the pivot, wherever `by` is about.
     void place(const Arrangement& by, Gesture gesture);
+    /// Lets each fall onto what is beneath it, or on the ground; together what goes along together.
+    void dropToGround();
     /// A click of the tool: takes the whole object, with Shift also.
     void choose(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
     /// Why nothing can be arranged; empty when it can.
@@ -64,9 +66,10 @@ private:
     void drag(const Arrangement& by);
     void end();
     void apply(const Arrangement& by, Gesture gesture);
+    void put(const QString& text, Scene next, Gesture gesture);
     void refresh();
     bool isFree(const GoingAlong& along) const;
-    std::vector<Group> groups() const;
+    std::vector<Group> groups(bool each) const;
     Vec3 pivotOf(const std::vector<ObjectId>& objects) const;
     Arrangement bounded(Arrangement by) const;
     QString textOf(const Arrangement& by) const;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/files/load_scene.h"
+
 namespace tactum {
 
 namespace {
@@ -26,6 +28,13 @@ bool isOf(const FileKind& kind, const QString& file) {
 }
 
 } // namespace
+
+QString modelFilter() {
+    QStringList patterns;
+    for (const std::string& ending : readableEndings())
+        patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+    return QObject::tr("Models (%1)").arg(patterns.join(u' '));
+}
 
 QString askWhere(QWidget* parent, const QString& title, const QList<FileKind>& kinds, const QString& now) {
     QFileDialog dialog(parent, title, QFileInfo(now).path());

@@ -1,4 +1,4 @@
-// Where a file is to be written.
+// Which files are meant: where one is to be written, and what can be read.
 #pragma once
 
 #include <QList>
@@ -7,6 +7,9 @@
 class QWidget;
 
 namespace tactum {
+
+/// Of a dialog that asks for models: every ending that is read.
+QString modelFilter();
 
 /// What people call such files, and how their names end, without the dot.
 struct FileKind {

@@ -84,7 +84,7 @@ void sizeDocks(QMainWindow& window) {
 Docks addDocks(QMainWindow& window, Document& document) {
     Docks docks{new Outliner(document), new Inspector(document),  new Problems(document), new ForcePlot,
                 new HealthPanel,        new LayerPanel(document), new BodyPanel(document)};
-    addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), docks.outliner,
+    addDock(window, QStringLiteral("dock-outliner"), QObject::tr("Scene"), searchable(*docks.outliner),
             Qt::LeftDockWidgetArea);
     auto* problems = addDock(window, QStringLiteral("dock-problems"), QObject::tr("Problems"), docks.problems,
                              Qt::LeftDockWidgetArea);

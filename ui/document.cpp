@@ -4,7 +4,6 @@
 #include <ranges>
 #include <utility>
 
-#include "core/scene/bodies.h"
 #include "core/scene/placing.h"
 #include "ui/numbers.h"
 
@@ -141,6 +140,19 @@ public:
 
 private:
     Source source_;
+};
+
+/// Objects that have come, and as what their file was taken.
+class Document::Arrival final : public Exchange<Scene> {
+public:
+    Arrival(Document& document, const QString& text, Scene scene, std::optional<TakenFile> taken)
+        : Exchange(document, text, {[](Scene& now) { return &now; }}, {std::move(scene)},
+                   {SceneChange::What::Objects}, 0),
+          taken_(std::move(taken)) {}
+    const TakenFile* taken() const { return taken_ ? &*taken_ : nullptr; }
+
+private:
+    std::optional<TakenFile> taken_;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -385,17 +397,6 @@ void Document::showAll() {
     });
 }
 
-void Document::removeObject(ObjectId id) {
-    const SceneObject* object = scene_.find(id);
-    if (!object) return;
-    const QString name = text(object->name);
-    Scene left = scene_;
-    removeMechanics(left, id);
-    std::erase_if(left.objects, [id](const SceneObject& other) { return other.id == id; });
-    edit<Scene>(tr("Remove %1").arg(name), [](Scene& scene) { return &scene; }, std::move(left),
-                {SceneChange::What::Objects});
-}
-
 void Document::editScene(const QString& text, SceneChange::What what,
                          const std::function<void(Scene&)>& change, Gesture gesture) {
     Scene value = scene_;
@@ -417,9 +418,21 @@ bool Document::justUpdated() const {
     return last >= 0 && dynamic_cast<const NewGeometry*>(history_.command(last));
 }
 
+const Document::TakenFile* Document::justAdded() const {
+    const int last = history_.index() - 1;
+    const auto* step = last >= 0 ? dynamic_cast<const Arrival*>(history_.command(last)) : nullptr;
+    return step ? step->taken() : nullptr;
+}
+
 const TakenAs* Document::takenAs() const {
-    if (!source_.taken || trial_ || history_.canRedo()) return nullptr;
-    return history_.isClean() || justUpdated() ? &*source_.taken : nullptr;
+    if (trial_ || history_.canRedo()) return nullptr;
+    if (const TakenFile* added = justAdded()) return &added->as;
+    return source_.taken && (history_.isClean() || justUpdated()) ? &*source_.taken : nullptr;
+}
+
+void Document::arrive(const QString& text, Scene next, std::optional<TakenFile> taken) {
+    keepTrial(trying_);
+    history_.push(new Arrival(*this, text, std::move(next), std::move(taken)));
 }
 
 void Document::takeGeometry(Updated updated) {
@@ -457,6 +470,9 @@ void Document::fit(const Scene& fitted) {
 }
 
 void Document::announce(const SceneChange& change) {
+    if (change.touchesShape())
+        for (const SceneObject& object : scene_.objects)
+            lastId_ = std::max(lastId_, object.id);
     emit changed(change);
     keepSelection(change);
 }

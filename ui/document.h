@@ -14,6 +14,7 @@
 
 #include "core/files/journal.h"
 #include "core/files/load_scene.h"
+#include "core/scene/compose.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/background_job.h"
@@ -84,6 +85,21 @@ struct GeometryUpdate {
     std::vector<Finding> findings; ///< what found no partner, what is lost, what the reader found
 };
 
+/// A model that is to come into the scene.
+struct FileToAdd {
+    std::filesystem::path file;
+    AxesChoice choice; ///< of what it leaves open
+};
+
+/// What has come into the scene.
+struct SceneAddition {
+    std::vector<std::filesystem::path> files; ///< where it is from; none: it was made here
+    std::vector<ObjectId> objects;
+    /// m across, of files that were scaled to fit a hand.
+    std::vector<std::pair<std::filesystem::path, double>> scaled;
+    std::vector<std::string> refused; ///< a line for each file that could not be read
+};
+
 /// Edits of one gesture (a drag, a run of the wheel) become one step of the history. 0 is no gesture.
 using Gesture = int;
 Gesture newGesture();
@@ -97,15 +113,22 @@ public:
 
     const Scene& scene() const { return scene_; }
     bool empty() const { return scene_.objects.empty(); }
-    /// File of the scene; empty before the first open().
+    /// Whether there is a scene, be it an empty one.
+    bool isOpen() const { return scenes_ > 0; }
+    /// File of the scene; empty before the first open(), and of a new scene before the first save().
     const std::filesystem::path& path() const { return file_.path; }
+    /// The name of that file, or what a new scene is called.
+    QString title() const;
     const FileStamp& stamp() const { return file_; }
     /// Where the geometry is from: a file of another program stays that when the scene gets a file of its
     /// own. Empty for a scene at a server.
     const FileStamp& source() const { return source_.file; }
     /// As what the source was taken, where it leaves that open and takeOtherwise() loses nothing: just
-    /// opened, with no step done or undone since, or just updated from. Else nullptr.
+    /// opened, with no step done or undone since, or just updated from or added. Else nullptr.
     const TakenAs* takenAs() const;
+    /// The file that this is about, and how far what is from it reaches, m.
+    std::filesystem::path takenFile() const;
+    double takenAcross() const;
     /// What the reader had to say about the file, of objects that are still there, by their present names.
     std::vector<Finding> findings() const;
     QUndoStack& history() { return history_; }
@@ -124,6 +147,10 @@ public:
     /// The active one of the selected surfaces: the last that was chosen.
     std::optional<SurfaceRef> selection() const;
     const SurfaceRefs& selected() const { return selected_; }
+    /// Those with a selected surface, in the order of the scene.
+    std::vector<ObjectId> selectedObjects() const;
+    /// All surfaces of these objects.
+    void selectObjects(const std::vector<ObjectId>& objects, SelectMode mode = SelectMode::Replace);
     void select(const SurfaceRefs& refs, SelectMode mode = SelectMode::Replace);
     const FaceSelection& selectedFaces() const { return faces_; }
     void selectFaces(FaceSelection faces, SelectMode mode = SelectMode::Replace);
@@ -149,7 +176,11 @@ public:
     void renameSurface(SurfaceRef ref, const QString& name);
     void setVisible(ObjectId id, bool visible);
     void showAll();
-    void removeObject(ObjectId id);
+    void removeObject(ObjectId id) { removeObjects({id}); }
+    /// With what goes with them, in one step. What went.
+    Removed removeObjects(const std::vector<ObjectId>& objects);
+    /// Copies of objects and of all that is arranged with them, beside them and selected, in one step.
+    void duplicate(const std::vector<ObjectId>& objects);
     /// Anything of the scene, in one step of the history.
     void editScene(const QString& text, SceneChange::What what, const std::function<void(Scene&)>& change,
                    Gesture gesture = 0);
@@ -175,6 +206,14 @@ public:
     void cancelEdit() { editing_.cancel(); }
     bool editing() const { return editing_.running(); }
 
+    /// Begins with a scene that has no file yet, as the first of a new history. Ends with opened().
+    void begin(Scene scene);
+    /// Puts a scene beside what is there, selected, in one step. Ends with added().
+    void add(Scene scene);
+    /// The same of files, read on a worker and taken as by open(): one that cannot be read is left out. Ends
+    /// with added(), or with openFailed() where there is none.
+    void add(const std::vector<FileToAdd>& files) { startAdding(files, std::nullopt); }
+
     /// Reads a file on a worker. Ends with opened() or openFailed(); a failure leaves the scene untouched.
     /// A mesh of another program that does not fit a hand is scaled as the first, undoable step of the new
     /// history. A sample is a beginning: what is made of it gets a file of its own.
@@ -185,11 +224,13 @@ public:
     /// The shapes of a file with the feel of this scene, by names (carryFeel()), where the objects have been
     /// put: one step of the history. On a worker; ends with geometryUpdated() and editEnded(). Of a file of
     /// the source's format the axes are the source's, unless by another unit alone it is about as large as
-    /// before. Feel that finds no surface waits for the next update, until another scene is opened.
+    /// before. What came in besides stays as it is. Feel that finds no surface waits for the next update,
+    /// until another scene is opened.
     void updateGeometry(const std::filesystem::path& file, const AxesChoice& choice = {}) {
         startUpdate(file, choice, false);
     }
-    /// What takenAs() is about, by another choice: opened anew, or one more step that updates from it.
+    /// What takenAs() is about, by another choice: opened or added anew, or one more step that updates from
+    /// it.
     void takeOtherwise(const AxesChoice& choice);
     void cancelOpen() { job_.cancel(); }
     /// Goes on with a scene that was not saved: under the name of its file, with unsaved changes. `own`:
@@ -219,6 +260,8 @@ public:
     /// Whether another program has written the file since it was read or saved.
     bool changedOutside() const;
     bool opening() const { return job_.running(); }
+    /// Whether what is being opened comes into the scene that is there.
+    bool adding() const { return adding_ && job_.running(); }
     bool saving() const { return saving_.running(); }
 
 signals:
@@ -236,6 +279,7 @@ signals:
     /// One line for the person where the edit failed, else empty.
     void editEnded(const QString& sentence);
     void geometryUpdated(const tactum::GeometryUpdate& update);
+    void added(const tactum::SceneAddition& addition);
     /// Something done on the person's behalf, and how to take it back.
     void noted(const QString& sentence);
 
@@ -246,6 +290,7 @@ private:
     struct Already;
     template <class T> class Exchange;
     class NewGeometry;
+    class Arrival;
     template <class T>
     void edit(const QString& text, std::vector<Place<T>> places, std::vector<T> values, SceneChange change,
               Gesture gesture = 0);
@@ -273,10 +318,24 @@ private:
         Source source;
         GeometryUpdate told;
     };
+    /// A file whose objects have just come, where another choice is offered.
+    struct TakenFile {
+        std::filesystem::path file;
+        TakenAs as;
+        std::vector<ObjectId> objects;
+    };
+    struct ReadPart;
+    struct ReadParts;
+    static ReadParts readParts(const std::vector<FileToAdd>& files, const Progress& progress);
+    void startAdding(const std::vector<FileToAdd>& files, std::optional<int> inPlaceOf);
+    void bringIn(std::vector<ReadPart> parts, SceneAddition told);
+    void arrive(const QString& text, Scene next, std::optional<TakenFile> taken);
+    QString namesOf(const std::vector<ObjectId>& objects) const;
+    const TakenFile* justAdded() const;
     struct NewShapes;
     static Result<NewShapes> readShapes(const Source& source, const std::filesystem::path& file,
                                         const AxesChoice& choice, bool chosen, const Progress& progress);
-    static Result<Updated> updated(const Scene& now, const Source& source, NewShapes shapes);
+    static Result<Updated> updated(const Scene& whole, const Source& source, NewShapes shapes);
     void startUpdate(const std::filesystem::path& file, const AxesChoice& choice, bool chosen);
     bool justUpdated() const;
     void openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew);
@@ -297,8 +356,10 @@ private:
     Scene scene_;
     FileStamp file_;
     Source source_;
-    bool own_ = false; ///< the file was written by this program, and is no sample
-    int scenes_ = 0;   ///< how many have been opened
+    bool own_ = false;    ///< the file was written by this program, and is no sample
+    int scenes_ = 0;      ///< how many have been opened
+    ObjectId lastId_ = 0; ///< no other object gets one that was in use
+    bool adding_ = false; ///< what job_ reads is to be added
     std::vector<FileFinding> findings_;
     SurfaceRefs selected_;
     std::vector<std::string> selectedNames_; ///< theirs, when they were selected or renamed

@@ -24,6 +24,7 @@ void Document::reopen(const AxesChoice& choice) {
 }
 
 void Document::openAs(const std::filesystem::path& file, bool isSample, const AxesChoice& choice, bool anew) {
+    adding_ = false;
     job_.start([=, this](const Progress& progress) -> BackgroundJob::Delivery {
         const FileStamp stamp(file);
         auto loaded = std::make_shared<Result<LoadedScene>>(importScene(file, progress));
@@ -46,6 +47,15 @@ void Document::openAs(const std::filesystem::path& file, bool isSample, const Ax
         };
     });
     emit openProgressed(0, -1);
+}
+
+void Document::begin(Scene scene) {
+    job_.cancel();
+    adopt({std::move(scene), {}, true}, {});
+    source_ = {};
+    own_ = false;
+    history_.setClean();
+    emit opened();
 }
 
 void Document::adoptShared(Scene scene, const std::filesystem::path& file) {
@@ -99,6 +109,7 @@ void Document::exportBundle(const std::filesystem::path& file) {
 
 void Document::adopt(LoadedScene loaded, const FileStamp& file) {
     ++scenes_;
+    lastId_ = 0;
     trying_ = 0;
     trial_.reset();
     history_.clear();

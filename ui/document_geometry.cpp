@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/files/source.h"
@@ -44,6 +45,51 @@ void sayTheSize(std::vector<Finding>& findings, const GeometryUpdate& told) {
                             "the file says no unit, and that of before would make it far larger or smaller "
                             "than it was: another one is taken",
                             "choose in the bar over the view if that is wrong"});
+}
+
+/// What came into the scene besides the file that it began with; of a new scene, what the file that is read
+/// has no name for.
+std::vector<ObjectId> fromElsewhere(const Scene& now, const std::optional<Scene>& file, const Scene& onto) {
+    const auto hasName = [&](const SceneObject& object) {
+        return std::ranges::any_of(onto.objects, [name = plainName(object.name)](const SceneObject& other) {
+            return plainName(other.name) == name;
+        });
+    };
+    std::vector<ObjectId> others;
+    for (const SceneObject& object : now.objects)
+        if (file ? !file->find(object.id) : !hasName(object)) others.push_back(object.id);
+    return others;
+}
+
+/// What is arranged with them and is theirs: of bodies those that move nothing else.
+GoingAlong partsOf(const Scene& scene, const std::vector<ObjectId>& objects) {
+    GoingAlong parts = goingAlong(scene, objects);
+    parts.objects = objects;
+    std::erase_if(parts.bodies, [&](BodyId body) {
+        return std::ranges::any_of(scene.objects, [&](const SceneObject& object) {
+            return object.body == body && !parts.has(object.id);
+        });
+    });
+    return parts;
+}
+
+/// What is from elsewhere, under its numbers, beside the new shapes.
+void putBack(Scene& onto, const Scene& whole, const std::vector<ObjectId>& others) {
+    if (others.empty()) return;
+    ObjectId largest = 0;
+    for (const Scene* scene : {&std::as_const(onto), &whole})
+        for (const SceneObject& object : scene->objects)
+            largest = std::max(largest, object.id);
+    for (SceneObject& object : onto.objects)
+        if (std::ranges::find(others, object.id) != others.end()) object.id = ++largest;
+    Scene rest;
+    rest.mechanics = whole.mechanics;
+    rest.mechanics.bodies.clear(), rest.mechanics.joints.clear(), rest.mechanics.colliders.clear();
+    addCopies(rest, whole, partsOf(whole, others));
+    const std::size_t before = onto.objects.size();
+    addScene(onto, std::move(rest), largest);
+    for (std::size_t i = 0; i < others.size(); ++i)
+        onto.objects[before + i].id = others[i];
 }
 
 bool isAnotherSize(double grown) {
@@ -92,9 +138,13 @@ Result<Document::NewShapes> Document::readShapes(const Source& source, const std
     return shapes;
 }
 
-Result<Document::Updated> Document::updated(const Scene& now, const Source& source, NewShapes shapes) {
+Result<Document::Updated> Document::updated(const Scene& whole, const Source& source, NewShapes shapes) {
     LoadedScene& loaded = shapes.loaded;
     Scene& onto = loaded.scene;
+    const bool known = source.as || source.file.path.empty();
+    const auto others = known ? fromElsewhere(whole, source.as, onto) : std::vector<ObjectId>();
+    Scene now = whole;
+    tactum::removeObjects(now, others);
     Updated updated{{}, std::move(shapes.source), std::move(shapes.told)};
     GeometryUpdate& told = updated.told;
     std::vector<Finding>& findings = told.findings;
@@ -124,12 +174,15 @@ Result<Document::Updated> Document::updated(const Scene& now, const Source& sour
     told.surfaces = surfacesOf(onto);
     told.surfacesBefore = surfacesOf(now);
     updated.source.gone = std::move(carried.gone);
+    putBack(onto, whole, others);
     updated.scene = std::move(onto);
     return updated;
 }
 
 void Document::takeOtherwise(const AxesChoice& choice) {
-    if (justUpdated())
+    if (const TakenFile* added = justAdded())
+        startAdding({{added->file, choice}}, history_.index());
+    else if (justUpdated())
         startUpdate(source_.file.path, choice, true);
     else
         reopen(choice);

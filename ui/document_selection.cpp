@@ -1,6 +1,7 @@
 // The document's selection, and the edits that change which triangles are of which surface.
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/geometry/surfaces.h"
@@ -87,6 +88,25 @@ SceneObject merge(SceneObject object, const MergedSurfaces& merged, Index active
 
 std::optional<SurfaceRef> Document::selection() const {
     return selected_.empty() ? std::nullopt : std::optional(selected_.back());
+}
+
+std::vector<ObjectId> Document::selectedObjects() const {
+    std::set<ObjectId> chosen;
+    for (const SurfaceRef ref : selected_)
+        chosen.insert(ref.object);
+    std::vector<ObjectId> objects;
+    for (const SceneObject& object : scene_.objects)
+        if (chosen.contains(object.id)) objects.push_back(object.id);
+    return objects;
+}
+
+void Document::selectObjects(const std::vector<ObjectId>& objects, SelectMode mode) {
+    SurfaceRefs all;
+    for (const ObjectId id : objects)
+        if (const SceneObject* object = scene_.find(id))
+            for (Index i = 0; i < Index(object->surfaces.size()); ++i)
+                all.push_back({id, i});
+    select(all, mode);
 }
 
 void Document::select(const SurfaceRefs& refs, SelectMode mode) {

@@ -28,12 +28,12 @@ int stepsOf(const Scene& scene) {
 JournalEntry entryOf(const Document& document) {
     const FileStamp& stamp = document.stamp();
     std::error_code fault;
-    const fs::path absolute = fs::absolute(stamp.path, fault);
+    const fs::path absolute = stamp.path.empty() ? fs::path() : fs::absolute(stamp.path, fault);
     return {.file = fault ? stamp.path : absolute,
             .fileWritten = stamp.written.time_since_epoch().count(),
             .fileBytes = stamp.bytes,
             .own = document.hasOwnFile(),
-            .title = QString::fromStdU16String(stamp.path.filename().u16string()).toStdString(),
+            .title = document.title().toStdString(),
             .edited = QDateTime::currentSecsSinceEpoch()};
 }
 
@@ -83,6 +83,7 @@ void Journal::writeNow() {
 
 void Journal::write() {
     due_.stop();
+    if (document_.empty()) return; // nothing to find again: what was there before is kept
     edits_ = 0;
     if (writing_) {
         again_ = true;

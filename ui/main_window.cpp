@@ -52,10 +52,15 @@ namespace {
 
 constexpr int kFrame = 16; // ms
 
-QString firstFile(const QMimeData& data) {
+QStringList filesIn(const QMimeData& data) {
+    QStringList files;
     for (const QUrl& url : data.urls())
-        if (url.isLocalFile()) return url.toLocalFile();
-    return {};
+        if (url.isLocalFile()) files << url.toLocalFile();
+    return files;
+}
+
+QString firstFile(const QMimeData& data) {
+    return filesIn(data).value(0);
 }
 
 } // namespace
@@ -106,6 +111,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectRecordings();
     connectImport();
     connectGeometry();
+    connectParts();
     connectRecovery();
     connectPalette();
     connectCompare();
@@ -292,7 +298,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString file = firstFile(*event->mimeData());
     if (isPicture(file)) return dropPicture(file, event->position());
     const QPointF at = view_->mapFrom(this, event->position());
-    if (!takePreset(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt)) open(file);
+    if (!takePreset(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt))
+        dropModels(filesIn(*event->mimeData()));
 }
 
 } // namespace tactum

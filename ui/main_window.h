@@ -168,13 +168,22 @@ private:
     void showImport();
     void keepFootFree();
     void showImportCommands(const TakenAs* taken);
+    // Of objects that come, are doubled, and go: main_window_parts.cpp.
+    void connectParts();
+    void fillSamples(QMenu* menu);
+    void askToAdd();
+    void addFiles(const QStringList& files);
+    void dropModels(const QStringList& files);
+    void showAdded(const SceneAddition& addition);
+    void removeSelected();
+    void showObjectMenu(const QPoint& at, QWidget& over);
     // Of shapes that changed elsewhere: main_window_geometry.cpp.
     void connectGeometry();
     void askForGeometry();
     void updateGeometry(const std::filesystem::path& file);
     void offerUpdate();
     void showUpdated(const GeometryUpdate& update);
-    void followUpdate(int step);
+    void followTold(int step);
     void connectRecovery(); ///< main_window_recovery.cpp
     void connectToServer();
     void showCentre(); ///< main_window_shared.cpp
@@ -281,6 +290,7 @@ private:
     DevicePanel* devicePanel_ = nullptr;
     DeviceSettings deviceSettings_;       ///< of the device in the engine
     std::optional<Trial> trial_;          ///< that is felt instead of the document
+    QString dropped_;                     ///< the one model that is being added because it was dropped
     std::optional<SurfaceRef> droppedOn_; ///< who gets the preset that is being imported
     Docks docks_;
     std::optional<Feel> copied_; ///< to be pasted
@@ -298,8 +308,8 @@ private:
     bool importSeen_ = false;           ///< the person has closed the import bar
     std::optional<FileAxes> asked_;     ///< as which the file is being read again
     QString fittedNote_;                ///< what was last noted of the document
-    int updateStep_ = 0;                ///< of the history after the update that is told of; 0: none
-    QString updateNote_;                ///< what is told of it
+    int toldStep_ = 0;                  ///< of the history after what is told of; 0: none
+    QString told_;                      ///< what is told of it
     QPointer<QDialog> updateList_;      ///< what is not as before
     bool leaving_ = false;              ///< the person has agreed to close the window
     bool riskAccepted_ = false;         ///< of stiffness above the ceiling, until the program ends

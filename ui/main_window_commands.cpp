@@ -84,6 +84,9 @@ void MainWindow::makeMenus() {
     auto* recent = new QMenu(tr("Ope&n recent"), file);
     file->insertMenu(&actions_["save-picture"], recent);
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    auto* samples = new QMenu(tr("From the sam&ples"), file);
+    menuBar()->findChild<QMenu*>(QStringLiteral("File/A&dd"))->addMenu(samples);
+    fillSamples(samples);
     auto* view = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
     QMenu* panels = createPopupMenu();
     panels->setTitle(tr("&Panels"));
@@ -163,9 +166,6 @@ void MainWindow::connectEdit() {
     connect(&actions_["lock"], &QAction::triggered, this, [this] {
         const auto active = document_.selection();
         if (active) document_.setLocked(document_.selected(), !document_.surface(*active)->locked);
-    });
-    connect(&actions_["remove"], &QAction::triggered, this, [this] {
-        if (const auto chosen = document_.selection()) document_.removeObject(chosen->object);
     });
 }
 
@@ -294,7 +294,7 @@ void MainWindow::connectDocument() {
     });
     connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelEdit);
     connect(&document_, &Document::openProgressed, this, [this](double fraction, double secondsLeft) {
-        notice_->showProgress(tr("Opening"), fraction, secondsLeft, true);
+        notice_->showProgress(document_.adding() ? tr("Adding") : tr("Opening"), fraction, secondsLeft, true);
     });
     connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelOpen);
     connect(&publisher_, &WorldPublisher::progressed, this, [this](double fraction, double secondsLeft) {

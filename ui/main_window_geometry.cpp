@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <QFileDialog>
 
+#include "ui/ask_where.h"
 #include "ui/numbers.h"
 #include "ui/panels/finding_list.h"
 #include "ui/panels/notice_bar.h"
@@ -19,13 +20,6 @@ namespace {
 
 QString nameOf(const std::filesystem::path& file) {
     return QString::fromStdU16String(file.filename().u16string());
-}
-
-QString modelFilter() {
-    QStringList patterns;
-    for (const std::string& ending : readableEndings())
-        patterns << QStringLiteral("*.") + QString::fromStdString(ending);
-    return QObject::tr("Models (%1)").arg(patterns.join(u' '));
 }
 
 QString countText(std::size_t count, const char* noun) {
@@ -98,7 +92,7 @@ void MainWindow::connectGeometry() {
     // Another scene, or the file as it is now: nothing is left of the offer.
     const auto withdraw = [this] { notice_->withdraw(tr("Update geometry")); };
     connect(&document_, &Document::opened, this, withdraw);
-    connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::followUpdate);
+    connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::followTold);
 }
 
 void MainWindow::askForGeometry() {
@@ -124,8 +118,8 @@ void MainWindow::offerUpdate() {
 void MainWindow::showUpdated(const GeometryUpdate& update) {
     if (updateList_) updateList_->close(); // of the update before
     const QString sentence = sentenceFor(update);
-    updateNote_ = sentence;
-    updateStep_ = update.changed ? document_.history().index() : 0;
+    told_ = sentence;
+    toldStep_ = update.changed ? document_.history().index() : 0;
     const bool plain = update.findings.empty();
     if (plain)
         notice_->showNote(sentence);
@@ -139,11 +133,11 @@ void MainWindow::showUpdated(const GeometryUpdate& update) {
 }
 
 /// What is told of an update goes when it is undone; after another edit Undo would take that back.
-void MainWindow::followUpdate(int step) {
-    if (updateStep_ == 0 || step == updateStep_) return;
-    if (step > updateStep_) return notice_->takeBackAlso(updateNote_);
-    updateStep_ = 0;
-    notice_->takeBack(updateNote_);
+void MainWindow::followTold(int step) {
+    if (toldStep_ == 0 || step == toldStep_) return;
+    if (step > toldStep_) return notice_->takeBackAlso(told_);
+    toldStep_ = 0;
+    notice_->takeBack(told_);
     if (updateList_) updateList_->close();
 }
 

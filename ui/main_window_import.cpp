@@ -43,6 +43,10 @@ void MainWindow::connectImport() {
         importSeen_ = false;
         endAsking();
     });
+    connect(&document_, &Document::added, this, [this] {
+        importSeen_ = false;
+        endAsking();
+    });
     connect(&document_, &Document::openFailed, this, &MainWindow::endAsking); // the choice is as before
     connect(&document_, &Document::editEnded, this, &MainWindow::endAsking);
     connect(&document_, &Document::saved, this, &MainWindow::showImport);
@@ -63,7 +67,7 @@ std::optional<FileAxes> MainWindow::shownAxes() const {
 void MainWindow::takeOtherwise(const FileAxes& axes) {
     const auto shown = shownAxes();
     if (!shown || axes == *shown) return showImport(); // a command that holds already stays ticked
-    const std::filesystem::path file = document_.source().path;
+    const std::filesystem::path file = document_.takenFile();
     const FileAxes guess = document_.takenAs()->guess;
     if (axes.unit != shown->unit) rememberUnit(file, axes.unit, guess.unit);
     if (axes.zUp != shown->zUp) rememberUp(file, axes.zUp, guess.zUp);
@@ -89,8 +93,8 @@ void MainWindow::showImport() {
             taken.axes = *asked_;
             taken.by = TakenAs::By::Choice;
         }
-        importBar_->display(QString::fromStdU16String(document_.source().path.filename().u16string()), taken,
-                            asked_ ? std::nullopt : std::optional(boundsOf(document_.scene()).diagonal()));
+        importBar_->display(QString::fromStdU16String(document_.takenFile().filename().u16string()), taken,
+                            asked_ ? std::nullopt : std::optional(document_.takenAcross()));
     } else
         importBar_->hide();
     keepFootFree();

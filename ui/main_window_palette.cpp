@@ -34,12 +34,13 @@ struct Reason {
 };
 constexpr auto kNotOffered =
     "The file says it, or it could lose edits; see the bar over the view after opening.";
+constexpr auto kNothingThere = "Nothing is open, or the scene is empty.";
 constexpr Reason kReasons[] = {
-    {"save", "Nothing is open."},
-    {"save-as", "Nothing is open."},
-    {"export", "Nothing is open."},
-    {"update-geometry", "Nothing is open."},
-    {"save-picture", "Nothing is open."},
+    {"save", kNothingThere},
+    {"save-as", kNothingThere},
+    {"export", kNothingThere},
+    {"update-geometry", kNothingThere},
+    {"save-picture", kNothingThere},
     {"taken-m", kNotOffered},
     {"taken-cm", kNotOffered},
     {"taken-mm", kNotOffered},

@@ -37,7 +37,7 @@ constexpr const char* kLiveActions[] = {
     "touch",          "select",         "select-touched", "hide",        "show-all",     "remove",
     "armed",          "stop",           "restart-proxy",  "undo",        "redo",         "record-stroke",
     "take-stroke",    "mark-a",         "swap-ab",        "compare-now", "trial-spring", "trial-wall",
-    "trial-friction", "workspace-axes", "arrange"};
+    "trial-friction", "workspace-axes", "arrange",        "duplicate",   "drop",         "rename"};
 
 QString ending() {
     return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));

@@ -31,9 +31,11 @@ std::filesystem::path pathOf(const QString& file) {
 /// Beside the scene's file; what is made of a sample belongs to the person, not beside the samples.
 QString placeToSave(const Document& document, const QStringList& samples) {
     const QFileInfo file(fileOf(document));
-    if (!samples.contains(file.canonicalFilePath())) return file.filePath();
+    const bool isNew = document.path().empty();
+    if (!isNew && !samples.contains(file.canonicalFilePath())) return file.filePath();
     const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-    return (documents.exists() ? documents : QDir::home()).filePath(file.fileName());
+    return (documents.exists() ? documents : QDir::home())
+        .filePath(isNew ? QStringLiteral("scene.glb") : file.fileName());
 }
 
 } // namespace
@@ -107,19 +109,19 @@ void MainWindow::exportBundle() {
 
 void MainWindow::showFile() {
     const QFileInfo file(fileOf(document_));
-    setWindowTitle(tr("%1[*] - Tactum").arg(file.fileName()));
-    setWindowFilePath(file.absoluteFilePath());
+    const bool isNew = document_.path().empty();
+    setWindowTitle(tr("%1[*] - Tactum").arg(document_.title()));
+    setWindowFilePath(isNew ? QString() : file.absoluteFilePath());
     setWindowModified(document_.modified());
-    rememberFile(file.absoluteFilePath());
+    if (!isNew) rememberFile(file.absoluteFilePath());
     start_->setRecent(recentFiles());
 }
 
 void MainWindow::leave(const QString& intent, std::function<void()> goOn) {
     if (!document_.modified()) return goOn();
-    auto* question = new QMessageBox(
-        QMessageBox::Question, tr("Unsaved changes"),
-        tr("Save the changes to %1 before %2?").arg(QFileInfo(fileOf(document_)).fileName(), intent),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                     tr("Save the changes to %1 before %2?").arg(document_.title(), intent),
+                                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
     question->setObjectName(QStringLiteral("unsaved"));
     question->setInformativeText(tr("They are lost otherwise."));
     question->setAttribute(Qt::WA_DeleteOnClose);

@@ -56,7 +56,7 @@ void MainWindow::setShared(SharedScene& shared) {
 /// nobody could feel.
 void MainWindow::showCentre() {
     const bool apart = shared_ && !shared_->state().connected;
-    centre_->setCurrentWidget(document_.path().empty() && !apart ? static_cast<QWidget*>(start_) : view_);
+    centre_->setCurrentWidget(!document_.isOpen() && !apart ? static_cast<QWidget*>(start_) : view_);
 }
 
 } // namespace tactum

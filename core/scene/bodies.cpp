@@ -185,8 +185,7 @@ void addWorld(Scene& scene) {
     const auto& all = scene.mechanics.colliders;
     if (std::ranges::find(all, kWorldBody, &Collider::body) != all.end()) return;
     for (const SceneObject& object : scene.objects)
-        if (object.body == kWorldBody && !object.motion && isSolid(object))
-            addColliders(scene, object, kWorldBody, object.pose, freePart(scene));
+        addStillColliders(scene, object.id);
 }
 
 /// Those hulls of the world that stand for this object.
@@ -315,6 +314,12 @@ const RigidBody* findBody(const Scene& scene, BodyId id) {
     const auto& all = scene.mechanics.bodies;
     const auto found = std::ranges::find(all, id, &RigidBody::id);
     return found == all.end() ? nullptr : &*found;
+}
+
+void addStillColliders(Scene& scene, ObjectId id) {
+    const SceneObject* object = scene.find(id);
+    if (object && object->body == kWorldBody && !object->motion && isSolid(*object))
+        addColliders(scene, *object, kWorldBody, object->pose, freePart(scene));
 }
 
 BodyId makeBody(Scene& scene, ObjectId id) {

@@ -69,6 +69,8 @@ extern const std::array<AxisField, 10> kAxisFields;
 /// lie on, unless the scene has such already. What its parts that share no vertex enclose is what touches:
 /// convex, as hulls. Nothing for an object that moves by its keys or is a body already.
 BodyId makeBody(Scene& scene, ObjectId object);
+/// What bodies can lie on, of an object that stands still and has no such yet; nothing for one that moves.
+void addStillColliders(Scene& scene, ObjectId object);
 /// The body of an object goes, with its joints; its objects stay where they are at the time 0.
 void makeStill(Scene& scene, BodyId body);
 

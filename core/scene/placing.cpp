@@ -66,14 +66,19 @@ void placeAs(Scene& asMetres, const FileAxes& axes) {
 void scaleScene(Scene& scene, double factor, const Vec3& about) {
     scene.mechanics = scaled(std::move(scene.mechanics), factor, about);
     for (SceneObject& object : scene.objects) {
+        object.pose.translation = factor * (object.pose.translation - about);
+        if (factor == 1) continue; // geometry and keys stay shared
         auto larger = std::make_shared<TriangleSoup>(*object.geometry);
         for (Vec3& p : larger->positions)
             p *= factor;
         object.geometry = std::move(larger);
-        object.pose.translation = factor * (object.pose.translation - about);
         if (object.motion) object.motion = std::make_shared<const Motion>(scaled(*object.motion, factor));
     }
     moveFinger(scene, [&](const Vec3& p) { return Vec3(factor * (p - about)); });
+}
+
+void moveScene(Scene& scene, const Vec3& way) {
+    scaleScene(scene, 1, -way);
 }
 
 bool turnUpright(Scene& scene) {

@@ -41,6 +41,9 @@ void placeAs(Scene& asMetres, const FileAxes& axes);
 /// origin.
 void scaleScene(Scene& scene, double factor, const Vec3& about);
 
+/// Moves everything by so many metres, world frame.
+void moveScene(Scene& scene, const Vec3& way);
+
 /// From z up to y up: x stays, z becomes y. Not for a scene of bodies, which have their own gravity: returns
 /// false and leaves it as it is.
 bool turnUpright(Scene& scene);

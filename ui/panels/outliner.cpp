@@ -2,9 +2,14 @@
 
 #include <algorithm>
 
+#include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QEvent>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QShortcut>
+#include <QVBoxLayout>
 
 #include "ui/panels/swatch.h"
 #include "ui/style.h"
@@ -88,6 +93,7 @@ void Outliner::rebuild() {
     }
     addTopLevelItems(items);
     expandAll();
+    showFound();
     showSelection();
 }
 
@@ -109,7 +115,70 @@ void Outliner::refresh() {
                 fill(row == 0 ? *object : *object->child(int(row) - 1), rows[row]);
         listed_[i].rows = std::move(rows);
     }
+    showFound();
     showSelection();
+}
+
+void Outliner::search(const QString& words) {
+    words_ = words.trimmed();
+    showFound();
+}
+
+// A surface is shown for its own name and for that of its object.
+void Outliner::showFound() {
+    const auto show = [](QTreeWidgetItem& item, bool shown) {
+        if (item.isHidden() == shown) item.setHidden(!shown); // each change lays all rows out anew
+    };
+    const auto has = [this](const QTreeWidgetItem& item) {
+        return item.text(kName).contains(words_, Qt::CaseInsensitive);
+    };
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem& object = *topLevelItem(i);
+        const bool whole = has(object);
+        bool any = whole;
+        for (int child = 0; child < object.childCount(); ++child) {
+            const bool found = whole || has(*object.child(child));
+            show(*object.child(child), found);
+            any = any || found;
+        }
+        show(object, any);
+    }
+}
+
+void Outliner::selectFound() {
+    SurfaceRefs found;
+    for (int i = 0; i < topLevelItemCount(); ++i)
+        for (int child = 0; child < topLevelItem(i)->childCount(); ++child)
+            if (const QTreeWidgetItem* item = topLevelItem(i)->child(child); !item->isHidden())
+                found.push_back(refOf(item));
+    document_.select(found);
+}
+
+void Outliner::renameSelected() {
+    const auto active = document_.selection();
+    QTreeWidgetItem* item = active ? itemOf(*active) : nullptr;
+    const QTreeWidgetItem* object = item ? item->parent() : nullptr;
+    if (!item) return;
+    // In the list what has the frame; from elsewhere the object, where all of it is selected.
+    const auto allSelected = [object] {
+        for (int child = 0; child < object->childCount(); ++child)
+            if (!object->child(child)->isSelected()) return false;
+        return true;
+    };
+    const bool whole = hasFocus() ? currentItem() == object : allSelected();
+    QTreeWidgetItem* row = whole ? item->parent() : item;
+    for (QWidget* around = parentWidget(); around; around = around->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(around)) {
+            dock->show();
+            dock->raise();
+        }
+    setFocus(Qt::ShortcutFocusReason);
+    scrollToItem(row);
+    editItem(row, kName);
+}
+
+void Outliner::contextMenuEvent(QContextMenuEvent* event) {
+    emit menuAsked(event->globalPos());
 }
 
 std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) const {
@@ -252,6 +321,27 @@ void Outliner::toggle(QTreeWidgetItem* item, int column) {
             document_.setSurfacesVisible(ref, !surface->visible);
     };
     QMetaObject::invokeMethod(this, apply, Qt::QueuedConnection);
+}
+
+QWidget* searchable(Outliner& outliner) {
+    auto* field = new QLineEdit;
+    field->setObjectName(QStringLiteral("outliner-search"));
+    field->setPlaceholderText(Outliner::tr("Search"));
+    field->setAccessibleName(Outliner::tr("Search in the scene"));
+    field->setToolTip(Outliner::tr("Only objects and surfaces with this in their names; Enter selects them"));
+    field->setClearButtonEnabled(true);
+    QObject::connect(field, &QLineEdit::textChanged, &outliner, &Outliner::search);
+    QObject::connect(field, &QLineEdit::returnPressed, &outliner, &Outliner::selectFound);
+    auto* escape = new QShortcut(Qt::Key_Escape, field, nullptr, nullptr, Qt::WidgetShortcut);
+    QObject::connect(escape, &QShortcut::activated, field, &QLineEdit::clear);
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(field);
+    column->addWidget(&outliner);
+    both->setFocusProxy(&outliner);
+    return both;
 }
 
 } // namespace tactum

@@ -20,8 +20,20 @@ class Outliner : public HintedTree {
 public:
     explicit Outliner(Document& document, QWidget* parent = nullptr);
 
+    /// Shows only what has this in its name: objects, with their surfaces, and surfaces, below their objects.
+    void search(const QString& words);
+    /// Selects what is found.
+    void selectFound();
+    /// Begins to edit the name of what was selected last: of the object where all of it is selected.
+    void renameSelected();
+
+signals:
+    /// For what is selected, at a place of the screen.
+    void menuAsked(const QPoint& at);
+
 protected:
     void changeEvent(QEvent* event) override; ///< another theme
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void follow(const SceneChange& change);
@@ -43,6 +55,7 @@ private:
     QTreeWidgetItem* itemOf(SurfaceRef ref) const;
     bool hasSameRows(const Scene& scene) const;
     void showSelection();
+    void showFound();
     void selectChosen();
     void showMoves(QTreeWidgetItem& item, Moves moves);
     void showEye(QTreeWidgetItem& item, bool visible, bool shown);
@@ -62,8 +75,12 @@ private:
         std::vector<Row> rows; ///< of the object, then of its surfaces
     };
     std::vector<Listed> listed_; ///< what the tree shows, in its order
+    QString words_;              ///< that are searched for
     bool filling_ = false;       ///< our own changes of the tree are no edits
     bool choosing_ = false;      ///< the rows show already what is being selected
 };
+
+/// The list below a field that searches in it.
+QWidget* searchable(Outliner& outliner);
 
 } // namespace tactum

@@ -96,10 +96,15 @@ void StartPage::addButtons() {
     open->setObjectName(QStringLiteral("start-open"));
     connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
     row->addWidget(open);
+    auto* begin = new QPushButton(tr("New scene"));
+    begin->setObjectName(QStringLiteral("start-new"));
+    begin->setToolTip(tr("A ground to put several models on"));
+    connect(begin, &QPushButton::clicked, this, &StartPage::newRequested);
+    row->addWidget(begin);
     row->addStretch();
     column_->addLayout(row);
     column_->addWidget(
-        line(tr("or drop a file on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS"), 0, true));
+        line(tr("or drop files on this window: OBJ, PLY, STL, OFF, glTF, X3D, FBX, DAE, 3DS"), 0, true));
 }
 
 void StartPage::addSamples(const QStringList& samples) {

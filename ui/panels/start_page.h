@@ -17,6 +17,7 @@ public:
 
 signals:
     void openRequested();
+    void newRequested();
     void fileChosen(const QString& file);
 
 private:

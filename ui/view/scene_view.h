@@ -170,6 +170,8 @@ signals:
     void surfaceHovered(std::optional<tactum::SurfaceRef> surface);
     /// A click chose a place on a surface, or nothing.
     void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
+    /// The right button was pressed and let go at a place, or the key for menus; `at`: of the screen.
+    void menuAsked(std::optional<tactum::PickHit> hit, const QPoint& at);
     /// A box was drawn, in logical pixels.
     void boxDrawn(QRectF box, Qt::KeyboardModifiers modifiers);
     /// The tool Paint: places on the way of the pointer, a few pixels apart. Without a place for Lift, End
@@ -213,6 +215,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dragLeaveEvent(QDragLeaveEvent* event) override;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QContextMenuEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QMimeData>
@@ -87,6 +88,10 @@ void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     if (!clicked) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     emit view.picked(hit, modifiers);
+}
+
+void SceneView::Impl::askForMenu(QPointF cursor) {
+    emit view.menuAsked(pick(cursor, ScenePicker::Patience::Wait), view.mapToGlobal(cursor.toPoint()));
 }
 
 void SceneView::Impl::endBox(QPointF cursor, Qt::KeyboardModifiers modifiers) {
@@ -207,7 +212,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
         return impl_->letGo();
     }
     impl_->pressedAt = impl_->cursorAt = cursor;
-    impl_->moved = false;
+    impl_->moved = impl_->menuNext = false;
     if (impl_->hand.grip() == Grip::Follow) {
         impl_->letGo();
     } else if (event->button() == Qt::LeftButton) {
@@ -219,7 +224,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
         impl_->drag = event->modifiers() & Qt::ShiftModifier ? ViewDrag::Pan : ViewDrag::Orbit;
         impl_->moved = true; // never a click that chooses
     } else {
-        return event->ignore(); // the window's context menu
+        impl_->menuNext = event->button() == Qt::RightButton;
+        return;
     }
     impl_->showCursor(cursor);
 }
@@ -235,8 +241,19 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton && std::exchange(impl_->menuNext, false)) {
+        if (!impl_->moved) impl_->askForMenu(event->position());
+        return;
+    }
     if (impl_->drag == ViewDrag::None) return event->ignore();
     impl_->release(event->position(), event->modifiers());
+}
+
+/// Of the mouse it is asked for when the button goes up: where it gives something up there is none.
+void SceneView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() != QContextMenuEvent::Mouse)
+        emit menuAsked(std::nullopt, mapToGlobal(rect().center()));
+    event->accept();
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {

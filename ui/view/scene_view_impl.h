@@ -52,6 +52,7 @@ struct SceneView::Impl {
     void giveUpHandles();
     bool holdsArranging() const { return drag == ViewDrag::Handles && taken == &arranging; }
     bool arrangeKey(int key);
+    void askForMenu(QPointF cursor);
     void endBox(QPointF cursor, Qt::KeyboardModifiers modifiers);
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Everything on the way of the pointer from where it was.
@@ -117,6 +118,7 @@ struct SceneView::Impl {
     ViewDrag drag = ViewDrag::None;
     QPointF pressedAt, cursorAt;
     bool moved = false;
+    bool menuNext = false; ///< the right button is down, and has given nothing up
     QTimer glideTimer, meshTimer;
     QElapsedTimer glideClock, fadeClock;
 };

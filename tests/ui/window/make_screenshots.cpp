@@ -310,6 +310,21 @@ void takeBodies(const QDir& folder, const QString& scenes, QSize size) {
     program.release(at);
 }
 
+/// A scene of several models, some of them selected.
+void takeMany(const QDir& folder, const QString& scenes, QSize size) {
+    TouchedWindow program(size);
+    program.command("new-ground").trigger();
+    for (const char* id : {"add-cylinder", "add-sphere", "add-box"})
+        program.command(id).trigger();
+    program.document.add({{(scenes + QStringLiteral("teapot.glb")).toStdString(), {}},
+                          {(scenes + QStringLiteral("relief-coin.glb")).toStdString(), {}}});
+    if (!test::waitFor([&] { return !program.document.opening() && program.caughtUp(); }))
+        qFatal("the models do not come");
+    program.command("view-isometric").trigger();
+    program.frames(30);
+    save(program, folder, QStringLiteral("many-models.png"));
+}
+
 /// Every scene in which bodies move, after a second and a half, and then with its first joint and as what its
 /// bodies meet each other: to look at.
 void takeMoving(const QDir& folder, const QString& scenes, QSize size) {
@@ -359,10 +374,11 @@ void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
-// FOLDER [SCENE [WIDTHxHEIGHT [felt|layers|paint|tasks|bodies|moving|connected|touch|device|devices|looks]]]:
-// with the last word only the pictures of what is felt, of layers, of painting, of presets and problems, of
-// what moves, or of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page
-// of its dock in both themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
+// FOLDER [SCENE [WIDTHxHEIGHT
+// [felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks]]]: with the last word
+// only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a
+// device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of its dock in both
+// themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -395,6 +411,8 @@ int main(int argc, char** argv) {
     if (wanted("connected")) takeConnectedPicture(folder, scenes, size);
     if (only == "connected") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);
+    if (wanted("many")) takeMany(folder, scenes, size);
+    if (only == "many") return 0;
     if (only == "moving") takeMoving(folder, scenes, size);
     if (only == "bodies" || only == "moving") return 0;
     TouchedWindow program(size);
