@@ -5,6 +5,7 @@
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScopedValueRollback>
@@ -326,7 +327,7 @@ void Outliner::toggle(QTreeWidgetItem* item, int column) {
 QWidget* searchable(Outliner& outliner) {
     auto* field = new QLineEdit;
     field->setObjectName(QStringLiteral("outliner-search"));
-    field->setPlaceholderText(Outliner::tr("Search"));
+    field->setPlaceholderText(Outliner::tr("Search the scene"));
     field->setAccessibleName(Outliner::tr("Search in the scene"));
     field->setToolTip(Outliner::tr("Only objects and surfaces with this in their names; Enter selects them"));
     field->setClearButtonEnabled(true);
@@ -338,7 +339,10 @@ QWidget* searchable(Outliner& outliner) {
     auto* column = new QVBoxLayout(both);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(field);
+    auto* top = new QHBoxLayout; // as over the presets
+    top->setContentsMargins(12, kRhythm / 2, 12, kRhythm / 2);
+    top->addWidget(field);
+    column->addLayout(top);
     column->addWidget(&outliner);
     both->setFocusProxy(&outliner);
     return both;
