@@ -1,6 +1,8 @@
 #include "ui/panels/hinted_tree.h"
 
+#include <QAction>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QPainter>
 
 #include "ui/style.h"
@@ -31,6 +33,25 @@ void HintedTree::wrapRows() {
             fontMetrics().boundingRect(0, 0, width, 10000, Qt::TextWordWrap, topLevelItem(i)->text(0));
         topLevelItem(i)->setSizeHint(0, QSize(width, text.height() + kRhythm));
     }
+}
+
+QAction* HintedTree::actionOf(const QKeyEvent& key) const {
+    for (QAction* action : actions())
+        if (action->shortcutContext() == Qt::WidgetShortcut &&
+            action->shortcut() == QKeySequence(key.keyCombination()))
+            return action;
+    return nullptr;
+}
+
+bool HintedTree::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && actionOf(*static_cast<QKeyEvent*>(event)))
+        event->accept();
+    return QTreeWidget::event(event);
+}
+
+void HintedTree::keyPressEvent(QKeyEvent* event) {
+    if (QAction* own = actionOf(*event)) return own->trigger(); // nothing while it is off
+    QTreeWidget::keyPressEvent(event);
 }
 
 void HintedTree::resizeEvent(QResizeEvent* event) {

@@ -5,6 +5,8 @@
 
 namespace tactum {
 
+/// Keys of its own actions (Qt::WidgetShortcut) are its own while it has them: what the window does by the
+/// same key is not done from here, also while the action is off.
 class HintedTree : public QTreeWidget {
 public:
     explicit HintedTree(const QString& hint, QWidget* parent = nullptr);
@@ -14,10 +16,14 @@ protected:
     void setWrapping();
     /// After such rows were filled in.
     void wrapRows();
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QAction* actionOf(const QKeyEvent& key) const;
+
     QString hint_;
 };
 

@@ -67,11 +67,10 @@ void takeLayerPictures(TouchedWindow& program, const QDir& folder, const QString
     save(program, folder, "layers.png");
     program.command("mapping").trigger();
     save(program, folder, "layers-mapping.png");
-    for (QAction* action : program.window->findChildren<QAction*>())
-        if (action->text() == QLatin1String("&Light")) action->trigger();
+    program.command("theme-light").trigger();
+    program.frames(10);
     save(program, folder, "layers-light.png");
-    for (QAction* action : program.window->findChildren<QAction*>())
-        if (action->text() == QLatin1String("&Dark")) action->trigger();
+    program.command("theme-dark").trigger();
     program.command("mapping").trigger();
 }
 

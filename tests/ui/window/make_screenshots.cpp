@@ -245,8 +245,7 @@ void takeProblems(TouchedWindow& program, const QDir& folder) {
 }
 
 void takeLightTheme(TouchedWindow& program, const QDir& folder) {
-    for (QAction* action : program.window->findChildren<QAction*>())
-        if (action->text() == QLatin1String("&Light")) action->trigger();
+    program.command("theme-light").trigger();
     program.frames(30);
     save(program, folder, QStringLiteral("light-theme.png"));
 }

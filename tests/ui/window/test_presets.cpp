@@ -357,8 +357,13 @@ void TestPresets::ownOnesAreRenamedAndRemoved() {
         return stored && stored->preset.name == "Yours" && row(*program, QStringLiteral("Yours"));
     };
     QTRY_VERIFY_WITH_TIMEOUT(known(), kPatience);
+    // Del of this list is not the window's, which deletes objects: one that came with the program stays, too.
+    const std::size_t objects = program->document.scene().objects.size();
+    QVERIFY(choose(*program, QStringLiteral("Ice on ice")));
+    QTest::keyClick(&list(*program), Qt::Key_Delete);
     QVERIFY(choose(*program, QStringLiteral("Yours")));
     QTest::keyClick(&list(*program), Qt::Key_Delete);
+    QCOMPARE(program->document.scene().objects.size(), objects);
     QTRY_VERIFY_WITH_TIMEOUT(!row(*program, QStringLiteral("Yours")), kPatience);
     QVERIFY(!QFile::exists(file));
     program->window->findChild<QAbstractButton*>(QStringLiteral("notice-act"))->click();
