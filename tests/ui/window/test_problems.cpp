@@ -1,5 +1,6 @@
 // The list of problems: where they are, and repairing them.
 #include <QApplication>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -52,6 +53,8 @@ class TestProblems : public QObject {
     }
     static void click(const TouchedWindow& program, const QString& part) {
         QTreeWidget& tree = list(program);
+        program.window->findChild<QDockWidget*>(QStringLiteral("dock-problems"))->raise();
+        QTRY_VERIFY(!tree.visibleRegion().isEmpty());
         const QRect place = tree.visualItemRect(row(program, part));
         QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, {place.left() + 30, place.center().y()});
     }

@@ -442,7 +442,10 @@ void TestWindow::undoneStepsAreDim() {
     QVERIFY(program.open(writeCube(folder_)));
     program.type(QStringLiteral("stiffness"), QStringLiteral("300"));
     program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
+    program.window->findChild<QDockWidget*>(QStringLiteral("dock-history"))->raise();
     auto* list = program.window->findChild<HistoryList*>();
+    QTRY_VERIFY(!list->visibleRegion().isEmpty());
+    program.frames(5);
     const auto brightest = [&](int row) {
         const QImage picture = list->grab(list->visualRect(list->model()->index(row, 0))).toImage();
         int most = 0;
