@@ -163,7 +163,7 @@ void MainWindow::showAdded(const SceneAddition& addition) {
         notice_->showNote(sentence);
     const bool alone = document_.scene().objects.size() == addition.objects.size();
     if (alone || !isInPicture(*view_, boundsOf(document_.scene(), addition.objects))) view_->fit();
-    if (alone) hand_->placeBeside();
+    if (alone || !grabbed_) hand_->placeBeside(); // not inside of what came
     view_->setFocus();
 }
 

@@ -119,9 +119,13 @@ void MainWindow::showFile() {
 
 void MainWindow::leave(const QString& intent, std::function<void()> goOn) {
     if (!document_.modified()) return goOn();
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                     tr("Save the changes to %1 before %2?").arg(document_.title(), intent),
-                                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    const bool empty = document_.empty(); // a file of nothing could not be opened again
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Unsaved changes"),
+        empty ? tr("%1 is empty now: throw the changes away before %2?").arg(document_.title(), intent)
+              : tr("Save the changes to %1 before %2?").arg(document_.title(), intent),
+        (empty ? QMessageBox::NoButton : QMessageBox::Save) | QMessageBox::Discard | QMessageBox::Cancel,
+        this);
     question->setObjectName(QStringLiteral("unsaved"));
     question->setInformativeText(tr("They are lost otherwise."));
     question->setAttribute(Qt::WA_DeleteOnClose);

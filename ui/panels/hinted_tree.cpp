@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include "ui/panels/edit_keys.h"
 #include "ui/style.h"
 
 namespace tactum {
@@ -44,8 +45,10 @@ QAction* HintedTree::actionOf(const QKeyEvent& key) const {
 }
 
 bool HintedTree::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && actionOf(*static_cast<QKeyEvent*>(event)))
-        event->accept();
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (actionOf(key) || (keepsEditKeys() && isEditKey(key))) event->accept();
+    }
     return QTreeWidget::event(event);
 }
 

@@ -12,6 +12,8 @@ public:
     explicit HintedTree(const QString& hint, QWidget* parent = nullptr);
 
 protected:
+    /// Whether Del, F2 and Ctrl+D mean nothing of the window's here.
+    virtual bool keepsEditKeys() const { return true; }
     /// One column of sentences with an icon, in as many lines as they need.
     void setWrapping();
     /// After such rows were filled in.

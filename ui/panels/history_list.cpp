@@ -4,6 +4,7 @@
 #include <QStyledItemDelegate>
 #include <QUndoStack>
 
+#include "ui/panels/edit_keys.h"
 #include "ui/style.h"
 
 namespace tactum {
@@ -37,6 +38,12 @@ HistoryList::HistoryList(QUndoStack& steps, QWidget* parent) : QUndoView(&steps,
     setAccessibleName(tr("History"));
     setItemDelegate(new StepDelegate(steps, this));
     connect(&steps, &QUndoStack::indexChanged, viewport(), qOverload<>(&QWidget::update));
+}
+
+bool HistoryList::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isEditKey(*static_cast<QKeyEvent*>(event)))
+        event->accept();
+    return QUndoView::event(event);
 }
 
 void HistoryList::changeEvent(QEvent* event) {

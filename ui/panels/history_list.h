@@ -12,6 +12,7 @@ public:
     explicit HistoryList(QUndoStack& steps, QWidget* parent = nullptr);
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override; ///< another theme
 };
 

@@ -235,17 +235,6 @@ int LayerList::gapAt(int y) const {
     return topLevelItemCount();
 }
 
-bool LayerList::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && currentLayer() >= 0) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool plain = key->modifiers() == Qt::NoModifier, ctrl = key->modifiers() == Qt::ControlModifier;
-        if ((plain && (key->key() == Qt::Key_Delete || key->key() == Qt::Key_F2)) ||
-            (ctrl && key->key() == Qt::Key_D))
-            event->accept();
-    }
-    return HintedTree::event(event);
-}
-
 void LayerList::keyPressEvent(QKeyEvent* event) {
     const int layer = currentLayer();
     if (layer < 0) return HintedTree::keyPressEvent(event);

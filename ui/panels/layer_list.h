@@ -40,7 +40,6 @@ signals:
     void duplicateAsked();
 
 protected:
-    bool event(QEvent* event) override; ///< its keys are the window's elsewhere
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;

@@ -32,6 +32,7 @@ signals:
     void menuAsked(const QPoint& at);
 
 protected:
+    bool keepsEditKeys() const override { return false; }
     void changeEvent(QEvent* event) override; ///< another theme
     void contextMenuEvent(QContextMenuEvent* event) override;
 

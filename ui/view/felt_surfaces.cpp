@@ -132,12 +132,27 @@ void FeltSurfaces::dress() {
     model_.setDresses(std::move(dresses));
 }
 
+namespace {
+
+/// Triangles of a painted model: what is painted is given to the shader at every corner, anew with each dab.
+constexpr std::size_t kMostPainted = 300'000;
+
+bool isPainted(const Relief& relief) {
+    return std::ranges::any_of(relief.stack->layers, [](const CompiledLayer& layer) {
+        return layer.pattern.source == TextureSource::Painted ||
+               (layer.mask && layer.mask->source == TextureSource::Painted);
+    });
+}
+
+} // namespace
+
 std::shared_ptr<const Relief> FeltSurfaces::relief(const WorldBody& body, Index surface) {
     if (!relief_ || !stackOf(body, surface)) return nullptr;
     auto& known = reliefs_[body.textures[surface]];
     if (!known || known->smallestFeature != smallestFeature_)
         known = reliefOf(body.textures[surface], smallestFeature_);
-    return known;
+    return known && isPainted(*known) && known->stack->soup->triangles.size() > kMostPainted ? nullptr
+                                                                                             : known;
 }
 
 void FeltSurfaces::setPixel(double metres) {

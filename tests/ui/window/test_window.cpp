@@ -459,6 +459,11 @@ void TestWindow::undoneStepsAreDim() {
     program.frames(3);
     QCOMPARE_LT(brightest(2), done - 40);
     COMPARE_NEAR(brightest(1), done, 10, "");
+    // Del here is not the window's, which deletes objects.
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(list->model()->index(1, 0)).center());
+    QTest::keyClick(list, Qt::Key_Delete);
+    QVERIFY(!program.document.empty());
 }
 
 TACTUM_GUI_TEST(TestWindow)

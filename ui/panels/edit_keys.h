@@ -1,0 +1,15 @@
+// The keys with which the window deletes, renames and doubles objects.
+#pragma once
+
+#include <QKeyEvent>
+
+namespace tactum {
+
+/// A list of other things that has the keys keeps the window from that: who presses Del on a preset or on a
+/// step of the history means no object.
+inline bool isEditKey(const QKeyEvent& key) {
+    return key.modifiers() == Qt::NoModifier ? key.key() == Qt::Key_Delete || key.key() == Qt::Key_F2
+                                             : key.keyCombination() == (Qt::CTRL | Qt::Key_D);
+}
+
+} // namespace tactum
