@@ -442,7 +442,9 @@ void TestWindow::undoneStepsAreDim() {
     QVERIFY(program.open(writeCube(folder_)));
     program.type(QStringLiteral("stiffness"), QStringLiteral("300"));
     program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
-    program.window->findChild<QDockWidget*>(QStringLiteral("dock-history"))->raise();
+    auto* dock = program.window->findChild<QDockWidget*>(QStringLiteral("dock-history"));
+    dock->show(); // another test may have left it hidden
+    dock->raise();
     auto* list = program.window->findChild<HistoryList*>();
     QTRY_VERIFY(!list->visibleRegion().isEmpty());
     program.frames(5);
