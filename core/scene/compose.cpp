@@ -130,7 +130,7 @@ GoingAlong allOf(const Scene& scene) {
         if (collider.part != 0) all.parts.push_back(collider.part);
     }
     std::ranges::sort(all.parts);
-    all.parts.erase(std::ranges::unique(all.parts).begin(), all.parts.end());
+    all.parts.erase(std::unique(all.parts.begin(), all.parts.end()), all.parts.end());
     return all;
 }
 
