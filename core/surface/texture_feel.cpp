@@ -7,13 +7,6 @@
 #include "core/surface/painted_sample.h"
 
 namespace tactum {
-namespace {
-
-bool isPlace(const FlatPoint& point) noexcept {
-    return std::abs(point.at.x()) < kMaxRepeats && std::abs(point.at.y()) < kMaxRepeats &&
-           point.perMetre.allFinite();
-}
-
 FlatSample sampleFlat(const CompiledPattern& pattern, const FlatPoint& point,
                       double smallestFeature) noexcept {
     switch (pattern.source) {
@@ -31,6 +24,13 @@ FlatSample sampleFlat(const CompiledPattern& pattern, const FlatPoint& point,
         break; // lies on no plane
     }
     return {};
+}
+
+namespace {
+
+bool isPlace(const FlatPoint& point) noexcept {
+    return std::abs(point.at.x()) < kMaxRepeats && std::abs(point.at.y()) < kMaxRepeats &&
+           point.perMetre.allFinite();
 }
 
 TextureField sample(const CompiledPattern& pattern, const TexturePoint& point,

@@ -27,6 +27,11 @@ struct TextureFeel {
     double stiffness = 1;
 };
 
+/// What a pattern is at a point of its plane; nothing for what is painted, which lies on none.
+/// `smallestFeature` as below. Thread: real time.
+FlatSample sampleFlat(const CompiledPattern& pattern, const FlatPoint& point,
+                      double smallestFeature) noexcept;
+
 /// Samples every layer. `smallestFeature`: details of the texture shorter than this length are filtered out,
 /// m; kStepsToAFeature times the way of the slide in a step. 0 keeps all.
 /// Anything not finite gives the plain surface. Thread: real time; at most kMaxTextureLayers patterns and

@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-#include "core/surface/procedural_texture.h"
+#include "core/surface/texture_feel.h"
 
 namespace tactum {
 
@@ -33,19 +33,6 @@ int levelFor(const CompiledPattern& pattern, double smallestFeature) {
     return level;
 }
 
-FlatSample formula(const CompiledPattern& pattern, const FlatPoint& point, double smallestFeature) {
-    switch (pattern.source) {
-    case TextureSource::Grooves:
-        return grooves(pattern.wave, point, smallestFeature);
-    case TextureSource::Dots:
-        return dots(pattern.wave, point, smallestFeature);
-    case TextureSource::Weave:
-        return weave(point, smallestFeature);
-    default:
-        return {};
-    }
-}
-
 ReliefTile formulaTile(const CompiledPattern& pattern, double smallestFeature) {
     ReliefTile tile{kFormulaTexels, pattern.source == TextureSource::Grooves ? 1 : kFormulaTexels, {}};
     tile.texels.reserve(3 * std::size_t(tile.width) * std::size_t(tile.height));
@@ -54,7 +41,7 @@ ReliefTile formulaTile(const CompiledPattern& pattern, double smallestFeature) {
     for (int y = 0; y < tile.height; ++y)
         for (int x = 0; x < tile.width; ++x) {
             point.at = {(x + 0.5) / tile.width, (y + 0.5) / tile.height};
-            const FlatSample sample = formula(pattern, point, smallestFeature);
+            const FlatSample sample = sampleFlat(pattern, point, smallestFeature);
             tile.texels.insert(tile.texels.end(),
                                {float(sample.value), float(sample.slope.x()), float(sample.slope.y())});
         }
