@@ -481,6 +481,47 @@ private slots:
         VERIFY_RESULT(kept);
         QVERIFY(glbOf(kept->scene).value() == glbOf(desk.scene()).value());
     }
+
+    // A file of nothing could not be opened again.
+    void anEmptiedSceneIsNotOfferedToBeSaved() {
+        Desk desk;
+        const QString file = writeModel(folder_, "emptied", 0.04);
+        QVERIFY(desk.program.open(file));
+        desk.program.command("select-all").trigger();
+        desk.key(Qt::Key_Delete);
+        QCOMPARE(desk.count(), std::size_t(0));
+        desk.program.window->close();
+        auto* question = desk.program.window->findChild<QMessageBox*>(QStringLiteral("unsaved"));
+        QVERIFY(question && question->isVisible());
+        QCOMPARE(question->button(QMessageBox::Save), nullptr);
+        question->button(QMessageBox::Cancel)->click();
+        QVERIFY(desk.program.window->isVisible());
+        desk.document.history().undo();
+        QCOMPARE(desk.count(), std::size_t(1));
+    }
+
+    // From wherever one looks: the finger rests to the right of the picture, where the next thing may come.
+    void whatIsAddedDoesNotComeOntoTheFinger() {
+        Desk desk;
+        desk.program.command("new").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view.isVisible(), kPatience);
+        QVERIFY(desk.program.fullForce());
+        for (const double yaw : {-0.16, 0.5, -1.4}) {
+            desk.view.moveCamera(yaw - desk.view.camera().yaw, 0, 1);
+            for (const char* id : {"add-box", "add-sphere"}) {
+                const std::size_t before = desk.count();
+                desk.program.command(id).trigger();
+                QVERIFY(desk.added(before + 1));
+                QVERIFY(desk.program.atRest());
+                QCOMPARE(desk.program.touch().contacts, 0);
+                QCOMPARE_EQ(desk.program.engine.servo().force.norm(), 0.0);
+            }
+            desk.program.command("new").trigger();
+            if (auto* question = desk.program.window->findChild<QMessageBox*>(QStringLiteral("unsaved")))
+                question->button(QMessageBox::Discard)->click();
+            QTRY_COMPARE_WITH_TIMEOUT(desk.count(), std::size_t(0), kPatience);
+        }
+    }
 };
 
 TACTUM_GUI_TEST(TestParts)
