@@ -12,8 +12,10 @@
 #include "core/runtime/local_engine.h"
 #include "device/registry.h"
 #include "device/simulated_hand.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/panels/sample_gallery.h"
+#include "ui/preferences.h"
 #include "ui/style.h"
 #include "ui/view/surface_format.h"
 
@@ -37,6 +39,14 @@ QStringList sampleScenes() {
 void useNumbersOfC() {
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());
+}
+
+/// As a factor beside that of the screen; before there is an application. Who sets Qt's own variable knows
+/// better.
+void usePreferredSize() {
+    const double size = Preferences::instance().value(Preferred::Size) / 100;
+    if (size != 1 && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(size));
 }
 
 /// So that two windows of one person are told apart.
@@ -74,11 +84,14 @@ int runConnected(const WindowRequest& request, const std::shared_ptr<HandTarget>
 
 int runWindow(int argc, char** argv, const WindowRequest& request) {
     useViewSurfaceFormat();
-    QApplication app(argc, argv);
-    useNumbersOfC(); // after the application, which takes over the user's locale
+    // The names first: what the person prefers is found by them.
     QCoreApplication::setOrganizationName(QStringLiteral("Tactum"));
     QCoreApplication::setApplicationName(QStringLiteral("Tactum"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TACTUM_VERSION));
+    usePreferredSize();
+    QApplication app(argc, argv);
+    useNumbersOfC(); // after the application, which takes over the user's locale
+    applyLanguage();
     applyTheme(rememberedTheme());
 
     auto hand = std::make_shared<HandTarget>();

@@ -6,6 +6,7 @@
 
 #include "core/scene/placing.h"
 #include "ui/numbers.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -19,10 +20,6 @@ Surface* find(Scene& scene, SurfaceRef ref) {
 /// Where an edit finds an object; nullptr when it is gone.
 std::function<SceneObject*(Scene&)> atObject(ObjectId id) {
     return [id](Scene& scene) { return scene.find(id); };
-}
-
-QString text(std::string_view view) {
-    return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
 } // namespace
@@ -265,13 +262,13 @@ void Document::editSurfaces(const SurfaceRefs& refs, SceneChange::What what, con
 
 QString Document::namesOf(const SurfaceRefs& refs) const {
     const Surface* only = refs.size() == 1 ? surface(refs.front()) : nullptr;
-    return only ? text(only->name) : tr("%1 surfaces").arg(refs.size());
+    return only ? asIs(only->name) : tr("%1 surfaces").arg(refs.size());
 }
 
 void Document::setMaterialValue(const SurfaceRefs& refs, const MaterialField& field, double value,
                                 Gesture gesture) {
     editSurfaces(
-        refs, SceneChange::What::Material, tr("%1 of %2").arg(text(field.parameter->label), "%1"),
+        refs, SceneChange::What::Material, tr("%1 of %2").arg(wordsOf(field.parameter->label), "%1"),
         [&](Surface& each) { each.material = withValue(each.material, field, value); }, gesture);
 }
 
@@ -385,7 +382,7 @@ void Document::renameSurface(SurfaceRef ref, const QString& name) {
 void Document::setVisible(ObjectId id, bool visible) {
     const SceneObject* object = scene_.find(id);
     if (!object) return;
-    changeObjectNow(id, (visible ? tr("Show %1") : tr("Hide %1")).arg(text(object->name)),
+    changeObjectNow(id, (visible ? tr("Show %1") : tr("Hide %1")).arg(asIs(object->name)),
                     [&](SceneObject& each) { each.visible = visible; });
 }
 

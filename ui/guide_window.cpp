@@ -51,7 +51,7 @@ void showGuide(QWidget* parent) {
     pages->setOpenExternalLinks(true);
     pages->setAccessibleName(QObject::tr("Page of the guide"));
     auto* contents = new QPushButton(QObject::tr("Contents"));
-    auto* back = new QPushButton(QObject::tr("Back"));
+    auto* back = new QPushButton(QObject::tr("Back", "to the page before"));
     back->setEnabled(false);
     for (QPushButton* button : {contents, back})
         button->setAutoDefault(false);

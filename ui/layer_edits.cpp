@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "ui/numbers.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -133,7 +134,7 @@ QString targetText(const TextureLayer& layer) {
 }
 
 QString labelOf(const NamedChoice& choice) {
-    return QObject::tr(std::string(choice.label).c_str());
+    return wordsOf(choice.label);
 }
 
 } // namespace tactum

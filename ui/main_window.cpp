@@ -117,6 +117,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectCompare();
     connectPresets();
     connectDevices();
+    connectPreferences();
     setAcceptDrops(true);
     restore();
     follow({});

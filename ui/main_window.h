@@ -17,6 +17,7 @@
 #include "ui/device_trial.h"
 #include "ui/docks.h"
 #include "ui/document.h"
+#include "ui/preferences.h"
 #include "ui/shortcuts.h"
 #include "ui/style.h"
 #include "ui/world_publisher.h"
@@ -111,6 +112,9 @@ private:
     void connectProblems();
     void showPlace(ObjectId id, const Problem& problem);
     void restore();
+    // Of what a person prefers: main_window_preferences.cpp.
+    void connectPreferences();
+    void followPreference(Preferred id);
     void setTheme(ThemeChoice choice);
 
     void follow(const SceneChange& change);

@@ -113,25 +113,6 @@ void MainWindow::fillRecent(QMenu* menu) {
     giveMnemonics(*menu);
 }
 
-void MainWindow::connectTheme() {
-    auto* group = new QActionGroup(this);
-    const std::pair<const char*, ThemeChoice> choices[] = {{"theme-dark", ThemeChoice::Dark},
-                                                           {"theme-light", ThemeChoice::Light},
-                                                           {"theme-system", ThemeChoice::System}};
-    for (const auto& [id, choice] : choices) {
-        group->addAction(&actions_[id]);
-        actions_[id].setChecked(choice == rememberedTheme());
-        connect(&actions_[id], &QAction::triggered, this, [this, choice = choice] { setTheme(choice); });
-    }
-}
-
-void MainWindow::setTheme(ThemeChoice choice) {
-    applyTheme(choice);
-    actions_.refreshIcons();
-    start_->setRecent(recentFiles());
-    view_->setTheme(theme().dark);
-}
-
 void MainWindow::connectFile() {
     connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
     connect(&actions_["connect"], &QAction::triggered, this, &MainWindow::connectToServer);

@@ -11,6 +11,7 @@
 #include "ui/playback.h"
 #include "ui/style.h"
 #include "ui/view/scene_view.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -71,9 +72,9 @@ void MainWindow::fillPaintStrip(const QList<QAction*>& goals, const QList<QActio
     paintStrip_->setObjectName(QStringLiteral("paint-strip"));
     QStringList goalNames, modeNames;
     for (const NamedChoice& goal : kPaintGoals)
-        goalNames << tr(goal.label.data());
+        goalNames << wordsOf(goal.label);
     for (const NamedChoice& mode : kBrushModes)
-        modeNames << tr(mode.label.data());
+        modeNames << wordsOf(mode.label);
     paintStrip_->addLabel(tr("The brush"));
     paintStrip_->addChoices(tr("What the brush does"), modes, modeNames);
     paintStrip_->addChoices(tr("What the brush paints"), goals, goalNames);

@@ -24,7 +24,10 @@ QString plain(QString text) {
 
 /// "View/&Camera" as "View > Camera".
 QString menuPath(const char* menu) {
-    return plain(QObject::tr(menu)).replace(u'/', QStringLiteral(" > "));
+    QStringList path;
+    for (const QString& part : QString::fromLatin1(menu).split(u'/'))
+        path << plain(QObject::tr(qPrintable(part)));
+    return path.join(QStringLiteral(" > "));
 }
 
 /// Why a command can be off, where there is one reason alone.
@@ -33,8 +36,8 @@ struct Reason {
     const char* sentence;
 };
 constexpr auto kNotOffered =
-    "The file says it, or it could lose edits; see the bar over the view after opening.";
-constexpr auto kNothingThere = "Nothing is open, or the scene is empty.";
+    QT_TR_NOOP("The file says it, or it could lose edits; see the bar over the view after opening.");
+constexpr auto kNothingThere = QT_TR_NOOP("Nothing is open, or the scene is empty.");
 constexpr Reason kReasons[] = {
     {"save", kNothingThere},
     {"save-as", kNothingThere},
@@ -47,29 +50,30 @@ constexpr Reason kReasons[] = {
     {"taken-in", kNotOffered},
     {"up-y", kNotOffered},
     {"up-z", kNotOffered},
-    {"undo", "There is no edit to take back."},
-    {"redo", "No edit was taken back."},
-    {"stop", "The forces are off already."},
-    {"dead-man", "This device has no button that could be held."},
-    {"device-connect", "No other device is chosen in the dock Device that can be used."},
-    {"device-disconnect", "No device is connected."},
-    {"workspace-centre", "The mouse leads the simulated hand in the scene itself."},
-    {"workspace-fit", "The mouse leads the simulated hand in the scene itself."},
-    {"workspace-axes", "The mouse leads the simulated hand in the scene itself."},
-    {"trial-end", "The scene is felt already."},
-    {"preset-apply", "No preset is chosen in the library, or no surface is selected."},
-    {"preset-save", "No surface is selected."},
-    {"preset-export", "No preset is chosen in the library."},
-    {"swap-ab", "No state was marked as A."},
-    {"compare-now", "There is no stroke, or no state was marked as A."},
-    {"compare-csv", "Nothing was compared yet."},
-    {"layer-duplicate", "No layer is selected that can be edited."},
-    {"layer-remove", "No layer is selected that can be edited."},
-    {"layer-up", "No layer lies above the selected one."},
-    {"layer-down", "No layer lies beneath the selected one."},
-    {"layer-show", "No layer is selected that can be edited."},
-    {"layer-solo", "No layer is selected that can be edited."},
-    {"mapping", "No layer is selected whose mapping has a frame; choose Triplanar, Planar or a round one."},
+    {"undo", QT_TR_NOOP("There is no edit to take back.")},
+    {"redo", QT_TR_NOOP("No edit was taken back.")},
+    {"stop", QT_TR_NOOP("The forces are off already.")},
+    {"dead-man", QT_TR_NOOP("This device has no button that could be held.")},
+    {"device-connect", QT_TR_NOOP("No other device is chosen in the dock Device that can be used.")},
+    {"device-disconnect", QT_TR_NOOP("No device is connected.")},
+    {"workspace-centre", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
+    {"workspace-fit", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
+    {"workspace-axes", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
+    {"trial-end", QT_TR_NOOP("The scene is felt already.")},
+    {"preset-apply", QT_TR_NOOP("No preset is chosen in the library, or no surface is selected.")},
+    {"preset-save", QT_TR_NOOP("No surface is selected.")},
+    {"preset-export", QT_TR_NOOP("No preset is chosen in the library.")},
+    {"swap-ab", QT_TR_NOOP("No state was marked as A.")},
+    {"compare-now", QT_TR_NOOP("There is no stroke, or no state was marked as A.")},
+    {"compare-csv", QT_TR_NOOP("Nothing was compared yet.")},
+    {"layer-duplicate", QT_TR_NOOP("No layer is selected that can be edited.")},
+    {"layer-remove", QT_TR_NOOP("No layer is selected that can be edited.")},
+    {"layer-up", QT_TR_NOOP("No layer lies above the selected one.")},
+    {"layer-down", QT_TR_NOOP("No layer lies beneath the selected one.")},
+    {"layer-show", QT_TR_NOOP("No layer is selected that can be edited.")},
+    {"layer-solo", QT_TR_NOOP("No layer is selected that can be edited.")},
+    {"mapping",
+     QT_TR_NOOP("No layer is selected whose mapping has a frame; choose Triplanar, Planar or a round one.")},
 };
 
 } // namespace

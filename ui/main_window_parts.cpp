@@ -53,11 +53,26 @@ QString sentenceFor(const SceneAddition& addition, const Scene& scene) {
     return text;
 }
 
-/// What went with objects, where that is more than a person sees.
-QString sentenceFor(const Removed& removed) {
-    if (removed.joints == 0) return {};
-    QString text = removed.joints == 1 ? MainWindow::tr("A joint went with it.")
-                                       : MainWindow::tr("%1 joints went with it.").arg(removed.joints);
+/// The object of which some surfaces are selected and some are not; null: there is none.
+const SceneObject* objectInPart(const Scene& scene, const std::vector<ObjectId>& objects,
+                                const SurfaceRefs& selected) {
+    for (const ObjectId id : objects) {
+        const SceneObject* object = scene.find(id);
+        const auto taken = std::ranges::count(selected, id, &SurfaceRef::object);
+        if (object && taken < std::ssize(object->surfaces)) return object;
+    }
+    return nullptr;
+}
+
+/// What went with the selected, where that is more than a person sees. `part`: of which not all was selected.
+QString sentenceFor(const Removed& removed, const QString& part) {
+    if (removed.joints == 0 && part.isEmpty()) return {};
+    QString text;
+    if (!part.isEmpty()) text = MainWindow::tr("All of %1 went, not its selected surfaces alone.").arg(part);
+    if (removed.joints > 0 && !text.isEmpty()) text += u' ';
+    if (removed.joints > 0)
+        text += removed.joints == 1 ? MainWindow::tr("A joint went with it.")
+                                    : MainWindow::tr("%1 joints went with it.").arg(removed.joints);
     QStringList loose;
     for (const std::string& name : removed.loose)
         loose << QString::fromStdString(name);
@@ -176,7 +191,9 @@ void MainWindow::removeSelected() {
             return notice_->showNote(
                 tr("%1 is locked; Surface > Lock unlocks it.").arg(QString::fromStdString(object.name)));
     }
-    const QString more = sentenceFor(document_.removeObjects(chosen));
+    const SceneObject* part = objectInPart(document_.scene(), chosen, document_.selected());
+    const QString partName = part ? QString::fromStdString(part->name) : QString();
+    const QString more = sentenceFor(document_.removeObjects(chosen), partName);
     if (more.isEmpty()) return;
     notice_->showNote(more);
     told_ = more;

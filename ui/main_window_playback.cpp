@@ -24,6 +24,7 @@
 #include "ui/recording_saver.h"
 #include "ui/sound/sound_link.h"
 #include "ui/view/scene_view.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -40,7 +41,7 @@ constexpr const char* kLiveActions[] = {
     "trial-friction", "workspace-axes", "arrange",        "duplicate",   "drop",         "rename"};
 
 QString ending() {
-    return u'.' + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
+    return u'.' + asIs(kRecordingEnding);
 }
 
 QString suggestedFile() {

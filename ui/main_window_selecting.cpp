@@ -21,12 +21,12 @@ struct ReachCommand {
     SelectReach reach;
     const char* name; ///< in the row above the view
 };
-constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, "Surface"},
-                                     {"take-material", SelectReach::Material, "Same feel"},
-                                     {"take-connected", SelectReach::Connected, "Connected"},
-                                     {"take-smooth", SelectReach::Smooth, "Smooth"},
-                                     {"take-similar", SelectReach::Similar, "Similar normals"},
-                                     {"take-triangle", SelectReach::Triangle, "Triangle"}};
+constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, QT_TR_NOOP("Surface")},
+                                     {"take-material", SelectReach::Material, QT_TR_NOOP("Same feel")},
+                                     {"take-connected", SelectReach::Connected, QT_TR_NOOP("Connected")},
+                                     {"take-smooth", SelectReach::Smooth, QT_TR_NOOP("Smooth")},
+                                     {"take-similar", SelectReach::Similar, QT_TR_NOOP("Similar normals")},
+                                     {"take-triangle", SelectReach::Triangle, QT_TR_NOOP("Triangle")}};
 
 } // namespace
 

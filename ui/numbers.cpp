@@ -5,9 +5,26 @@
 #include <numbers>
 
 #include "core/base/numbers.h"
+#include "core/scene/placing.h"
+#include "ui/preferences.h"
 #include "ui/units.h"
+#include "ui/words.h"
 
 namespace tactum {
+
+namespace {
+
+/// As the person prefers; decimals: how many fewer than of metres.
+DisplayUnit lengthUnit() {
+    const LengthUnit& unit = kLengthUnits[std::size_t(Preferences::instance().value(Preferred::Lengths))];
+    return {1 / unit.metres, asIs(unit.name), int(std::lround(-std::log10(unit.metres)))};
+}
+
+bool showsNewtonsPerMillimetre() {
+    return Preferences::instance().value(Preferred::Stiffnesses) == 1;
+}
+
+} // namespace
 
 QString numberText(double value, int decimals) {
     if (!std::isfinite(value)) return QStringLiteral("-");
@@ -30,6 +47,10 @@ QString lengthText(double metres) {
             const double value = metres / unit;
             return numberText(value, value < 0.995 ? 2 : value < 9.95 ? 1 : 0) + name;
         }
+    if (const DisplayUnit unit = lengthUnit(); unit.name != QLatin1String("mm")) {
+        const double shown = unit.factor * metres;
+        return numberText(shown, shown < 9.995 ? 2 : shown < 99.95 ? 1 : 0) + u' ' + unit.name;
+    }
     if (metres < 0.01) return numberText(1e3 * metres, 2) + QStringLiteral(" mm");
     if (metres < 1) return numberText(1e3 * metres, 0) + QStringLiteral(" mm");
     return numberText(metres, metres < 10 ? 1 : 0) + QStringLiteral(" m");
@@ -41,7 +62,12 @@ QString durationText(double seconds) {
 }
 
 DisplayUnit displayUnit(const Parameter& parameter) {
-    if (parameter.unit == "m") return {1e3, QStringLiteral("mm"), std::max(0, parameter.decimals - 3)};
+    if (parameter.unit == "m") {
+        const DisplayUnit unit = lengthUnit();
+        return {unit.factor, unit.name, std::max(0, parameter.decimals - unit.decimals)};
+    }
+    if (parameter.unit == "N/m" && showsNewtonsPerMillimetre())
+        return {1e-3, QStringLiteral("N/mm"), parameter.decimals + 3};
     if (parameter.unit == "kg") return {1e3, QStringLiteral("g"), std::max(0, parameter.decimals - 3)};
     if (parameter.unit == "rad")
         return {180 / std::numbers::pi, QStringLiteral("\u00b0"), std::max(0, parameter.decimals - 2)};

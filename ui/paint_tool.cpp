@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/words.h"
+
 namespace tactum {
 
 namespace {
@@ -210,7 +212,7 @@ void PaintTool::write(Stroke& stroke, const std::vector<BrushStroke::Part>& part
         return;
     }
     std::size_t i = 0;
-    const QString goal = QString::fromUtf8(kPaintGoals[std::size_t(stroke.goal)].label.data()).toLower();
+    const QString goal = wordsOf(kPaintGoals[std::size_t(stroke.goal)].label).toLower();
     document_.editSurfaces(
         stroke.surfaces, SceneChange::What::Layers, tr("Paint %1 of %2").arg(goal, QStringLiteral("%1")),
         [&](Surface& each) {

@@ -11,6 +11,7 @@
 #include "core/presets/preset_file.h"
 #include "core/presets/read_hatt.h"
 #include "ui/preset_picture.h"
+#include "ui/words.h"
 
 // Outside of any namespace, as Qt asks: the resources live in a static library.
 static void initPresets() {
@@ -30,7 +31,7 @@ std::filesystem::path presetPathOf(const QString& file) {
 }
 
 QString dottedEnding() {
-    return u'.' + QString::fromUtf8(kPresetEnding.data(), qsizetype(kPresetEnding.size()));
+    return u'.' + asIs(kPresetEnding);
 }
 
 Result<LoadedPreset> presetIn(const QString& file) {
@@ -48,7 +49,7 @@ StoredPreset stored(const QString& file, const Preset& preset, bool own) {
     for (const auto& [key, source] : preset.sources)
         words << QString::fromStdString(source.words);
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
-        if (preset.values[i]) words << QString::fromUtf8(kMaterialFields[i].parameter->label.data());
+        if (preset.values[i]) words << wordsOf(kMaterialFields[i].parameter->label);
     for (const TextureLayer& layer : preset.layers.value_or(std::vector<TextureLayer>()))
         words << QString::fromStdString(layer.name);
     made.words = words.join(u'\n').toCaseFolded();

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/safety/inhibit_words.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -15,7 +16,7 @@ constexpr int kAftermath = 1000; // ms, that are recorded after a fault
 constexpr int kKept = 20;        // recordings of faults
 
 QString pattern() {
-    return QStringLiteral("*.") + QString::fromUtf8(kRecordingEnding.data(), int(kRecordingEnding.size()));
+    return QStringLiteral("*.") + asIs(kRecordingEnding);
 }
 
 void dropOldest(const QString& folder) {
@@ -51,7 +52,7 @@ QString RecordingSaver::folder() {
 void RecordingSaver::watch() {
     const ServoTelemetry& servo = engine_.servo();
     if (servo.faults > faults_) {
-        if (isFault(servo.inhibit)) reason_ = QString::fromUtf8(inhibitWords(servo.inhibit).brief);
+        if (isFault(servo.inhibit)) reason_ = wordsOf(inhibitWords(servo.inhibit).brief);
         if (!due_.isActive()) due_.start();
     }
     faults_ = servo.faults;
@@ -60,7 +61,7 @@ void RecordingSaver::watch() {
 void RecordingSaver::flush() {
     const bool hangs =
         engine_.servoStandsStill() || (engine_.running() && engine_.servo().inhibit == InhibitReason::Stall);
-    if (hangs) reason_ = QString::fromUtf8(inhibitWords(InhibitReason::Stall).brief);
+    if (hangs) reason_ = wordsOf(inhibitWords(InhibitReason::Stall).brief);
     if (!due_.isActive() && !hangs) return;
     due_.stop();
     saveFault();

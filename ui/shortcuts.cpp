@@ -55,6 +55,8 @@ constexpr Command kCommands[] = {
      "The selected objects come down onto what is beneath them, or on the ground"},
     {"palette", "Edit", "&Find a command...", "Ctrl+Shift+P", "", "Every command by a few letters of it",
      false, true},
+    {"preferences", "Edit", "Preferen&ces...", "Ctrl+,", "",
+     "Mouse, units, theme, language and what is kept for a crash", false, true},
     {"select-all", "Select", "&All surfaces", "A", "", "Every surface that is visible"},
     {"select-none", "Select", "&Nothing", "Alt+A", "", "No surface and no triangle"},
     {"select-like", "Select", "&Same feel", "Shift+G", "", "Every surface that feels like the active one"},

@@ -7,13 +7,13 @@
 #include <QFontDatabase>
 #include <QPainter>
 #include <QPalette>
-#include <QSettings>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QSvgRenderer>
 #include <QWidget>
 
 #include "ui/mnemonics.h"
+#include "ui/preferences.h"
 
 // Outside of any namespace, as Qt asks: the resources live in a static library.
 static void initIcons() {
@@ -25,7 +25,6 @@ namespace tactum {
 namespace {
 
 bool isDark = true;
-const auto kThemeKey = QStringLiteral("theme");
 
 bool systemIsDark() {
     static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
@@ -101,12 +100,10 @@ QByteArray source(const QString& name) {
 } // namespace
 
 ThemeChoice rememberedTheme() {
-    const int stored = QSettings().value(kThemeKey, int(ThemeChoice::Dark)).toInt();
-    return ThemeChoice(std::clamp(stored, int(ThemeChoice::Dark), int(ThemeChoice::System)));
+    return Preferences::instance().choice<ThemeChoice>(Preferred::Theme);
 }
 
 void applyTheme(ThemeChoice choice) {
-    QSettings().setValue(kThemeKey, int(choice));
     initIcons();
     const bool systemDark = systemIsDark(); // asked first of all, before our palette hides the answer
     isDark = choice == ThemeChoice::System ? systemDark : choice == ThemeChoice::Dark;

@@ -17,8 +17,8 @@ enum class ThemeChoice { Dark, Light, System };
 
 /// What the person chose last; dark at first.
 ThemeChoice rememberedTheme();
-/// Palette, font, style sheet and dialogs of the whole application, remembered for the next session. Call it
-/// before the first widget is made, and whenever the person chooses. Thread: ui.
+/// Palette, font, style sheet and dialogs of the whole application. Call it before the first widget is made,
+/// and whenever the person chooses. Thread: ui.
 void applyTheme(ThemeChoice choice);
 /// The theme that is on.
 const Theme& theme();

@@ -17,19 +17,19 @@
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/world_fields.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 namespace {
 
 constexpr std::array<Parameter, 3> kPlace{{
-    {"joint-x", "At x", "m", -1, 1, 1e-3, 0, 4, "A place on the axis of the joint, in the world."},
-    {"joint-y", "At y", "m", -1, 1, 1e-3, 0, 4, "A place on the axis of the joint, in the world."},
-    {"joint-z", "At z", "m", -1, 1, 1e-3, 0, 4, "A place on the axis of the joint, in the world."},
+    {"joint-x", QT_TR_NOOP("At x"), "m", -1, 1, 1e-3, 0, 4,
+     QT_TR_NOOP("A place on the axis of the joint, in the world.")},
+    {"joint-y", QT_TR_NOOP("At y"), "m", -1, 1, 1e-3, 0, 4,
+     QT_TR_NOOP("A place on the axis of the joint, in the world.")},
+    {"joint-z", QT_TR_NOOP("At z"), "m", -1, 1, 1e-3, 0, 4,
+     QT_TR_NOOP("A place on the axis of the joint, in the world.")},
 }};
-
-QString textOf(std::string_view view) {
-    return QString::fromUtf8(view.data(), qsizetype(view.size()));
-}
 
 constexpr double kSamePlace = 1e-9; // m
 
@@ -115,7 +115,7 @@ QWidget* BodyPanel::makeBodyRows() {
     for (const BodyField& field : kBodyFields) {
         auto* row = new ParameterField(*field.parameter);
         connect(row, &ParameterField::edited, this, [this, &field](double value, Gesture gesture) {
-            const QString text = tr("%1 of %2").arg(textOf(field.parameter->label), heading_->text());
+            const QString text = tr("%1 of %2").arg(wordsOf(field.parameter->label), heading_->text());
             document_.editBodies(
                 text,
                 [&, id = body(), safe = field.parameter->clamped(value)](Scene& scene) {
@@ -242,7 +242,7 @@ void BodyPanel::addAxisFields(AxisKind kind, QWidget* rows) {
         auto* row = new ParameterField(parameter);
         connect(
             row, &ParameterField::edited, this, [this, &field, &parameter](double value, Gesture gesture) {
-                editJoint(textOf(parameter.label), gesture, [&](AxisJoint& joint) {
+                editJoint(wordsOf(parameter.label), gesture, [&](AxisJoint& joint) {
                     const double safe = parameter.clamped(value);
                     joint.*field.value = field.isStop() && safe == parameter.initial ? field.endless() : safe;
                 });
@@ -266,11 +266,11 @@ void BodyPanel::hold(Hold hold) {
     const SceneObject* chosen = object();
     if (!chosen) return emit failed(tr("Nothing is selected; select the object first (Q)."));
     if (chosen->motion)
-        return emit failed(tr("%1 moves by its keys; it cannot be pushed.").arg(textOf(chosen->name)));
+        return emit failed(tr("%1 moves by its keys; it cannot be pushed.").arg(asIs(chosen->name)));
     const QString texts[] = {tr("%1 stands still"), tr("%1 is loose"), tr("%1 on a hinge"),
                              tr("%1 on a slider"), tr("%1 on a path")};
     if (holdOf(document_.scene(), chosen->body, which_) != hold)
-        document_.editBodies(texts[int(hold)].arg(textOf(chosen->name)),
+        document_.editBodies(texts[int(hold)].arg(asIs(chosen->name)),
                              [hold, which = which_, id = chosen->id](Scene& scene) {
                                  BodyId held = scene.find(id)->body;
                                  if (hold == Hold::Still) return makeStill(scene, held);
@@ -344,7 +344,7 @@ void BodyPanel::hideEvent(QHideEvent* event) {
 
 void BodyPanel::refresh() {
     const SceneObject* chosen = object();
-    heading_->setText(chosen ? textOf(chosen->name) : tr("No object selected"));
+    heading_->setText(chosen ? asIs(chosen->name) : tr("No object selected"));
     hint_->setVisible(!chosen);
     world_->setVisible(!chosen && !document_.scene().mechanics.bodies.empty());
     holdRow_->setVisible(chosen);
@@ -407,7 +407,7 @@ void BodyPanel::refreshOthers(BodyId own, BodyId to) {
     for (const RigidBody& each : document_.scene().mechanics.bodies) {
         if (each.id == own) continue;
         choices_.push_back(each.id);
-        to_->addItem(textOf(each.name));
+        to_->addItem(asIs(each.name));
     }
     to_->setCurrentIndex(int(std::ranges::find(choices_, to) - choices_.begin()));
 }

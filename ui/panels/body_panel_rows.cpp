@@ -11,15 +11,12 @@
 #include "core/scene/colliders.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/choice_box.h"
+#include "ui/words.h"
 
 namespace tactum {
 namespace {
 
 constexpr int kCurveParts = 200; // of a path, as it is drawn
-
-QString wordsOf(std::string_view words) {
-    return QString::fromUtf8(words.data(), qsizetype(words.size()));
-}
 
 } // namespace
 

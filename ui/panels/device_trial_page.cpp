@@ -27,12 +27,14 @@ struct Words {
     const char* task;
 };
 constexpr std::array<Words, 3> kTrialWords{{
-    {Trial::Spring, "trial-spring-button", "Spring",
-     "Bring the finger to the middle. From there a gentle spring draws it back, wherever you go."},
-    {Trial::Wall, "trial-wall-button", "Wall",
-     "A stiff wall stands to the right of the middle. Push against it: it holds and does not buzz."},
-    {Trial::Friction, "trial-friction-button", "Friction",
-     "A plate lies below the middle. Press on it and stroke: it holds, then lets go and slides."},
+    {Trial::Spring, "trial-spring-button", QT_TR_NOOP("Spring"),
+     QT_TR_NOOP(
+         "Bring the finger to the middle. From there a gentle spring draws it back, wherever you go.")},
+    {Trial::Wall, "trial-wall-button", QT_TR_NOOP("Wall"),
+     QT_TR_NOOP(
+         "A stiff wall stands to the right of the middle. Push against it: it holds and does not buzz.")},
+    {Trial::Friction, "trial-friction-button", QT_TR_NOOP("Friction"),
+     QT_TR_NOOP("A plate lies below the middle. Press on it and stroke: it holds, then lets go and slides.")},
 }};
 
 QLabel* trialWords(const char* name, bool dimmed) {

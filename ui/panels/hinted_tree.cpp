@@ -1,5 +1,7 @@
 #include "ui/panels/hinted_tree.h"
 
+#include <utility>
+
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -62,9 +64,14 @@ void HintedTree::resizeEvent(QResizeEvent* event) {
     if (wordWrap()) wrapRows();
 }
 
+void HintedTree::setHint(const QString& hint) {
+    if (std::exchange(hint_, hint) != hint) viewport()->update();
+}
+
 void HintedTree::paintEvent(QPaintEvent* event) {
     QTreeWidget::paintEvent(event);
-    if (topLevelItemCount() > 0) return;
+    for (int i = 0; i < topLevelItemCount(); ++i)
+        if (!topLevelItem(i)->isHidden()) return;
     QPainter painter(viewport());
     painter.setPen(theme().textDimmed);
     const int margin = 12;

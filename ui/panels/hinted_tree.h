@@ -1,4 +1,4 @@
-// A tree that says, while it is empty, what would be here and how to get it.
+// A tree that says, while it shows no row, what would be here and how to get it.
 #pragma once
 
 #include <QTreeWidget>
@@ -18,6 +18,7 @@ protected:
     void setWrapping();
     /// After such rows were filled in.
     void wrapRows();
+    void setHint(const QString& hint);
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;

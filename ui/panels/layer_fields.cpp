@@ -12,6 +12,7 @@
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/pattern_fields.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -34,10 +35,6 @@ QLabel* headingOf(const QString& layerText) {
     label->setProperty("heading", true);
     label->setContentsMargins(0, kRhythm / 2, 0, 0);
     return label;
-}
-
-QString layerText(std::string_view view) {
-    return QString::fromUtf8(view.data(), qsizetype(view.size()));
 }
 
 /// A pattern for a source that was another one before: what both have stays.
@@ -72,7 +69,7 @@ void LayerFields::addChanges(QLayout& rows) {
         auto* field = new ParameterField(parameter);
         connect(field, &ParameterField::edited, this, [this, &parameter](double value, Gesture gesture) {
             edit_(
-                layerText(parameter.label),
+                wordsOf(parameter.label),
                 [&](TextureLayer& each) {
                     if (&strengthParameter(each.target) == &parameter)
                         each.strength = parameter.clamped(value);

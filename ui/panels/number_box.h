@@ -14,6 +14,7 @@ class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(const QString& unit, QWidget* parent = nullptr);
 
+    void setUnit(const QString& unit) { unit_ = unit; }
     /// Shows a word instead of a number: it stands for several values. What is typed counts for all of them.
     void setMixed(bool mixed);
 

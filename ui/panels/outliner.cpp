@@ -38,13 +38,16 @@ QTreeWidgetItem* makeItem(SurfaceRef ref) {
     return item;
 }
 
+QString hintOfNothing() {
+    return Outliner::tr(
+        "The objects of the scene and their surfaces.\n\nOpen a model (Ctrl+O) or drop one on "
+        "the window.");
+}
+
 } // namespace
 
 Outliner::Outliner(Document& document, QWidget* parent)
-    : HintedTree(tr("The objects of the scene and their surfaces.\n\nOpen a model (Ctrl+O) or drop one on "
-                    "the window."),
-                 parent),
-      document_(document) {
+    : HintedTree(hintOfNothing(), parent), document_(document) {
     setObjectName(QStringLiteral("outliner"));
     setAccessibleName(tr("Outliner"));
     setColumnCount(3);
@@ -123,6 +126,8 @@ void Outliner::refresh() {
 void Outliner::search(const QString& words) {
     words_ = words.trimmed();
     showFound();
+    setHint(words_.isEmpty() ? hintOfNothing()
+                             : tr("Nothing has \u201c%1\u201d in its name.").arg(words_.left(20)));
 }
 
 // A surface is shown for its own name and for that of its object.

@@ -8,7 +8,9 @@
 
 #include "ui/panels/number_box.h"
 #include "ui/panels/value_slider.h"
+#include "ui/preferences.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -16,10 +18,6 @@ namespace {
 
 // Steps of the wheel or of an arrow key that follow each other this fast are one edit.
 constexpr int kRunOfSteps = 800; // ms
-
-QString parameterText(std::string_view view) {
-    return QString::fromUtf8(view.data(), qsizetype(view.size()));
-}
 
 /// "800 N/m", or "0.60" of what has no unit.
 QString shownValue(double shown, const DisplayUnit& unit) {
@@ -30,28 +28,36 @@ QString shownValue(double shown, const DisplayUnit& unit) {
 } // namespace
 
 ParameterField::ParameterField(const Parameter& parameter, QWidget* parent)
-    : QWidget(parent), parameter_(parameter), unit_(displayUnit(parameter)), box_(new NumberBox(unit_.name)),
-      slider_(new ValueSlider(parameter)), reset_(new QToolButton), hint_(new QLabel) {
-    auto* label = new QLabel(parameterText(parameter.label));
+    : QWidget(parent), parameter_(parameter), box_(new NumberBox({})), slider_(new ValueSlider(parameter)),
+      reset_(new QToolButton), unitLabel_(new QLabel), hint_(new QLabel) {
+    auto* label = new QLabel(wordsOf(parameter.label));
     label->setBuddy(box_);
     label->installEventFilter(this);
-    box_->setDecimals(unit_.decimals);
-    box_->setRange(unit_.factor * parameter.minimum, unit_.factor * parameter.maximum);
-    box_->setSingleStep(unit_.factor * parameter.step);
     reset_->setIcon(icon(QStringLiteral("reset")));
     reset_->setIconSize({12, 12});
     hint_->setProperty("limit", true);
     hint_->hide();
     layOut(label);
-    describe();
     wire();
-    setValue(parameter.initial);
+    value_ = parameter.initial;
+    useUnit();
+}
+
+void ParameterField::useUnit() {
+    unit_ = displayUnit(parameter_);
+    unitLabel_->setText(unit_.name);
+    const QSignalBlocker quiet(box_);
+    box_->setUnit(unit_.name);
+    box_->setDecimals(unit_.decimals);
+    box_->setRange(unit_.factor * parameter_.minimum, unit_.factor * parameter_.maximum);
+    box_->setSingleStep(unit_.factor * parameter_.step);
+    describe();
+    setValue(value_);
 }
 
 void ParameterField::layOut(QLabel* label) {
-    auto* unit = unitLabel_ = new QLabel(unit_.name);
-    unit->setProperty("dimmed", true);
-    unit->setMinimumWidth(5 * kRhythm);
+    unitLabel_->setProperty("dimmed", true);
+    unitLabel_->setMinimumWidth(5 * kRhythm);
     box_->setFixedWidth(9 * kRhythm);
     QSizePolicy keepsPlace = reset_->sizePolicy();
     keepsPlace.setRetainSizeWhenHidden(true);
@@ -63,7 +69,7 @@ void ParameterField::layOut(QLabel* label) {
     grid->addWidget(label, 0, 0);
     grid->addWidget(reset_, 0, 1);
     grid->addWidget(box_, 0, 2);
-    grid->addWidget(unit, 0, 3);
+    grid->addWidget(unitLabel_, 0, 3);
     grid->addWidget(slider_, 1, 0, 1, 4);
     grid->addWidget(hint_, 2, 0, 1, 4);
     grid->setColumnStretch(0, 1);
@@ -89,6 +95,9 @@ void ParameterField::wire() {
     connect(slider_, &QSlider::sliderPressed, this, [this] { gesture_ = newGesture(); });
     connect(slider_, &QSlider::valueChanged, this, &ParameterField::followSlider);
     connect(reset_, &QToolButton::clicked, this, [this] { edit(parameter_.initial, 0); });
+    connect(&Preferences::instance(), &Preferences::changed, this, [this](Preferred id) {
+        if (id == Preferred::Lengths || id == Preferred::Stiffnesses) useUnit();
+    });
 }
 
 void ParameterField::describe() {
@@ -96,20 +105,20 @@ void ParameterField::describe() {
     const QString range = tr("%1 to %2, default %3")
                               .arg(shown(box_->minimum()), shownValue(box_->maximum(), unit_),
                                    shown(unit_.factor * parameter_.initial));
-    // Rich parameterText, so that long sentences wrap.
+    // Rich text, so that long sentences wrap.
     setToolTip(QStringLiteral("<p><b>%1</b><br>%2</p><p>%3%4</p>")
-                   .arg(parameterText(parameter_.label).toHtmlEscaped(),
-                        parameterText(parameter_.sentence).toHtmlEscaped(), range,
+                   .arg(wordsOf(parameter_.label).toHtmlEscaped(),
+                        wordsOf(parameter_.sentence).toHtmlEscaped(), range,
                         ceilingText_.isEmpty() ? QString() : QStringLiteral("<br>") + ceilingText_));
-    const QString key = parameterText(parameter_.key);
+    const QString key = asIs(parameter_.key);
     box_->setObjectName(key);
     slider_->setObjectName(key + QStringLiteral("-slider"));
     reset_->setObjectName(key + QStringLiteral("-reset"));
     hint_->setObjectName(key + QStringLiteral("-hint"));
-    box_->setAccessibleName(parameterText(parameter_.label));
-    box_->setAccessibleDescription(parameterText(parameter_.sentence));
-    slider_->setAccessibleName(tr("%1, slider").arg(parameterText(parameter_.label)));
-    reset_->setAccessibleName(tr("Reset %1").arg(parameterText(parameter_.label)));
+    box_->setAccessibleName(wordsOf(parameter_.label));
+    box_->setAccessibleDescription(wordsOf(parameter_.sentence));
+    slider_->setAccessibleName(tr("%1, slider").arg(wordsOf(parameter_.label)));
+    reset_->setAccessibleName(tr("Reset %1").arg(wordsOf(parameter_.label)));
     reset_->setToolTip(
         tr("Back to the default, %1").arg(shownValue(unit_.factor * parameter_.initial, unit_)));
 }
@@ -132,6 +141,7 @@ void ParameterField::showMistake(const QString& typed) {
 }
 
 void ParameterField::setValue(double value) {
+    value_ = value;
     if (unit_.factor * value != box_->value()) hint_->hide();
     const QSignalBlocker quiet(box_);
     box_->setValue(unit_.factor * value);

@@ -48,6 +48,7 @@ protected:
 private:
     void layOut(QLabel* label);
     void wire();
+    void useUnit(); ///< that the person prefers
     void describe();
     void showLimit(double typed);
     void showMistake(const QString& typed);
@@ -57,10 +58,11 @@ private:
 
     const Parameter& parameter_;
     DisplayUnit unit_;
+    double value_ = 0; ///< shown, in the parameter's own unit
     NumberBox* box_;
     ValueSlider* slider_;
     QToolButton* reset_;
-    QLabel* unitLabel_ = nullptr;
+    QLabel* unitLabel_;
     bool compact_ = false;
     QLabel* hint_; ///< why another value than the typed one is shown
     QString ceilingText_;

@@ -7,6 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -65,8 +66,7 @@ void PatternFields::addFields() {
     for (const PatternField& field : kPatternFields) {
         auto* row = new ParameterField(*field.parameter);
         connect(row, &ParameterField::edited, this, [this, &field](double value, Gesture gesture) {
-            const QString what =
-                QString::fromUtf8(field.parameter->label.data(), qsizetype(field.parameter->label.size()));
+            const QString what = wordsOf(field.parameter->label);
             edit_(
                 what, [&](TexturePattern& each) { each.*field.value = field.parameter->clamped(value); },
                 gesture);

@@ -86,7 +86,8 @@ void PeriodChart::paintGrid(QPainter& painter) const {
     }
     for (const auto& [bin, label] : kLabels) {
         const double x = edge(bin + 1);
-        painter.drawText(QRectF(x - 32, a.bottom() + 2, 64, 14), Qt::AlignHCenter | Qt::AlignTop, tr(label));
+        painter.drawText(QRectF(x - 32, a.bottom() + 2, 64, 14), Qt::AlignHCenter | Qt::AlignTop,
+                         QString::fromUtf8(label));
     }
     painter.setPen(theme().border);
     painter.drawLine(a.bottomLeft(), a.bottomRight());

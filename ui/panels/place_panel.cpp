@@ -17,32 +17,38 @@ namespace {
 
 constexpr double kFarthest = 2; // m
 constexpr double kHalfTurn = std::numbers::pi;
-constexpr const char* kMiddle = "Where the middle of its box is, in the world.";
-constexpr const char* kTurned = "Turned about x, then y, then z of the world.";
+constexpr const char* kMiddle = QT_TR_NOOP("Where the middle of its box is, in the world.");
+constexpr const char* kTurned = QT_TR_NOOP("Turned about x, then y, then z of the world.");
 
 constexpr std::array<Parameter, 3> kWhere{{
-    {"place-x", "Place x", "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
-    {"place-y", "Place y", "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
-    {"place-z", "Place z", "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
+    {"place-x", QT_TR_NOOP("Place x"), "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
+    {"place-y", QT_TR_NOOP("Place y"), "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
+    {"place-z", QT_TR_NOOP("Place z"), "m", -kFarthest, kFarthest, 1e-3, 0, 6, kMiddle},
 }};
 constexpr std::array<Parameter, 3> kAngles{{
-    {"turn-x", "Turned about x", "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
-    {"turn-y", "Turned about y", "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
-    {"turn-z", "Turned about z", "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
+    {"turn-x", QT_TR_NOOP("Turned about x"), "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
+    {"turn-y", QT_TR_NOOP("Turned about y"), "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
+    {"turn-z", QT_TR_NOOP("Turned about z"), "rad", -kHalfTurn, kHalfTurn, kHalfTurn / 180, 0, 4, kTurned},
 }};
 constexpr Parameter kLongestSide{"longest-side",
-                                 "Longest side",
+                                 QT_TR_NOOP("Longest side"),
                                  "m",
                                  1e-4,
                                  kFarthest,
                                  1e-3,
                                  0.1,
                                  6,
-                                 "Of its own box; the other sides keep the proportion."};
+                                 QT_TR_NOOP("Of its own box; the other sides keep the proportion.")};
 constexpr Parameter kScale{
-    "scale", "Scale", "",
-    0.01,    100,     0.1,
-    1,       4,       "How much larger than when it was selected; textures and masses stay."};
+    "scale",
+    QT_TR_NOOP("Scale"),
+    "",
+    0.01,
+    100,
+    0.1,
+    1,
+    4,
+    QT_TR_NOOP("How much larger than when it was selected; textures and masses stay.")};
 
 constexpr double kSameTurn = 1e-9; // of the numbers of a quaternion
 

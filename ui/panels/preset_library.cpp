@@ -18,6 +18,7 @@
 #include "ui/panels/hinted_tree.h"
 #include "ui/preset_store.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -27,14 +28,10 @@ constexpr int kLibraryPicture = 36; // pixels
 constexpr int kDetails = 16 * kRhythm;
 constexpr int kFileRole = Qt::UserRole, kFiguresRole = Qt::UserRole + 1;
 
-QString presetTextOf(std::string_view text) {
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
-
 /// "staticFriction": the key under which a preset says the source of a value.
 QString sourceKey(const Parameter& parameter) {
     QString key;
-    for (const QString& part : presetTextOf(parameter.key).split(u'-'))
+    for (const QString& part : asIs(parameter.key).split(u'-'))
         key += key.isEmpty() ? part : part.left(1).toUpper() + part.mid(1);
     return key;
 }
@@ -47,9 +44,9 @@ QString valueText(const Parameter& parameter, double value) {
 
 QString sourceText(const PresetSource& source) {
     if (source.words.empty() && source.link.empty()) return PresetLibrary::tr("no source given");
-    QString text = presetTextOf(source.words).toHtmlEscaped();
+    QString text = asIs(source.words).toHtmlEscaped();
     if (source.typical) text = PresetLibrary::tr("typical; tables disagree. %1").arg(text);
-    const QString link = presetTextOf(source.link);
+    const QString link = asIs(source.link);
     const bool isAddress =
         link.startsWith(QStringLiteral("https://")) || link.startsWith(QStringLiteral("http://"));
     if (isAddress)
@@ -77,7 +74,7 @@ QString figuresOf(const Preset& preset) {
         if (preset.values[i]) figures << valueText(*kMaterialFields[i].parameter, *preset.values[i]);
     if (figures.isEmpty() && preset.layers) figures << PresetLibrary::tr("texture");
     QStringList parts{figures.join(QStringLiteral(" / "))};
-    if (!preset.category.empty()) parts << presetTextOf(preset.category);
+    if (!preset.category.empty()) parts << asIs(preset.category);
     return parts.join(QStringLiteral(" \u00b7 "));
 }
 
@@ -88,11 +85,11 @@ QString detailsOf(const StoredPreset& stored) {
     QString text;
     if (!preset.category.empty())
         text = QStringLiteral("<p style='margin:0 0 4px 0'><b>%1</b></p>")
-                   .arg(presetTextOf(preset.category).toHtmlEscaped());
+                   .arg(asIs(preset.category).toHtmlEscaped());
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
         const Parameter& parameter = *kMaterialFields[i].parameter;
         if (preset.values[i])
-            text += libraryLine(presetTextOf(parameter.label), valueText(parameter, *preset.values[i]),
+            text += libraryLine(wordsOf(parameter.label), valueText(parameter, *preset.values[i]),
                                 sourceOf(preset, sourceKey(parameter).toStdString()));
     }
     if (preset.shading)
@@ -103,8 +100,7 @@ QString detailsOf(const StoredPreset& stored) {
     QStringList names;
     for (const TextureLayer& layer : *preset.layers)
         names << QStringLiteral("%1 (%2, %3)")
-                     .arg(presetTextOf(layer.name),
-                          presetTextOf(kTextureSources[std::size_t(layer.pattern.source)].label),
+                     .arg(asIs(layer.name), wordsOf(kTextureSources[std::size_t(layer.pattern.source)].label),
                           valueText(strengthParameter(layer.target), layer.strength));
     return text + libraryLine(PresetLibrary::tr("Layers"),
                               names.isEmpty() ? PresetLibrary::tr("none") : names.join(QStringLiteral(", ")),
@@ -272,7 +268,7 @@ void PresetLibrary::fill() {
         list_->clear();
         for (const StoredPreset& stored : store_.presets()) {
             if (!matches(stored, search_->text()) && stored.file != wanted_) continue;
-            auto* item = new QTreeWidgetItem(list_, {presetTextOf(stored.preset.name)});
+            auto* item = new QTreeWidgetItem(list_, {asIs(stored.preset.name)});
             const QPixmap picture = QPixmap::fromImage(stored.picture);
             QIcon shown(picture);
             shown.addPixmap(picture, QIcon::Selected); // else it is tinted there
@@ -320,7 +316,7 @@ void PresetLibrary::rename(QTreeWidgetItem* item) {
 void PresetLibrary::removeChosen() {
     const StoredPreset* stored = chosen();
     if (!stored || !stored->own) return;
-    const QString name = presetTextOf(stored->preset.name);
+    const QString name = asIs(stored->preset.name);
     store_.remove(*stored);
     emit removed(name);
 }

@@ -6,17 +6,18 @@
 #include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 namespace {
 
 constexpr std::array<Parameter, 3> kGravity{{
-    {"gravity-x", "Gravity x", "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
-     "What makes bodies fall, along x of the world."},
-    {"gravity-y", "Gravity y", "m/s\u00b2", -1e4, 1e4, 0.1, -kEarthGravity, 2,
-     "What makes bodies fall, along y of the world: upward."},
-    {"gravity-z", "Gravity z", "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
-     "What makes bodies fall, along z of the world."},
+    {"gravity-x", QT_TR_NOOP("Gravity x"), "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
+     QT_TR_NOOP("What makes bodies fall, along x of the world.")},
+    {"gravity-y", QT_TR_NOOP("Gravity y"), "m/s\u00b2", -1e4, 1e4, 0.1, -kEarthGravity, 2,
+     QT_TR_NOOP("What makes bodies fall, along y of the world: upward.")},
+    {"gravity-z", QT_TR_NOOP("Gravity z"), "m/s\u00b2", -1e4, 1e4, 0.1, 0, 2,
+     QT_TR_NOOP("What makes bodies fall, along z of the world.")},
 }};
 
 } // namespace
@@ -40,8 +41,7 @@ void WorldFields::add(const Parameter& parameter, int index, Value value) {
         field, &ParameterField::edited, this,
         [this, &parameter, index, value](double wanted, Gesture gesture) {
             document_.editBodies(
-                tr("%1 of the world")
-                    .arg(QString::fromUtf8(parameter.label.data(), qsizetype(parameter.label.size()))),
+                tr("%1 of the world").arg(wordsOf(parameter.label)),
                 [=, &parameter](Scene& scene) { value(scene.mechanics, index) = parameter.clamped(wanted); },
                 gesture);
             refresh();

@@ -48,9 +48,9 @@ void drawBar(QPainter& painter, const QRectF& bar) {
 } // namespace
 
 ValueWords wordsOf(FeltValue value) {
-    if (value == FeltValue::Height) return {QStringLiteral("Height of texture"), QStringLiteral("mm"), 1e3};
+    if (value == FeltValue::Height) return {QObject::tr("Height of texture"), QStringLiteral("mm"), 1e3};
     const Parameter& parameter = parameterOf(value);
-    return {QString::fromUtf8(parameter.label.data(), int(parameter.label.size())),
+    return {QObject::tr(std::string(parameter.label).c_str()),
             QString::fromUtf8(parameter.unit.data(), int(parameter.unit.size())), 1};
 }
 

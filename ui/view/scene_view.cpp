@@ -193,6 +193,10 @@ void SceneView::showStandardView(StandardView standard) {
     fit();
 }
 
+void SceneView::setManners(const CameraManners& manners) {
+    impl_->manners = manners;
+}
+
 void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
     constexpr double kMin = 0.02; // of the scene: nearer there is nothing left to know it by
     const double size = std::max(radius, kMin * impl_->picker.bounds().diagonal());
@@ -208,7 +212,9 @@ void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
     to.fit(corners);
     impl_->flownFrom = impl_->camera;
     impl_->flownTo = to;
-    impl_->flight.start();
+    if (impl_->manners.flies) return impl_->flight.start();
+    impl_->flight.stop();
+    impl_->fly(1);
 }
 
 void SceneView::Impl::fly(double part) {

@@ -16,6 +16,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/view/arrange_gizmo.h"
+#include "ui/view/camera_manners.h"
 #include "ui/view/collider_marks.h"
 #include "ui/view/felt_options.h"
 #include "ui/view/joint_gizmo.h"
@@ -47,8 +48,8 @@ struct BrushRing {
 /// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
 enum class StandardView { Front, Right, Top, Isometric };
 
-/// Camera: middle drag (or left drag on empty space, or Alt + left drag) orbits, with Shift it pans, the
-/// wheel zooms to the cursor; Home fits, 1, 3 and 7 of the number pad are the standard views.
+/// Camera: left drag on empty space or Alt + left drag orbits, other buttons and the wheel as CameraManners
+/// say; Home fits, 1, 3 and 7 of the number pad are the standard views.
 /// Touch tool: a press on the model brings the finger there and into the surface a little, and dragging
 /// strokes it along; a press on the finger itself drags it in the camera's plane. Wheel or Ctrl + vertical
 /// drag move it along the view; G lets it follow the mouse until a click or Esc. Arrow keys and Page Up and
@@ -122,6 +123,7 @@ public:
     const ViewCamera& camera() const;
     /// Turns about the focus, rad: to the right and up round the model; and comes nearer by a factor < 1.
     void moveCamera(double yaw, double pitch, double nearer = 1);
+    void setManners(const CameraManners& manners);
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
     void setTheme(bool dark);

@@ -23,6 +23,12 @@ constexpr double kStrokePixels = 6, kMaxEventPlaces = 32;
 /// Added in linear light to the surface under the cursor.
 const QColor kHoverGlow = QColor::fromRgbF(0.075f, 0.1f, 0.115f);
 
+/// `other`: the one of the two that the button does not do by itself.
+ViewDrag dragOf(CameraManners::Drag drag, bool other) {
+    if (drag == CameraManners::Drag::None) return ViewDrag::None;
+    return (drag == CameraManners::Drag::Orbit) != other ? ViewDrag::Orbit : ViewDrag::Pan;
+}
+
 } // namespace
 
 std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patience patience) const {
@@ -67,7 +73,7 @@ void SceneView::Impl::letGo(bool givenUp) {
 void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     const QPointF step = cursor - cursorAt;
     if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
-    if (drag == ViewDrag::Orbit) camera.orbit(step);
+    if (drag == ViewDrag::Orbit) camera.orbit(manners.turnSpeed * step);
     if (drag == ViewDrag::Pan) camera.pan(step);
     if (drag == ViewDrag::Handles) leadHandles(cursor, modifiers);
     if (hand.grip() == Grip::None) return view.changed();
@@ -149,10 +155,12 @@ void SceneView::Impl::showCursor(QPointF cursor) {
 }
 
 void SceneView::Impl::zoomAt(QPointF cursor, double notches) {
-    const auto hit = pick(cursor, ScenePicker::Patience::Now);
-    const Vec3 anchor = hit ? hit->point : camera.pointAtDepthOf(camera.focus, cursor);
+    const auto hit = manners.zoomToCursor ? pick(cursor, ScenePicker::Patience::Now) : std::nullopt;
+    const Vec3 anchor = hit                    ? hit->point
+                        : manners.zoomToCursor ? camera.pointAtDepthOf(camera.focus, cursor)
+                                               : camera.focus;
     const double size = std::max(picker.bounds().diagonal(), 1e-6);
-    const double wanted = std::pow(kZoomPerNotch, notches);
+    const double wanted = std::pow(kZoomPerNotch, manners.zoomSpeed * notches);
     const double distance = std::clamp(camera.distance * wanted, 0.01 * size, 50 * size);
     camera.zoomTo(anchor, distance / camera.distance);
     view.changed();
@@ -221,10 +229,12 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
             emit stroked(StrokeStep::Begin, impl_->pick(cursor, ScenePicker::Patience::Wait),
                          event->modifiers());
     } else if (event->button() == Qt::MiddleButton) {
-        impl_->drag = event->modifiers() & Qt::ShiftModifier ? ViewDrag::Pan : ViewDrag::Orbit;
+        impl_->drag = dragOf(impl_->manners.middle, event->modifiers() & Qt::ShiftModifier);
         impl_->moved = true; // never a click that chooses
+    } else if (event->button() == Qt::RightButton) {
+        impl_->menuNext = true;
+        impl_->drag = dragOf(impl_->manners.right, false);
     } else {
-        impl_->menuNext = event->button() == Qt::RightButton;
         return;
     }
     impl_->showCursor(cursor);
@@ -242,6 +252,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton && std::exchange(impl_->menuNext, false)) {
+        if (impl_->drag != ViewDrag::None) impl_->letGo();
         if (!impl_->moved) impl_->askForMenu(event->position());
         return;
     }

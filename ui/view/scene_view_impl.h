@@ -96,6 +96,7 @@ struct SceneView::Impl {
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
     ViewCamera flownFrom, flownTo;
+    CameraManners manners;
     QVariantAnimation flight;
     HandTool hand;
 

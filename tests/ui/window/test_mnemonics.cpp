@@ -180,7 +180,7 @@ void TestMnemonics::everyDialogHasItsLetters() {
         }
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     };
-    for (const char* id : {"guide", "keyboard", "preset-save"}) {
+    for (const char* id : {"guide", "keyboard", "preferences", "preset-save"}) {
         program.command(id).trigger();
         program.frames(5);
         lookAtOpen();
@@ -199,7 +199,7 @@ void TestMnemonics::everyDialogHasItsLetters() {
     program.window->close();
     program.frames(5);
     lookAtOpen(); // asks what is to become of the edit
-    QCOMPARE_GE(seen.size(), qsizetype(11));
+    QCOMPARE_GE(seen.size(), qsizetype(12));
     QVERIFY2(trouble.empty(), qPrintable(trouble.join(u'\n')));
     // A letter does what it says: D throws the edit away.
     program.window->close();

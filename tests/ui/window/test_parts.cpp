@@ -23,6 +23,7 @@
 #include "core/scene/object_bounds.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/support/shown.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
@@ -431,6 +432,10 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(desk.outliner.topLevelItem(2)->isHidden(), kPatience);
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(!desk.outliner.topLevelItem(1)->isHidden());
+        QTest::keyClicks(field, "zzz");
+        COMPARE_CONTAINS(test::drawnBy(*desk.outliner.viewport()), QStringLiteral("zzz"));
+        QTest::keyClick(field, Qt::Key_Escape);
+        COMPARE_LACKS(test::drawnBy(*desk.outliner.viewport()), QStringLiteral("zzz"));
 
         desk.program.frames(2);
         const ObjectId sphere = desk.named("Sphere").id;
@@ -480,6 +485,24 @@ private slots:
         const auto kept = loadScene(*file);
         VERIFY_RESULT(kept);
         QVERIFY(glbOf(kept->scene).value() == glbOf(desk.scene()).value());
+    }
+
+    void aDeletedSurfaceTakesItsObjectAlongAndSaysSo() {
+        Desk desk;
+        QVERIFY(desk.program.open(writeCube(folder_)));
+        desk.document.select(SurfaceRef{desk.scene().objects[0].id, 2});
+        const QString name = QString::fromStdString(desk.scene().objects[0].name);
+        desk.key(Qt::Key_Delete);
+        QVERIFY(desk.added(0));
+        QCOMPARE(
+            desk.notice.text(),
+            QStringLiteral("All of %1 went, not its selected surfaces alone. Undo brings all of it back.")
+                .arg(name));
+        desk.program.command("undo").trigger();
+        desk.program.command("select-all").trigger();
+        desk.key(Qt::Key_Delete);
+        QVERIFY(desk.added(0));
+        COMPARE_LACKS(desk.notice.text(), QStringLiteral("All of"));
     }
 
     // A file of nothing could not be opened again.

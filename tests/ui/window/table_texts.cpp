@@ -1,0 +1,96 @@
+#include "tests/ui/window/table_texts.h"
+
+#include <string_view>
+
+#include <QStringList>
+
+#include "core/paint/brush.h"
+#include "core/safety/inhibit_words.h"
+#include "core/scene/bodies.h"
+#include "core/scene/colliders.h"
+#include "core/surface/material.h"
+#include "core/surface/shading.h"
+#include "ui/device_settings.h"
+#include "ui/paint_goal.h"
+#include "ui/preferences.h"
+#include "ui/select_tool.h"
+#include "ui/shortcuts.h"
+#include "ui/words.h"
+
+namespace tactum {
+
+namespace {
+
+struct Texts {
+    std::set<QString> all;
+
+    void add(std::string_view text) {
+        if (!text.empty()) all.insert(asIs(text));
+    }
+    void add(const Parameter& parameter) {
+        add(parameter.label);
+        add(parameter.sentence);
+    }
+    void addFields(const auto& fields) {
+        for (const auto& field : fields)
+            add(*field.parameter);
+    }
+    void addChoices(const auto& choices) {
+        for (const auto& choice : choices)
+            add(choice.label);
+    }
+};
+
+void addCommands(Texts& texts) {
+    for (const Command& each : commands()) {
+        texts.add(each.text);
+        texts.add(each.sentence);
+        for (const QString& menu : QString::fromLatin1(each.menu).split(u'/'))
+            texts.all.insert(menu);
+    }
+    for (const Manner& each : viewManners()) {
+        texts.add(each.keys);
+        texts.add(each.text);
+    }
+}
+
+} // namespace
+
+std::set<QString> tableTexts() {
+    Texts texts;
+    addCommands(texts);
+    texts.addFields(kMaterialFields);
+    texts.addFields(kPatternFields);
+    texts.addFields(kBrushFields);
+    texts.addFields(kBodyFields);
+    texts.addFields(kWorldFields);
+    for (const AxisField& field : kAxisFields) {
+        texts.add(*field.hinge);
+        texts.add(*field.slider);
+    }
+    for (const Parameter* each : {&kCreaseAngle, &kProxyRadius, &kTextureHeight, &kTextureRatio,
+                                  &kTextureOpacity, &kBodyMass, &kWorkspaceScale, &kSelectAngle})
+        texts.add(*each);
+    texts.addChoices(kTextureSources);
+    texts.addChoices(kTextureMappings);
+    texts.addChoices(kTextureBlends);
+    texts.addChoices(kTextureTargets);
+    texts.addChoices(kBrushModes);
+    texts.addChoices(kPaintGoals);
+    for (const auto& form : kColliderForms) {
+        texts.add(form.label);
+        texts.add(form.sentence);
+    }
+    for (const InhibitWords& words : kInhibitWords)
+        for (const char* text : {words.brief, words.what, words.done, words.remedy})
+            texts.add(text);
+    for (const Preference& each : preferenceTable()) {
+        texts.add(each.page);
+        texts.add(each.parameter);
+        for (const char* choice : each.choices)
+            texts.add(choice);
+    }
+    return texts.all;
+}
+
+} // namespace tactum
