@@ -30,7 +30,11 @@ constexpr Switch kSwitches[] = {{"contact-normals", &FeltOptions::normals},
                                 {"trail", &FeltOptions::trail},
                                 {"felt-normals", &FeltOptions::feltNormals},
                                 {"spheres", &FeltOptions::spheres},
-                                {"relief", &FeltOptions::relief}};
+                                {"relief", &FeltOptions::relief},
+                                {"ground", &FeltOptions::ground},
+                                {"boundaries", &FeltOptions::boundaries},
+                                {"wireframe", &FeltOptions::wireframe},
+                                {"parallel", &FeltOptions::parallel}};
 constexpr std::pair<const char*, FeltValue> kMaps[] = {{"map-stiffness", FeltValue::Stiffness},
                                                        {"map-damping", FeltValue::Damping},
                                                        {"map-static-friction", FeltValue::StaticFriction},

@@ -82,7 +82,7 @@ void MainWindow::showPresetCommands() {
 
 void MainWindow::applyPresetTo(const SurfaceRefs& surfaces, const Preset& preset) {
     const QString name = QString::fromStdString(preset.name);
-    if (applyPreset(document_, surfaces, preset)) return;
+    if (applyPreset(document_, surfaces, preset, presetStore_->presets())) return;
     bool locked = false;
     for (const SurfaceRef ref : surfaces)
         if (const Surface* surface = document_.surface(ref)) locked = locked || surface->locked;

@@ -66,6 +66,7 @@ QRgb pixelOf(const Vec3& linear, double coverage) {
 
 QImage presetPicture(const Preset& preset, int side) {
     const auto stack = stackOf(preset);
+    const Vec3 own = preset.colour.value_or(Vec3::Constant(0.5));
     const double shine = shineOf(preset), pixel = 2 * kRadius / side;
     const Vec3 light = Vec3(-0.45, 0.6, 0.66).normalized();
     const Vec3 half = (light + Vec3::UnitZ()).normalized();
@@ -81,7 +82,7 @@ QImage presetPicture(const Preset& preset, int side) {
             const Vec3 bent = bumpedNormal(normal, slopeAt(stack.get(), normal, pixel));
             const double diffuse = 0.22 + 0.9 * std::max(0.0, bent.dot(light));
             const double gloss = 0.5 * shine * std::pow(std::max(0.0, bent.dot(half)), 30);
-            const Vec3 colour = diffuse * preset.colour + Vec3::Constant(gloss + 0.015);
+            const Vec3 colour = diffuse * own + Vec3::Constant(gloss + 0.015);
             picture.setPixel(x, y, coverage > 0 ? pixelOf(colour, coverage) : 0);
         }
     return picture;

@@ -1,9 +1,11 @@
 #include "core/presets/preset.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/scene/surface_colours.h"
 
 namespace tactum {
 namespace {
@@ -61,12 +63,27 @@ const PresetSource& sourceOf(const Preset& preset, std::string_view key) {
     return found == preset.sources.end() ? kUnknown : found->second;
 }
 
+bool bringsColour(const Preset& preset) {
+    const auto sets = [&](const Parameter& parameter) {
+        const auto field = std::ranges::find(kMaterialFields, &parameter, &MaterialField::parameter);
+        return preset.values[std::size_t(field - kMaterialFields.begin())].has_value();
+    };
+    return preset.colour && (sets(kStaticFriction) || sets(kDynamicFriction));
+}
+
+Surface withoutColourOf(Surface surface, const Preset& preset) {
+    if (bringsColour(preset) && surface.colour == preset.colour->cast<float>())
+        surface.colour = Surface{}.colour;
+    return surface;
+}
+
 Surface applied(Surface surface, const Preset& preset) {
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
         if (preset.values[i])
             surface.material = withValue(surface.material, kMaterialFields[i], *preset.values[i]);
     if (preset.shading) surface.shading = *preset.shading;
     if (preset.layers) surface.layers = *preset.layers;
+    if (bringsColour(preset) && isOfPalette(surface.colour)) surface.colour = preset.colour->cast<float>();
     return surface;
 }
 
@@ -74,7 +91,7 @@ LoadedPreset presetOf(const Surface& surface, std::string name, const PresetSour
     LoadedPreset made;
     Preset& preset = made.preset;
     preset.name = std::move(name);
-    preset.colour = surface.colour.cast<double>().unaryExpr(&rounded);
+    preset.colour = Vec3(surface.colour.cast<double>().unaryExpr(&rounded));
     Material inRange;
     for (std::size_t i = 0; i < kMaterialFields.size(); ++i) {
         const MaterialField& field = kMaterialFields[i];

@@ -30,7 +30,7 @@ struct Preset {
     std::string name;
     std::string category; ///< may be empty
     std::vector<std::string> tags;
-    Vec3 colour = {0.5, 0.5, 0.5}; ///< linear RGB, 0 to 1; of its picture alone
+    std::optional<Vec3> colour; ///< linear RGB, 0 to 1: what the material looks like
     /// In the order and the units of kMaterialFields; empty for what it does not set.
     std::array<std::optional<double>, kMaterialFields.size()> values;
     std::optional<Shading> shading;
@@ -42,9 +42,17 @@ struct Preset {
 /// What is known of one part; empty words where nothing is.
 const PresetSource& sourceOf(const Preset& preset, std::string_view key);
 
+/// Whether surfaces take its colour: it has one, and the friction of a material. A stiffness or a pattern
+/// alone is of no material.
+bool bringsColour(const Preset& preset);
+
 /// The surface with the preset's values. Of the two friction coefficients the one that is not set follows, so
-/// that dynamic never exceeds static. Name, colour, sides and lock stay the surface's own.
+/// that dynamic never exceeds static. The colour becomes the preset's where nobody chose it (isOfPalette())
+/// and the preset bringsColour(). Name, sides and lock stay the surface's own.
 Surface applied(Surface surface, const Preset& preset);
+
+/// A surface whose colour is one that a preset brought: as good as chosen by nobody, that of a Surface.
+Surface withoutColourOf(Surface surface, const Preset& preset);
 
 /// A preset, and sentences about what could not become a part of it.
 struct LoadedPreset {

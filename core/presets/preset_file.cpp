@@ -101,8 +101,9 @@ private:
         };
         if (!colour->is_array() || colour->size() != 3 || !std::ranges::all_of(*colour, isPart))
             failAt("colour", "is not a list of three numbers from 0 to 1; repair or remove it");
+        Vec3& read = made_.preset.colour.emplace();
         for (std::size_t i = 0; i < 3; ++i)
-            made_.preset.colour[Eigen::Index(i)] = (*colour)[i].get<double>();
+            read[Eigen::Index(i)] = (*colour)[i].get<double>();
     }
 
     void readFeel() {
@@ -308,7 +309,8 @@ Result<LoadedPreset> parsePreset(std::string_view text, const std::filesystem::p
 
 std::string presetText(const Preset& preset) {
     Pictures pictures;
-    Json own{{kVersionKey, versionText()}, {"name", preset.name}, {"colour", vectorJson(preset.colour)}};
+    Json own{{kVersionKey, versionText()}, {"name", preset.name}};
+    if (preset.colour) own["colour"] = vectorJson(*preset.colour);
     if (!preset.category.empty()) own["category"] = preset.category;
     if (!preset.tags.empty()) own["tags"] = preset.tags;
     own["feel"] = feelJson(preset, pictures);

@@ -11,6 +11,9 @@ namespace tactum {
 /// the palette where there are none. Thread: any but real time.
 Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces);
 
+/// Whether a colour is one of the palette: nobody chose it. Thread: any.
+bool isOfPalette(const Eigen::Vector3f& colour);
+
 /// Gives each surface a colour of its own in objects that have several and all of them in the colour of a
 /// Surface that nobody coloured. Others stay as they are: their file has said something. Thread: any but real
 /// time.

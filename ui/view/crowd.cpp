@@ -103,6 +103,10 @@ void Crowd::paint(const CrowdPart& part) {
     gloss_->Modified();
 }
 
+void Crowd::setWireframe(bool on) {
+    showWireframe(*actor_, on);
+}
+
 vtkSmartPointer<vtkPolyData> Crowd::cellsOf(const std::vector<const CrowdPart*>& parts) const {
     std::array<std::vector<int>, 3> cells;
     for (const CrowdPart* part : parts)

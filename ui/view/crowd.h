@@ -41,6 +41,7 @@ public:
     void setParts(std::vector<CrowdPart*> parts);
     void place(const CrowdPart& part, const Pose& X_WB);
     void paint(const CrowdPart& part);
+    void setWireframe(bool on);
     /// After parts appeared or disappeared.
     void showVisible();
     /// Some of its parts as an actor to outline; it follows their places.

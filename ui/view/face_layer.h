@@ -26,6 +26,7 @@ public:
     void show(std::shared_ptr<const TriangleSoup> soup, std::span<const Index> faces);
     /// Where the object is; null: nowhere.
     void place(vtkMatrix4x4* matrix);
+    bool any() const { return actor_->GetVisibility(); }
     void setTheme(const Theme& theme);
 
 private:

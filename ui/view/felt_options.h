@@ -13,6 +13,11 @@ struct FeltOptions {
     bool normals = true, planes = true;
     bool cone = false;  ///< of friction
     bool trail = false; ///< of the proxy, the last seconds
+    // Of the picture as a whole.
+    bool ground = true;     ///< beneath the scene, with its shadow and a grid
+    bool boundaries = true; ///< thin lines between surfaces
+    bool wireframe = false; ///< the model's triangles as lines
+    bool parallel = false;  ///< a parallel projection, without vanishing points
     // Of the whole model.
     bool spheres = false; ///< of the collision hierarchy,
     int sphereLevel = 2;  ///< so deep below its eight coarsest, which are 0

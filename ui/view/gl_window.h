@@ -28,6 +28,9 @@ public:
     void PushContext() override;
     void PopContext() override;
 
+    /// Whether coarser meshes are drawn where there are some.
+    void setCoarse(bool coarse) { coarse_ = coarse; }
+    bool drawsCoarse() const { return coarse_; }
     /// Renders one frame into the framebuffer that is bound now, and leaves Qt's view of the state intact.
     void renderFrame();
     /// True when the current context draws on the processor.
@@ -37,6 +40,7 @@ private:
     std::function<void()> makeCurrent_;
     std::function<bool()> isCurrent_;
     std::vector<std::pair<QOpenGLContext*, QSurface*>> stack_;
+    bool coarse_ = false;
 };
 
 } // namespace tactum

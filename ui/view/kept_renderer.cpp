@@ -12,14 +12,19 @@
 #include <vtkProp3D.h>
 #include <vtkPropCollection.h>
 
+#include "ui/view/gl_window.h"
+
 namespace tactum {
 
 vtkStandardNewMacro(KeptRenderer);
 
 namespace {
 
-vtkOpenGLRenderWindow& windowOf(vtkRenderer& renderer) {
-    return static_cast<vtkOpenGLRenderWindow&>(*renderer.GetRenderWindow());
+/// After which a picture of the coarse model gives way to the exact one.
+constexpr std::chrono::milliseconds kSettles{250};
+
+GlWindow& windowOf(vtkRenderer& renderer) {
+    return static_cast<GlWindow&>(*renderer.GetRenderWindow());
 }
 
 std::array<int, 2> sizeOf(vtkOpenGLRenderWindow& window) {
@@ -57,8 +62,8 @@ bool copy(vtkOpenGLRenderWindow& window, vtkOpenGLFramebufferObject& from, vtkOp
 
 } // namespace
 
-vtkMTimeType KeptRenderer::lastChange() {
-    vtkMTimeType last = std::max(GetMTime(), GetViewProps()->GetMTime()); // the camera's is among its own
+vtkMTimeType KeptRenderer::lastChangeOfProps() {
+    vtkMTimeType last = GetViewProps()->GetMTime();
     vtkCollectionSimpleIterator it;
     GetViewProps()->InitTraversal(it);
     while (vtkProp* prop = GetViewProps()->GetNextProp(it)) {
@@ -69,17 +74,49 @@ vtkMTimeType KeptRenderer::lastChange() {
     return last;
 }
 
+vtkMTimeType KeptRenderer::lastChange() {
+    return std::max(GetMTime(), lastChangeOfProps()); // the camera's is among its own
+}
+
+bool KeptRenderer::holds(const Kept& kept) {
+    return kept.time != 0 && kept.time == lastChange() && kept.size == sizeOf(windowOf(*this));
+}
+
 void KeptRenderer::DeviceRender() {
-    vtkOpenGLRenderWindow& window = windowOf(*this);
-    Kept& kept = kept_[window.GetMultiSamples()];
-    if (kept.time != 0 && kept.time == lastChange() && kept.size == sizeOf(window)) return putBack(kept);
+    GlWindow& window = windowOf(*this);
+    const int samples = window.GetMultiSamples();
+    Kept& exact = kept_[{samples, false}];
+    if (!holds(exact) && window.drawsCoarse()) {
+        Kept& coarse = kept_[{samples, true}];
+        if (!holds(coarse)) return draw(coarse);
+        if (std::chrono::steady_clock::now() - coarse.since < kSettles) return putBack(coarse);
+    }
+    window.setCoarse(false);
+    if (holds(exact)) return putBack(exact);
+    drawExact(exact);
+}
+
+void KeptRenderer::draw(Kept& kept) {
     ++drawn_;
     Superclass::DeviceRender();
     keep(kept);
+    kept.since = std::chrono::steady_clock::now();
+}
+
+// A processor that draws is waited for: what it still has to do would hold the window a moment later.
+void KeptRenderer::drawExact(Kept& kept) {
+    const bool asBefore = drawnWith_ != 0 && drawnWith_ == lastChangeOfProps();
+    const auto before = std::chrono::steady_clock::now();
+    draw(kept);
+    drawnWith_ = lastChangeOfProps();
+    if (!GlWindow::rendererIsSoftware()) return;
+    QOpenGLContext::currentContext()->functions()->glFinish();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+    if (asBefore) budget_.took(took.count(), windowOf(*this).GetMultiSamples() > 0);
 }
 
 void KeptRenderer::keep(Kept& kept) {
-    vtkOpenGLRenderWindow& window = windowOf(*this);
+    GlWindow& window = windowOf(*this);
     const std::array<int, 2> size = sizeOf(window);
     const int samples = window.GetMultiSamples();
     if (size != kept.size) {
@@ -96,12 +133,12 @@ void KeptRenderer::keep(Kept& kept) {
 }
 
 void KeptRenderer::putBack(Kept& kept) {
-    vtkOpenGLRenderWindow& window = windowOf(*this);
+    GlWindow& window = windowOf(*this);
     copy(window, *kept.pixels, *window.GetRenderFramebuffer());
 }
 
 void KeptRenderer::ReleaseGraphicsResources(vtkWindow* window) {
-    for (auto& [samples, kept] : kept_)
+    for (auto& [how, kept] : kept_)
         kept.pixels->ReleaseGraphicsResources(window);
     kept_.clear();
     Superclass::ReleaseGraphicsResources(window);

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <map>
+#include <utility>
 
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
+
+#include "ui/view/picture_budget.h"
 
 class vtkOpenGLFramebufferObject;
 
@@ -15,7 +19,9 @@ namespace tactum {
 /// until its camera, its background, its list of props, one of them with all that VTK gives a time (place,
 /// property, texture, mapper, data), the window's size or its number of samples changes. So it holds for
 /// everything that VTK would draw anew by itself; a uniform of a shader has no such time. One picture for
-/// each number of samples: one that moves and one that rests take turns. For layer 0. Thread: ui.
+/// each number of samples: one that moves and one that rests take turns. In a window that draws coarsely the
+/// exact picture is put back as long as it holds, and drawn again when nothing but the touch has changed for
+/// a moment. For layer 0 of a GlWindow. Thread: ui.
 class KeptRenderer : public vtkOpenGLRenderer {
 public:
     static KeptRenderer* New();
@@ -32,24 +38,33 @@ public:
 
     /// The next picture is drawn, whatever is kept.
     void forget() {
-        for (auto& [samples, kept] : kept_)
+        for (auto& [how, kept] : kept_)
             kept.time = 0;
     }
     /// How many pictures were drawn, and not put back.
     int drawn() const { return drawn_; }
+    /// What drawing took where the processor draws.
+    PictureBudget& budget() { return budget_; }
 
 private:
     struct Kept {
         vtkNew<vtkOpenGLFramebufferObject> pixels;
         std::array<int, 2> size{};
-        vtkMTimeType time = 0; ///< of the last change that is in it; 0: none is
+        vtkMTimeType time = 0;                       ///< of the last change that is in it; 0: none is
+        std::chrono::steady_clock::time_point since; ///< when it was drawn
     };
 
+    vtkMTimeType lastChangeOfProps();
     vtkMTimeType lastChange();
+    bool holds(const Kept& kept);
+    void draw(Kept& kept);
+    void drawExact(Kept& kept);
     void keep(Kept& kept);
     void putBack(Kept& kept);
 
-    std::map<int, Kept> kept_; ///< by samples
+    std::map<std::pair<int, bool>, Kept> kept_; ///< by samples, and whether it is coarse
+    PictureBudget budget_;
+    vtkMTimeType drawnWith_ = 0; ///< the last change of a prop when the exact model was drawn last
     int drawn_ = 0;
 };
 

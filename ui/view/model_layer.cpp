@@ -3,8 +3,6 @@
 #include <chrono>
 #include <cmath>
 
-#include <vtkOpenGLPolyDataMapper.h>
-#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -22,6 +20,9 @@ constexpr std::size_t kQuickTriangles = 40000;
 /// Up to here a body is one of the crowd: the processor moves its vertices, and drawing it by itself would
 /// cost more than its triangles.
 constexpr std::size_t kSmallBody = 2000;
+/// From here on there is a coarser mesh of about so many triangles for what moves: a picture of more takes a
+/// processor longer than a fifteenth of a second.
+constexpr std::size_t kCoarsenFrom = 100000, kCoarseTriangles = 40000;
 /// Of the colours of a map: what they shine by themselves, and what of the light they take.
 constexpr double kMapGlow = 0.4, kMapLight = 0.62;
 
@@ -126,8 +127,11 @@ std::unique_ptr<ModelLayer::Model> ModelLayer::build(const SceneObject& object) 
         show(*model, smoothMesh(*object.geometry));
     } else {
         show(*model, flatMesh(*object.geometry));
-        model->smooth = std::async(std::launch::async, [soup = model->soup, stop = &model->cancelled] {
-            return smoothMesh(*soup, Progress{{}, stop});
+        model->made = std::async(std::launch::async, [soup = model->soup, stop = &model->cancelled] {
+            Made made{smoothMesh(*soup, Progress{{}, stop}), {}};
+            if (soup->triangles.size() >= kCoarsenFrom && !*stop)
+                made.coarse = coarseMesh(made.mesh, kCoarseTriangles);
+            return made;
         });
     }
     return model;
@@ -145,14 +149,12 @@ void ModelLayer::resize(Model& model, std::size_t surfaces) {
 }
 
 void ModelLayer::giveActor(const Model& model, Part& part) {
-    part.mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    // Places as they are: a relief is at places, and to move and scale them would carry it elsewhere.
-    static_cast<vtkOpenGLPolyDataMapper&>(*part.mapper)
-        .SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    part.mapper = vtkSmartPointer<ModelMapper>::New();
     part.actor = vtkSmartPointer<vtkActor>::New();
     part.actor->SetMapper(part.mapper);
     part.actor->SetUserMatrix(model.matrix);
     part.actor->GetProperty()->SetPointSize(3);
+    showWireframe(*part.actor, wireframe_);
     part.relief = {};
     useStudioLight(*part.actor);
     renderer_.AddActor(part.actor);
@@ -190,10 +192,13 @@ void ModelLayer::show(Model& model, DisplayMesh mesh) {
 }
 
 void ModelLayer::show(Model& model, vtkPoints* points, vtkDataArray* normals) {
-    const auto surfaces = bySurface(model.corners, model.soup->surfaceOf, model.parts.size());
-    for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const std::size_t count = model.parts.size();
+    const auto surfaces = bySurface(model.corners, model.soup->surfaceOf, count);
+    const auto coarse = bySurface(model.coarse.corners, model.coarse.surfaceOf(model.soup->surfaceOf), count);
+    for (std::size_t i = 0; i < count; ++i) {
         Part& part = *model.parts[i];
         part.own = polyData(points, normals, surfaces[i]);
+        part.coarse = model.coarse.corners.empty() ? nullptr : polyData(points, normals, coarse[i]);
         part.smooth = normals != nullptr;
         part.cornered = nullptr;
         part.mapper->SetInputData(part.own);
@@ -340,9 +345,11 @@ void ModelLayer::dressAlone(const Model& model, std::size_t surface, const Surfa
     const bool byVertex = dress.mesh && dress.mesh->GetPointData()->GetScalars();
     const bool smooth = dress.mesh || part.smooth || model.small;
     part.actor->SetVisibility(part.visible);
-    part.mapper->SetInputData(dress.mesh ? dress.mesh.Get()
-                              : relief   ? reliefMesh(model, part, surface, *relief)
-                                         : part.own.Get());
+    vtkPolyData* mesh = dress.mesh ? dress.mesh.Get()
+                        : relief   ? reliefMesh(model, part, surface, *relief)
+                                   : part.own.Get();
+    part.mapper->SetInputData(mesh);
+    part.mapper->setCoarse(mesh == part.own ? part.coarse.Get() : nullptr);
     part.relief.wear(*part.actor, *part.mapper, relief, tiles_);
     part.mapper->SetScalarVisibility(byVertex);
     vtkProperty& look = *part.actor->GetProperty();
@@ -359,6 +366,14 @@ void ModelLayer::dressAlone(const Model& model, std::size_t surface, const Surfa
     }
     look.SetAmbientColor(part.glow.data());
     look.SetDiffuse(byVertex || dress.colour ? kMapLight : 1);
+}
+
+void ModelLayer::setWireframe(bool on) {
+    if (std::exchange(wireframe_, on) == on) return;
+    for (auto& [id, model] : models_)
+        for (auto& part : model->parts)
+            if (part->actor) showWireframe(*part->actor, on);
+    crowd_.setWireframe(on);
 }
 
 void ModelLayer::setHighlight(std::optional<SurfaceRef> surface, const QColor& colour) {
@@ -391,31 +406,39 @@ std::optional<Pose> ModelLayer::placeOf(ObjectId object) const {
     return poseOf(*models_.at(object));
 }
 
+void ModelLayer::take(ObjectId id, Model& model) {
+    Made made = model.made.get();
+    model.coarse = std::move(made.coarse);
+    show(model, std::move(made.mesh));
+    dress(id, model);
+}
+
 bool ModelLayer::takeFinished() {
     bool any = false;
     for (auto& [id, model] : models_) {
-        if (!model->smooth.valid() ||
-            model->smooth.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        if (!model->made.valid() ||
+            model->made.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             continue;
-        show(*model, model->smooth.get());
-        dress(id, *model);
+        take(id, *model);
         any = true;
     }
     return any;
 }
 
+bool ModelLayer::hasCoarse() const {
+    return std::ranges::any_of(models_,
+                               [](const auto& each) { return !each.second->coarse.corners.empty(); });
+}
+
 bool ModelLayer::pending() const {
     for (const auto& [id, model] : models_)
-        if (model->smooth.valid()) return true;
+        if (model->made.valid()) return true;
     return false;
 }
 
 void ModelLayer::finish() {
     for (auto& [id, model] : models_)
-        if (model->smooth.valid()) {
-            show(*model, model->smooth.get());
-            dress(id, *model);
-        }
+        if (model->made.valid()) take(id, *model);
 }
 
 const ModelLayer::Part* ModelLayer::visiblePart(const SurfaceRef& surface) const {

@@ -15,15 +15,16 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
 #include "core/haptics/body_places.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
 #include "ui/theme.h"
+#include "ui/view/coarse_mesh.h"
 #include "ui/view/crowd.h"
 #include "ui/view/display_mesh.h"
+#include "ui/view/model_mapper.h"
 #include "ui/view/relief_shader.h"
 
 class vtkRenderer;
@@ -54,10 +55,13 @@ public:
     void putNoOthers(std::span<const PlacedObject> places);
     /// The box of all bodies that move, where they are. World frame.
     Bounds movingBounds() const;
+    void setWireframe(bool on);
     void setHighlight(std::optional<SurfaceRef> surface, const QColor& glow);
     /// Normals of large meshes come from another thread; shows those that are finished. True if any was.
     bool takeFinished();
     bool pending() const;
+    /// Whether there are coarser meshes for what moves.
+    bool hasCoarse() const;
     /// Waits for them.
     void finish();
 
@@ -76,17 +80,23 @@ public:
 
 private:
     struct Part {
-        CrowdPart crowd;                           ///< of a small body
-        vtkSmartPointer<vtkActor> actor;           ///< null as long as the crowd shows it
-        vtkSmartPointer<vtkPolyDataMapper> mapper; ///< of the actor
-        vtkSmartPointer<vtkPolyData> own;          ///< what it looks like undressed; null in a small body
-        bool smooth = false;                       ///< own has normals
-        vtkSmartPointer<vtkPolyData> cornered;     ///< the same with corners of its own for each triangle
-        ReliefShader relief;                       ///< of the actor
+        CrowdPart crowd;                       ///< of a small body
+        vtkSmartPointer<vtkActor> actor;       ///< null as long as the crowd shows it
+        vtkSmartPointer<ModelMapper> mapper;   ///< of the actor
+        vtkSmartPointer<vtkPolyData> own;      ///< what it looks like undressed; null in a small body
+        vtkSmartPointer<vtkPolyData> coarse;   ///< that in fewer triangles; null: there is none
+        bool smooth = false;                   ///< own has normals
+        vtkSmartPointer<vtkPolyData> cornered; ///< the same with corners of its own for each triangle
+        ReliefShader relief;                   ///< of the actor
         bool visible = true;
         Eigen::Vector3f colour = Eigen::Vector3f::Ones();
         float gloss = 0;              ///< by its friction: 0 chalk, 1 glaze
         std::array<double, 3> glow{}; ///< of its dress: what it shines by itself
+    };
+    /// What a worker makes of a large mesh.
+    struct Made {
+        DisplayMesh mesh;
+        CoarseMesh coarse;
     };
     struct Model {
         ~Model() { cancelled = true; } // the future's destructor waits
@@ -94,8 +104,9 @@ private:
         std::shared_ptr<const TriangleSoup> soup;
         std::vector<std::unique_ptr<Part>> parts;
         std::atomic<bool> cancelled = false;
-        std::future<DisplayMesh> smooth;         ///< valid while it is being made
+        std::future<Made> made;                  ///< valid while it is being made
         std::vector<std::array<int, 3>> corners; ///< of what is shown
+        CoarseMesh coarse;                       ///< the same in fewer triangles, or empty
         bool visible = true;
         bool small = false;          ///< in the crowd
         Bounds box;                  ///< body frame
@@ -110,6 +121,7 @@ private:
     void regroup(Model& model, const SceneObject& object);
     void show(Model& model, DisplayMesh mesh);
     static void show(Model& model, vtkPoints* points, vtkDataArray* normals);
+    void take(ObjectId id, Model& model);
     void update(Model& model, const SceneObject& object);
     Pose poseOf(const Model& model) const;
     void place(Model& model);
@@ -128,6 +140,7 @@ private:
     void glow(bool on);
 
     vtkRenderer& renderer_;
+    bool wireframe_ = false;
     ReliefTiles tiles_;
     Crowd crowd_;
     bool crowdStale_ = false;  ///< other parts are in it

@@ -19,6 +19,8 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
+#include "ui/view/gl_window.h"
+
 namespace tactum {
 
 vtkStandardNewMacro(OutlinePass);
@@ -104,10 +106,12 @@ void OutlinePass::Render(const vtkRenderState* state) {
     renderer->GetTiledSize(&size[0], &size[1]);
     if (size != size_) maskTime_ = 0;
     size_ = size;
-    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-    if (const vtkMTimeType now = lastChange(*renderer); now != maskTime_) {
+    auto* window = static_cast<GlWindow*>(renderer->GetRenderWindow());
+    const bool coarse = window->drawsCoarse();
+    if (const vtkMTimeType now = lastChange(*renderer); now != maskTime_ || coarse != coarse_) {
         renderMask(state, window);
         maskTime_ = now;
+        coarse_ = coarse;
     }
     drawEdge(window, screenBox(*renderer, size_, int(width_) + 2));
 }

@@ -45,6 +45,7 @@ private:
 
     std::array<int, 2> size_{};
     vtkMTimeType maskTime_ = 0; ///< the mask is kept while neither camera nor actors change
+    bool coarse_ = false;       ///< it is that of coarser meshes
     QColor colour_;
     float width_ = 2;
     vtkSmartPointer<vtkOpenGLFramebufferObject> framebuffer_;

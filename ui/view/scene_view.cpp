@@ -9,6 +9,7 @@
 
 #include "ui/view/axes_gizmo.h"
 #include "ui/view/brush_ring.h"
+#include "ui/view/gl_window.h"
 #include "ui/view/scene_view_impl.h"
 #include "ui/view/view_labels.h"
 
@@ -38,17 +39,26 @@ Bounds grownAround(const Bounds& box, const Bounds& inside) {
     return {box.low - room, box.high + room};
 }
 
+std::size_t trianglesOf(const Scene& scene) {
+    std::size_t count = 0;
+    for (const SceneObject& object : scene.objects)
+        count += object.geometry->triangles.size();
+    return count;
+}
+
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), paint(*stage.solid),
-      marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost), felt(stage, model),
-      camera(defaultCamera()) {
+    : view(owner), stage(owner.renderWindow()), ground(*stage.solid), model(*stage.solid),
+      boundaries(*stage.solid), faces(*stage.solid), paint(*stage.solid), marks(*stage.solid, *stage.ghost),
+      overlay(*stage.touch, *stage.ghost), felt(stage, model), camera(defaultCamera()) {
     applyTheme();
 }
 
 void SceneView::Impl::applyTheme() {
     stage.setBackground(theme());
+    ground.setTheme(theme());
+    boundaries.setTheme(theme());
     overlay.setTheme(theme());
     faces.setTheme(theme());
     marks.setColour(theme().fault);
@@ -59,8 +69,39 @@ void SceneView::Impl::refreshSelection() {
     stage.setOutlined(model.actorsOf(selection));
 }
 
+PictureQuality SceneView::atRest() const {
+    return impl_->stage.solid->budget().atRest();
+}
+
+void SceneView::setPictureLimits(const PictureLimits& limits) {
+    impl_->stage.solid->budget().setLimits(limits);
+    changed();
+}
+
+bool SceneView::makesMeshes() const {
+    return impl_->model.pending() || impl_->boundaries.pending();
+}
+
+bool SceneView::drawsCoarse() const {
+    return renderWindow().drawsCoarse();
+}
+
+// What is laid over triangles would lie beside coarser ones.
+void SceneView::Impl::spareTime(PictureQuality quality) {
+    PictureBudget& budget = stage.solid->budget();
+    const bool quick = quality == PictureQuality::Quick, smoothed = quality == PictureQuality::Smoothed;
+    const bool bare = !faces.any() && paint.picture().parts.empty() && !marks.any();
+    stage.ghost->setSmoothed(smoothed);
+    view.renderWindow().setCoarse(quick && bare && model.hasCoarse() && !budget.affordsMotion());
+    if (smoothed && !budget.known()) stage.solid->forget(); // to see what it takes
+}
+
 Bounds SceneView::Impl::shown() const {
     Bounds box = picker.bounds();
+    if (const Bounds below = ground.bounds(); !below.empty()) {
+        box.add(below.low);
+        box.add(below.high);
+    }
     if (const Bounds moving = model.movingBounds(); !moving.empty() && !box.empty()) {
         // What has fallen farther takes none of the depth that the rest is drawn with.
         const Vec3 most = Vec3::Constant(kFarthestMoved * box.diagonal());
@@ -92,10 +133,14 @@ SceneView::SceneView(QWidget* parent) : VtkWidget(parent), impl_(std::make_uniqu
             [this](const QVariant& part) { impl_->fly(part.toDouble()); });
     impl_->meshTimer.setInterval(50);
     connect(&impl_->meshTimer, &QTimer::timeout, this, [this] {
-        const bool model = impl_->model.takeFinished(), felt = impl_->felt.takeFinished();
-        if (model || felt) changed();
-        if (!impl_->model.pending() && !impl_->felt.pending()) impl_->meshTimer.stop();
+        const bool model = impl_->model.takeFinished(), felt = impl_->felt.takeFinished(),
+                   ground = impl_->ground.takeFinished(), lines = impl_->boundaries.takeFinished();
+        if (model || felt || ground || lines) changed();
+        if (!makesMeshes() && !makesFelt()) impl_->meshTimer.stop();
     });
+    impl_->shadowTimer.setSingleShot(true);
+    impl_->shadowTimer.setInterval(300); // from the last movement of a body on
+    connect(&impl_->shadowTimer, &QTimer::timeout, this, [this] { impl_->castShadows(true); });
 }
 
 // VTK's objects must go while the window and its context are still there.
@@ -107,11 +152,15 @@ SceneView::~SceneView() {
 
 void SceneView::setScene(const Scene& scene) {
     impl_->model.setScene(scene);
+    impl_->boundaries.setScene(scene);
+    if (std::exchange(impl_->triangles, trianglesOf(scene)) != trianglesOf(scene))
+        impl_->stage.solid->budget().forget();
     impl_->refreshHover();
     impl_->picker.setScene(scene);
+    setCasters(scene);
     impl_->spanning = spanningPoints(scene);
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());
-    if (impl_->model.pending()) impl_->meshTimer.start();
+    if (makesMeshes()) impl_->meshTimer.start();
     impl_->refreshSelection();
     setProxyRadius(scene.proxyRadius);
     if (!impl_->fitted && impl_->picker.bounds().diagonal() > 0) fit();
@@ -160,6 +209,10 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
     const bool gone = impl_->model.moveTo(proxy.time);
     const std::span<const PlacedObject> places = impl_->bodies.at(proxy.bodies);
     const bool moved = impl_->model.put(places) || gone;
+    if (moved) {
+        if (!impl_->shadowTimer.isActive()) impl_->castShadows(false);
+        impl_->shadowTimer.start();
+    }
     impl_->picker.put(places);
     // Against what is shown, so that slow motion adds up until it is seen.
     const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
@@ -380,8 +433,11 @@ void SceneView::prepareFrame() {
         impl_->camera.fit(impl_->spanning);
         impl_->fitted = true;
     }
+    impl_->spareTime(quality());
+    impl_->ground.see(impl_->camera.eye());
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
+    impl_->boundaries.place([this](ObjectId id) { return impl_->model.placeOf(id); });
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
     const PaintedPicture& painted = impl_->paint.picture();
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });

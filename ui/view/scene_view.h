@@ -133,16 +133,26 @@ public:
     /// What is shown of how things feel; it is that of the World given here, which belongs to the scene.
     void setFelt(const FeltOptions& options);
     const FeltOptions& felt() const;
+    /// How many edges between surfaces are drawn as lines.
+    std::size_t boundaryEdgesShown() const;
+    /// Between two lines of the ground's grid, m; 0: there is none.
+    double gridStep() const;
     void setWorld(std::shared_ptr<const World> world);
     /// Where the proxy was at each tick since the last call; `touch` is of the last one.
     void addTrail(std::span<const TracePoint> points, const HapticOutput& touch);
     void clearTrail();
-    /// Whether something of it is still being made on a worker.
+    /// Whether something of it, or the ground, is still being made on a worker.
     bool makesFelt() const;
+    /// Whether meshes of the model are.
+    bool makesMeshes() const;
     /// How many actors there are, seen or not: a count that grows with switching on and off is a leak.
     int actorCount() const;
     /// How often the model was drawn: not at all while only the touch changes.
     int modelPictures() const;
+    /// How long pictures may take where the processor draws; what is beyond it is drawn less well.
+    void setPictureLimits(const PictureLimits& limits);
+    /// Whether the last picture was of coarser meshes.
+    bool drawsCoarse() const;
     /// Draws the model anew although nothing of it has changed, to compare and to measure.
     void forgetPicture();
 
@@ -208,6 +218,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    PictureQuality atRest() const override;
     void prepareFrame() override;
     void paintOver() override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -225,6 +236,7 @@ protected:
 
 private:
     void fadeOn();
+    void setCasters(const Scene& scene);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

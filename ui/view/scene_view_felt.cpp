@@ -12,6 +12,10 @@ void SceneView::setFelt(const FeltOptions& options) {
     impl_->overlay.setMarks(options.normals, options.planes);
     if (impl_->touch) impl_->felt.setPlace(impl_->touch->proxy);
     impl_->felt.setOptions(options);
+    impl_->ground.setShown(options.ground);
+    impl_->boundaries.setShown(options.boundaries && options.bumps == 0 && !options.wireframe);
+    impl_->model.setWireframe(options.wireframe);
+    impl_->camera.parallel = impl_->flownTo.parallel = impl_->flownFrom.parallel = options.parallel;
     if (impl_->felt.pending()) impl_->meshTimer.start();
     changed();
 }
@@ -48,7 +52,7 @@ void SceneView::clearTrail() {
 }
 
 bool SceneView::makesFelt() const {
-    return impl_->felt.pending();
+    return impl_->felt.pending() || impl_->ground.pending();
 }
 
 int SceneView::actorCount() const {

@@ -5,8 +5,10 @@
 #include <QTimer>
 #include <QVariantAnimation>
 
+#include "ui/view/boundary_lines.h"
 #include "ui/view/face_layer.h"
 #include "ui/view/felt_view.h"
+#include "ui/view/ground_layer.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/mark_layer.h"
 #include "ui/view/model_layer.h"
@@ -27,8 +29,12 @@ struct SceneView::Impl {
     const Theme& theme() const { return themeFor(dark); }
     bool showsTouch() const { return touch.has_value() && overlayVisible; }
 
+    /// Where the processor draws: as well as the time allows that the last picture took.
+    void spareTime(PictureQuality quality);
     /// All that must not be clipped away.
     Bounds shown() const;
+    /// What the scene's objects cast shadows from; those that move are where they are now.
+    void castShadows(bool rest);
     void refreshSelection();
     /// `part` of the way of a flight, 0 to 1.
     void fly(double part);
@@ -75,7 +81,9 @@ struct SceneView::Impl {
 
     SceneView& view;
     ViewStage stage;
+    GroundLayer ground; ///< drawn before all else that one looks through
     ModelLayer model;
+    BoundaryLines boundaries;
     FaceLayer faces;
     PaintLayer paint;
     MarkLayer marks;
@@ -93,6 +101,7 @@ struct SceneView::Impl {
     std::shared_ptr<const World> world; ///< that the bodies below are of
     BodyPlaces bodies;
     ScenePicker picker;
+    std::size_t triangles = 0;  ///< of the scene
     std::vector<Vec3> spanning; ///< what is fitted into the view
     ViewCamera camera;
     ViewCamera flownFrom, flownTo;
@@ -120,7 +129,8 @@ struct SceneView::Impl {
     QPointF pressedAt, cursorAt;
     bool moved = false;
     bool menuNext = false; ///< the right button is down, and has given nothing up
-    QTimer glideTimer, meshTimer;
+    std::vector<std::pair<ObjectId, ShadowCaster>> casters; ///< of the scene
+    QTimer glideTimer, meshTimer, shadowTimer;
     QElapsedTimer glideClock, fadeClock;
 };
 

@@ -97,6 +97,10 @@ void useVertexColours(vtkActor& actor) {
         "diffuseColor = colourOfBody; ambientColor = glowOfBody; specularColor = vec3(glossOfBody);\n");
 }
 
+void showWireframe(vtkActor& actor, bool on) {
+    actor.GetProperty()->SetRepresentation(on ? VTK_WIREFRAME : VTK_SURFACE);
+}
+
 void useNoLight(vtkActor& actor) {
     actor.GetProperty()->LightingOff();
 }

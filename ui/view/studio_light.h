@@ -21,6 +21,9 @@ void useStudioLight(vtkActor& actor, const std::string& tilt = {});
 /// "bodyGloss" of its vertices, which its mapper hands on under these names, in the place of its own.
 void useVertexColours(vtkActor& actor);
 
+/// Draws the triangles of an actor as lines, or filled.
+void showWireframe(vtkActor& actor, bool on);
+
 /// A bubble: clear where one looks through it, seen at its rim. Nothing behind it is hidden, and of bubbles
 /// of one colour it does not matter which is drawn first.
 void useBubbleLight(vtkActor& actor);

@@ -13,7 +13,8 @@ constexpr double kMargin = 1.2;
 /// How far from the focus the eye must be for a point, given from the focus, to lie inside the view.
 double distanceFor(const ViewCamera& camera, const Vec3& p, double tanX, double tanY) {
     const double x = std::abs(p.dot(camera.right())), y = std::abs(p.dot(camera.up()));
-    return std::max(x / tanX, y / tanY) - p.dot(camera.forward());
+    const double beside = std::max(x / tanX, y / tanY);
+    return camera.parallel ? beside : beside - p.dot(camera.forward());
 }
 
 } // namespace
@@ -31,7 +32,8 @@ Vec3 ViewCamera::up() const {
 }
 
 double ViewCamera::pixelSize(const Vec3& p_W) const {
-    return 2 * std::tan(0.5 * fieldOfView) * std::abs(depth(p_W)) / size.height();
+    const double from = parallel ? distance : std::abs(depth(p_W));
+    return 2 * std::tan(0.5 * fieldOfView) * from / size.height();
 }
 
 std::optional<QPointF> ViewCamera::project(const Vec3& p_W) const {
@@ -49,13 +51,22 @@ Eigen::Matrix4d ViewCamera::clipFromWorld() const {
     clip(2, 2) = (near + far) / (near - far);
     clip(2, 3) = 2 * near * far / (near - far);
     clip(3, 2) = -1;
+    if (parallel) {
+        clip.topLeftCorner<2, 2>() /= distance;
+        clip(2, 2) = 2 / (near - far);
+        clip(2, 3) = (near + far) / (near - far);
+        clip(3, 2) = 0;
+        clip(3, 3) = 1;
+    }
     view.topLeftCorner<3, 3>() << right().transpose(), up().transpose(), -forward().transpose();
     view.topRightCorner<3, 1>() = -(view.topLeftCorner<3, 3>() * eye());
     return clip * view;
 }
 
 Ray ViewCamera::ray(QPointF pixel) const {
-    return {eye(), (pointAtDepthOf(focus, pixel) - eye()).normalized()};
+    const Vec3 at = pointAtDepthOf(focus, pixel);
+    if (parallel) return {at - kAway * distance * forward(), forward()};
+    return {eye(), (at - eye()).normalized()};
 }
 
 Vec3 ViewCamera::dragVector(const Vec3& p_W, QPointF pixels) const {

@@ -20,20 +20,24 @@ struct Ray {
     Vec3 at(double distance) const { return origin + distance * direction; }
 };
 
-/// A perspective camera that turns about `focus` with Y up. Plain values; pixels are Qt's logical ones,
+/// A camera that turns about `focus` with Y up. Plain values; pixels are Qt's logical ones,
 /// from the upper left corner. Thread: any.
 struct ViewCamera {
+    static constexpr double kAway = 50; ///< distances to the focus that a parallel camera stands away
+
     Vec3 focus = Vec3::Zero();
     double distance = 1;      ///< from the eye to the focus, m
     double yaw = 0;           ///< rad, about Y; 0 looks along -Z
     double pitch = 0;         ///< rad, -pi/2 to pi/2; positive looks down
     double fieldOfView = 0.5; ///< rad, from the lower to the upper edge
+    bool parallel = false;    ///< without vanishing points; what is at the focus keeps its size
     QSizeF size = {1, 1};     ///< of the view, pixels
 
     Vec3 right() const;
     Vec3 up() const;
     Vec3 forward() const;
-    Vec3 eye() const { return focus - distance * forward(); }
+    /// Where it looks from; far away where the projection is parallel.
+    Vec3 eye() const { return focus - (parallel ? kAway : 1) * distance * forward(); }
 
     /// How far in front of the eye a point lies, m; negative behind it.
     double depth(const Vec3& p_W) const { return (p_W - eye()).dot(forward()); }

@@ -1,6 +1,7 @@
 #include "ui/view/view_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <numbers>
 
@@ -81,6 +82,8 @@ void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
     to.SetPosition(camera.eye().data());
     to.SetViewUp(camera.up().data());
     to.SetViewAngle(camera.fieldOfView / kStageDegree);
+    to.SetParallelProjection(camera.parallel);
+    to.SetParallelScale(std::tan(0.5 * camera.fieldOfView) * camera.distance);
     if (shown.empty()) return;
     const double middle = camera.depth(shown.centre()), reach = 0.6 * shown.diagonal() + 1e-6;
     const double far = std::max(middle + reach, 1e-6);

@@ -12,6 +12,7 @@
 #include "ui/theme.h"
 #include "ui/view/kept_renderer.h"
 #include "ui/view/outline_pass.h"
+#include "ui/view/smoothed_renderer.h"
 #include "ui/view/view_camera.h"
 
 class vtkRenderWindow;
@@ -42,7 +43,8 @@ public:
     void look(const ViewCamera& camera, const Bounds& shown);
 
     vtkNew<KeptRenderer> solid;
-    vtkNew<vtkRenderer> touch, ghost;
+    vtkNew<vtkRenderer> touch;
+    vtkNew<SmoothedRenderer> ghost;
 
 private:
     vtkRenderWindow& window_;

@@ -22,8 +22,9 @@ struct VtkWidget::Impl {
     QTimer rest;
     bool software = false;
     bool resting = false;
-
-    int samples() const { return !software || resting ? kSamples : 0; }
+    bool grabbing = false;
+    bool finished = false;                          ///< nothing better is to come
+    PictureQuality quality = PictureQuality::Quick; ///< of the last picture
 };
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>()) {
@@ -36,6 +37,7 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_u
     impl_->rest.setInterval(kRestMilliseconds);
     connect(&impl_->rest, &QTimer::timeout, this, [this] {
         impl_->resting = true;
+        impl_->finished = false;
         update();
     });
 }
@@ -51,7 +53,15 @@ bool VtkWidget::rendersInSoftware() const {
     return impl_->software;
 }
 
-vtkRenderWindow& VtkWidget::renderWindow() const {
+PictureQuality VtkWidget::quality() const {
+    return impl_->quality;
+}
+
+bool VtkWidget::rests() const {
+    return impl_->finished && (impl_->resting || !impl_->software);
+}
+
+GlWindow& VtkWidget::renderWindow() const {
     return *impl_->window.Get();
 }
 
@@ -64,7 +74,7 @@ void VtkWidget::releaseContext() {
 }
 
 void VtkWidget::changed() {
-    impl_->resting = false;
+    impl_->resting = impl_->finished = false;
     if (impl_->software) impl_->rest.start();
     update();
 }
@@ -84,10 +94,21 @@ void VtkWidget::resizeGL(int, int) {
 }
 
 void VtkWidget::paintGL() {
+    const auto wanted = [this] {
+        if (!impl_->software || impl_->grabbing) return PictureQuality::Sampled;
+        return impl_->resting ? atRest() : PictureQuality::Quick;
+    };
+    paint(wanted());
+    impl_->finished = impl_->quality == wanted();
+    if (!impl_->finished) update();
+}
+
+void VtkWidget::paint(PictureQuality quality) {
+    impl_->quality = quality;
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
     impl_->window->SetSize(pixels.width(), pixels.height());
     impl_->window->SetDPI(int(72 * devicePixelRatioF()));
-    impl_->window->SetMultiSamples(impl_->samples());
+    impl_->window->SetMultiSamples(quality == PictureQuality::Sampled ? kSamples : 0);
     prepareFrame();
     impl_->window->renderFrame();
     makeOpaque();
@@ -104,9 +125,9 @@ void VtkWidget::makeOpaque() {
 }
 
 QImage VtkWidget::grabSmooth() {
-    const bool before = std::exchange(impl_->resting, true);
+    impl_->grabbing = true;
     const QImage picture = grabFramebuffer();
-    impl_->resting = before;
+    impl_->grabbing = false;
     return picture;
 }
 

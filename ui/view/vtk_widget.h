@@ -5,10 +5,11 @@
 
 #include <QOpenGLWidget>
 
-class vtkRenderer;
-class vtkRenderWindow;
+#include "ui/view/picture_budget.h"
 
 namespace tactum {
+
+class GlWindow;
 
 /// Owns a generic OpenGL render window and gives it this widget's context, size and framebuffer. Survives
 /// being moved into another window (a new context), fractional device pixels and software rendering, where
@@ -22,10 +23,17 @@ public:
 
     /// True once a context exists and it draws on the processor.
     bool rendersInSoftware() const;
+    /// Of the last picture.
+    PictureQuality quality() const;
+    /// Whether that is how it stays until something changes.
+    bool rests() const;
 
 protected:
-    vtkRenderWindow& renderWindow() const;
+    GlWindow& renderWindow() const;
 
+    /// How well a picture at rest is drawn where the processor draws; asked before such a picture, and again
+    /// after it: another answer brings another picture.
+    virtual PictureQuality atRest() const { return PictureQuality::Sampled; }
     /// Brings everything that is drawn up to date; called before each frame, with the context current.
     virtual void prepareFrame() {}
     /// Draws on top with QPainter; called after each frame.
@@ -41,6 +49,7 @@ protected:
 
 private:
     void releaseContext();
+    void paint(PictureQuality quality);
     void makeOpaque();
 
     struct Impl;

@@ -9,6 +9,7 @@
 #include "core/files/gltf/gltf_surface.h"
 #include "core/presets/base64.h"
 #include "core/presets/preset_file.h"
+#include "core/scene/surface_colours.h"
 #include "tests/core/files/json_text.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
@@ -73,6 +74,8 @@ private slots:
     void whatBelongsToAMeshStaysBehind();
     void unknownMembersStay();
     void onlyWhatIsSetIsChanged();
+    void aMaterialBringsItsColour();
+    void aColourOfAPresetIsNobodysChoice();
     void frictionStaysInOrder();
     void bytesAreTextAndBack();
     void namesBecomeFileNames();
@@ -161,6 +164,37 @@ void TestPresetFile::onlyWhatIsSetIsChanged() {
     QVERIFY(!read->preset.shading);
 }
 
+void TestPresetFile::aMaterialBringsItsColour() {
+    const auto colourAfter = [](const char* feel, Surface surface) {
+        const auto read = parsed(with(feel, R"(,"colour":[0.4,0.12,0.06])"));
+        return applied(std::move(surface), read.value().preset).colour;
+    };
+    constexpr const char *kBrick = R"({"staticFriction":0.6})", *kStiff = R"({"stiffness":900})";
+    const Eigen::Vector3f brick(0.4F, 0.12F, 0.06F);
+    Surface other, chosen;
+    other.colour = colourApartFrom(std::vector<Surface>(1)); // as the import gives it
+    chosen.colour = {0.1F, 0.2F, 0.3F};
+    QVERIFY(colourAfter(kBrick, {}) == brick);
+    QVERIFY(colourAfter(kBrick, other) == brick);
+    QVERIFY(colourAfter(kBrick, chosen) == chosen.colour);
+    QVERIFY(colourAfter(kStiff, {}) == Surface{}.colour); // of no material
+    const auto plain = parsed(with(kBrick));
+    VERIFY_RESULT(plain);
+    QVERIFY(!plain->preset.colour);
+    QVERIFY(applied({}, plain->preset).colour == Surface{}.colour);
+    COMPARE_LACKS(presetText(plain->preset), "colour");
+}
+
+void TestPresetFile::aColourOfAPresetIsNobodysChoice() {
+    const auto brick = parsed(with(R"({"staticFriction":0.6})", R"(,"colour":[0.4,0.12,0.06])"));
+    VERIFY_RESULT(brick);
+    const Surface given = applied({}, brick->preset);
+    QVERIFY(withoutColourOf(given, brick->preset).colour == Surface{}.colour);
+    Surface chosen;
+    chosen.colour = {0.1F, 0.2F, 0.3F};
+    QVERIFY(withoutColourOf(chosen, brick->preset).colour == chosen.colour);
+}
+
 void TestPresetFile::frictionStaysInOrder() {
     Surface surface;
     surface.material.staticFriction = surface.material.dynamicFriction = 0.5;
@@ -219,7 +253,7 @@ void TestPresetFile::shippedPresetsAreWhole() {
     QCOMPARE(QString::fromStdString(presetFileName(preset.name) + ".tactum-preset"),
              QFileInfo(file).fileName());
     QVERIFY(!preset.category.empty());
-    QCOMPARE_NE(preset.colour, Preset().colour);
+    QVERIFY(preset.colour);
     // Written again, it is the same: nothing in it is unknown or out of its order.
     Preset known = preset;
     known.kept = nullptr;

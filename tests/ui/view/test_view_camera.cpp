@@ -120,6 +120,37 @@ private slots:
         }
     }
 
+    void aParallelCameraKeepsSizes() {
+        ViewCamera c = camera();
+        c.parallel = true;
+        const Vec3 near = c.focus - 0.3 * c.forward(), far = c.focus + 0.6 * c.forward();
+        COMPARE_NEAR(c.pixelSize(near), c.pixelSize(far), 1e-12, "m");
+        COMPARE_NEAR(c.pixelSize(c.focus), camera().pixelSize(c.focus), 1e-12, "m"); // as it was there
+        for (const Vec3& p : {near, far})
+            QCOMPARE_LT(apart(*c.project(p), QPointF(450, 300)), 1e-9);
+        for (const QPointF pixel : {QPointF(0, 0), QPointF(123, 577)}) {
+            COMPARE_NEAR(c.ray(pixel).direction, c.forward(), 1e-12, "");
+            QCOMPARE_LT(apart(*c.project(c.ray(pixel).at(0.37)), pixel), 1e-6);
+            COMPARE_NEAR(c.ray(pixel).at(c.depth(c.focus)), c.pointAtDepthOf(c.focus, pixel), 1e-9, "m");
+        }
+        for (const Vec3& p : {near, far, Vec3(0, 0, 0)}) {
+            const Eigen::Vector4d clip = c.clipFromWorld() * p.homogeneous();
+            COMPARE_NEAR(clip.x() / clip.w(), 2 * c.project(p)->x() / 900 - 1, 1e-9, "");
+            COMPARE_NEAR(clip.y() / clip.w(), 1 - 2 * c.project(p)->y() / 600, 1e-9, "");
+            QCOMPARE_LE(std::abs(clip.z() / clip.w()), 1.0);
+        }
+        const Vec3 anchor(0.2, -0.1, 0.25);
+        ViewCamera zoomed = c;
+        zoomed.zoomTo(anchor, 0.6);
+        QCOMPARE_LT(apart(*zoomed.project(anchor), *c.project(anchor)), 1e-9);
+        ViewCamera front;
+        front.parallel = true;
+        front.size = {600, 600};
+        const Vec3 two[] = {{0, -1, 1}, {0, 1, -1}};
+        front.fit(two);
+        COMPARE_NEAR(front.distance, 1.2 / std::tan(0.25), 1e-9, "m");
+    }
+
     /// Half a turn for the shorter side; to the right turns the model to the right, down shows its top.
     void aDragTurnsByItsLength() {
         ViewCamera c;

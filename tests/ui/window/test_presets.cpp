@@ -120,6 +120,8 @@ private slots:
     void shippedOnesAreListedWithPictures();
     void searchLooksThroughNamesTagsAndSources();
     void applyingIsOneStep();
+    void aMaterialLooksLikeItself();
+    void aColourOfTheFileStays();
     void lockedSurfacesStay();
     void keysAndDoubleClickApply();
     void aDropChangesTheSurfaceUnderThePointer();
@@ -197,6 +199,39 @@ void TestPresets::applyingIsOneStep() {
     QVERIFY(document.scene() == after);
     QVERIFY(!applyPreset(document, document.selected(), preset)); // they feel like it already
     QCOMPARE(document.history().count(), 1);
+}
+
+void TestPresets::aMaterialLooksLikeItself() {
+    const auto program = opened();
+    Document& document = program->document;
+    const SurfaceRef ref{document.scene().objects.front().id, 1};
+    document.select(ref);
+    const Surface before = *document.surface(ref);
+    const auto given = [&](const char* name) {
+        if (!choose(*program, QString::fromLatin1(name))) qFatal("no %s", name);
+        program->command("preset-apply").trigger();
+        return document.surface(ref)->colour;
+    };
+    const Eigen::Vector3f brick = given("Brick");
+    QVERIFY(brick != before.colour);
+    QVERIFY(given("Leather on oak") != brick); // that colour nobody chose either
+    document.history().undo();
+    QVERIFY(document.surface(ref)->colour == brick);
+    document.history().undo();
+    QVERIFY(*document.surface(ref) == before);
+}
+
+void TestPresets::aColourOfTheFileStays() {
+    const auto program = opened();
+    Document& document = program->document;
+    const SurfaceRef ref{document.scene().objects.front().id, 1};
+    const Eigen::Vector3f chosen(0.1F, 0.2F, 0.3F);
+    document.editSurfaces({ref}, SceneChange::What::Material, QStringLiteral("colour"),
+                          [&](Surface& each) { each.colour = chosen; });
+    document.select(ref);
+    QVERIFY(choose(*program, QStringLiteral("Brick")));
+    program->command("preset-apply").trigger();
+    QVERIFY(document.surface(ref)->colour == chosen);
 }
 
 void TestPresets::lockedSurfacesStay() {

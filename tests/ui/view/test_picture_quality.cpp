@@ -1,0 +1,204 @@
+// Where the processor draws, a picture is as good as the time allows: coarser meshes in motion, edges
+// smoothed at rest where samples take too long, and always the exact mesh at rest.
+#include <map>
+#include <set>
+
+#include <QTest>
+
+#include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
+#include "tests/support/waiting.h"
+#include "tests/ui/view/ball_scene.h"
+#include "ui/view/coarse_mesh.h"
+#include "ui/view/picture_budget.h"
+#include "ui/view/scene_view.h"
+#include "ui/view/surface_format.h"
+
+namespace test_picture_quality {
+
+using namespace tactum;
+using namespace tactum::testing;
+
+namespace {
+
+constexpr PictureLimits kNoTime{0, 0}, kAllTime{1e9, 1e9};
+
+struct QualityView {
+    explicit QualityView(const PictureLimits& limits, Index meridians = 512, Index rings = 128)
+        : scene(ballScene(meridians, rings)) {
+        view.resize(400, 300);
+        view.setScene(scene);
+        view.setPictureLimits(limits);
+        view.setFelt({.ground = false, .boundaries = false}); // lines are not drawn coarsely
+        view.show();
+        if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
+        if (!test::waitFor([&] { return !view.makesMeshes(); })) qFatal("the meshes are never made");
+        proxy.updates = servo.ticks = 1;
+        touch(0);
+        rest();
+    }
+
+    void touch(double aside) {
+        proxy.output.proxy = {aside, 0, 0.06};
+        servo.finger = proxy.finger = {aside, 0, 0.055};
+        view.setHaptics(proxy, servo, 8, true);
+    }
+    QImage rest() {
+        if (!test::waitFor([&] { return view.rests(); })) qFatal("it never rests");
+        return view.grabFramebuffer();
+    }
+    QImage turn() {
+        view.moveCamera(0.05, 0);
+        return view.grabFramebuffer();
+    }
+    /// The same picture with all the time there is.
+    QImage exact() {
+        view.setPictureLimits(kAllTime);
+        view.forgetPicture();
+        return view.grabFramebuffer();
+    }
+
+    Scene scene;
+    SceneView view;
+    ProxyTelemetry proxy;
+    ServoTelemetry servo;
+};
+
+int differing(const QImage& a, const QImage& b, int than) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > than;
+    return count;
+}
+
+} // namespace
+
+class TestPictureQuality : public QObject {
+    Q_OBJECT
+public:
+    static void initMain() { useViewSurfaceFormat(); }
+
+private slots:
+    void theLastPictureDecides() {
+        PictureBudget budget;
+        QVERIFY(!budget.known() && !budget.affordsMotion());
+        QCOMPARE(budget.atRest(), PictureQuality::Smoothed);
+        budget.took(0.05, false);
+        QVERIFY(budget.affordsMotion());
+        QCOMPARE(budget.atRest(), PictureQuality::Sampled);
+        budget.took(0.26, true); // longer than was thought
+        QCOMPARE(budget.atRest(), PictureQuality::Smoothed);
+        budget.took(0.07, false);
+        QVERIFY(!budget.affordsMotion());
+        budget.setLimits({0.1, 0.3});
+        QVERIFY(budget.affordsMotion());
+        QCOMPARE(budget.atRest(), PictureQuality::Sampled);
+        budget.forget();
+        QVERIFY(!budget.known());
+    }
+
+    void aCoarseMeshIsClosedWhereTheExactOneIs() {
+        const auto soup = ballSoup(512, 128);
+        const DisplayMesh mesh = smoothMesh(*soup);
+        const CoarseMesh coarse = coarseMesh(mesh, 10000);
+        QCOMPARE_GT(coarse.corners.size(), std::size_t(5000));
+        QVERIFY2(coarse.corners.size() < 15000, qPrintable(QString::number(coarse.corners.size())));
+        const auto height = [&](int corner) { return mesh.positions[3 * std::size_t(corner) + 1]; };
+        std::map<std::set<int>, int> edges; // between surfaces, too
+        for (const auto& [a, b, c] : coarse.corners)
+            for (const std::set<int>& edge : {std::set{a, b}, std::set{b, c}, std::set{c, a}})
+                ++edges[edge];
+        for (const auto& [edge, triangles] : edges)
+            if (std::abs(height(*edge.begin())) < 0.9 * kBallRadius) // at its poles the ball itself is open
+                QCOMPARE(triangles % 2, 0);
+        const auto surfaces = coarse.surfaceOf(soup->surfaceOf);
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            const double middle =
+                (height(coarse.corners[i][0]) + height(coarse.corners[i][1]) + height(coarse.corners[i][2])) /
+                3;
+            if (std::abs(middle) > 0.005) QCOMPARE(surfaces[i], middle > 0 ? kUpper : kLower);
+        }
+    }
+
+    void whatHasNoAreaHasNoCoarseMesh() {
+        DisplayMesh flat;
+        QVERIFY(coarseMesh(flat, 100).corners.empty());
+        flat.positions.assign(9, 0);
+        flat.corners = {{0, 1, 2}};
+        QVERIFY(coarseMesh(flat, 100).corners.empty());
+    }
+
+    void theCameraTurnsCoarsely() {
+        QualityView shown(kNoTime);
+        if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws the exact mesh");
+        QVERIFY(!shown.view.drawsCoarse());
+        const QImage coarse = shown.turn();
+        QVERIFY(shown.view.drawsCoarse());
+        const QImage exact = shown.exact();
+        QVERIFY(!shown.view.drawsCoarse());
+        QCOMPARE_GT(differing(coarse, exact, 0), 0);
+        QVERIFY(differing(coarse, exact, 24) < 200); // of 120,000, along the rim
+    }
+
+    void restsAndIsTouchedExactly() {
+        QualityView shown(kNoTime);
+        if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws the exact mesh");
+        shown.turn();
+        const int turned = shown.view.modelPictures();
+        shown.rest();
+        QVERIFY(!shown.view.drawsCoarse());
+        QCOMPARE(shown.view.modelPictures(), turned + 1);
+        for (int i = 1; i <= 3; ++i) {
+            shown.touch(0.001 * i);
+            shown.view.grabFramebuffer();
+            QVERIFY(!shown.view.drawsCoarse());
+        }
+        QCOMPARE(shown.view.modelPictures(), turned + 1);
+    }
+
+    void aTouchThatNeverRestsIsSoonExact() {
+        QualityView shown(kNoTime);
+        if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws the exact mesh");
+        shown.turn();
+        int touches = 0;
+        QVERIFY(test::waitFor([&] {
+            shown.touch(0.001 * (++touches % 20));
+            shown.view.grabFramebuffer();
+            return !shown.view.drawsCoarse();
+        }));
+    }
+
+    void whatIsLaidOverLiesOnTheExactMesh() {
+        QualityView shown(kNoTime);
+        shown.view.setSelectedFaces(shown.scene.objects[0].id, {1000, 1001, 1002});
+        shown.turn();
+        QVERIFY(!shown.view.drawsCoarse());
+    }
+
+    void edgesAreSmoothedWhereSamplesTakeTooLong() {
+        QualityView shown(kNoTime, 64, 32);
+        if (!shown.view.rendersInSoftware()) QSKIP("a graphics card draws samples at once");
+        const QImage moving = shown.turn();
+        const int drawn = shown.view.modelPictures();
+        const QImage smoothed = shown.rest();
+        QCOMPARE(shown.view.quality(), PictureQuality::Smoothed);
+        QCOMPARE(shown.view.modelPictures(), drawn);
+        QCOMPARE_GT(differing(moving, smoothed, 10), 100);
+        const QImage sampled = shown.view.grabPicture();
+        QVERIFY(differing(smoothed, sampled, 10) < differing(moving, sampled, 10));
+    }
+
+    void restsSampledWhereThereIsTime() {
+        QualityView shown(kAllTime, 64, 32);
+        shown.turn();
+        shown.rest();
+        QCOMPARE(shown.view.quality(), PictureQuality::Sampled);
+    }
+};
+
+TACTUM_GUI_TEST(TestPictureQuality)
+
+} // namespace test_picture_quality
+
+#include "test_picture_quality.moc"

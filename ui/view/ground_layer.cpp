@@ -1,0 +1,191 @@
+#include "ui/view/ground_layer.h"
+
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "ui/view/studio_light.h"
+
+namespace tactum {
+
+namespace {
+
+/// A scene lower than this part of its width is a plate in the ground.
+constexpr double kFlat = 0.03;
+constexpr double kReach = 1.1; ///< of the grid about its middle, in sides of the shadow's square
+constexpr int kPieces = 24;    ///< of a line, between which it fades
+constexpr double kLine = 26, kTenthLine = 60; ///< opacity in the middle, of 255
+
+vtkSmartPointer<vtkTexture> textureOf(const GroundShadow& ground) {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(ground.texels, ground.texels, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (const std::uint8_t dark : ground.dark) {
+        std::fill_n(texel, 3, static_cast<unsigned char>(0));
+        texel[3] = dark;
+        texel += 4;
+    }
+    auto texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(image);
+    texture->InterpolateOn();
+    texture->SetColorModeToDirectScalars();
+    return texture;
+}
+
+vtkSmartPointer<vtkPolyData> squareOf(const GroundShadow& ground) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> places;
+    places->SetNumberOfComponents(2);
+    for (const auto& [u, v] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}}) {
+        points->InsertNextPoint(ground.corner.x() + u * ground.side, ground.corner.y(),
+                                ground.corner.z() + v * ground.side);
+        places->InsertNextTuple2(u, v);
+    }
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({0, 1, 2, 3});
+    auto square = vtkSmartPointer<vtkPolyData>::New();
+    square->SetPoints(points);
+    square->SetPolys(cells);
+    square->GetPointData()->SetTCoords(places);
+    return square;
+}
+
+/// Lines along x and z through whole steps of the world, which fade away from the middle.
+class GridLines {
+public:
+    GridLines(const Vec3& middle, double reach, const QColor& colour)
+        : middle_(middle), reach_(reach), colour_(colour) {
+        colours_->SetNumberOfComponents(4);
+    }
+
+    void add(double step) {
+        for (int across = 0; across < 2; ++across) {
+            const double centre = middle_[across == 0 ? 0 : 2];
+            const auto first = std::llround(std::ceil((centre - reach_) / step));
+            for (long long i = first; double(i) * step <= centre + reach_; ++i)
+                addLine(across == 0, double(i) * step, i % 10 == 0 ? kTenthLine : kLine);
+        }
+    }
+
+    vtkSmartPointer<vtkPolyData> take() {
+        auto data = vtkSmartPointer<vtkPolyData>::New();
+        data->SetPoints(points_);
+        data->SetLines(cells_);
+        data->GetPointData()->SetScalars(colours_);
+        return data;
+    }
+
+private:
+    void addLine(bool alongZ, double at, double opacity) {
+        const double aside = at - middle_[alongZ ? 0 : 2];
+        const double half = std::sqrt(std::max(0.0, reach_ * reach_ - aside * aside));
+        cells_->InsertNextCell(kPieces + 1);
+        for (int i = 0; i <= kPieces; ++i) {
+            const double along = half * (2.0 * i / kPieces - 1);
+            const Vec3 p = middle_ + (alongZ ? Vec3(aside, 0, along) : Vec3(along, 0, aside));
+            cells_->InsertCellPoint(points_->InsertNextPoint(p.data()));
+            const double far = (aside * aside + along * along) / (reach_ * reach_);
+            colours_->InsertNextTuple4(colour_.red(), colour_.green(), colour_.blue(),
+                                       opacity * std::pow(std::max(0.0, 1 - far), 2));
+        }
+    }
+
+    Vec3 middle_;
+    double reach_;
+    QColor colour_;
+    vtkNew<vtkPoints> points_;
+    vtkNew<vtkCellArray> cells_;
+    vtkNew<vtkUnsignedCharArray> colours_;
+};
+
+void lieOnTheGround(vtkActor& actor, vtkPolyDataMapper& mapper, vtkRenderer& renderer) {
+    actor.SetMapper(&mapper);
+    actor.PickableOff();
+    actor.ForceTranslucentOn(); // writes no depth: the finger is seen beneath it
+    useNoLight(actor);
+    actor.VisibilityOff();
+    renderer.AddActor(&actor);
+}
+
+} // namespace
+
+double gridStep(double extent) {
+    return std::pow(10.0, std::floor(std::log10(0.25 * extent)));
+}
+
+GroundLayer::GroundLayer(vtkRenderer& renderer) {
+    lieOnTheGround(*shadow_, *shadowMapper_, renderer);
+    lieOnTheGround(*grid_, *gridMapper_, renderer);
+}
+
+void GroundLayer::setTheme(const Theme& theme) {
+    theme_ = &theme;
+    if (step_ > 0) drawGrid();
+}
+
+void GroundLayer::setCasters(std::vector<ShadowCaster> casters, bool rest) {
+    wanted_ = {std::move(casters), !rest};
+    if (!work_.pending()) start();
+}
+
+void GroundLayer::start() {
+    if (wanted_ == started_) return;
+    started_ = wanted_;
+    work_.start([wish = wanted_](const Progress& progress) {
+        return shadowOf(wish.casters, wish.standing, progress);
+    });
+}
+
+bool GroundLayer::takeFinished() {
+    const auto made = work_.take();
+    if (!made) return false;
+    if (*made) ground_ = std::move(**made);
+    show();
+    start();
+    return true;
+}
+
+void GroundLayer::show() {
+    const Bounds& box = ground_.casters;
+    const double width = ground_.side, height = box.empty() ? 0 : box.high.y() - box.low.y();
+    step_ = 0;
+    if (height <= kFlat * width) return;
+    step_ = gridStep(width);
+    shadowMapper_->SetInputData(squareOf(ground_));
+    shadow_->SetTexture(textureOf(ground_));
+    drawGrid();
+}
+
+void GroundLayer::drawGrid() {
+    const Vec3 middle = ground_.corner + Vec3(0.5 * ground_.side, 0, 0.5 * ground_.side);
+    GridLines lines(middle, kReach * ground_.side, theme_->text);
+    lines.add(step_);
+    gridMapper_->SetInputData(lines.take());
+}
+
+void GroundLayer::see(const Vec3& eye_W) {
+    seen_ = shown_ && step_ > 0 && eye_W.y() > ground_.corner.y();
+    shadow_->SetVisibility(seen_);
+    grid_->SetVisibility(seen_);
+}
+
+Bounds GroundLayer::bounds() const {
+    Bounds box;
+    if (!seen_) return box;
+    const Vec3 middle = ground_.corner + Vec3(0.5 * ground_.side, 0, 0.5 * ground_.side);
+    const Vec3 reach = kReach * ground_.side * Vec3(1, 0, 1);
+    box.add(middle - reach);
+    box.add(middle + reach);
+    return box;
+}
+
+} // namespace tactum

@@ -1,0 +1,43 @@
+#include "ui/view/model_mapper.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+#include "ui/view/gl_window.h"
+
+namespace tactum {
+
+vtkStandardNewMacro(ModelMapper);
+
+// Places as they are: a relief is at places, and to move and scale them would carry it elsewhere.
+ModelMapper::ModelMapper() {
+    SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+}
+
+void ModelMapper::setCoarse(vtkPolyData* mesh) {
+    if (mesh == (coarse_ ? coarse_->GetInput() : nullptr)) return;
+    Modified();
+    if (!mesh) {
+        coarse_ = nullptr;
+        return;
+    }
+    coarse_ = vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
+    coarse_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    coarse_->ScalarVisibilityOff();
+    coarse_->SetInputData(mesh);
+}
+
+void ModelMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor) {
+    const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
+    if (coarse_ && window && window->drawsCoarse()) return coarse_->RenderPiece(renderer, actor);
+    Superclass::RenderPiece(renderer, actor);
+}
+
+void ModelMapper::ReleaseGraphicsResources(vtkWindow* window) {
+    if (coarse_) coarse_->ReleaseGraphicsResources(window);
+    Superclass::ReleaseGraphicsResources(window);
+}
+
+} // namespace tactum

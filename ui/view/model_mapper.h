@@ -1,0 +1,31 @@
+// Draws a mesh, or a coarser one in its place. Private to this folder.
+#pragma once
+
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkSmartPointer.h>
+
+class vtkPolyData;
+
+namespace tactum {
+
+/// In windows that draw coarsely (GlWindow::setCoarse()) the coarser mesh is drawn where there is one. All
+/// that is asked of the mapper but the picture is of the exact mesh. Thread: ui.
+class ModelMapper : public vtkOpenGLPolyDataMapper {
+public:
+    static ModelMapper* New();
+    vtkTypeMacro(ModelMapper, vtkOpenGLPolyDataMapper)
+
+        /// Null: none. Shares the points of the exact mesh, so that nothing of them is sent twice.
+        void setCoarse(vtkPolyData* mesh);
+
+    void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+    void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+    ModelMapper();
+
+private:
+    vtkSmartPointer<vtkOpenGLPolyDataMapper> coarse_;
+};
+
+} // namespace tactum

@@ -1,0 +1,42 @@
+// How well a picture is drawn where the processor draws, by what drawing took.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace tactum {
+
+/// From the quickest to the best.
+enum class PictureQuality {
+    Quick,    ///< in motion: one sample a pixel, a coarser model where the exact one takes too long
+    Smoothed, ///< at rest: one sample a pixel, edges smoothed in the picture
+    Sampled,  ///< four samples a pixel
+};
+
+/// The longest that a picture may take, s.
+struct PictureLimits {
+    double motion = 1.0 / 15, rest = 0.25;
+};
+
+/// Judges by the last picture of the exact model. Thread: ui.
+class PictureBudget {
+public:
+    /// Its times are what the window stands for; a picture that also brought something up to date for the
+    /// first time says nothing of the next one, and is left out.
+    void took(double seconds, bool sampled);
+    /// What was measured was of another model: nothing is known until the next picture.
+    void forget() { plain_.reset(); }
+    void setLimits(const PictureLimits& limits) { limits_ = limits; }
+
+    bool known() const { return plain_.has_value(); }
+    /// Without samples as long as nothing is known: no model may hold the window to find out.
+    PictureQuality atRest() const;
+    /// Whether the exact model is quick enough for what moves; false as long as nothing is known.
+    bool affordsMotion() const { return plain_ && *plain_ <= limits_.motion; }
+
+private:
+    PictureLimits limits_;
+    std::optional<double> plain_; ///< s, of a picture without samples
+};
+
+} // namespace tactum
