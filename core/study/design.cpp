@@ -139,7 +139,7 @@ Result<void> check(const StudyDesign& design) {
         trimmed(design.name).empty() ? Fault("name: the study has none; give it one") : Fault();
     const Fault fault =
         firstOf(nameless, faultOfTexts(design), faultOfConditions(design),
-                outside("repeats", design.repeats, 1, kMaxRepeats), faultOfOrder(design),
+                outside("repeats", design.repeats, 1, kMaxRepetitions), faultOfOrder(design),
                 design.procedure == Procedure::Staircase ? faultOfStaircase(design.staircase) : Fault(),
                 faultOfQuestions(design), outside("stimulusSeconds", design.stimulusSeconds, 0, 3600),
                 outside("pauseSeconds", design.pauseSeconds, 0, 3600),
@@ -172,7 +172,7 @@ int trialsOf(const StudyDesign& design) {
     if (design.procedure == Procedure::Staircase) return design.staircase.trials;
     const std::size_t conditions = std::min(design.conditions.size(), std::size_t(kMaxConditions));
     const int different = design.procedure == Procedure::List ? int(conditions) : pairsOf(conditions);
-    return different * std::clamp(design.repeats, 0, kMaxRepeats);
+    return different * std::clamp(design.repeats, 0, kMaxRepetitions);
 }
 
 std::string promptOf(const StudyDesign& design) {

@@ -89,7 +89,7 @@ struct StudyDesign {
 };
 
 /// Most of everything: a file beyond is refused.
-inline constexpr int kMaxConditions = 64, kMaxRepeats = 1000, kMaxTrials = 10000, kMaxQuestions = 32;
+inline constexpr int kMaxConditions = 64, kMaxRepetitions = 1000, kMaxTrials = 10000, kMaxQuestions = 32;
 inline constexpr std::size_t kLongestStudyText = 4000; ///< bytes
 
 /// Whether the study can be run. Errors: one sentence with the member at fault and the remedy. Thread: any.

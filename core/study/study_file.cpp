@@ -231,6 +231,21 @@ Scene conditionOf(const Source& source, const ZipEntry& entry, const std::filesy
     return std::move(loaded->scene);
 }
 
+/// Conditions of one mesh share it, as states of one scene do: then contacts last from one to the next.
+void shareGeometry(std::vector<Scene>& conditions) {
+    std::vector<std::shared_ptr<const TriangleSoup>> known;
+    for (Scene& scene : conditions)
+        for (SceneObject& object : scene.objects) {
+            if (!object.geometry) continue;
+            const auto same =
+                std::ranges::find_if(known, [&](const auto& soup) { return *soup == *object.geometry; });
+            if (same == known.end())
+                known.push_back(object.geometry);
+            else
+                object.geometry = *same;
+        }
+}
+
 Study studyOf(const Source& source, const Progress& progress) {
     const auto entries = readZip(source.bytes());
     if (!entries) source.fail(entries.error().text);
@@ -245,6 +260,7 @@ Study studyOf(const Source& source, const Progress& progress) {
         source.fail("cannot be unpacked: there is no room for temporary files; make some");
     for (std::size_t i = 0; i < study.design.conditions.size(); ++i)
         study.conditions.push_back(conditionOf(source, entryOf(sceneFile(i)), folder.path(), progress));
+    shareGeometry(study.conditions);
     return study;
 }
 

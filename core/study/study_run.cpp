@@ -43,6 +43,7 @@ Result<StudyRun> StudyRun::resume(const StudyDesign& design, int participant, st
             return inputError("trial " + std::to_string(run->number()) +
                               " was answered otherwise than this study asks; begin a new run (" +
                               taken.error().text + ")");
+    if (run->step_ != StudyStep::Done) run->step_ = StudyStep::Instructions;
     return run;
 }
 

@@ -36,8 +36,8 @@ class StudyRun {
 public:
     /// `participant` from 1. Errors: what check() says.
     static Result<StudyRun> begin(const StudyDesign& design, int participant, std::uint64_t seed);
-    /// The same after the trials with these answers: a run that broke off goes on. Errors: an answer that
-    /// cannot have been given in it.
+    /// The same after the trials with these answers: a run that broke off goes on, with the instructions
+    /// first. Errors: an answer that cannot have been given in it.
     static Result<StudyRun> resume(const StudyDesign& design, int participant, std::uint64_t seed,
                                    std::span<const TrialAnswer> answers);
 

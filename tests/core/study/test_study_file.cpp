@@ -112,6 +112,7 @@ void TestStudyFile::conditionsComeBackAsScenes() {
     QCOMPARE(read->conditions[0].objects[0].surfaces[0].material.stiffness, 100.0);
     QCOMPARE(read->conditions[1].objects[0].surfaces[0].material.stiffness, 900.0);
     QCOMPARE(read->conditions[1].objects[0].surfaces[0].name, std::string("top"));
+    QCOMPARE(read->conditions[0].objects[0].geometry, read->conditions[1].objects[0].geometry); // one mesh
 }
 
 void TestStudyFile::theSameStudyIsTheSameFile() {

@@ -147,6 +147,7 @@ void TestStudyRun::aRunGoesOn() {
     const auto again = StudyRun::resume(design, 1, 1, answers);
     VERIFY_RESULT(again);
     QCOMPARE(again->number(), 31);
+    QCOMPARE(again->step(), StudyStep::Instructions);
     QVERIFY(again->trial() == whole.trial());
     QCOMPARE(again->threshold()->mean, whole.threshold()->mean);
     QVERIFY(!StudyRun::resume(design, 1, 2, answers)->trial().intervals.empty());
