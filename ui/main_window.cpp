@@ -32,6 +32,7 @@
 #include "ui/panels/recovery_bar.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
+#include "ui/panels/study_page.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
 #include "ui/preset_store.h"
@@ -41,6 +42,8 @@
 #include "ui/select_tool.h"
 #include "ui/shared_link.h"
 #include "ui/sound/sound_link.h"
+#include "ui/study_desk.h"
+#include "ui/study_session.h"
 #include "ui/touch_hint.h"
 #include "ui/touched.h"
 #include "ui/usb_permission.h"
@@ -77,14 +80,16 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
       saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
       recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      comparison_(new Comparison(document, engine, publisher_, this)), sound_(new SoundLink(this)),
-      presetStore_(new PresetStore(this)), link_(new DeviceLink(engine, this)),
-      permission_(new UsbPermission(this)), samples_(samples) {
+      comparison_(new Comparison(document, engine, publisher_, this)),
+      studyDesk_(new StudyDesk(document, this)), study_(new StudySession(publisher_, engine, this)),
+      studyPage_(new StudyPage), sound_(new SoundLink(this)), presetStore_(new PresetStore(this)),
+      link_(new DeviceLink(engine, this)), permission_(new UsbPermission(this)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
     addPlaceDock();
     addCompareDock();
+    addStudyDock();
     addPresetDock();
     addDeviceDock();
     sizeDocks(*this);
@@ -115,6 +120,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectRecovery();
     connectPalette();
     connectCompare();
+    connectStudy();
     connectPresets();
     connectDevices();
     connectPreferences();
@@ -147,6 +153,7 @@ QWidget* MainWindow::makeCentre() {
     foot->addWidget(connection_, 0, Qt::AlignHCenter);
     foot->addWidget(playbackBar_);
     layers->addLayout(foot, 0, 0, Qt::AlignBottom);
+    layers->addWidget(studyPage_, 0, 0);
     centre_->addWidget(start_);
     centre_->addWidget(view_);
     start_->setRecent(recentFiles());
@@ -220,6 +227,7 @@ void MainWindow::frame() {
     saver_->watch(); // before a fault switches the forces off
     watchHealth();
     watchDevice();
+    if (study_->running()) return studyFrame();
     showPlots();
     if (playback_->active()) return playFrame();
     hand_->follow();
@@ -263,6 +271,11 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (study_->running() || studyDesk_->modified()) {
+        event->ignore();
+        if (study_->running()) return studyPage_->askToEnd();
+        return leaveStudy([this] { close(); });
+    }
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);

@@ -59,6 +59,11 @@ class SceneView;
 class SoundLink;
 class StartPage;
 class StatusStrip;
+class StudyDesk;
+class StudyPage;
+class StudyPanel;
+class StudySession;
+struct StudyStart;
 class TouchHint;
 class UsbPermission;
 struct Problem;
@@ -84,6 +89,8 @@ public:
     Document& document() { return document_; }
     Journal& journal() { return *journal_; }
     Comparison& comparison() { return *comparison_; }
+    StudyDesk& studyDesk() { return *studyDesk_; }
+    StudySession& study() { return *study_; }
     DeviceLink& devices() { return *link_; }
     /// Of a window that was never opened before, on a screen with so much room.
     static QSize firstSize(QSize room);
@@ -214,6 +221,25 @@ private:
     void connectCompare();
     void followComparison();
     void exportComparison();
+    // Of studies: main_window_study.cpp.
+    void addStudyDock();
+    void connectStudy();
+    void connectStudyPage();
+    void showStudyCommands();
+    void leaveStudy(std::function<void()> goOn);
+    void askForStudy();
+    void saveStudy(std::function<void()> after);
+    void keepState();
+    void editStudy();
+    void askToRunStudy();
+    void beginStudy(const StudyStart& start);
+    void hideForStudy();
+    void showAfterStudy();
+    void endStudy();
+    void armForStudy();
+    void proceedStudy();
+    void showStudyStep();
+    void studyFrame();
     // Of recordings: main_window_playback.cpp.
     void connectRecordings();
     void saveRecording();
@@ -286,6 +312,10 @@ private:
     Recovery* recovery_;
     RecoveryBar* recoveryBar_;
     Comparison* comparison_;
+    StudyDesk* studyDesk_;
+    StudySession* study_;
+    StudyPage* studyPage_;
+    StudyPanel* studyPanel_ = nullptr;
     SoundLink* sound_;
     PresetStore* presetStore_;
     PresetLibrary* presets_ = nullptr;
@@ -320,6 +350,9 @@ private:
     std::vector<TracePoint> trace_;     ///< of this frame
     std::optional<SurfaceRef> touched_; ///< last, of the document
     QString touchedName_;               ///< in this frame; empty: nothing is touched
+    std::vector<QAction*> studyOff_;    ///< commands that come back when a study ends,
+    std::vector<QWidget*> studyHid_;    ///< and bars
+    bool studyHidPanels_ = false;       ///< the study did, not the person
     QTimer frames_;
 };
 

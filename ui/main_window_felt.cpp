@@ -13,6 +13,7 @@
 #include "ui/panels/notice_bar.h"
 #include "ui/playback.h"
 #include "ui/sound/sound_link.h"
+#include "ui/study_session.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -80,7 +81,9 @@ void MainWindow::connectFelt() {
     connect(&actions_["spheres-finer"], &QAction::triggered, this, [step] { step(1); });
     connect(&actions_["spheres-coarser"], &QAction::triggered, this, [step] { step(-1); });
     connect(&publisher_, &WorldPublisher::published, this, [this] {
-        if (!playback_->active()) view_->setWorld(publisher_.world());
+        // In a study the view keeps the first one: what is seen does not say what is felt.
+        const bool blind = study_->running() && study_->run().step() != StudyStep::Instructions;
+        if (!playback_->active() && !blind) view_->setWorld(publisher_.world());
     });
     connectSound();
     connect(&actions_["export-plot"], &QAction::triggered, this, &MainWindow::exportPlot);

@@ -22,6 +22,7 @@
 #include "ui/playback.h"
 #include "ui/recent_files.h"
 #include "ui/recording_saver.h"
+#include "ui/study_session.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -120,7 +121,7 @@ void MainWindow::connectParts() {
     connect(docks_.outliner, &Outliner::menuAsked, this,
             [this](const QPoint& at) { showObjectMenu(at, *docks_.outliner); });
     connect(view_, &SceneView::menuAsked, this, [this](const std::optional<PickHit>& hit, const QPoint& at) {
-        if (playback_->active()) return;
+        if (playback_->active() || study_->running()) return;
         const bool chosen =
             hit && std::ranges::find(document_.selected(), hit->surface) != document_.selected().end();
         if (hit && !chosen)

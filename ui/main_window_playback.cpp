@@ -125,8 +125,9 @@ void MainWindow::setLive(bool live) {
         followComparison();
         showDeviceCommands();
     }
+    showStudyCommands();
     for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history",
-                             "dock-compare", "dock-device", "dock-place"})
+                             "dock-compare", "dock-device", "dock-place", "dock-study"})
         if (auto* dock = findChild<QDockWidget*>(QString::fromLatin1(name))) dock->widget()->setEnabled(live);
     if (!live) view_->endTouch(); // or the hand would stay where it presses
     hand_->setSuspended(!live);

@@ -32,9 +32,10 @@ void WorldPublisher::setSolo(const std::optional<SoloLayer>& solo) {
 
 void WorldPublisher::setTrial(std::shared_ptr<const Scene> trial) {
     if (trial == trial_) return;
+    const bool another = trial_ && trial; // of one shape, contacts last from the one to the other
     if (!trial_) own_ = world_;
     trial_ = std::move(trial);
-    compileShapes(trial_ ? nullptr : std::exchange(own_, nullptr));
+    compileShapes(another ? world_ : trial_ ? nullptr : std::exchange(own_, nullptr));
 }
 
 /// The scene as it is to be felt: a copy, for the document keeps which layers are on.

@@ -26,7 +26,7 @@ public:
     /// it is.
     void setSolo(const std::optional<SoloLayer>& solo);
     /// This scene is felt instead of the document's; a null pointer: the document's again, of which nothing
-    /// that was built is built anew.
+    /// that was built is built anew. What one trial shares with the one before it is not built anew either.
     void setTrial(std::shared_ptr<const Scene> trial);
     bool trying() const { return trial_ != nullptr; }
     /// The newest World that the engine was given; nullptr before the first.

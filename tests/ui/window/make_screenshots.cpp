@@ -22,6 +22,7 @@
 #include "tests/ui/window/felt_pictures.h"
 #include "tests/ui/window/layer_pictures.h"
 #include "tests/ui/window/moving_picture.h"
+#include "tests/ui/window/study_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/journal.h"
@@ -409,6 +410,8 @@ int main(int argc, char** argv) {
     }
     if (wanted("connected")) takeConnectedPicture(folder, scenes, size);
     if (only == "connected") return 0;
+    if (wanted("study")) takeStudyPictures(folder, sample, size);
+    if (only == "study") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);
     if (wanted("many")) takeMany(folder, scenes, size);
     if (only == "many") return 0;

@@ -1,0 +1,19 @@
+// What is felt in an interval, as a scene.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/study/trial_order.h"
+
+namespace tactum {
+
+/// The condition with the value of the staircase in its surfaces. A copy is cheap: geometry is shared.
+Scene sceneOf(const Scene& condition, const StaircaseRule& rule, const Stimulus& stimulus);
+
+/// Whether the staircase changes any surface of the scene. Thread: any.
+bool changesAnything(const Scene& condition, const StaircaseRule& rule);
+
+/// Whether the finger may stay on a surface while one becomes the other: they differ in nothing but how their
+/// surfaces feel.
+bool sameShapes(const Scene& a, const Scene& b);
+
+} // namespace tactum
