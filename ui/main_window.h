@@ -48,6 +48,7 @@ struct PaletteEntry;
 struct LoadedPreset;
 struct Preset;
 class RecordingSaver;
+class RegionSelect;
 class SelectTool;
 class ToolStrip;
 class SharedLink;
@@ -131,6 +132,7 @@ private:
     // Of selecting: main_window_selecting.cpp.
     void connectSelecting();
     void fillSelectStrip();
+    void connectRegions(); ///< main_window_regions.cpp
     void showSelection();
     // Of moving, turning and scaling: main_window_arranging.cpp.
     void addPlaceDock();
@@ -260,6 +262,7 @@ private:
     Actions actions_;
     SceneView* view_;
     SelectTool* selecting_;
+    RegionSelect* regions_;
     ToolStrip* selectStrip_;
     ArrangeTool* arranging_;
     ToolStrip* arrangeStrip_;

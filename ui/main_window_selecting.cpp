@@ -9,6 +9,7 @@
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
+#include "ui/region_select.h"
 #include "ui/select_tool.h"
 #include "ui/view/scene_view.h"
 
@@ -37,6 +38,7 @@ void MainWindow::connectSelecting() {
         reaches->addAction(&action);
         connect(&action, &QAction::triggered, this, [this, reach = each.reach] {
             selecting_->setReach(reach);
+            regions_->setTakesSurfaces(reach == SelectReach::Surface || reach == SelectReach::Material);
             actions_["select"].trigger();
         });
     }
@@ -51,10 +53,6 @@ void MainWindow::connectSelecting() {
     for (const auto& [id, command] : simple)
         connect(&actions_[id], &QAction::triggered, selecting_, command);
     connect(&actions_["select-touched"], &QAction::triggered, this, &MainWindow::selectTouched);
-    connect(&actions_["box"], &QAction::triggered, this, [this] {
-        actions_["select"].trigger();
-        view_->beginBox();
-    });
     connect(&actions_["split"], &QAction::triggered, &document_, &Document::splitSelection);
     connect(&actions_["merge"], &QAction::triggered, &document_, &Document::mergeSelected);
     // A recording shows surfaces of another scene.
@@ -66,13 +64,11 @@ void MainWindow::connectSelecting() {
         if (actions_["paint"].isChecked()) return; // beside the model: what is selected stays to be painted
         document_.select(hit ? std::optional(hit->surface) : std::nullopt);
     });
-    connect(view_, &SceneView::boxDrawn, this, [this](const QRectF& box, auto modifiers) {
-        if (!playback_->active()) selecting_->takeBox(box, modifiers);
-    });
     connect(selecting_, &SelectTool::progressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Finding the neighbours of every triangle"), fraction, secondsLeft, false);
     });
     connect(selecting_, &SelectTool::finished, notice_, &NoticeBar::endProgress);
+    connectRegions();
     fillSelectStrip();
     showSelection();
 }
@@ -99,6 +95,8 @@ void MainWindow::fillSelectStrip() {
         connect(action, &QAction::toggled, angle, showAngle);
     showAngle();
     selectStrip_->addField(angle);
+    for (const char* id : {"box", "lasso", "select-brush", "through"})
+        selectStrip_->addAction(&actions_[id]);
     selectStrip_->addStretch();
     for (const char* id : {"grow", "shrink", "invert", "split", "merge"})
         selectStrip_->addAction(&actions_[id]);

@@ -130,10 +130,16 @@ void SceneView::setSelectedFaces(ObjectId object, std::vector<Index> faces) {
     changed();
 }
 
-void SceneView::beginBox() {
+void SceneView::beginRegion(RegionShape shape) {
     impl_->letGo();
-    impl_->boxNext = true;
+    impl_->regionNext = shape;
     setCursor(Qt::CrossCursor);
+}
+
+void SceneView::setSelectBrush(std::optional<double> radius) {
+    if (!radius && impl_->drag == ViewDrag::Brush) impl_->endStroke(StrokeStep::Cancel);
+    impl_->selectBrush = radius;
+    changed();
 }
 
 void SceneView::setTool(ViewTool tool) {
@@ -384,6 +390,21 @@ void SceneView::prepareFrame() {
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }
 
+/// What is drawn over the view to select it.
+void SceneView::Impl::drawRegion(QPainter& painter) const {
+    if (brushes() && pointer) drawSelectBrush(painter, *pointer, *selectBrush, theme());
+    if (!drawsRegion()) return;
+    QColor fill = theme().accent;
+    painter.setPen(fill);
+    fill.setAlphaF(0.15f);
+    painter.setBrush(fill);
+    if (drag == ViewDrag::Box)
+        painter.drawRect(QRectF(pressedAt, cursorAt).normalized());
+    else
+        painter.drawPolygon(lasso, Qt::WindingFill);
+    painter.setBrush(Qt::NoBrush);
+}
+
 // Into the framebuffer that is bound: a painter on the widget would miss the picture when a window is
 // grabbed.
 void SceneView::paintOver() {
@@ -392,13 +413,7 @@ void SceneView::paintOver() {
     QPainter painter(&device);
     painter.setFont(font());
     drawAxes(painter, impl_->camera, impl_->theme());
-    if (impl_->drag == ViewDrag::Box) {
-        QColor fill = impl_->theme().accent;
-        painter.setPen(fill);
-        fill.setAlphaF(0.15f);
-        painter.setBrush(fill);
-        painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
-    }
+    impl_->drawRegion(painter);
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     drawColliders(
         painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,

@@ -48,6 +48,8 @@ private slots:
     void modifiersAddAndTakeBack();
     void ringsGrowAndShrink();
     void aBoxTakesWhatItTouches();
+    void aLassoTakesWhatItGoesRound();
+    void theBrushTakesWhatItGoesOver();
     void splitHideAndUndo();
     void theRowShowsWhatAClickTakes();
     void whatIsSelectedKeepsItsName();
@@ -133,12 +135,98 @@ void TestSelecting::aBoxTakesWhatItTouches() {
     // From the lower left: over the upper one lies the tool's row.
     const QPoint begin(4, size.height() - 4);
     draw(begin, {size.width() - 4, 4});
-    QCOMPARE(faces(program).size(), std::size_t(12));
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(12), kPatience);
     draw(begin, begin + QPoint(8, -8));
-    QVERIFY(faces(program).empty());
+    QTRY_VERIFY_WITH_TIMEOUT(faces(program).empty(), kPatience);
     command(program, "take-surface").trigger();
     draw(begin, {size.width() - 4, 4});
-    QCOMPARE(program.document.selected().size(), std::size_t(6));
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(6), kPatience);
+    // Three sides of a cube are seen at once; the others only through it.
+    command(program, "through").trigger();
+    draw(begin, {size.width() - 4, 4});
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(3), kPatience);
+    command(program, "take-triangle").trigger();
+    draw(begin, {size.width() - 4, 4});
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(6), kPatience);
+}
+
+/// A line round the whole model, then one round a place where the edges of the cube are not.
+void TestSelecting::aLassoTakesWhatItGoesRound() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "take-triangle").trigger();
+    const QPoint middle = program.centre();
+    const auto draw = [&](int radius, QPoint at) {
+        QTest::keyClick(program.window.get(), Qt::Key_B, Qt::ShiftModifier);
+        program.press(at + QPoint(radius, 0));
+        for (int i = 1; i < 24; ++i) {
+            const double angle = 2 * M_PI * i / 24;
+            program.moveTo(at + QPoint(int(radius * std::cos(angle)), int(radius * std::sin(angle))));
+        }
+        program.release(at + QPoint(radius, 0));
+    };
+    draw(middle.y() - 10, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(12), kPatience);
+    command(program, "through").trigger();
+    draw(middle.y() - 10, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(6), kPatience);
+    draw(6, middle + QPoint(30, 60));
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(1), kPatience);
+    // Given up, it takes nothing.
+    const std::vector<Index> one = faces(program);
+    QTest::keyClick(program.window.get(), Qt::Key_B, Qt::ShiftModifier);
+    program.press(middle);
+    program.moveTo(middle + QPoint(40, 40));
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    program.release(middle + QPoint(80, 0));
+    QCOMPARE(faces(program), one);
+    QCOMPARE_EQ(program.document.history().count(), 0);
+}
+
+void TestSelecting::theBrushTakesWhatItGoesOver() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "take-triangle").trigger();
+    QTest::keyClick(program.window.get(), Qt::Key_C);
+    QVERIFY(command(program, "select-brush").isChecked());
+    const QPoint middle = program.centre(), below = middle + QPoint(30, 60);
+    const auto stroke = [&](QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(program.window->windowHandle(), Qt::LeftButton, modifiers,
+                          program.window->view().mapTo(program.window.get(), from));
+        program.moveTo((from + to) / 2);
+        program.moveTo(to);
+    };
+    for (int i = 0; i < 12; ++i)
+        QTest::keyClick(program.window.get(), Qt::Key_BracketLeft);
+    stroke(below, below + QPoint(2, 2), {});
+    // While the button is still down.
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(1), kPatience);
+    program.release(below);
+    const std::vector<Index> one = faces(program);
+    // Over all three sides that are seen, and no others; Esc brings back what was.
+    stroke(middle + QPoint(0, 60), middle - QPoint(60, 60), Qt::ShiftModifier);
+    QTRY_COMPARE_GE_WITH_TIMEOUT(faces(program).size(), std::size_t(2), kPatience);
+    QCOMPARE_LE(faces(program).size(), std::size_t(6));
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    QCOMPARE(faces(program), one);
+    program.release(middle);
+    // A larger brush takes more at once, and Ctrl takes it back.
+    for (int i = 0; i < 30; ++i)
+        QTest::keyClick(program.window.get(), Qt::Key_BracketRight);
+    stroke(middle, middle, {});
+    program.release(middle);
+    QTRY_COMPARE_GE_WITH_TIMEOUT(faces(program).size(), std::size_t(5), kPatience);
+    stroke(middle, middle, Qt::ControlModifier);
+    program.release(middle);
+    QTRY_VERIFY_WITH_TIMEOUT(faces(program).empty(), kPatience);
+    // Beside the model it takes nothing, and surfaces where a click takes surfaces.
+    command(program, "take-surface").trigger();
+    stroke(middle, middle, {});
+    program.release(middle);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(3), kPatience);
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    QVERIFY(!command(program, "select-brush").isChecked());
+    QVERIFY(command(program, "select").isChecked());
 }
 
 void TestSelecting::splitHideAndUndo() {
