@@ -198,17 +198,16 @@ void RegionSelect::brush(StrokeStep step, QPointF from, QPointF to, SelectMode m
 /// Takes what was gone over since it did so last.
 void RegionSelect::brushOn() {
     Stroke& stroke = *stroke_;
-    if (!stillThere(stroke.sight)) return stroke_.reset(); // edited meanwhile
+    if (!stillThere(stroke.sight)) return giveUp(); // edited meanwhile
     bool more = false;
     stroke.seen->eachUnder(stroke.waiting, [&](std::uint32_t body, Index triangle) {
         more |= stroke.taken[body].add(triangle);
     });
     stroke.waiting = ScreenMask(stroke.waiting.width(), stroke.waiting.height());
-    if (more || stroke.ended) showStroke();
-    if (stroke.ended) stroke_.reset();
+    if (more) showStroke();
+    if (stroke.ended) endStroke();
 }
 
-/// A stroke beside the model takes nothing, as a click there does.
 void RegionSelect::showStroke() {
     Stroke& stroke = *stroke_;
     Taken taken;
@@ -219,15 +218,30 @@ void RegionSelect::showStroke() {
         return document_.select(joined(stroke.surfaces, surfacesOf(stroke.sight, taken), stroke.mode));
     }
     if (!stroke.body) stroke.body = bodyOf(stroke.sight, taken, stroke.mode);
-    FaceSelection chosen;
-    if (stroke.body) chosen = {stroke.sight.objects[*stroke.body], std::move(taken[*stroke.body])};
-    if (chosen.empty() && stroke.mode != SelectMode::Replace) return;
-    document_.selectFaces(joined(stroke.faces, chosen, stroke.mode));
+    if (stroke.body) view_.setBrushedFaces(stroke.sight.objects[*stroke.body], taken[*stroke.body]);
+}
+
+/// Beside the model it takes nothing, as a click there does.
+void RegionSelect::endStroke() {
+    const Stroke stroke = std::move(*stroke_);
+    stroke_.reset();
+    view_.setBrushedFaces(0, {});
+    const bool nothing =
+        std::ranges::all_of(stroke.taken, [](const TriangleMarks& each) { return each.set().empty(); });
+    if (surfaces_) {
+        if (nothing && stroke.mode == SelectMode::Replace) document_.select(std::nullopt);
+    } else if (stroke.body) {
+        document_.selectFaces({stroke.sight.objects[*stroke.body], stroke.taken[*stroke.body].set()},
+                              stroke.mode);
+    } else if (stroke.mode == SelectMode::Replace) {
+        document_.selectFaces({});
+    }
 }
 
 void RegionSelect::giveUp() {
     const Stroke before = std::move(*stroke_);
     stroke_.reset();
+    view_.setBrushedFaces(0, {});
     document_.select(before.surfaces);
     document_.selectFaces(before.faces);
 }

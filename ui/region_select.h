@@ -39,8 +39,8 @@ public:
     // In logical pixels of the view.
     void takeBox(const QRectF& box, SelectMode mode);
     void takeLasso(const QPolygonF& line, SelectMode mode);
-    /// A stroke; `mode` is that of its first step. What it takes is selected while it goes on; given up, the
-    /// selection is as before.
+    /// A stroke; `mode` is that of its first step. Triangles that it goes over are shown while it does so and
+    /// selected when it ends, surfaces at once; given up, the selection is as before.
     void brush(StrokeStep step, QPointF from, QPointF to, SelectMode mode);
 
 signals:
@@ -79,6 +79,7 @@ private:
     bool stillThere(const Sight& sight) const;
     void brushOn();
     void showStroke();
+    void endStroke();
     void giveUp();
 
     Document& document_;

@@ -66,10 +66,11 @@ vtkMTimeType KeptRenderer::lastChange() {
         if (auto* placed = vtkProp3D::SafeDownCast(prop))
             last = std::max(last, placed->GetUserTransformMatrixMTime());
     }
-    return last;
+    return beneath_ ? std::max(last, beneath_->lastChange()) : last;
 }
 
 void KeptRenderer::DeviceRender() {
+    if (beneath_ && VisibleActorCount() == 0) return; // nothing is added to what lies beneath
     vtkOpenGLRenderWindow& window = windowOf(*this);
     Kept& kept = kept_[window.GetMultiSamples()];
     if (kept.time != 0 && kept.time == lastChange() && kept.size == sizeOf(window)) return putBack(kept);

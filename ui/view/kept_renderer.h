@@ -15,7 +15,8 @@ namespace tactum {
 /// until its camera, its background, its list of props, one of them with all that VTK gives a time (place,
 /// property, texture, mapper, data), the window's size or its number of samples changes. So it holds for
 /// everything that VTK would draw anew by itself; a uniform of a shader has no such time. One picture for
-/// each number of samples: one that moves and one that rests take turns. For layer 0. Thread: ui.
+/// each number of samples: one that moves and one that rests take turns. For layer 0, or over another one.
+/// Thread: ui.
 class KeptRenderer : public vtkOpenGLRenderer {
 public:
     static KeptRenderer* New();
@@ -30,6 +31,8 @@ public:
     }
     void ReleaseGraphicsResources(vtkWindow* window) override;
 
+    /// The renderer of the layer beneath: what it draws is in this one's picture, too.
+    void setBeneath(KeptRenderer& beneath) { beneath_ = &beneath; }
     /// The next picture is drawn, whatever is kept.
     void forget() {
         for (auto& [samples, kept] : kept_)
@@ -49,6 +52,7 @@ private:
     void keep(Kept& kept);
     void putBack(Kept& kept);
 
+    KeptRenderer* beneath_ = nullptr;
     std::map<int, Kept> kept_; ///< by samples
     int drawn_ = 0;
 };

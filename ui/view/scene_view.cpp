@@ -41,9 +41,9 @@ Bounds grownAround(const Bounds& box, const Bounds& inside) {
 } // namespace
 
 SceneView::Impl::Impl(SceneView& owner)
-    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.solid), paint(*stage.solid),
-      marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost), felt(stage, model),
-      camera(defaultCamera()) {
+    : view(owner), stage(owner.renderWindow()), model(*stage.solid), faces(*stage.chosen),
+      brushed(*stage.touch), paint(*stage.solid), marks(*stage.solid, *stage.ghost),
+      overlay(*stage.touch, *stage.ghost), felt(stage, model), camera(defaultCamera()) {
     applyTheme();
 }
 
@@ -51,6 +51,7 @@ void SceneView::Impl::applyTheme() {
     stage.setBackground(theme());
     overlay.setTheme(theme());
     faces.setTheme(theme());
+    brushed.setTheme(theme());
     marks.setColour(theme().fault);
     felt.setTheme(theme());
 }
@@ -127,6 +128,12 @@ void SceneView::setSelection(std::vector<SurfaceRef> surfaces) {
 void SceneView::setSelectedFaces(ObjectId object, std::vector<Index> faces) {
     impl_->facesOf = object;
     impl_->faces.show(impl_->picker.soupOf(object), faces);
+    changed();
+}
+
+void SceneView::setBrushedFaces(ObjectId object, const std::vector<Index>& faces) {
+    impl_->brushedOf = object;
+    impl_->brushed.show(impl_->picker.soupOf(object), faces);
     changed();
 }
 
@@ -383,6 +390,7 @@ void SceneView::prepareFrame() {
     impl_->stage.look(impl_->camera, impl_->shown());
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
+    impl_->brushed.place(impl_->model.matrixOf(impl_->brushedOf));
     const PaintedPicture& painted = impl_->paint.picture();
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
     impl_->paint.place(impl_->model.matrixOf(painted.object));

@@ -73,6 +73,8 @@ public:
     void setSelection(std::vector<SurfaceRef> surfaces);
     /// Lays the selection's colour over triangles of an object, in the numbers of its geometry.
     void setSelectedFaces(ObjectId object, std::vector<Index> faces);
+    /// The same over what a stroke has gone over; small sets cost little, however large the model is.
+    void setBrushedFaces(ObjectId object, const std::vector<Index>& faces);
     /// The next drag with the left button draws a box, or a line round something; Esc gives it up.
     void beginRegion(RegionShape shape);
     /// With the select tool the left button brushes, with a ring of this radius in logical pixels; nothing:

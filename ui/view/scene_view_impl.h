@@ -79,7 +79,7 @@ struct SceneView::Impl {
     SceneView& view;
     ViewStage stage;
     ModelLayer model;
-    FaceLayer faces;
+    FaceLayer faces, brushed;
     PaintLayer paint;
     MarkLayer marks;
     ArrangeGizmo arranging;
@@ -113,7 +113,7 @@ struct SceneView::Impl {
     std::optional<SurfaceRef> hovered;
     std::optional<PickHit> brushAt; ///< where the tool Paint shows its ring
     BrushRing brush;
-    ObjectId facesOf = 0;                  ///< whose triangles are selected
+    ObjectId facesOf = 0, brushedOf = 0;   ///< whose triangles are selected, and gone over
     std::optional<RegionShape> regionNext; ///< what the next drag draws
     QPolygonF lasso;                       ///< where the drag went that draws it
     std::optional<double> selectBrush;     ///< its radius, logical pixels
