@@ -134,6 +134,7 @@ private:
     void fillSelectStrip();
     void connectRegions(); ///< main_window_regions.cpp
     void showSelection();
+    void showHovered();
     // Of moving, turning and scaling: main_window_arranging.cpp.
     void addPlaceDock();
     void connectArranging();
@@ -318,6 +319,7 @@ private:
     bool riskAccepted_ = false;         ///< of stiffness above the ceiling, until the program ends
     std::vector<TracePoint> trace_;     ///< of this frame
     std::optional<SurfaceRef> touched_; ///< last, of the document
+    std::optional<SurfaceRef> hovered_; ///< under the mouse, of the document
     QString touchedName_;               ///< in this frame; empty: nothing is touched
     QTimer frames_;
 };

@@ -1,16 +1,22 @@
 // Selecting and what is done with a selection: commands, and the row above the view.
 #include "ui/main_window.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QActionGroup>
 
 #include "ui/arrange_tool.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/parameter_field.h"
+#include "ui/panels/selection_count.h"
+#include "ui/panels/status_strip.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
 #include "ui/region_select.h"
 #include "ui/select_tool.h"
+#include "ui/touched.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -24,9 +30,11 @@ struct ReachCommand {
 };
 constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, "Surface"},
                                      {"take-material", SelectReach::Material, "Same feel"},
+                                     {"take-colour", SelectReach::Colour, "Same colour"},
                                      {"take-connected", SelectReach::Connected, "Connected"},
                                      {"take-smooth", SelectReach::Smooth, "Smooth"},
                                      {"take-similar", SelectReach::Similar, "Similar normals"},
+                                     {"take-facing", SelectReach::Facing, "Facing the same way"},
                                      {"take-triangle", SelectReach::Triangle, "Triangle"}};
 
 } // namespace
@@ -38,7 +46,7 @@ void MainWindow::connectSelecting() {
         reaches->addAction(&action);
         connect(&action, &QAction::triggered, this, [this, reach = each.reach] {
             selecting_->setReach(reach);
-            regions_->setTakesSurfaces(reach == SelectReach::Surface || reach == SelectReach::Material);
+            regions_->setTakesSurfaces(takesSurfaces(reach));
             actions_["select"].trigger();
         });
     }
@@ -47,6 +55,7 @@ void MainWindow::connectSelecting() {
         {"select-all", &SelectTool::takeAll},
         {"select-none", &SelectTool::takeNothing},
         {"select-like", &SelectTool::takeLikeActive},
+        {"select-colour", &SelectTool::takeColourOfActive},
         {"grow", &SelectTool::grow},
         {"shrink", &SelectTool::shrink},
         {"invert", &SelectTool::invert}};
@@ -68,6 +77,12 @@ void MainWindow::connectSelecting() {
         notice_->showProgress(tr("Finding the neighbours of every triangle"), fraction, secondsLeft, false);
     });
     connect(selecting_, &SelectTool::finished, notice_, &NoticeBar::endProgress);
+    // Told by the view when it is another one; a value may be changed while the mouse stays.
+    connect(view_, &SceneView::surfaceHovered, this, [this](const std::optional<SurfaceRef>& surface) {
+        hovered_ = playback_->active() ? std::nullopt : surface;
+        showHovered();
+    });
+    connect(&document_, &Document::changed, this, &MainWindow::showHovered);
     connectRegions();
     fillSelectStrip();
     showSelection();
@@ -89,7 +104,8 @@ void MainWindow::fillSelectStrip() {
         angle->setValue(value);
     });
     const auto showAngle = [angle, this] {
-        angle->setVisible(actions_["take-smooth"].isChecked() || actions_["take-similar"].isChecked());
+        angle->setVisible(std::ranges::any_of(std::array{"take-smooth", "take-similar", "take-facing"},
+                                              [this](const char* id) { return actions_[id].isChecked(); }));
     };
     for (QAction* action : actions)
         connect(action, &QAction::toggled, angle, showAngle);
@@ -97,9 +113,14 @@ void MainWindow::fillSelectStrip() {
     selectStrip_->addField(angle);
     for (const char* id : {"box", "lasso", "select-brush", "through"})
         selectStrip_->addAction(&actions_[id]);
+    selectStrip_->addField(new SelectionCount(document_));
     selectStrip_->addStretch();
     for (const char* id : {"grow", "shrink", "invert", "split", "merge"})
         selectStrip_->addAction(&actions_[id]);
+}
+
+void MainWindow::showHovered() {
+    status_->setHovered(hovered_ ? feelText(document_.scene(), *hovered_) : QString());
 }
 
 void MainWindow::showSelection() {

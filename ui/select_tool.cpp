@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/surface_colours.h"
 #include "ui/document.h"
 
 namespace tactum {
@@ -54,13 +55,21 @@ void SelectTool::take(const std::optional<PickHit>& hit, Qt::KeyboardModifiers m
         document_.selectFaces({});
         document_.select(hit->surface, modeFor(modifiers, document_.selected(), hit->surface));
     } else if (reach_ == SelectReach::Material) {
-        document_.selectFaces({});
-        auto like = surfacesLike(document_.scene(), hit->surface);
-        std::ranges::rotate(like, std::next(std::ranges::find(like, hit->surface))); // the active one: last
-        document_.select(like, selectModeOf(modifiers));
+        takeAlike(surfacesLike(document_.scene(), hit->surface), hit->surface, selectModeOf(modifiers));
+    } else if (reach_ == SelectReach::Colour) {
+        takeAlike(surfacesColouredLike(document_.scene(), hit->surface), hit->surface,
+                  selectModeOf(modifiers));
     } else {
         takeRegion(*hit, selectModeOf(modifiers));
     }
+}
+
+/// What is chosen last is the active one.
+void SelectTool::takeAlike(const std::vector<SurfaceRef>& alike, SurfaceRef active, SelectMode mode) {
+    SurfaceRefs chosen = alike;
+    std::ranges::rotate(chosen, std::next(std::ranges::find(chosen, active)));
+    document_.selectFaces({});
+    document_.select(chosen, mode);
 }
 
 void SelectTool::takeRegion(const PickHit& hit, SelectMode mode) {
@@ -78,7 +87,7 @@ void SelectTool::takeRegion(const PickHit& hit, SelectMode mode) {
 TriangleSet SelectTool::regionAt(const FaceGraph& graph, Index triangle) const {
     if (reach_ == SelectReach::Connected) return graph.connected(triangle);
     if (reach_ == SelectReach::Smooth) return graph.smooth(triangle, angle_);
-    return graph.similar(triangle, angle_, true);
+    return graph.similar(triangle, angle_, reach_ == SelectReach::Similar);
 }
 
 void SelectTool::takeAll() {
@@ -96,11 +105,13 @@ void SelectTool::takeNothing() {
 }
 
 void SelectTool::takeLikeActive() {
-    const auto active = document_.selection();
-    if (!active) return;
-    auto like = surfacesLike(document_.scene(), *active);
-    std::ranges::rotate(like, std::next(std::ranges::find(like, *active)));
-    document_.select(like);
+    if (const auto active = document_.selection())
+        takeAlike(surfacesLike(document_.scene(), *active), *active, SelectMode::Replace);
+}
+
+void SelectTool::takeColourOfActive() {
+    if (const auto active = document_.selection())
+        takeAlike(surfacesColouredLike(document_.scene(), *active), *active, SelectMode::Replace);
 }
 
 void SelectTool::grow() {

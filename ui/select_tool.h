@@ -32,7 +32,12 @@ inline constexpr Parameter kSelectAngle{
 SelectMode selectModeOf(Qt::KeyboardModifiers modifiers);
 
 /// What a click takes.
-enum class SelectReach { Surface, Material, Connected, Smooth, Similar, Triangle };
+enum class SelectReach { Surface, Material, Colour, Connected, Smooth, Similar, Facing, Triangle };
+
+/// Whether it takes whole surfaces, else triangles of one object.
+constexpr bool takesSurfaces(SelectReach reach) {
+    return reach <= SelectReach::Colour;
+}
 
 /// Neighbours of a mesh are found on a worker the first time that a region of it is asked for; what was asked
 /// last is done then. Thread: ui.
@@ -52,6 +57,7 @@ public:
     void takeAll();
     void takeNothing();
     void takeLikeActive();
+    void takeColourOfActive();
     void grow();
     void shrink();
     void invert();
@@ -63,6 +69,7 @@ signals:
 private:
     using Use = std::function<void(const FaceGraph&)>;
     void withGraphOf(ObjectId object, Use use);
+    void takeAlike(const std::vector<SurfaceRef>& alike, SurfaceRef active, SelectMode mode);
     void takeRegion(const PickHit& hit, SelectMode mode);
     TriangleSet regionAt(const FaceGraph& graph, Index triangle) const;
 
