@@ -39,6 +39,7 @@
 #include "ui/recent_files.h"
 #include "ui/recording_saver.h"
 #include "ui/recovery.h"
+#include "ui/region_select.h"
 #include "ui/select_tool.h"
 #include "ui/shared_link.h"
 #include "ui/sound/sound_link.h"
@@ -71,7 +72,8 @@ QString firstFile(const QMimeData& data) {
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
-      view_(new SceneView), selecting_(new SelectTool(document, *view_, this)), selectStrip_(new ToolStrip),
+      view_(new SceneView), selecting_(new SelectTool(document, this)),
+      regions_(new RegionSelect(document, *view_, this)), selectStrip_(new ToolStrip),
       arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
       painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
       centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),

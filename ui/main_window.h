@@ -49,6 +49,7 @@ struct PaletteEntry;
 struct LoadedPreset;
 struct Preset;
 class RecordingSaver;
+class RegionSelect;
 class SelectTool;
 class ToolStrip;
 class SharedLink;
@@ -142,7 +143,9 @@ private:
     // Of selecting: main_window_selecting.cpp.
     void connectSelecting();
     void fillSelectStrip();
+    void connectRegions(); ///< main_window_regions.cpp
     void showSelection();
+    void showHovered();
     // Of moving, turning and scaling: main_window_arranging.cpp.
     void addPlaceDock();
     void connectArranging();
@@ -290,6 +293,7 @@ private:
     Actions actions_;
     SceneView* view_;
     SelectTool* selecting_;
+    RegionSelect* regions_;
     ToolStrip* selectStrip_;
     ArrangeTool* arranging_;
     ToolStrip* arrangeStrip_;
@@ -349,6 +353,7 @@ private:
     bool riskAccepted_ = false;         ///< of stiffness above the ceiling, until the program ends
     std::vector<TracePoint> trace_;     ///< of this frame
     std::optional<SurfaceRef> touched_; ///< last, of the document
+    std::optional<SurfaceRef> hovered_; ///< under the mouse, of the document
     QString touchedName_;               ///< in this frame; empty: nothing is touched
     std::vector<QAction*> studyOff_;    ///< commands that come back when a study ends,
     std::vector<QWidget*> studyHid_;    ///< and bars

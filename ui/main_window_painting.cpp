@@ -49,6 +49,7 @@ void MainWindow::connectPainting() {
     actions_["brush-add"].setChecked(true);
     const auto change = [this](const char* id, void (*how)(Brush&)) {
         connect(&actions_[id], &QAction::triggered, this, [this, how] {
+            if (actions_["select"].isChecked()) return; // its own brush has these keys
             Brush brush = painting_->brush();
             how(brush);
             painting_->setBrush(brush);

@@ -12,6 +12,7 @@
 #include "ui/panels/import_bar.h"
 #include "ui/playback.h"
 #include "ui/recent_files.h"
+#include "ui/value_entries.h"
 
 namespace tactum {
 
@@ -112,6 +113,9 @@ void MainWindow::openPalette() {
                            {},
                            [this, file] { open(file); }});
     auto* palette = new CommandPalette(std::move(entries), this);
+    palette->setSource([this](const QString& typed) {
+        return playback_->active() ? std::vector<PaletteEntry>() : valueEntries(document_, typed);
+    });
     palette->open();
 }
 

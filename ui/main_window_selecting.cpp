@@ -1,15 +1,22 @@
 // Selecting and what is done with a selection: commands, and the row above the view.
 #include "ui/main_window.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QActionGroup>
 
 #include "ui/arrange_tool.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/notice_bar.h"
 #include "ui/panels/parameter_field.h"
+#include "ui/panels/selection_count.h"
+#include "ui/panels/status_strip.h"
 #include "ui/panels/tool_strip.h"
 #include "ui/playback.h"
+#include "ui/region_select.h"
 #include "ui/select_tool.h"
+#include "ui/touched.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {
@@ -23,9 +30,11 @@ struct ReachCommand {
 };
 constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, QT_TR_NOOP("Surface")},
                                      {"take-material", SelectReach::Material, QT_TR_NOOP("Same feel")},
+                                     {"take-colour", SelectReach::Colour, QT_TR_NOOP("Same colour")},
                                      {"take-connected", SelectReach::Connected, QT_TR_NOOP("Connected")},
                                      {"take-smooth", SelectReach::Smooth, QT_TR_NOOP("Smooth")},
                                      {"take-similar", SelectReach::Similar, QT_TR_NOOP("Similar normals")},
+                                     {"take-facing", SelectReach::Facing, QT_TR_NOOP("Facing the same way")},
                                      {"take-triangle", SelectReach::Triangle, QT_TR_NOOP("Triangle")}};
 
 } // namespace
@@ -37,6 +46,7 @@ void MainWindow::connectSelecting() {
         reaches->addAction(&action);
         connect(&action, &QAction::triggered, this, [this, reach = each.reach] {
             selecting_->setReach(reach);
+            regions_->setTakesSurfaces(takesSurfaces(reach));
             actions_["select"].trigger();
         });
     }
@@ -45,16 +55,13 @@ void MainWindow::connectSelecting() {
         {"select-all", &SelectTool::takeAll},
         {"select-none", &SelectTool::takeNothing},
         {"select-like", &SelectTool::takeLikeActive},
+        {"select-colour", &SelectTool::takeColourOfActive},
         {"grow", &SelectTool::grow},
         {"shrink", &SelectTool::shrink},
         {"invert", &SelectTool::invert}};
     for (const auto& [id, command] : simple)
         connect(&actions_[id], &QAction::triggered, selecting_, command);
     connect(&actions_["select-touched"], &QAction::triggered, this, &MainWindow::selectTouched);
-    connect(&actions_["box"], &QAction::triggered, this, [this] {
-        actions_["select"].trigger();
-        view_->beginBox();
-    });
     connect(&actions_["split"], &QAction::triggered, &document_, &Document::splitSelection);
     connect(&actions_["merge"], &QAction::triggered, &document_, &Document::mergeSelected);
     // A recording shows surfaces of another scene.
@@ -66,13 +73,17 @@ void MainWindow::connectSelecting() {
         if (actions_["paint"].isChecked()) return; // beside the model: what is selected stays to be painted
         document_.select(hit ? std::optional(hit->surface) : std::nullopt);
     });
-    connect(view_, &SceneView::boxDrawn, this, [this](const QRectF& box, auto modifiers) {
-        if (!playback_->active()) selecting_->takeBox(box, modifiers);
-    });
     connect(selecting_, &SelectTool::progressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Finding the neighbours of every triangle"), fraction, secondsLeft, false);
     });
     connect(selecting_, &SelectTool::finished, notice_, &NoticeBar::endProgress);
+    // Told by the view when it is another one; a value may be changed while the mouse stays.
+    connect(view_, &SceneView::surfaceHovered, this, [this](const std::optional<SurfaceRef>& surface) {
+        hovered_ = playback_->active() ? std::nullopt : surface;
+        showHovered();
+    });
+    connect(&document_, &Document::changed, this, &MainWindow::showHovered);
+    connectRegions();
     fillSelectStrip();
     showSelection();
 }
@@ -93,15 +104,23 @@ void MainWindow::fillSelectStrip() {
         angle->setValue(value);
     });
     const auto showAngle = [angle, this] {
-        angle->setVisible(actions_["take-smooth"].isChecked() || actions_["take-similar"].isChecked());
+        angle->setVisible(std::ranges::any_of(std::array{"take-smooth", "take-similar", "take-facing"},
+                                              [this](const char* id) { return actions_[id].isChecked(); }));
     };
     for (QAction* action : actions)
         connect(action, &QAction::toggled, angle, showAngle);
     showAngle();
     selectStrip_->addField(angle);
+    for (const char* id : {"box", "lasso", "select-brush", "through"})
+        selectStrip_->addAction(&actions_[id]);
+    selectStrip_->addField(new SelectionCount(document_));
     selectStrip_->addStretch();
     for (const char* id : {"grow", "shrink", "invert", "split", "merge"})
         selectStrip_->addAction(&actions_[id]);
+}
+
+void MainWindow::showHovered() {
+    status_->setHovered(hovered_ ? feelText(document_.scene(), *hovered_) : QString());
 }
 
 void MainWindow::showSelection() {

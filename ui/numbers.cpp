@@ -56,6 +56,15 @@ QString lengthText(double metres) {
     return numberText(metres, metres < 10 ? 1 : 0) + QStringLiteral(" m");
 }
 
+QString areaText(double squareMetres) {
+    const auto figures = [](double value, const QString& unit) {
+        return numberText(value, value < 9.95 ? 2 : value < 99.5 ? 1 : 0) + unit;
+    };
+    if (squareMetres < 0.995e-4) return figures(1e6 * squareMetres, QStringLiteral(" mm\u00b2"));
+    if (squareMetres < 0.995) return figures(1e4 * squareMetres, QStringLiteral(" cm\u00b2"));
+    return figures(squareMetres, QStringLiteral(" m\u00b2"));
+}
+
 QString durationText(double seconds) {
     if (seconds < 90) return numberText(std::max(1.0, seconds), 0) + QStringLiteral(" s");
     return numberText(seconds / 60, 0) + QStringLiteral(" min");

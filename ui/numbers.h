@@ -17,6 +17,8 @@ int decimalsFor(double value, int decimals);
 /// A length of any size in the unit that suits it: "14 µm", "0.30 mm", "200 mm", "4.2 m"; what is no smaller
 /// in the unit that the person prefers, where that is another than millimetres.
 QString lengthText(double metres);
+/// The same of an area: "0.25 mm²", "52 cm²", "1.20 m²".
+QString areaText(double squareMetres);
 /// A time left: "3 s", "2 min".
 QString durationText(double seconds);
 

@@ -1,4 +1,4 @@
-// Selecting in the view: what a click or a box takes, and what grows from it.
+// Selecting in the view: what a click takes, and what grows from it.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <QObject>
-#include <QRectF>
 
 #include "core/geometry/face_graph.h"
 #include "core/surface/parameter.h"
@@ -17,7 +16,6 @@
 namespace tactum {
 
 class Document;
-class SceneView;
 
 inline constexpr Parameter kSelectAngle{
     "select-angle",
@@ -30,15 +28,23 @@ inline constexpr Parameter kSelectAngle{
     3,
     "Edges that bend by more end a smooth region; normals farther apart are not similar."};
 
+/// Shift adds, Ctrl takes back.
+SelectMode selectModeOf(Qt::KeyboardModifiers modifiers);
+
 /// What a click takes.
-enum class SelectReach { Surface, Material, Connected, Smooth, Similar, Triangle };
+enum class SelectReach { Surface, Material, Colour, Connected, Smooth, Similar, Facing, Triangle };
+
+/// Whether it takes whole surfaces, else triangles of one object.
+constexpr bool takesSurfaces(SelectReach reach) {
+    return reach <= SelectReach::Colour;
+}
 
 /// Neighbours of a mesh are found on a worker the first time that a region of it is asked for; what was asked
 /// last is done then. Thread: ui.
 class SelectTool : public QObject {
     Q_OBJECT
 public:
-    SelectTool(Document& document, SceneView& view, QObject* parent = nullptr);
+    explicit SelectTool(Document& document, QObject* parent = nullptr);
 
     void setReach(SelectReach reach) { reach_ = reach; }
     SelectReach reach() const { return reach_; }
@@ -48,12 +54,10 @@ public:
 
     /// A click in the view; nothing is hit beside the model.
     void take(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
-    /// A box in the view, in logical pixels: triangles of the active object, or surfaces where a click takes
-    /// surfaces.
-    void takeBox(const QRectF& box, Qt::KeyboardModifiers modifiers);
     void takeAll();
     void takeNothing();
     void takeLikeActive();
+    void takeColourOfActive();
     void grow();
     void shrink();
     void invert();
@@ -65,13 +69,11 @@ signals:
 private:
     using Use = std::function<void(const FaceGraph&)>;
     void withGraphOf(ObjectId object, Use use);
+    void takeAlike(const std::vector<SurfaceRef>& alike, SurfaceRef active, SelectMode mode);
     void takeRegion(const PickHit& hit, SelectMode mode);
     TriangleSet regionAt(const FaceGraph& graph, Index triangle) const;
-    void takeSurfacesIn(const QRectF& box, SelectMode mode);
-    TriangleSet trianglesOf(ObjectId object, const QRectF& box) const;
 
     Document& document_;
-    SceneView& view_;
     SelectReach reach_ = SelectReach::Surface;
     double angle_ = kSelectAngle.initial;
     std::vector<std::shared_ptr<const FaceGraph>> graphs_; ///< of the meshes that were asked for

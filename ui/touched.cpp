@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <span>
 
+#include <QObject>
+
+#include "ui/numbers.h"
+
 namespace tactum {
 
 std::optional<SurfaceRef> touchedSurface(const HapticOutput& touch, const World& world) {
@@ -20,6 +24,20 @@ QString nameOfSurface(const Scene& scene, SurfaceRef ref) {
     const QString whole = QString::fromStdString(object->name);
     if (scene.objects.size() == 1 || surface == whole) return surface.isEmpty() ? whole : surface;
     return object->surfaces.size() == 1 ? whole : QStringLiteral("%1: %2").arg(whole, surface);
+}
+
+QString feelText(const Scene& scene, SurfaceRef ref) {
+    const QString name = nameOfSurface(scene, ref);
+    const SceneObject* object = scene.find(ref.object);
+    if (!object || ref.surface >= object->surfaces.size()) return {};
+    const Surface& surface = object->surfaces[ref.surface];
+    if (surface.sides == Sides::None) return QObject::tr("%1: not felt").arg(name);
+    const auto value = [&](const Parameter& parameter, double Material::*of) {
+        return numberText(surface.material.*of, parameter.unit.empty() ? 2 : parameter.decimals);
+    };
+    return QObject::tr("%1: %2 N/m, static friction %3, dynamic friction %4")
+        .arg(name, value(kStiffness, &Material::stiffness), value(kStaticFriction, &Material::staticFriction),
+             value(kDynamicFriction, &Material::dynamicFriction));
 }
 
 } // namespace tactum

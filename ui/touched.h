@@ -17,4 +17,8 @@ std::optional<SurfaceRef> touchedSurface(const HapticOutput& touch, const World&
 /// "lid"; with its object where the scene has several: "kettle: lid". Empty for a reference to nothing.
 QString nameOfSurface(const Scene& scene, SurfaceRef ref);
 
+/// "lid: 800 N/m, static friction 0.60, dynamic friction 0.40": the name, and what is felt first. Empty for a
+/// reference to nothing.
+QString feelText(const Scene& scene, SurfaceRef ref);
+
 } // namespace tactum

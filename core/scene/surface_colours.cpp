@@ -45,4 +45,17 @@ void tellSurfacesApart(Scene& scene) {
     }
 }
 
+std::vector<SurfaceRef> surfacesColouredLike(const Scene& scene, SurfaceRef ref) {
+    constexpr float kScreenStep = 1.0F / 512; // linear: of a bright colour half a step of 8 bits
+    const SceneObject* object = scene.find(ref.object);
+    if (!object || ref.surface >= object->surfaces.size()) return {};
+    const Eigen::Vector3f colour = object->surfaces[ref.surface].colour;
+    std::vector<SurfaceRef> result;
+    for (const SceneObject& other : scene.objects)
+        for (Index s = 0; s < other.surfaces.size(); ++s)
+            if ((other.surfaces[s].colour - colour).cwiseAbs().maxCoeff() <= kScreenStep)
+                result.push_back({other.id, s});
+    return result;
+}
+
 } // namespace tactum

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/surface_ref.h"
 
 namespace tactum {
 
@@ -13,6 +15,10 @@ Eigen::Vector3f colourApartFrom(std::span<const Surface> surfaces);
 
 /// Whether a colour is one of the palette: nobody chose it. Thread: any.
 bool isOfPalette(const Eigen::Vector3f& colour);
+
+/// All surfaces of the scene that look alike: whose colour differs by no step of a screen. Itself is among
+/// them; none for a reference to nothing. Thread: any but real time.
+std::vector<SurfaceRef> surfacesColouredLike(const Scene& scene, SurfaceRef ref);
 
 /// Gives each surface a colour of its own in objects that have several and all of them in the colour of a
 /// Surface that nobody coloured. Others stay as they are: their file has said something. Thread: any but real

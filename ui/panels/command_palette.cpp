@@ -142,37 +142,46 @@ void CommandPalette::open() {
 
 void CommandPalette::fill() {
     list_->clear();
-    for (const std::size_t index : paletteOrder(line_->text(), entries_, recentCommands())) {
-        const PaletteEntry& entry = entries_[index];
-        auto* item = new QTreeWidgetItem(list_, {entry.text, entry.menu, entry.keys});
-        item->setData(0, Qt::UserRole, qulonglong(index));
-        item->setData(0, Qt::AccessibleTextRole,
-                      QStringList({entry.text, entry.menu, entry.keys,
-                                   entry.whyNot.isEmpty() ? entry.sentence : entry.whyNot})
-                          .join(QStringLiteral(", ")));
-        for (int i = 0; i < 3; ++i)
-            if (i > 0 || !entry.whyNot.isEmpty()) item->setForeground(i, theme().textDimmed);
-    }
+    sourced_ = source_ ? source_(line_->text()) : std::vector<PaletteEntry>();
+    for (std::size_t i = 0; i < sourced_.size(); ++i)
+        addRow(sourced_[i], entries_.size() + i);
+    for (const std::size_t index : paletteOrder(line_->text(), entries_, recentCommands()))
+        addRow(entries_[index], index);
     list_->setCurrentItem(list_->topLevelItem(0));
     explain();
 }
 
-void CommandPalette::explain() {
+void CommandPalette::addRow(const PaletteEntry& entry, std::size_t index) {
+    auto* item = new QTreeWidgetItem(list_, {entry.text, entry.menu, entry.keys});
+    item->setData(0, Qt::UserRole, qulonglong(index));
+    item->setData(0, Qt::AccessibleTextRole,
+                  QStringList({entry.text, entry.menu, entry.keys,
+                               entry.whyNot.isEmpty() ? entry.sentence : entry.whyNot})
+                      .join(QStringLiteral(", ")));
+    for (int i = 0; i < 3; ++i)
+        if (i > 0 || !entry.whyNot.isEmpty()) item->setForeground(i, theme().textDimmed);
+}
+
+const PaletteEntry* CommandPalette::current() const {
     const QTreeWidgetItem* item = list_->currentItem();
-    if (!item) return sentence_->setText(tr("No command fits; leave some letters out."));
-    const PaletteEntry& entry = entries_[item->data(0, Qt::UserRole).toULongLong()];
-    sentence_->setText(entry.whyNot.isEmpty() ? entry.sentence
-                                              : tr("Not now: %1 %2").arg(entry.whyNot, entry.sentence));
+    if (!item) return nullptr;
+    const std::size_t index = item->data(0, Qt::UserRole).toULongLong();
+    return index < entries_.size() ? &entries_[index] : &sourced_[index - entries_.size()];
+}
+
+void CommandPalette::explain() {
+    const PaletteEntry* entry = current();
+    if (!entry) return sentence_->setText(tr("No command fits; leave some letters out."));
+    sentence_->setText(entry->whyNot.isEmpty() ? entry->sentence
+                                               : tr("Not now: %1 %2").arg(entry->whyNot, entry->sentence));
 }
 
 void CommandPalette::runCurrent() {
-    const QTreeWidgetItem* item = list_->currentItem();
-    if (!item) return;
-    const PaletteEntry& entry = entries_[item->data(0, Qt::UserRole).toULongLong()];
-    if (!entry.whyNot.isEmpty()) return; // the sentence says so
-    remember(entry.id);
+    const PaletteEntry* entry = current();
+    if (!entry || !entry->whyNot.isEmpty()) return; // the sentence says so
+    remember(entry->id);
     // The window has the keys back before the command begins, which may open a dialog.
-    QTimer::singleShot(0, parentWidget(), entry.run);
+    QTimer::singleShot(0, parentWidget(), entry->run);
     close();
 }
 

@@ -38,6 +38,9 @@ class CommandPalette : public QFrame {
 public:
     CommandPalette(std::vector<PaletteEntry> entries, QWidget* parent);
 
+    /// What is offered besides for a line that was typed, before all commands.
+    using Source = std::function<std::vector<PaletteEntry>(const QString& typed)>;
+    void setSource(Source source) { source_ = std::move(source); }
     /// Below the upper edge of the parent.
     void open();
 
@@ -48,8 +51,12 @@ private:
     void fill();
     void explain();
     void runCurrent();
+    void addRow(const PaletteEntry& entry, std::size_t index);
+    const PaletteEntry* current() const;
 
     std::vector<PaletteEntry> entries_;
+    Source source_;
+    std::vector<PaletteEntry> sourced_; ///< for the line as it is; their numbers follow those of the entries
     QLineEdit* line_;
     QTreeWidget* list_;
     QLabel* sentence_;

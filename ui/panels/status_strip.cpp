@@ -103,8 +103,10 @@ void StatusStrip::display(const Engine& engine) {
         tr("servo %1 \u00b1%2 \u00b5s").arg(kilohertz(servo.rate), numberText(servo.jitterMicros, 0)));
     proxy_->setText(tr("proxy %1  %2 \u00b5s").arg(kilohertz(proxy.rate), numberText(proxy.updateMicros, 1)));
     showTouch(proxy, servo, engine.device());
+    const bool idle = proxy.output.contacts == 0 && !hovered_.isEmpty();
     showNote(!fault_.isEmpty()   ? fault_
              : !quiet_.isEmpty() ? quiet_
+             : idle              ? hovered_
                                  : QString::fromStdString(engine.priorityNote()));
 }
 

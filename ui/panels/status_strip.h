@@ -25,6 +25,8 @@ public:
     void display(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
     /// The name of the surface that is touched, instead of how many push; empty for none.
     void setTouched(const QString& name) { touched_ = name; }
+    /// Instead of the priority note while nothing is touched: what the mouse is over. May be empty.
+    void setHovered(const QString& words) { hovered_ = words; }
     /// Instead of figures and note, until cleared with an empty one.
     void setFault(const QString& sentences);
     /// Instead of the priority note: why there is less force than usual, or less detail. May be empty.
@@ -48,7 +50,7 @@ private:
     QLabel* note_;
     QPushButton* arm_;
     QPushButton* stop_;
-    QString fault_, quiet_, touched_;
+    QString fault_, quiet_, touched_, hovered_;
 };
 
 } // namespace tactum

@@ -27,11 +27,7 @@ QPolygonF ringCircle(const PickHit& at, double radius, const ViewCamera& camera)
     return polygon;
 }
 
-} // namespace
-
-void drawBrushRing(QPainter& painter, const PickHit& at, const BrushRing& ring, const ViewCamera& camera,
-                   const Theme& theme) {
-    const QPolygonF outer = ringCircle(at, ring.radius, camera);
+void drawRing(QPainter& painter, const QPolygonF& outer, const QPolygonF& core, const Theme& theme) {
     const QRectF box = outer.boundingRect().adjusted(-kRingMargin, -kRingMargin, kRingMargin, kRingMargin);
     if (outer.isEmpty() || box.width() > kLargest || box.height() > kLargest) return;
     const QPointF origin = box.topLeft().toPoint();
@@ -42,8 +38,25 @@ void drawBrushRing(QPainter& painter, const PickHit& at, const BrushRing& ring, 
         inner.setPen(QPen(theme.accent, kRingLine));
         inner.drawPolyline(outer);
         inner.setPen(QPen(theme.accent, kThin, Qt::DotLine));
-        inner.drawPolyline(ringCircle(at, ring.core * ring.radius, camera));
+        inner.drawPolyline(core);
     });
+}
+
+} // namespace
+
+void drawBrushRing(QPainter& painter, const PickHit& at, const BrushRing& ring, const ViewCamera& camera,
+                   const Theme& theme) {
+    drawRing(painter, ringCircle(at, ring.radius, camera), ringCircle(at, ring.core * ring.radius, camera),
+             theme);
+}
+
+void drawSelectBrush(QPainter& painter, QPointF at, double radius, const Theme& theme) {
+    QPolygonF circle;
+    for (int i = 0; i <= kRingCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRingCorners;
+        circle << at + radius * QPointF(std::cos(angle), std::sin(angle));
+    }
+    drawRing(painter, circle, {}, theme);
 }
 
 } // namespace tactum

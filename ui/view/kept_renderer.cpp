@@ -75,7 +75,8 @@ vtkMTimeType KeptRenderer::lastChangeOfProps() {
 }
 
 vtkMTimeType KeptRenderer::lastChange() {
-    return std::max(GetMTime(), lastChangeOfProps()); // the camera's is among its own
+    const vtkMTimeType last = std::max(GetMTime(), lastChangeOfProps()); // the camera's is among its own
+    return beneath_ ? std::max(last, beneath_->lastChange()) : last;
 }
 
 bool KeptRenderer::holds(const Kept& kept) {
@@ -83,6 +84,7 @@ bool KeptRenderer::holds(const Kept& kept) {
 }
 
 void KeptRenderer::DeviceRender() {
+    if (beneath_) return drawOver();
     GlWindow& window = windowOf(*this);
     const int samples = window.GetMultiSamples();
     Kept& exact = kept_[{samples, false}];
@@ -94,6 +96,14 @@ void KeptRenderer::DeviceRender() {
     window.setCoarse(false);
     if (holds(exact)) return putBack(exact);
     drawExact(exact);
+}
+
+// Where the model is drawn coarsely, that is what it lies over.
+void KeptRenderer::drawOver() {
+    if (VisibleActorCount() == 0) return; // nothing is added to what lies beneath
+    GlWindow& window = windowOf(*this);
+    Kept& kept = kept_[{window.GetMultiSamples(), window.drawsCoarse()}];
+    holds(kept) ? putBack(kept) : draw(kept);
 }
 
 void KeptRenderer::draw(Kept& kept) {

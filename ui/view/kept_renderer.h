@@ -21,7 +21,8 @@ namespace tactum {
 /// everything that VTK would draw anew by itself; a uniform of a shader has no such time. One picture for
 /// each number of samples: one that moves and one that rests take turns. In a window that draws coarsely the
 /// exact picture is put back as long as it holds, and drawn again when nothing but the touch has changed for
-/// a moment. For layer 0 of a GlWindow. Thread: ui.
+/// a moment. For layer 0 of a GlWindow, or over another one.
+/// Thread: ui.
 class KeptRenderer : public vtkOpenGLRenderer {
 public:
     static KeptRenderer* New();
@@ -36,6 +37,8 @@ public:
     }
     void ReleaseGraphicsResources(vtkWindow* window) override;
 
+    /// The renderer of the layer beneath: what it draws is in this one's picture, too.
+    void setBeneath(KeptRenderer& beneath) { beneath_ = &beneath; }
     /// The next picture is drawn, whatever is kept.
     void forget() {
         for (auto& [how, kept] : kept_)
@@ -57,11 +60,13 @@ private:
     vtkMTimeType lastChangeOfProps();
     vtkMTimeType lastChange();
     bool holds(const Kept& kept);
+    void drawOver();
     void draw(Kept& kept);
     void drawExact(Kept& kept);
     void keep(Kept& kept);
     void putBack(Kept& kept);
 
+    KeptRenderer* beneath_ = nullptr;
     std::map<std::pair<int, bool>, Kept> kept_; ///< by samples, and whether it is coarse
     PictureBudget budget_;
     vtkMTimeType drawnWith_ = 0; ///< the last change of a prop when the exact model was drawn last

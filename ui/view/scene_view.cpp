@@ -50,8 +50,9 @@ std::size_t trianglesOf(const Scene& scene) {
 
 SceneView::Impl::Impl(SceneView& owner)
     : view(owner), stage(owner.renderWindow()), ground(*stage.solid), model(*stage.solid),
-      boundaries(*stage.solid), faces(*stage.solid), paint(*stage.solid), marks(*stage.solid, *stage.ghost),
-      overlay(*stage.touch, *stage.ghost), felt(stage, model), camera(defaultCamera()) {
+      boundaries(*stage.solid), faces(*stage.chosen), brushed(*stage.touch), paint(*stage.solid),
+      marks(*stage.solid, *stage.ghost), overlay(*stage.touch, *stage.ghost), felt(stage, model),
+      camera(defaultCamera()) {
     applyTheme();
 }
 
@@ -61,6 +62,7 @@ void SceneView::Impl::applyTheme() {
     boundaries.setTheme(theme());
     overlay.setTheme(theme());
     faces.setTheme(theme());
+    brushed.setTheme(theme());
     marks.setColour(theme().fault);
     felt.setTheme(theme());
 }
@@ -179,10 +181,22 @@ void SceneView::setSelectedFaces(ObjectId object, std::vector<Index> faces) {
     changed();
 }
 
-void SceneView::beginBox() {
+void SceneView::setBrushedFaces(ObjectId object, const std::vector<Index>& faces) {
+    impl_->brushedOf = object;
+    impl_->brushed.show(impl_->picker.soupOf(object), faces);
+    changed();
+}
+
+void SceneView::beginRegion(RegionShape shape) {
     impl_->letGo();
-    impl_->boxNext = true;
+    impl_->regionNext = shape;
     setCursor(Qt::CrossCursor);
+}
+
+void SceneView::setSelectBrush(std::optional<double> radius) {
+    if (!radius && impl_->drag == ViewDrag::Brush) impl_->endStroke(StrokeStep::Cancel);
+    impl_->selectBrush = radius;
+    changed();
 }
 
 void SceneView::setTool(ViewTool tool) {
@@ -439,11 +453,27 @@ void SceneView::prepareFrame() {
     impl_->stage.setOutlineWidth(kOutlinePixels * devicePixelRatioF());
     impl_->boundaries.place([this](ObjectId id) { return impl_->model.placeOf(id); });
     impl_->faces.place(impl_->model.matrixOf(impl_->facesOf));
+    impl_->brushed.place(impl_->model.matrixOf(impl_->brushedOf));
     const PaintedPicture& painted = impl_->paint.picture();
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
     impl_->paint.place(impl_->model.matrixOf(painted.object));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
+}
+
+/// What is drawn over the view to select it.
+void SceneView::Impl::drawRegion(QPainter& painter) const {
+    if (brushes() && pointer) drawSelectBrush(painter, *pointer, *selectBrush, theme());
+    if (!drawsRegion()) return;
+    QColor fill = theme().accent;
+    painter.setPen(fill);
+    fill.setAlphaF(0.15f);
+    painter.setBrush(fill);
+    if (drag == ViewDrag::Box)
+        painter.drawRect(QRectF(pressedAt, cursorAt).normalized());
+    else
+        painter.drawPolygon(lasso, Qt::WindingFill);
+    painter.setBrush(Qt::NoBrush);
 }
 
 // Into the framebuffer that is bound: a painter on the widget would miss the picture when a window is
@@ -454,13 +484,7 @@ void SceneView::paintOver() {
     QPainter painter(&device);
     painter.setFont(font());
     drawAxes(painter, impl_->camera, impl_->theme());
-    if (impl_->drag == ViewDrag::Box) {
-        QColor fill = impl_->theme().accent;
-        painter.setPen(fill);
-        fill.setAlphaF(0.15f);
-        painter.setBrush(fill);
-        painter.drawRect(QRectF(impl_->pressedAt, impl_->cursorAt).normalized());
-    }
+    impl_->drawRegion(painter);
     if (impl_->brushAt) drawBrushRing(painter, *impl_->brushAt, impl_->brush, impl_->camera, impl_->theme());
     drawColliders(
         painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QImage>
+#include <QPolygonF>
 #include <QRectF>
 #include <QStringList>
 
@@ -45,6 +46,9 @@ struct BrushRing {
     double core = 0;   ///< part of the radius where it counts whole
 };
 
+/// What the next drag draws over the view.
+enum class RegionShape { Box, Lasso };
+
 /// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
 enum class StandardView { Front, Right, Top, Isometric };
 
@@ -70,8 +74,13 @@ public:
     void setSelection(std::vector<SurfaceRef> surfaces);
     /// Lays the selection's colour over triangles of an object, in the numbers of its geometry.
     void setSelectedFaces(ObjectId object, std::vector<Index> faces);
-    /// The next drag with the left button draws a box instead; Esc gives it up.
-    void beginBox();
+    /// The same over what a stroke has gone over; small sets cost little, however large the model is.
+    void setBrushedFaces(ObjectId object, const std::vector<Index>& faces);
+    /// The next drag with the left button draws a box, or a line round something; Esc gives it up.
+    void beginRegion(RegionShape shape);
+    /// With the select tool the left button brushes, with a ring of this radius in logical pixels; nothing:
+    /// it does not.
+    void setSelectBrush(std::optional<double> radius);
     void setTool(ViewTool tool);
     /// Shown at the pointer while the tool is Paint.
     void setBrush(const BrushRing& ring);
@@ -184,8 +193,13 @@ signals:
     void picked(std::optional<tactum::PickHit> hit, Qt::KeyboardModifiers modifiers);
     /// The right button was pressed and let go at a place, or the key for menus; `at`: of the screen.
     void menuAsked(std::optional<tactum::PickHit> hit, const QPoint& at);
-    /// A box was drawn, in logical pixels.
+    /// A box, or a closed line, was drawn, in logical pixels.
     void boxDrawn(QRectF box, Qt::KeyboardModifiers modifiers);
+    void lassoDrawn(const QPolygonF& line, Qt::KeyboardModifiers modifiers);
+    /// The select tool's brush came from one place of the view to another, in logical pixels; `step` is never
+    /// Lift. Esc without a stroke asks for its end.
+    void selectBrushed(tactum::StrokeStep step, QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
+    void selectBrushLeft();
     /// The tool Paint: places on the way of the pointer, a few pixels apart. Without a place for Lift, End
     /// and Cancel.
     void stroked(tactum::StrokeStep step, const std::optional<tactum::PickHit>& hit,

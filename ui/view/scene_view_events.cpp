@@ -36,9 +36,12 @@ std::optional<PickHit> SceneView::Impl::pick(QPointF cursor, ScenePicker::Patien
 }
 
 void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
-    drag = std::exchange(boxNext, false) ? ViewDrag::Box : ViewDrag::Orbit;
-    if (drag == ViewDrag::Box || alt) return;
-    if (takeHandles(cursor) || tool == ViewTool::Select || tool == ViewTool::Arrange) return;
+    const auto region = std::exchange(regionNext, std::nullopt);
+    drag = !region ? ViewDrag::Orbit : region == RegionShape::Box ? ViewDrag::Box : ViewDrag::Lasso;
+    lasso = QPolygonF({cursor});
+    if (region || alt || takeHandles(cursor)) return;
+    if (brushes()) drag = ViewDrag::Brush;
+    if (tool == ViewTool::Select || tool == ViewTool::Arrange) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
     if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
@@ -55,9 +58,13 @@ void SceneView::Impl::strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers) 
 }
 
 void SceneView::Impl::endStroke(StrokeStep how) {
-    if (drag != ViewDrag::Paint) return;
+    const ViewDrag ended = drag;
+    if (ended != ViewDrag::Paint && ended != ViewDrag::Brush) return;
     drag = ViewDrag::None;
-    emit view.stroked(how, std::nullopt, {});
+    if (ended == ViewDrag::Paint)
+        emit view.stroked(how, std::nullopt, {});
+    else
+        emit view.selectBrushed(how, cursorAt, cursorAt, {});
 }
 
 void SceneView::Impl::letGo(bool givenUp) {
@@ -73,6 +80,8 @@ void SceneView::Impl::letGo(bool givenUp) {
 void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     const QPointF step = cursor - cursorAt;
     if (drag == ViewDrag::Paint) return strokeTo(cursor, modifiers);
+    if (drag == ViewDrag::Brush) emit view.selectBrushed(StrokeStep::Move, cursorAt, cursor, modifiers);
+    if (drag == ViewDrag::Lasso) lasso << cursor;
     if (drag == ViewDrag::Orbit) camera.orbit(manners.turnSpeed * step);
     if (drag == ViewDrag::Pan) camera.pan(step);
     if (drag == ViewDrag::Handles) leadHandles(cursor, modifiers);
@@ -86,8 +95,8 @@ void SceneView::Impl::dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers) {
 
 /// A press that did not become a drag chooses what lies there, or, away from the model, nothing.
 void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
-    if (drag == ViewDrag::Box) return endBox(cursor, modifiers);
-    if (drag == ViewDrag::Paint) return endStroke(StrokeStep::End);
+    if (drawsRegion()) return endRegion(cursor, modifiers);
+    if (drag == ViewDrag::Paint || drag == ViewDrag::Brush) return endStroke(StrokeStep::End);
     const bool clicked = !moved && (drag == ViewDrag::Hand || drag == ViewDrag::Orbit);
     letGo();
     showCursor(cursor);
@@ -100,11 +109,16 @@ void SceneView::Impl::askForMenu(QPointF cursor) {
     emit view.menuAsked(pick(cursor, ScenePicker::Patience::Wait), view.mapToGlobal(cursor.toPoint()));
 }
 
-void SceneView::Impl::endBox(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+void SceneView::Impl::endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers) {
+    const bool box = drag == ViewDrag::Box;
     letGo();
     showCursor(cursor);
     view.changed();
-    if (moved) emit view.boxDrawn(QRectF(pressedAt, cursor).normalized(), modifiers);
+    if (!moved) return;
+    if (box)
+        emit view.boxDrawn(QRectF(pressedAt, cursor).normalized(), modifiers);
+    else
+        emit view.lassoDrawn(lasso, modifiers);
 }
 
 void SceneView::Impl::hoverAt(QPointF cursor) {
@@ -115,8 +129,8 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
         view.changed();
     }
     showCursor(cursor);
-    // The handle under the mouse is lit.
-    if (std::ranges::any_of(handles, &ViewHandles::shows)) view.changed();
+    // The handle under the mouse is lit, and the ring goes with it.
+    if (brushes() || std::ranges::any_of(handles, &ViewHandles::shows)) view.changed();
 }
 
 void SceneView::Impl::setHovered(std::optional<SurfaceRef> surface) {
@@ -143,7 +157,7 @@ void SceneView::Impl::refreshHover() {
 
 void SceneView::Impl::showCursor(QPointF cursor) {
     if (hand.grip() != Grip::None) return view.setCursor(Qt::ClosedHandCursor);
-    if (boxNext || drag == ViewDrag::Box) return view.setCursor(Qt::CrossCursor);
+    if (regionNext || drawsRegion() || brushes()) return view.setCursor(Qt::CrossCursor);
     const auto under = [&](const ViewHandles* each) { return each->isUnder(cursor, camera); };
     if (drag == ViewDrag::Handles || std::ranges::any_of(handles, under))
         return view.setCursor(Qt::SizeAllCursor);
@@ -171,12 +185,14 @@ bool SceneView::Impl::handKey(int key, QPointF cursor) {
         view.changed();
     } else if (key == Qt::Key_Escape && drag == ViewDrag::Handles) {
         giveUpHandles();
-    } else if (key == Qt::Key_Escape && drag == ViewDrag::Paint) {
+    } else if (key == Qt::Key_Escape && (drag == ViewDrag::Paint || drag == ViewDrag::Brush)) {
         endStroke(StrokeStep::Cancel);
-    } else if (key == Qt::Key_Escape && (boxNext || drag == ViewDrag::Box)) {
-        boxNext = false;
+    } else if (key == Qt::Key_Escape && (regionNext || drawsRegion())) {
+        regionNext.reset();
         letGo();
         view.changed();
+    } else if (key == Qt::Key_Escape && brushes()) {
+        emit view.selectBrushLeft();
     } else if (key == Qt::Key_Escape && (hand.grip() != Grip::None || hand.gliding())) {
         letGo(true);
     } else if (key == Qt::Key_G && tool != ViewTool::Touch) {
@@ -228,6 +244,8 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
         if (impl_->drag == ViewDrag::Paint)
             emit stroked(StrokeStep::Begin, impl_->pick(cursor, ScenePicker::Patience::Wait),
                          event->modifiers());
+        if (impl_->drag == ViewDrag::Brush)
+            emit selectBrushed(StrokeStep::Begin, cursor, cursor, event->modifiers());
     } else if (event->button() == Qt::MiddleButton) {
         impl_->drag = dragOf(impl_->manners.middle, event->modifiers() & Qt::ShiftModifier);
         impl_->moved = true; // never a click that chooses
@@ -242,6 +260,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF cursor = event->position();
+    impl_->pointer = cursor;
     if (lengthOf(cursor - impl_->pressedAt) > kClickPixels) impl_->moved = true;
     if (impl_->drag != ViewDrag::None || impl_->hand.grip() == Grip::Follow)
         impl_->dragTo(cursor, event->modifiers());
@@ -298,6 +317,8 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 
 void SceneView::leaveEvent(QEvent* event) {
     impl_->brushAt.reset();
+    impl_->pointer.reset();
+    if (impl_->brushes()) changed();
     impl_->setHovered(std::nullopt);
     VtkWidget::leaveEvent(event);
 }

@@ -21,7 +21,7 @@
 namespace tactum {
 
 /// What a mouse button that is down does.
-enum class ViewDrag { None, Orbit, Pan, Hand, Box, Paint, Handles };
+enum class ViewDrag { None, Orbit, Pan, Hand, Box, Lasso, Brush, Paint, Handles };
 
 struct SceneView::Impl {
     explicit Impl(SceneView& view);
@@ -59,7 +59,10 @@ struct SceneView::Impl {
     bool holdsArranging() const { return drag == ViewDrag::Handles && taken == &arranging; }
     bool arrangeKey(int key);
     void askForMenu(QPointF cursor);
-    void endBox(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    bool drawsRegion() const { return drag == ViewDrag::Box || drag == ViewDrag::Lasso; }
+    void endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers);
+    bool brushes() const { return tool == ViewTool::Select && selectBrush; }
+    void drawRegion(QPainter& painter) const;
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Everything on the way of the pointer from where it was.
     void strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
@@ -84,7 +87,7 @@ struct SceneView::Impl {
     GroundLayer ground; ///< drawn before all else that one looks through
     ModelLayer model;
     BoundaryLines boundaries;
-    FaceLayer faces;
+    FaceLayer faces, brushed;
     PaintLayer paint;
     MarkLayer marks;
     ArrangeGizmo arranging;
@@ -120,8 +123,11 @@ struct SceneView::Impl {
     std::optional<SurfaceRef> hovered;
     std::optional<PickHit> brushAt; ///< where the tool Paint shows its ring
     BrushRing brush;
-    ObjectId facesOf = 0; ///< whose triangles are selected
-    bool boxNext = false; ///< the next drag draws a box
+    ObjectId facesOf = 0, brushedOf = 0;   ///< whose triangles are selected, and gone over
+    std::optional<RegionShape> regionNext; ///< what the next drag draws
+    QPolygonF lasso;                       ///< where the drag went that draws it
+    std::optional<double> selectBrush;     ///< its radius, logical pixels
+    std::optional<QPointF> pointer;        ///< while it is over the view
     QStringList dropTypes;
 
     ViewTool tool = ViewTool::Touch;

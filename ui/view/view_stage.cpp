@@ -38,17 +38,19 @@ ViewCamera defaultCamera() {
 
 ViewStage::ViewStage(vtkRenderWindow& window) : window_(window) {
     vtkNew<vtkCamera> shared;
-    const std::initializer_list<vtkRenderer*> layers{solid, touch, outline_, ghost};
+    const std::initializer_list<vtkRenderer*> layers{solid, chosen, touch, outline_, ghost};
     for (vtkRenderer* renderer : layers)
         addLayer(window, *renderer, shared);
-    touch->SetPreserveDepthBuffer(true); // the model hides what is behind it
+    chosen->setBeneath(*solid);
+    for (vtkRenderer* renderer : {static_cast<vtkRenderer*>(chosen), touch.Get()})
+        renderer->SetPreserveDepthBuffer(true); // the model hides what is behind it
     outline_->SetPass(outlinePass_);
     outline_->SetPreserveColorBuffer(false); // the mask starts empty; the picture beneath is not cleared
     outline_->SetBackgroundAlpha(0);
 }
 
 ViewStage::~ViewStage() {
-    const std::initializer_list<vtkRenderer*> layers{ghost, outline_, touch, solid};
+    const std::initializer_list<vtkRenderer*> layers{ghost, outline_, touch, chosen, solid};
     for (vtkRenderer* renderer : layers)
         window_.RemoveRenderer(renderer);
 }
@@ -62,6 +64,7 @@ void ViewStage::setBackground(const Theme& theme) {
 
 void ViewStage::forgetPicture() {
     solid->forget();
+    chosen->forget();
     outlinePass_->forget();
 }
 

@@ -22,9 +22,9 @@ namespace tactum {
 /// Looks at the origin from the front, the right and above.
 ViewCamera defaultCamera();
 
-/// Four renderers of one camera in a window: the model and what is laid over it, whose picture is kept while
-/// it stays the same; what moves among it when it is touched; outlines over both; and the dimmed copies of
-/// what may be inside it. Takes them out of the window again. Thread: ui.
+/// Five renderers of one camera in a window: the model and what is laid over it, and what of it is selected,
+/// whose pictures are kept while they stay the same; what moves among it when it is touched; outlines over
+/// both; and the dimmed copies of what may be inside it. Takes them out of the window again. Thread: ui.
 class ViewStage {
 public:
     explicit ViewStage(vtkRenderWindow& window);
@@ -42,7 +42,7 @@ public:
     /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
     void look(const ViewCamera& camera, const Bounds& shown);
 
-    vtkNew<KeptRenderer> solid;
+    vtkNew<KeptRenderer> solid, chosen;
     vtkNew<vtkRenderer> touch;
     vtkNew<SmoothedRenderer> ghost;
 

@@ -37,6 +37,15 @@ private slots:
         QCOMPARE(mergeSurfaces(0, {}).count, Index(0));
     }
 
+    void areasAddUp() {
+        TriangleSoup soup = cube();
+        soup.triangles.push_back({0, 1, 1}); // a segment has none
+        soup.surfaceOf.push_back(0);
+        COMPARE_NEAR(areaOf(soup, TriangleSet{2}), 0.5, 1e-12, "m^2");
+        COMPARE_NEAR(areaOf(soup, inverted(soup, {})), 6, 1e-12, "m^2");
+        QCOMPARE(areaOf(soup, {}), 0.0);
+    }
+
     void splitThenMergedIsTheFirstSoup() {
         std::mt19937 random(5);
         for (int round = 0; round < 300; ++round) {

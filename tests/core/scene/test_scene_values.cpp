@@ -226,6 +226,22 @@ private slots:
             QCOMPARE_GT(double((surface.colour - last).norm()), 0.1);
     }
 
+    void surfacesOfOneColour() {
+        Scene scene;
+        const ObjectId first = scene.add(plate("first", {0, 0, 0})).id,
+                       second = scene.add(plate("second", {0, 0, 0})).id;
+        scene.find(first)->surfaces.resize(2);
+        scene.find(second)->surfaces.resize(1);
+        scene.find(first)->surfaces[1].colour = scene.find(second)->surfaces[0].colour = {0.5F, 0.25F, 0};
+        scene.find(first)->surfaces[0].colour = {0.5F, 0.25F, 0.01F};
+        scene.find(second)->surfaces[0].colour.x() += 1e-4F; // nobody sees it
+        QVERIFY(surfacesColouredLike(scene, {second, 0}) ==
+                (std::vector<SurfaceRef>{{first, 1}, {second, 0}}));
+        QVERIFY(surfacesColouredLike(scene, {first, 0}) == (std::vector<SurfaceRef>{{first, 0}}));
+        QVERIFY(surfacesColouredLike(scene, {first, 2}).empty());
+        QVERIFY(surfacesColouredLike(scene, {99, 0}).empty());
+    }
+
     void aPathIsWrittenToTheLastBit() {
         const std::vector<FingerPoint> path{{0, {0.1, -2, 3}}, {0.001, {1.0 / 3, 0, -1e-9}}};
         QCOMPARE(fingerCsv(path), "t,x,y,z\n0,0.1,-2,3\n0.001,0.3333333333333333,0,-1e-09\n");

@@ -104,6 +104,15 @@ private slots:
         QCOMPARE(numberText(INFINITY, 2), "-");
     }
 
+    void areasAsText() {
+        QCOMPARE(areaText(0), QString::fromUtf8("0.00 mm\u00b2"));
+        QCOMPARE(areaText(2.5e-7), QString::fromUtf8("0.25 mm\u00b2"));
+        QCOMPARE(areaText(4.25e-5), QString::fromUtf8("42.5 mm\u00b2"));
+        QCOMPARE(areaText(0.9999e-4), QString::fromUtf8("1.00 cm\u00b2"));
+        QCOMPARE(areaText(0.01), QString::fromUtf8("100 cm\u00b2"));
+        QCOMPARE(areaText(1.2), QString::fromUtf8("1.20 m\u00b2"));
+    }
+
     void lengthsAndTimesAsText() {
         QCOMPARE(lengthText(0), "0.00 mm");
         QCOMPARE(lengthText(1.4e-10), "0.14 nm");

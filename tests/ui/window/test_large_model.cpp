@@ -17,6 +17,7 @@
 #include "tests/support/quiet.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/paint_tool.h"
+#include "ui/region_select.h"
 #include "ui/select_tool.h"
 #include "ui/view/scene_view.h"
 
@@ -138,7 +139,8 @@ private:
         const auto rests = [&] {
             return !program.document.editing() && !program.window->publisher().working() &&
                    !program.window->findChild<PaintTool*>()->working() &&
-                   !program.window->findChild<SelectTool*>()->working();
+                   !program.window->findChild<SelectTool*>()->working() &&
+                   !program.window->findChild<RegionSelect*>()->working();
         };
         if (!test::waitFor(rests)) qFatal("%s does not come to rest", what);
         program.frames(2);
@@ -218,13 +220,25 @@ void TestLargeModel::nothingTakesTheWindowAway() {
     trigger("undo");
     trigger("hide");
     trigger("show-all");
-    trigger("paint-height");
     const auto stroke = [&] {
         program.press(program.centre());
         for (int i = 1; i <= 10; ++i)
             program.moveTo(program.centre() + QPoint(8 * i, 0));
         program.release(program.centre() + QPoint(80, 0));
     };
+    const auto hover = [&] {
+        for (int i = 1; i <= 10; ++i)
+            program.moveTo(program.centre() + QPoint(8 * i, 40));
+    };
+    measure(program, "hover", hover, false);
+    trigger("take-triangle");
+    for (const char* id : {"box", "lasso", "select-brush"}) {
+        program.command(id).trigger();
+        measure(program, id, stroke, false);
+    }
+    QCOMPARE_GT(document.selectedFaces().faces.size(), 1000);
+    trigger("select-none");
+    trigger("paint-height");
     measure(program, "paint", stroke, false);
     trigger("undo");
     trigger("redo");

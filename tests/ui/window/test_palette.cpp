@@ -104,6 +104,8 @@ private slots:
     void whatIsOffSaysWhy();
     void recentOnesComeFirst();
     void surfacesAndFilesAreInIt();
+    void valuesAreSetByWords();
+    void whatCannotBeSetSaysWhy();
     void escapeLeavesEverythingAsItWas();
     void f6GoesThroughAllPanels();
     void everyMenuCanBeReachedByKey();
@@ -217,6 +219,69 @@ void TestPalette::surfacesAndFilesAreInIt() {
     QVERIFY(openPalette(program));
     QTest::keyClicks(&lineOf(program), QStringLiteral("recent cube"));
     QCOMPARE(listed(program).first(), QStringLiteral("Open recent cube.obj"));
+}
+
+void TestPalette::valuesAreSetByWords() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const ObjectId cube = program.document.scene().objects[0].id;
+    program.document.select({SurfaceRef{cube, 0}, SurfaceRef{cube, 1}, SurfaceRef{cube, 2}});
+    program.document.setLocked(SurfaceRef{cube, 1}, true);
+    const auto steps = program.document.history().count();
+    const auto set = [&](const char* typed, const char* offered) {
+        openPalette(program);
+        QTest::keyClicks(&lineOf(program), QString::fromUtf8(typed));
+        const QString first = listed(program).value(0);
+        QTest::keyClick(&lineOf(program), Qt::Key_Return);
+        return test::waitFor([&] { return !paletteOf(program); }) && first == QString::fromUtf8(offered);
+    };
+    const auto material = [&](Index i) -> const Material& {
+        return program.document.surface({cube, i})->material;
+    };
+    QVERIFY(set("static friction 0.3", "Static friction: 0.300 on 2 surfaces"));
+    QTRY_COMPARE(material(2).staticFriction, 0.3);
+    QCOMPARE(material(0).staticFriction, 0.3);
+    QCOMPARE(material(1).staticFriction, 0.0); // locked
+    QCOMPARE(program.document.history().count(), steps + 1);
+    QVERIFY(set("dyn ,2", "Dynamic friction: 0.200 on 2 surfaces"));
+    QTRY_COMPARE(material(0).dynamicFriction, 0.2);
+    QVERIFY(set("Stiff 1.2 N/mm", "Stiffness: 1200 N/m on 2 surfaces"));
+    QTRY_COMPARE(material(0).stiffness, 1200.0);
+    program.document.history().undo();
+    QCOMPARE(material(0).stiffness, 800.0);
+    QVERIFY(set("proxy 0.5 mm", "Proxy radius: 0.50 mm"));
+    QTRY_COMPARE(program.document.scene().proxyRadius, 0.0005);
+}
+
+void TestPalette::whatCannotBeSetSaysWhy() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const SurfaceRef top{program.document.scene().objects[0].id, 2};
+    const auto answer = [&](const char* typed) {
+        openPalette(program);
+        lineOf(program).clear();
+        QTest::keyClicks(&lineOf(program), QString::fromUtf8(typed));
+        QTest::keyClick(&lineOf(program), Qt::Key_Return); // nothing is done
+        const QString sentence = sentenceOf(program);
+        QTest::keyClick(&lineOf(program), Qt::Key_Escape);
+        (void)test::waitFor([&] { return !paletteOf(program); });
+        return sentence;
+    };
+    program.document.select(std::nullopt);
+    COMPARE_CONTAINS(answer("stiffness 500"), QStringLiteral("No surface is selected."));
+    program.document.select(top);
+    COMPARE_CONTAINS(answer("static friction 5"),
+                     QStringLiteral("Static friction goes from 0.000 to 2.000."));
+    COMPARE_CONTAINS(answer("stiffness 3 mm"), QStringLiteral("Stiffness is measured in N/m."));
+    program.document.setLocked(top, true);
+    COMPARE_CONTAINS(answer("stiffness 500"), QStringLiteral("What is selected is locked."));
+    QCOMPARE(program.document.surface(top)->material.stiffness, 800.0);
+    // What is no value is a command as before.
+    QVERIFY(openPalette(program));
+    for (const char* typed : {"frame 3", "frame all", "3", "stiffness", ""}) {
+        lineOf(program).setText(QString::fromLatin1(typed));
+        COMPARE_LACKS(listed(program).join(u'|'), QStringLiteral(": "));
+    }
 }
 
 void TestPalette::escapeLeavesEverythingAsItWas() {

@@ -1,6 +1,7 @@
 // Selecting in the view with real events: what a click and a box take, what grows from it, and what is done.
 #include <QAction>
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
@@ -48,6 +49,12 @@ private slots:
     void modifiersAddAndTakeBack();
     void ringsGrowAndShrink();
     void aBoxTakesWhatItTouches();
+    void aLassoTakesWhatItGoesRound();
+    void theBrushTakesWhatItGoesOver();
+    void whatFacesTheSameWayNeedNotHangTogether();
+    void coloursSelect();
+    void theRowSaysHowMuch();
+    void theStatusSaysWhatTheMouseIsOver();
     void splitHideAndUndo();
     void theRowShowsWhatAClickTakes();
     void whatIsSelectedKeepsItsName();
@@ -60,9 +67,11 @@ void TestSelecting::aClickTakesWhatTheRowSays_data() {
     QTest::addColumn<int>("surfaces");
     QTest::newRow("surface") << QByteArray("take-surface") << 0 << 1;
     QTest::newRow("same feel") << QByteArray("take-material") << 0 << 6;
+    QTest::newRow("same colour") << QByteArray("take-colour") << 0 << 1;
     QTest::newRow("connected") << QByteArray("take-connected") << 12 << 1;
     QTest::newRow("smooth") << QByteArray("take-smooth") << 2 << 1;
     QTest::newRow("similar") << QByteArray("take-similar") << 2 << 1;
+    QTest::newRow("facing") << QByteArray("take-facing") << 2 << 1;
     QTest::newRow("triangle") << QByteArray("take-triangle") << 1 << 1;
 }
 
@@ -133,12 +142,191 @@ void TestSelecting::aBoxTakesWhatItTouches() {
     // From the lower left: over the upper one lies the tool's row.
     const QPoint begin(4, size.height() - 4);
     draw(begin, {size.width() - 4, 4});
-    QCOMPARE(faces(program).size(), std::size_t(12));
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(12), kPatience);
     draw(begin, begin + QPoint(8, -8));
-    QVERIFY(faces(program).empty());
+    QTRY_VERIFY_WITH_TIMEOUT(faces(program).empty(), kPatience);
     command(program, "take-surface").trigger();
     draw(begin, {size.width() - 4, 4});
-    QCOMPARE(program.document.selected().size(), std::size_t(6));
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(6), kPatience);
+    // Three sides of a cube are seen at once; the others only through it.
+    command(program, "through").trigger();
+    draw(begin, {size.width() - 4, 4});
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(3), kPatience);
+    command(program, "take-triangle").trigger();
+    draw(begin, {size.width() - 4, 4});
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(6), kPatience);
+}
+
+/// A line round the whole model, then one round a place where the edges of the cube are not.
+void TestSelecting::aLassoTakesWhatItGoesRound() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "take-triangle").trigger();
+    const QPoint middle = program.centre();
+    const auto draw = [&](int radius, QPoint at) {
+        QTest::keyClick(program.window.get(), Qt::Key_B, Qt::ShiftModifier);
+        program.press(at + QPoint(radius, 0));
+        for (int i = 1; i < 24; ++i) {
+            const double angle = 2 * M_PI * i / 24;
+            program.moveTo(at + QPoint(int(radius * std::cos(angle)), int(radius * std::sin(angle))));
+        }
+        program.release(at + QPoint(radius, 0));
+    };
+    draw(middle.y() - 10, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(12), kPatience);
+    command(program, "through").trigger();
+    draw(middle.y() - 10, middle);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(6), kPatience);
+    draw(6, middle + QPoint(30, 60));
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(1), kPatience);
+    // Given up, it takes nothing.
+    const std::vector<Index> one = faces(program);
+    QTest::keyClick(program.window.get(), Qt::Key_B, Qt::ShiftModifier);
+    program.press(middle);
+    program.moveTo(middle + QPoint(40, 40));
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    program.release(middle + QPoint(80, 0));
+    QCOMPARE(faces(program), one);
+    QCOMPARE_EQ(program.document.history().count(), 0);
+}
+
+void TestSelecting::theBrushTakesWhatItGoesOver() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "take-triangle").trigger();
+    QTest::keyClick(program.window.get(), Qt::Key_C);
+    QVERIFY(command(program, "select-brush").isChecked());
+    const QPoint middle = program.centre(), below = middle + QPoint(30, 60);
+    const auto stroke = [&](QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
+        QTest::mousePress(program.window->windowHandle(), Qt::LeftButton, modifiers,
+                          program.window->view().mapTo(program.window.get(), from));
+        program.moveTo((from + to) / 2);
+        program.moveTo(to);
+    };
+    for (int i = 0; i < 12; ++i)
+        QTest::keyClick(program.window.get(), Qt::Key_BracketLeft);
+    const auto colourBelow = [&] { // beside the ring
+        SceneView& view = program.window->view();
+        return view.grabPicture().pixelColor((below + QPoint(12, 0)) * view.devicePixelRatioF());
+    };
+    const QColor before = colourBelow();
+    stroke(below, below + QPoint(2, 2), {});
+    // It is shown while the button is still down, and selected at the end.
+    QTRY_VERIFY_WITH_TIMEOUT(colourBelow() != before, kPatience);
+    QVERIFY(faces(program).empty());
+    program.release(below);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(1), kPatience);
+    const std::vector<Index> one = faces(program);
+    // Given up, nothing of it is left; else what it went over comes to it.
+    const auto more = [&](bool givenUp) {
+        stroke(middle + QPoint(0, 60), middle - QPoint(60, 60), Qt::ShiftModifier);
+        if (givenUp) QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+        program.release(middle - QPoint(60, 60));
+    };
+    more(true);
+    program.frames(2);
+    QCOMPARE(faces(program), one);
+    more(false);
+    QTRY_COMPARE_GE_WITH_TIMEOUT(faces(program).size(), std::size_t(2), kPatience);
+    QCOMPARE_LE(faces(program).size(), std::size_t(6)); // no side that is not seen
+    // A larger brush takes more at once, and Ctrl takes it back.
+    for (int i = 0; i < 30; ++i)
+        QTest::keyClick(program.window.get(), Qt::Key_BracketRight);
+    stroke(middle, middle, {});
+    program.release(middle);
+    QTRY_COMPARE_GE_WITH_TIMEOUT(faces(program).size(), std::size_t(5), kPatience);
+    stroke(middle, middle, Qt::ControlModifier);
+    program.release(middle);
+    QTRY_VERIFY_WITH_TIMEOUT(faces(program).empty(), kPatience);
+    // Beside the model it takes nothing, and surfaces where a click takes surfaces.
+    command(program, "take-surface").trigger();
+    stroke(middle, middle, {});
+    program.release(middle);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.selected().size(), std::size_t(3), kPatience);
+    QTest::keyClick(&program.window->view(), Qt::Key_Escape);
+    QVERIFY(!command(program, "select-brush").isChecked());
+    QVERIFY(command(program, "select").isChecked());
+}
+
+/// Two steps of a stair: two treads that look up, apart from each other.
+void TestSelecting::whatFacesTheSameWayNeedNotHangTogether() {
+    const QString stair =
+        writeFile(folder_, QStringLiteral("stair.obj"),
+                  "v 0 0 0\nv .1 0 0\nv .1 0 .1\nv 0 0 .1\nv .1 .1 0\nv .1 .1 .1\nv .2 .1 0\nv .2 .1 .1\n"
+                  "f 1 4 3 2\nf 2 3 6 5\nf 5 6 8 7\n");
+    TouchedWindow program;
+    QVERIFY(program.open(stair));
+    program.window->view().showStandardView(StandardView::Top);
+    const auto place = [&](const Vec3& p) { return program.window->view().camera().project(p)->toPoint(); };
+    const SceneObject& object = program.document.scene().objects[0];
+    Vec3 tread = Vec3::Zero();
+    for (const Index corner : object.geometry->triangles[0])
+        tread += object.pose.apply(object.geometry->positions[corner]) / 3;
+    const auto takes = [&](const char* reach, std::size_t triangles) {
+        command(program, reach).trigger();
+        QTest::mouseClick(&program.window->view(), Qt::LeftButton, {}, place(tread));
+        return test::waitFor([&] { return faces(program).size() == triangles; });
+    };
+    QVERIFY(takes("take-similar", 2));
+    QVERIFY(takes("take-facing", 4));
+    QCOMPARE(faces(program), (std::vector<Index>{0, 1, 4, 5}));
+}
+
+void TestSelecting::coloursSelect() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const ObjectId cube = program.document.scene().objects[0].id;
+    program.document.editScene(QStringLiteral("Colour"), SceneChange::What::Objects, [](Scene& scene) {
+        for (const Index i : {1, 4})
+            scene.objects[0].surfaces[i].colour = {0.9F, 0.1F, 0.1F};
+    });
+    program.document.select(SurfaceRef{cube, 4});
+    QTest::keyClick(program.window.get(), Qt::Key_C, Qt::ShiftModifier);
+    QCOMPARE(program.document.selected(), (SurfaceRefs{{cube, 1}, {cube, 4}}));
+}
+
+void TestSelecting::theRowSaysHowMuch() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "select").trigger();
+    auto* count = program.window->findChild<QLabel*>(QStringLiteral("selection-count"));
+    QVERIFY(count && count->isVisible());
+    const auto says = [&](const char* text) {
+        const QString expected = QString::fromUtf8(text);
+        return test::waitFor([&] { return count->text() == expected; });
+    };
+    const ObjectId cube = program.document.scene().objects[0].id;
+    program.document.select({SurfaceRef{cube, 0}, SurfaceRef{cube, 1}});
+    QVERIFY2(says("2 surfaces, 4 triangles, 200 cm\u00b2"), qPrintable(count->text()));
+    QVERIFY(takeTriangle(program));
+    QVERIFY2(says("1 triangle, 50.0 cm\u00b2"), qPrintable(count->text()));
+    command(program, "invert").trigger();
+    QVERIFY2(says("11 triangles, 550 cm\u00b2"), qPrintable(count->text()));
+    command(program, "select-none").trigger();
+    QVERIFY2(says(""), qPrintable(count->text()));
+}
+
+void TestSelecting::theStatusSaysWhatTheMouseIsOver() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const auto* note = program.window->findChild<QLabel*>(QStringLiteral("status-note"));
+    program.moveTo({8, program.window->view().height() - 8});
+    program.moveTo(program.centre());
+    const SurfaceRef there = *program.window->view().surfaceAt(program.centre());
+    const QString name = QString::fromStdString(program.document.surface(there)->name);
+    const QString feel = name + QStringLiteral(": 800 N/m, static friction 0.00, dynamic friction 0.00");
+    QTRY_COMPARE_WITH_TIMEOUT(note->toolTip(), feel, kPatience);
+    program.document.setMaterialValue(there, kMaterialFields[0], 650);
+    QTRY_COMPARE_WITH_TIMEOUT(note->toolTip(),
+                              QString(feel).replace(QStringLiteral("800"), QStringLiteral("650")), kPatience);
+    program.moveTo({8, program.window->view().height() - 8});
+    QTRY_VERIFY_WITH_TIMEOUT(!note->toolTip().contains(name), kPatience);
+    // What is touched has its own words.
+    program.press(program.centre());
+    QVERIFY(test::waitFor([&] { return program.touch().contacts > 0; }));
+    program.frames(2);
+    QVERIFY(!note->toolTip().contains(name));
+    program.release(program.centre());
 }
 
 void TestSelecting::splitHideAndUndo() {

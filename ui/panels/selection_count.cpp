@@ -1,0 +1,96 @@
+#include "ui/panels/selection_count.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/geometry/surfaces.h"
+#include "core/geometry/triangle_set.h"
+#include "ui/document.h"
+#include "ui/numbers.h"
+
+namespace tactum {
+
+namespace {
+
+/// Of one mesh: its triangles where some are selected, else those of some of its surfaces.
+struct Share {
+    std::shared_ptr<const TriangleSoup> soup;
+    std::vector<Index> faces;
+    std::vector<char> surfaces; ///< of each whether it is selected
+};
+
+std::vector<Share> selectedShares(const Document& document) {
+    const auto soupOf = [&](ObjectId id) { return document.scene().find(id)->geometry; };
+    if (const FaceSelection& faces = document.selectedFaces(); !faces.empty())
+        return {{soupOf(faces.object), faces.faces, {}}};
+    std::map<ObjectId, Share> shares;
+    for (const SurfaceRef ref : document.selected()) {
+        Share& share = shares[ref.object];
+        share.soup = soupOf(ref.object);
+        share.surfaces.resize(document.scene().find(ref.object)->surfaces.size());
+        share.surfaces[ref.surface] = true;
+    }
+    std::vector<Share> result;
+    for (auto& [id, share] : shares)
+        result.push_back(std::move(share));
+    return result;
+}
+
+struct Sum {
+    std::size_t triangles = 0;
+    double area = 0; ///< m^2
+};
+
+Sum sumOf(const std::vector<Share>& shares) {
+    Sum sum;
+    for (const Share& share : shares) {
+        TriangleSet faces = share.faces;
+        if (faces.empty())
+            for (Index t = 0; t < share.soup->triangles.size(); ++t)
+                if (share.surfaces[share.soup->surfaceOf[t]]) faces.push_back(t);
+        sum.triangles += faces.size();
+        sum.area += areaOf(*share.soup, faces);
+    }
+    return sum;
+}
+
+QString amountText(std::size_t surfaces, const Sum& sum) {
+    QStringList parts;
+    if (surfaces > 0)
+        parts << (surfaces == 1 ? SelectionCount::tr("1 surface")
+                                : SelectionCount::tr("%1 surfaces").arg(surfaces));
+    parts << (sum.triangles == 1 ? SelectionCount::tr("1 triangle")
+                                 : SelectionCount::tr("%1 triangles").arg(sum.triangles));
+    parts << areaText(sum.area);
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+SelectionCount::SelectionCount(Document& document, QWidget* parent) : QLabel(parent), document_(document) {
+    setObjectName(QStringLiteral("selection-count"));
+    setToolTip(tr("What is selected, and its area"));
+    connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
+        if (change.what == SceneChange::What::Selection || change.touchesShape()) count();
+    });
+    connect(&job_, &BackgroundJob::finished, this, [this] {
+        if (std::exchange(again_, false)) count();
+    });
+    count();
+}
+
+void SelectionCount::count() {
+    if (job_.running()) {
+        again_ = true;
+        return;
+    }
+    const auto shares = selectedShares(document_);
+    if (shares.empty()) return clear();
+    const std::size_t surfaces = document_.selectedFaces().empty() ? document_.selected().size() : 0;
+    job_.start([this, shares, surfaces](const Progress&) -> BackgroundJob::Delivery {
+        return [this, text = amountText(surfaces, sumOf(shares))] { setText(text); };
+    });
+}
+
+} // namespace tactum
