@@ -36,6 +36,7 @@ inline const std::vector<Room> kRooms{
     {"core/bundle", {"core/haptics", "core/files"}},
     {"core/vibration", {"core/haptics"}},
     {"core/video", {"core/base"}},
+    {"core/report", {"core/bundle", "core/health", "core/presets"}},
     {"core/recording", {"core/runtime", "core/import"}},
     {"core/session", {"core/runtime"}},
     {"core/protocol", {"core/session", "core/recording"}},
