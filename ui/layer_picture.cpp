@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surface/pattern_picture.h"
+
 namespace tactum {
 
 namespace {
 
-constexpr double kRepeats = 2.5; // of a pattern in its picture
-constexpr double kFinest = 2;    // pixels
+constexpr double kFinest = 2; // pixels
 // A relief that is as steep as this on average needs no exaggeration to be seen.
 constexpr double kSeenSlope = 0.5;
 constexpr double kMaxExaggeration = 40;
@@ -136,25 +137,12 @@ TextureLayers withoutOwnPlanes(TextureLayers layers) {
 }
 
 QImage patternPicture(const TexturePattern& pattern, int pixels) {
-    if (pattern.source == TextureSource::Painted) return {};
-    if (pattern.source == TextureSource::Image && !pattern.image) return {};
-    TextureLayer layer;
-    layer.strength = kTextureHeight.maximum;
-    layer.pattern = pattern;
-    layer.pattern.mapping = TextureMapping::Planar;
-    double side = kRepeats * kTextureSize.clamped(pattern.size);
-    if (pattern.source == TextureSource::Image) {
-        // The longer side of the picture fills the square.
-        const double proportion = double(pattern.image->height()) / pattern.image->width();
-        side = kTextureSize.clamped(pattern.size) * std::max(1.0, proportion);
-        layer.pattern.offsetU = layer.pattern.offsetV = -0.5 * side;
-    }
-    const Ground ground({layer}, side, pixels, 0);
-    if (!ground) return {};
+    const PatternPicture flat = patternOnFlatGround(pattern, pixels);
+    if (flat.values.empty()) return {};
     QImage picture(pixels, pixels, QImage::Format_RGB32);
     for (int row = 0; row < pixels; ++row)
         for (int column = 0; column < pixels; ++column)
-            picture.setPixel(column, row, grey(ground.at(column, row).height / layer.strength));
+            picture.setPixel(column, row, grey(flat.values[std::size_t(row * pixels + column)]));
     return picture;
 }
 

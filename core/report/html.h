@@ -1,0 +1,28 @@
+// The parts of a page: text that is safe in it, tables, pictures that lie in it. For this folder only.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tactum {
+
+/// Text for a page, an attribute in quotes included: nothing in it is a tag, whatever strangers called their
+/// things.
+std::string escaped(std::string_view text);
+
+std::string heading(int level, std::string_view text);
+std::string paragraph(std::string_view text);
+
+/// Cells of a row; they are escaped.
+using Row = std::vector<std::string>;
+/// `head`: what the columns are. The first cell of a row says what it is of. Nothing where there are no rows.
+std::string table(const Row& head, const std::vector<Row>& rows);
+
+/// `alt`: what is to be seen. `width`: pixels on the page.
+std::string picture(std::string_view mimeType, std::string_view bytes, std::string_view alt, int width);
+
+/// At most six digits: more than a person reads.
+std::string readable(double value);
+
+} // namespace tactum
