@@ -29,7 +29,9 @@ struct QualityView {
         view.resize(400, 300);
         view.setScene(scene);
         view.setPictureLimits(limits);
-        view.setFelt({.ground = false, .boundaries = false}); // lines are not drawn coarsely
+        FeltOptions bare;
+        bare.ground = bare.boundaries = false; // lines are not drawn coarsely
+        view.setFelt(bare);
         view.show();
         if (!QTest::qWaitForWindowExposed(&view)) qFatal("no window");
         if (!test::waitFor([&] { return !view.makesMeshes(); })) qFatal("the meshes are never made");
@@ -86,6 +88,8 @@ private slots:
         QCOMPARE(budget.atRest(), PictureQuality::Smoothed);
         budget.took(0.05, false);
         QVERIFY(budget.affordsMotion());
+        QCOMPARE(budget.atRest(), PictureQuality::Sampled);
+        budget.took(0.2, true);
         QCOMPARE(budget.atRest(), PictureQuality::Sampled);
         budget.took(0.26, true); // longer than was thought
         QCOMPARE(budget.atRest(), PictureQuality::Smoothed);
