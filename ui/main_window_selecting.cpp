@@ -111,11 +111,13 @@ void MainWindow::fillSelectStrip() {
         connect(action, &QAction::toggled, angle, showAngle);
     showAngle();
     selectStrip_->addField(angle);
-    for (const char* id : {"box", "lasso", "select-brush", "through"})
+    for (const char* id : {"box", "lasso", "select-brush"})
         selectStrip_->addAction(&actions_[id]);
+    selectStrip_->addAction(&actions_["through"], tr("Through"));
     selectStrip_->addField(new SelectionCount(document_));
     selectStrip_->addStretch();
-    for (const char* id : {"grow", "shrink", "invert", "split", "merge"})
+    // In a narrow window those with the best-known keys are cut off.
+    for (const char* id : {"split", "merge", "invert", "grow", "shrink"})
         selectStrip_->addAction(&actions_[id]);
 }
 

@@ -35,7 +35,7 @@ QString feelText(const Scene& scene, SurfaceRef ref) {
     const auto value = [&](const Parameter& parameter, double Material::*of) {
         return numberText(surface.material.*of, parameter.unit.empty() ? 2 : parameter.decimals);
     };
-    return QObject::tr("%1: %2 N/m, static friction %3, dynamic friction %4")
+    return QObject::tr("%1: %2 N/m, friction %3 / %4")
         .arg(name, value(kStiffness, &Material::stiffness), value(kStaticFriction, &Material::staticFriction),
              value(kDynamicFriction, &Material::dynamicFriction));
 }

@@ -17,8 +17,8 @@ std::optional<SurfaceRef> touchedSurface(const HapticOutput& touch, const World&
 /// "lid"; with its object where the scene has several: "kettle: lid". Empty for a reference to nothing.
 QString nameOfSurface(const Scene& scene, SurfaceRef ref);
 
-/// "lid: 800 N/m, static friction 0.60, dynamic friction 0.40": the name, and what is felt first. Empty for a
-/// reference to nothing.
+/// "lid: 800 N/m, friction 0.60 / 0.40": the name, and what is felt first, static friction before dynamic.
+/// Empty for a reference to nothing.
 QString feelText(const Scene& scene, SurfaceRef ref);
 
 } // namespace tactum

@@ -88,8 +88,8 @@ void ToolStrip::addChoices(const QString& what, const QList<QAction*>& actions, 
     row_->addWidget(list);
 }
 
-void ToolStrip::addAction(QAction* action) {
-    row_->addWidget(buttonOf(action, action->text().remove(u'&')));
+void ToolStrip::addAction(QAction* action, const QString& name) {
+    row_->addWidget(buttonOf(action, name.isEmpty() ? action->text().remove(u'&') : name));
 }
 
 void ToolStrip::addField(QWidget* field) {

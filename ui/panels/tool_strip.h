@@ -20,8 +20,8 @@ public:
     void addLabel(const QString& text);
     /// A list of actions of which one is on: `names` are shorter than the actions' own words.
     void addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names);
-    /// A button with the action's words.
-    void addAction(QAction* action);
+    /// A button with the action's words, or with a shorter name.
+    void addAction(QAction* action, const QString& name = {});
     void addField(QWidget* field);
     /// What follows stands at the right end.
     void addStretch();
