@@ -52,6 +52,10 @@
             <translation> Rückgängig bringt alles zurück.</translation>
         </message>
         <message>
+            <source> servo ticks</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>%1 %</source>
             <translation>%1 %</translation>
         </message>
@@ -62,6 +66,10 @@
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>%1 - Tactum</source>
@@ -144,6 +152,10 @@
             <translation>%1 Dateien sind jetzt in der Szene.</translation>
         </message>
         <message>
+            <source>%1 goes from %2 to %3.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>%1 has %2 layers, and more are not felt. Remove one first.</source>
             <translation>%1 hat %2 Ebenen, und mehr werden nicht gefühlt. Zuerst eine entfernen.</translation>
         </message>
@@ -180,6 +192,10 @@
             <translation>%1 ohne Haptik von hier</translation>
         </message>
         <message>
+            <source>%1 is a mere number.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>%1 is as it was before the program stopped, but without its history, which cannot be read.</source>
             <translation>%1 ist, wie es vor dem Programmabbruch war, aber ohne den Verlauf, der nicht gelesen werden kann.</translation>
         </message>
@@ -210,6 +226,10 @@
         <message>
             <source>%1 is loose</source>
             <translation>%1 ist lose</translation>
+        </message>
+        <message>
+            <source>%1 is measured in %2.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>%1 is not there any more; the forces are off. Plug it in: it is made ready again by itself. Until then the mouse leads a simulated hand. %2</source>
@@ -304,6 +324,10 @@
             <translation>%1 über der Zeit</translation>
         </message>
         <message>
+            <source>%1 questions after each</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
@@ -342,6 +366,14 @@
         <message>
             <source>%1 to %2, default %3</source>
             <translation>%1 bis %2, Standard %3</translation>
+        </message>
+        <message>
+            <source>%1 trials</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 triangles</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>%1 was changed by another program. Its new shapes can take the feel of this scene.</source>
@@ -440,8 +472,16 @@
             <translation>%1: %2</translation>
         </message>
         <message>
+            <source>%1: %2 %3</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>%1: %2 (T selects it)</source>
             <translation>%1: %2 (T wählt es aus)</translation>
+        </message>
+        <message>
+            <source>%1: %2 N/m, friction %3 / %4</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>%1: %2 ticks, %3</source>
@@ -462,6 +502,10 @@
         <message>
             <source>%1: given up</source>
             <translation>%1: aufgegeben</translation>
+        </message>
+        <message>
+            <source>%1: not felt</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>%1: nothing can be heard.</source>
@@ -596,6 +640,18 @@
             <translation>&amp;Alles zeigen</translation>
         </message>
         <message>
+            <source>&amp;Go on after trial %1, where the last run broke off</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Go on: no run of this participant broke off</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Ground and shadow</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Grow</source>
             <translation>&amp;Erweitern</translation>
         </message>
@@ -624,6 +680,10 @@
             <translation>Vorgaben i&amp;mportieren...</translation>
         </message>
         <message>
+            <source>&amp;Keep this state as...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Keyboard</source>
             <translation>&amp;Tastatur</translation>
         </message>
@@ -632,8 +692,16 @@
             <translation>&amp;Größerer Pinsel</translation>
         </message>
         <message>
+            <source>&amp;Lasso</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Light</source>
             <translation>&amp;Hell</translation>
+        </message>
+        <message>
+            <source>&amp;Lines between surfaces</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>&amp;Lock</source>
@@ -668,6 +736,10 @@
             <translation>&amp;Näher</translation>
         </message>
         <message>
+            <source>&amp;New study</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Next panel</source>
             <translation>Nä&amp;chster Bereich</translation>
         </message>
@@ -678,6 +750,10 @@
         <message>
             <source>&amp;Nothing</source>
             <translation>N&amp;ichts</translation>
+        </message>
+        <message>
+            <source>&amp;Open a study...</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>&amp;Open...</source>
@@ -692,12 +768,24 @@
             <translation>B&amp;ereiche</translation>
         </message>
         <message>
+            <source>&amp;Parallel projection</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>&amp;Participant number</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Planes</source>
             <translation>&amp;Zwangsebenen</translation>
         </message>
         <message>
             <source>&amp;Plate with friction</source>
             <translation>&amp;Platte mit Reibung</translation>
+        </message>
+        <message>
+            <source>&amp;Procedure and questions...</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>&amp;Put the proxy on the finger</source>
@@ -732,12 +820,20 @@
             <translation>&amp;Laufen lassen</translation>
         </message>
         <message>
+            <source>&amp;Run with a participant...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Same feel</source>
             <translation>&amp;Gleiche Haptik</translation>
         </message>
         <message>
             <source>&amp;Save</source>
             <translation>&amp;Speichern</translation>
+        </message>
+        <message>
+            <source>&amp;Save the study as...</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>&amp;Select</source>
@@ -856,6 +952,10 @@
             <translation>Kolli&amp;sionskörper</translation>
         </message>
         <message>
+            <source>&amp;Wireframe</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;y is up</source>
             <translation>&amp;y ist oben</translation>
         </message>
@@ -876,6 +976,10 @@
             <translation>, dauerhaft %1 N</translation>
         </message>
         <message>
+            <source>, about %1 min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>0 N</source>
             <translation>0 N</translation>
         </message>
@@ -890,6 +994,18 @@
         <message>
             <source>1 of 3: move the handle to the right</source>
             <translation>1 von 3: Griff nach rechts bewegen</translation>
+        </message>
+        <message>
+            <source>1 question after each</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>1 surface</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>1 triangle</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>1 unit is</source>
@@ -948,14 +1064,6 @@
             <translation>Ein Pinsel, der mehr ändert</translation>
         </message>
         <message>
-            <source>A brush with a larger radius</source>
-            <translation>Ein Pinsel mit größerem Radius</translation>
-        </message>
-        <message>
-            <source>A brush with a smaller radius</source>
-            <translation>Ein Pinsel mit kleinerem Radius</translation>
-        </message>
-        <message>
             <source>A button of the device has ended all force.</source>
             <translation>Eine Taste des Geräts hat alle Kraft beendet.</translation>
         </message>
@@ -968,12 +1076,24 @@
             <translation>Ein Klick wählt eine Oberfläche; mit Umschalt zusätzlich, mit Strg nicht mehr</translation>
         </message>
         <message>
+            <source>A click takes all that face the same &amp;way</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A click takes all triangles that hang together over edges</source>
             <translation>Ein Klick wählt alle Dreiecke, die über Kanten zusammenhängen</translation>
         </message>
         <message>
             <source>A click takes every surface that feels like the one under the cursor</source>
             <translation>Ein Klick wählt jede Oberfläche, die sich anfühlt wie die unter dem Mauszeiger</translation>
+        </message>
+        <message>
+            <source>A click takes every surface that has the colour of the one under the cursor</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A click takes every triangle of the object that faces the same way within the angle, connected or not</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>A click takes one triangle</source>
@@ -1008,8 +1128,16 @@
             <translation>Klick wählt gleiche &amp;Haptik</translation>
         </message>
         <message>
+            <source>A click takes the same colou&amp;r</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A click takes triangles up to edges that bend by more than the angle</source>
             <translation>Ein Klick wählt Dreiecke bis zu Kanten, die stärker knicken als der Winkel</translation>
+        </message>
+        <message>
+            <source>A condition needs a name of its own, and there may be %1 of them.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>A constraint plane of its own</source>
@@ -1032,6 +1160,10 @@
             <translation>Eine sanfte Feder zur Mitte des Geräte-Arbeitsraums, anstelle der Szene</translation>
         </message>
         <message>
+            <source>A grid of 1, 10 or 100 mm beneath the scene, and the shadow that it casts there</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A ground to put several models on</source>
             <translation>Ein Boden, auf den mehrere Modelle gestellt werden können</translation>
         </message>
@@ -1042,6 +1174,10 @@
         <message>
             <source>A joint went with it.</source>
             <translation>Ein Gelenk wurde mit entfernt.</translation>
+        </message>
+        <message>
+            <source>A larger radius for the brush that paints, or the one that selects</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>A layer like woven cloth on all selected surfaces</source>
@@ -1088,6 +1224,10 @@
             <translation>Eine neue Bahn durch die Stellen des Modells, die angeklickt werden, bis hier erneut geklickt wird</translation>
         </message>
         <message>
+            <source>A pause</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A picture becomes a layer of a surface: open a model first, and drop it there.</source>
             <translation>Ein Bild wird zu einer Ebene einer Oberfläche: zuerst ein Modell öffnen und es dort ablegen.</translation>
         </message>
@@ -1132,6 +1272,10 @@
             <translation>Eine simulierte Hand braucht keinen Stopp: Esc beendet auch ihre Kraft.</translation>
         </message>
         <message>
+            <source>A smaller radius for the brush that paints, or the one that selects</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A stiff wall stands to the right of the middle. Push against it: it holds and does not buzz.</source>
             <translation>Rechts der Mitte steht eine steife Wand. Dagegendrücken: Sie hält und brummt nicht.</translation>
         </message>
@@ -1142,6 +1286,10 @@
         <message>
             <source>A tenth of the pace; the hand keeps its own</source>
             <translation>Ein Zehntel des Tempos; die Hand behält ihr eigenes</translation>
+        </message>
+        <message>
+            <source>A thin line where one surface ends and another begins</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>A whole hand calms the device, so that surfaces may be up to 1.7 times as stiff. Held more loosely than said they may shake: after three times the light grip is assumed again, until you choose anew. It is remembered for this device.</source>
@@ -1158,6 +1306,14 @@
         <message>
             <source>A&amp;xes of the handles</source>
             <translation>A&amp;chsen der Anfasser</translation>
+        </message>
+        <message>
+            <source>A/B/X</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A/B/X: which one is X?</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>A: as marked</source>
@@ -1260,6 +1416,10 @@
             <translation>%1 wurde ganz gelöscht, nicht nur die gewählten Oberflächen.</translation>
         </message>
         <message>
+            <source>All surfaces</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Along its own axes.</source>
             <translation>Entlang der eigenen Achsen.</translation>
         </message>
@@ -1320,6 +1480,14 @@
             <translation>Ein weiteres Fenster öffnet sich auf die Szene und das Gerät des Servers. Ein Server auf einem anderen Rechner braucht certificate.pem und token, die tactum serve --make-certificate dort angelegt hat.</translation>
         </message>
         <message>
+            <source>Answer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Answers and touch are logged as CSV; Esc ends it</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Anywhere</source>
             <translation>Überall</translation>
         </message>
@@ -1354,6 +1522,10 @@
         <message>
             <source>As if it were wrapped tightly: hollows are filled.</source>
             <translation>Wie eng umwickelt: Mulden werden gefüllt.</translation>
+        </message>
+        <message>
+            <source>As listed</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>As opened</source>
@@ -1396,6 +1568,14 @@
             <translation>Höchstens %1 N</translation>
         </message>
         <message>
+            <source>At most %1 trials</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>At most trials</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>At once</source>
             <translation>Sofort</translation>
         </message>
@@ -1424,6 +1604,10 @@
             <translation>Achse und Lage, wie die Form des Objekts sie nahelegt; erneut: die nächstwahrscheinlichen</translation>
         </message>
         <message>
+            <source>B&amp;rush</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>B: as it is now</source>
             <translation>B: wie es jetzt ist</translation>
         </message>
@@ -1447,6 +1631,14 @@
         <message>
             <source>Back to the default, %1</source>
             <translation>Zurück zum Standard, %1</translation>
+        </message>
+        <message>
+            <source>Balanced Latin square</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Begin (Space)</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Beneath the layer that it lies on</source>
@@ -1479,6 +1671,10 @@
         <message>
             <source>Box</source>
             <translation>Box</translation>
+        </message>
+        <message>
+            <source>Box and lasso also take what lies behind; else what is seen, as the brush does</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Bring %1 back</source>
@@ -1561,6 +1757,10 @@
             <translation>Netz wird geändert</translation>
         </message>
         <message>
+            <source>Choice asked</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Choose %1...</source>
             <translation>%1 wählen...</translation>
         </message>
@@ -1579,6 +1779,10 @@
         <message>
             <source>Click a surface in the view (Q) or in the outliner to see and set how it feels.</source>
             <translation>Eine Oberfläche in der Ansicht (Q) oder in der Szenenliste anklicken, um zu sehen und festzulegen, wie sie sich anfühlt.</translation>
+        </message>
+        <message>
+            <source>Close (Space)</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Close the holes whose rim is simple; wide openings stay.</source>
@@ -1655,6 +1859,10 @@
         <message>
             <source>Comparing...</source>
             <translation>Wird verglichen...</translation>
+        </message>
+        <message>
+            <source>Conditions of the study</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Connect</source>
@@ -1841,6 +2049,14 @@
             <translation>Finger ziehen</translation>
         </message>
         <message>
+            <source>Drag, select tool with the brush</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Drags take what they go over, until Esc or C again; with Shift also, with Ctrl not any more; [ and ] size</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Draw the finger out of the surface, then arm again.</source>
             <translation>Finger aus der Oberfläche ziehen, dann Kräfte wieder einschalten.</translation>
         </message>
@@ -1889,6 +2105,10 @@
             <translation>CSV e&amp;xportieren...</translation>
         </message>
         <message>
+            <source>Each condition by itself</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Each edit is compared with A at once</source>
             <translation>Jede Änderung wird sofort mit A verglichen</translation>
         </message>
@@ -1913,8 +2133,20 @@
             <translation>Szene bearbeiten oder nach jeder Änderung vergleichen.</translation>
         </message>
         <message>
+            <source>End it (E)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>End the stroke</source>
             <translation>Strich beenden</translation>
+        </message>
+        <message>
+            <source>End the study?</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Ends after reversals</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Energy</source>
@@ -1969,6 +2201,10 @@
             <translation>Jede Oberfläche, die sich anfühlt wie die aktive</translation>
         </message>
         <message>
+            <source>Every surface that has the colour of the active one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Every surface that is visible</source>
             <translation>Jede Oberfläche, die sichtbar ist</translation>
         </message>
@@ -2021,12 +2257,20 @@
             <translation>Facetten fühlen sich an wie die runde Oberfläche, für die sie stehen (Abschnitt 3).</translation>
         </message>
         <message>
+            <source>Facing the same way</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Falloff</source>
             <translation>Auslauf</translation>
         </message>
         <message>
             <source>Fault: %1</source>
             <translation>Störung: %1</translation>
+        </message>
+        <message>
+            <source>Feel again (R)</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Feel all layers again (S)</source>
@@ -2083,6 +2327,10 @@
         <message>
             <source>Finger an&amp;d forces</source>
             <translation>&amp;Finger und Kräfte</translation>
+        </message>
+        <message>
+            <source>First difference</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Fit the &amp;workspace to the model</source>
@@ -2201,8 +2449,16 @@
             <translation>Kräfte sofort aus; auch Esc eine halbe Sekunde halten</translation>
         </message>
         <message>
+            <source>Forces off while something is asked</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Forces off, and out</source>
             <translation>Kräfte aus und beenden</translation>
+        </message>
+        <message>
+            <source>Forces on (F)</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Forget them</source>
@@ -2235,6 +2491,10 @@
         <message>
             <source>Front</source>
             <translation>Vorn</translation>
+        </message>
+        <message>
+            <source>Frozen, without a finger</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>G</source>
@@ -2275,6 +2535,14 @@
         <message>
             <source>Go away from the model</source>
             <translation>Vom Modell weggehen</translation>
+        </message>
+        <message>
+            <source>Go on (Space)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Go on without it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Goes farther</source>
@@ -2382,6 +2650,10 @@
         <message>
             <source>Help</source>
             <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>Hidden</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Hide %1</source>
@@ -2564,6 +2836,10 @@
             <translation>Zoll</translation>
         </message>
         <message>
+            <source>Instructions for the participant</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Is&amp;ometric</source>
             <translation>Isome&amp;trisch</translation>
         </message>
@@ -2578,6 +2854,10 @@
         <message>
             <source>It falls, lies, and is pushed.</source>
             <translation>Fällt, liegt und wird geschoben.</translation>
+        </message>
+        <message>
+            <source>It goes on by itself.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>It has no effect as things are.</source>
@@ -2628,6 +2908,10 @@
             <translation>Sie wurde stattdessen weggenommen.</translation>
         </message>
         <message>
+            <source>Its conditions, procedure and questions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Joint</source>
             <translation>Gelenk</translation>
         </message>
@@ -2652,6 +2936,14 @@
             <translation>Unter einem Namen in der Bibliothek behalten, wie sich die aktive Oberfläche anfühlt</translation>
         </message>
         <message>
+            <source>Keep this state</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Keep this state...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Kept for a crash after</source>
             <translation>Für einen Absturz gesichert nach</translation>
         </message>
@@ -2660,8 +2952,16 @@
             <translation>Tastatur und Maus</translation>
         </message>
         <message>
+            <source>Kind</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Language</source>
             <translation>Sprache</translation>
+        </message>
+        <message>
+            <source>Largest difference</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Largest ratio of tangential to normal force at which a resting contact holds (section 4.1).</source>
@@ -2736,6 +3036,10 @@
             <translation>Zeit laufen lassen für alles, was sich bewegt: nach Keyframes, durch sein Gewicht, durch die Hand</translation>
         </message>
         <message>
+            <source>Lift off until you touch nothing.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Light</source>
             <translation>Hell</translation>
         </message>
@@ -2792,8 +3096,16 @@
             <translation>Gesperrt: L drücken zum Entsperren.</translation>
         </message>
         <message>
+            <source>Log every</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Longest side</source>
             <translation>Längste Seite</translation>
+        </message>
+        <message>
+            <source>Loo&amp;k</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Look</source>
@@ -2838,6 +3150,10 @@
         <message>
             <source>Looking for devices...</source>
             <translation>Geräte werden gesucht...</translation>
+        </message>
+        <message>
+            <source>Looking which triangles lie there</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Loops</source>
@@ -3028,6 +3344,10 @@
             <translation>Name</translation>
         </message>
         <message>
+            <source>Name of the condition</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Name of the layer</source>
             <translation>Name der Ebene</translation>
         </message>
@@ -3056,6 +3376,10 @@
             <translation>Newton auf einen Körper für jedes des Fingers: klein für einen Mikrosensor, groß für eine Windmühle.</translation>
         </message>
         <message>
+            <source>Next (Space)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>No button</source>
             <translation>Keine Taste</translation>
         </message>
@@ -3070,6 +3394,14 @@
         <message>
             <source>No command fits; leave some letters out.</source>
             <translation>Kein Befehl passt; ein paar Buchstaben weglassen.</translation>
+        </message>
+        <message>
+            <source>No condition is chosen in the dock Study.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>No condition yet. Make the scene feel as one should, then keep this state.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>No device is connected.</source>
@@ -3320,6 +3652,10 @@
             <translation>An: Der Pinsel malt die Maske. Aus: Er malt die Ebene selbst.</translation>
         </message>
         <message>
+            <source>One file with the conditions in it</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>One hull</source>
             <translation>Eine Hülle</translation>
         </message>
@@ -3330,6 +3666,10 @@
         <message>
             <source>One level &amp;finer</source>
             <translation>Eine Stufe &amp;feiner</translation>
+        </message>
+        <message>
+            <source>One moment.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>One more joint of %1</source>
@@ -3400,6 +3740,10 @@
             <translation>Szene, Modell oder Aufnahme öffnen</translation>
         </message>
         <message>
+            <source>Open a study</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Open again</source>
             <translation>Erneut öffnen</translation>
         </message>
@@ -3422,6 +3766,10 @@
         <message>
             <source>Opens it as it was, with unsaved changes; its file stays as it is</source>
             <translation>Öffnet sie, wie sie war, mit ungespeicherten Änderungen; ihre Datei bleibt, wie sie ist</translation>
+        </message>
+        <message>
+            <source>Order</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Origin</source>
@@ -3464,8 +3812,20 @@
             <translation>Gemalt</translation>
         </message>
         <message>
+            <source>Pairs, the better one is chosen</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Pairs: one of two is chosen</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Panel %1</source>
             <translation>Bereich %1</translation>
+        </message>
+        <message>
+            <source>Parameter</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Part of the radius over which the effect fades to nothing: 0 is a hard edge, at 1 it fades from the middle.</source>
@@ -3490,6 +3850,10 @@
         <message>
             <source>Pause (Space)</source>
             <translation>Pause (Leertaste)</translation>
+        </message>
+        <message>
+            <source>Pause after a trial</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Pause the force plot</source>
@@ -3588,6 +3952,18 @@
             <translation>Probleme  %1</translation>
         </message>
         <message>
+            <source>Procedure</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Procedure and questions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Procedure...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Proxy</source>
             <translation>Proxy</translation>
         </message>
@@ -3608,6 +3984,14 @@
             <translation>Legt eine Regel für USB-Geräte und Grenzen für Echtzeit dort ab, wo das System sie sucht, mit Zustimmung eines Administrators</translation>
         </message>
         <message>
+            <source>Questions after each trial, one a line:
+rating | How rough was it? | 7 | smooth | rough
+choice | Which hand? | left | right
+magnitude | How stiff was it?
+text | What was it like?</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>R&amp;ight</source>
             <translation>Von &amp;rechts</translation>
         </message>
@@ -3622,6 +4006,10 @@
         <message>
             <source>Radius of the sphere that stands for the finger; larger than any gap it must not fall into (section 2).</source>
             <translation>Radius der Kugel, die für den Finger steht; größer als jede Lücke, in die sie nicht fallen darf (Abschnitt 2).</translation>
+        </message>
+        <message>
+            <source>Random in each repetition</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Rate</source>
@@ -3642,6 +4030,10 @@
         <message>
             <source>Re&amp;move</source>
             <translation>&amp;Entfernen</translation>
+        </message>
+        <message>
+            <source>Re&amp;move the condition</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Re&amp;name</source>
@@ -3696,12 +4088,20 @@
             <translation>Wird wiederhergestellt</translation>
         </message>
         <message>
+            <source>Reference value</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Remember what the finger does until it is chosen again</source>
             <translation>Merken, was der Finger tut, bis der Befehl erneut gewählt wird</translation>
         </message>
         <message>
             <source>Remembers what the finger does from now on, until it is pressed again</source>
             <translation>Merkt sich ab jetzt, was der Finger tut, bis erneut gedrückt wird</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Remove %1</source>
@@ -3742,6 +4142,18 @@ der Grenze rendern</translation>
             <translation>Netz wird repariert</translation>
         </message>
         <message>
+            <source>Repetitions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Repla&amp;ce the condition</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Replace the file</source>
             <translation>Datei ersetzen</translation>
         </message>
@@ -3752,6 +4164,10 @@ der Grenze rendern</translation>
         <message>
             <source>Rests at</source>
             <translation>Ruht bei</translation>
+        </message>
+        <message>
+            <source>Right answers to go down</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Right button</source>
@@ -3766,12 +4182,24 @@ der Grenze rendern</translation>
             <translation>Drehung</translation>
         </message>
         <message>
+            <source>Run the study</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Run this line in a terminal, then plug the device in anew:</source>
             <translation>Diese Zeile in einem Terminal ausführen, dann das Gerät neu anschließen:</translation>
         </message>
         <message>
+            <source>Run...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>S&amp;et</source>
             <translation>&amp;Setzen</translation>
+        </message>
+        <message>
+            <source>S&amp;how the condition</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>S&amp;hrink</source>
@@ -3812,6 +4240,14 @@ der Grenze rendern</translation>
         <message>
             <source>Same as the active &amp;one</source>
             <translation>&amp;Wie die aktive</translation>
+        </message>
+        <message>
+            <source>Same co&amp;lour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Same colour</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Same feel</source>
@@ -3872,6 +4308,10 @@ der Grenze rendern</translation>
         <message>
             <source>Save the scene</source>
             <translation>Szene speichern</translation>
+        </message>
+        <message>
+            <source>Save the study</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Save the view</source>
@@ -4082,6 +4522,10 @@ der Grenze rendern</translation>
             <translation>Ebene ein- oder &amp;ausblenden</translation>
         </message>
         <message>
+            <source>Show state %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Show the panel and give it the keys</source>
             <translation>Den Bereich zeigen und ihm die Tastatur geben</translation>
         </message>
@@ -4092,6 +4536,10 @@ der Grenze rendern</translation>
         <message>
             <source>Show the whole scene</source>
             <translation>Ganze Szene zeigen</translation>
+        </message>
+        <message>
+            <source>Shown, the finger on the surface</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Shows or hides this strip; the wheel over it changes the span of time</source>
@@ -4126,6 +4574,10 @@ der Grenze rendern</translation>
             <translation>&amp;Kleinerer Pinsel</translation>
         </message>
         <message>
+            <source>Smallest difference</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Smooth</source>
             <translation>Glätten</translation>
         </message>
@@ -4144,6 +4596,10 @@ der Grenze rendern</translation>
         <message>
             <source>Source</source>
             <translation>Quelle</translation>
+        </message>
+        <message>
+            <source>Space, Enter</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Space, Left, Right</source>
@@ -4181,8 +4637,32 @@ der Grenze rendern</translation>
             <translation>&amp;Stärkerer Pinsel</translation>
         </message>
         <message>
+            <source>Staircase</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Staircase over a parameter</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Staircase, %1 down 1 up, over %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>State %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Static friction</source>
             <translation>Haftreibung</translation>
+        </message>
+        <message>
+            <source>Steps multiply and divide</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Steps, the next after each reversal</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Stiffest</source>
@@ -4199,6 +4679,22 @@ der Grenze rendern</translation>
         <message>
             <source>Still</source>
             <translation>Still</translation>
+        </message>
+        <message>
+            <source>Stimuli may be felt again before the choice</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Stimulus</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Stimulus %1 of %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Stimulus lasts</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Stop, and go on by one step of the haptics</source>
@@ -4223,6 +4719,18 @@ der Grenze rendern</translation>
         <message>
             <source>Stroke the model, then press "Record a stroke" again.</source>
             <translation>Über das Modell streichen, dann erneut "Strich aufnehmen" drücken.</translation>
+        </message>
+        <message>
+            <source>Studies</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Studies (*.%1)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Study</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Subtract</source>
@@ -4297,6 +4805,10 @@ der Grenze rendern</translation>
             <translation>Griff fest nehmen, dann Kräfte wieder einschalten.</translation>
         </message>
         <message>
+            <source>Take the handle in your hand. The forces come on when you begin.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Take the last 10 s</source>
             <translation>Letzte 10 s nehmen</translation>
         </message>
@@ -4357,6 +4869,10 @@ der Grenze rendern</translation>
             <translation>Texturen sind ausgelassen: Die Szene ist zu schwer.</translation>
         </message>
         <message>
+            <source>That was all. Thank you.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The &amp;last one</source>
             <translation>Das &amp;letzte</translation>
         </message>
@@ -4371,6 +4887,10 @@ der Grenze rendern</translation>
         <message>
             <source>The &amp;origin</source>
             <translation>Der &amp;Ursprung</translation>
+        </message>
+        <message>
+            <source>The answers are in %1, the touch beside them. The forces are off.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The audio output could not be opened; is another program holding it?</source>
@@ -4413,12 +4933,24 @@ der Grenze rendern</translation>
             <translation>Die gewählte &amp;Ebene</translation>
         </message>
         <message>
+            <source>The chosen condition becomes the scene as it is now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The chosen condition is no part of the study any more</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The chosen preset as a file for others</source>
             <translation>Die gewählte Vorgabe als Datei für andere</translation>
         </message>
         <message>
             <source>The clutch is held: the handle moves, the finger stays.</source>
             <translation>Die Kupplung ist gehalten: Der Griff bewegt sich, der Finger bleibt.</translation>
+        </message>
+        <message>
+            <source>The condition that is chosen in the dock Study becomes the scene as it is now</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The connection to %1 was lost, and is there again. The forces are off.</source>
@@ -4509,6 +5041,10 @@ der Grenze rendern</translation>
             <translation>Die Kräfte sind aus. Griff halten, dann Kräfte einschalten.</translation>
         </message>
         <message>
+            <source>The forces are off. Take the handle in your hand.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The forces are on.</source>
             <translation>Die Kräfte sind an.</translation>
         </message>
@@ -4573,6 +5109,10 @@ der Grenze rendern</translation>
             <translation>Die Ebenen auf ebenem Grund</translation>
         </message>
         <message>
+            <source>The logs come beside %1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The mesh has no texture coordinates, so it is not felt. Triplanar needs none.</source>
             <translation>Das Netz hat keine Texturkoordinaten, daher wird sie nicht gefühlt. Triplanar braucht keine.</translation>
         </message>
@@ -4607,6 +5147,10 @@ der Grenze rendern</translation>
         <message>
             <source>The mouse leads the simulated hand in the scene itself.</source>
             <translation>Die Maus führt die simulierte Hand in der Szene selbst.</translation>
+        </message>
+        <message>
+            <source>The next drag takes what its line goes round; with Shift also, with Ctrl not any more</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The next drag takes what lies in a box; with Shift also, with Ctrl not any more</source>
@@ -4665,6 +5209,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Dieselbe Ebene noch einmal, über ihr</translation>
         </message>
         <message>
+            <source>The scene as it is now becomes a condition of the study, under a name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The scene as it is now becomes a condition, under a name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The scene as it is now is what edits are held against</source>
             <translation>Die Szene, wie sie jetzt ist, ist das, woran Änderungen gemessen werden</translation>
         </message>
@@ -4679,6 +5231,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The scene becomes A again, and A what the scene was; Undo takes it back</source>
             <translation>Die Szene wird wieder A, und A, was die Szene war; Rückgängig nimmt es zurück</translation>
+        </message>
+        <message>
+            <source>The scene becomes the chosen condition again</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The scene becomes the chosen condition; Undo takes it back</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The scene is felt already.</source>
@@ -4781,6 +5341,30 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Der Strich ist, was der Finger in den letzten zehn Sekunden tat</translation>
         </message>
         <message>
+            <source>The study cannot be run yet; the dock Study says why.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The study goes on without it</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The study has ended: %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The study has no condition yet.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The study has not been saved. Study &gt; Save the study as... keeps it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The study was saved to %1.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The surface is locked, so it gets no layer; unlock it first (L).</source>
             <translation>Die Oberfläche ist gesperrt und bekommt daher keine Ebene; zuerst entsperren (L).</translation>
         </message>
@@ -4795,6 +5379,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The system did not allow it. Run this line in a terminal, then plug the device in anew:</source>
             <translation>Das System hat es nicht erlaubt. Diese Zeile in einem Terminal ausführen, dann das Gerät neu anschließen:</translation>
+        </message>
+        <message>
+            <source>The triangles of the model as lines</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The values of a painted layer, or the image of one that lies on texture coordinates</source>
@@ -4881,8 +5469,20 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Dieser Rechner hat keinen Audioausgang</translation>
         </message>
         <message>
+            <source>Thr&amp;ough the model</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Three small scenes to feel whether a device works as it should. Your own scene waits, unchanged.</source>
             <translation>Drei kleine Szenen, um zu fühlen, ob ein Gerät arbeitet, wie es soll. Ihre eigene Szene wartet unverändert.</translation>
+        </message>
+        <message>
+            <source>Threshold of the last</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Through</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Throw %1 away</source>
@@ -4927,6 +5527,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Touch a model</source>
             <translation>Ein Modell berühren</translation>
+        </message>
+        <message>
+            <source>Touch it.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Touch over time</source>
@@ -5019,6 +5623,18 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Turns about</source>
             <translation>Drehpunkt</translation>
+        </message>
+        <message>
+            <source>Two intervals: one has the reference</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Type a number above 0, then Enter.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Type, then Enter.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>UV, in metres</source>
@@ -5121,8 +5737,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Gewebe</translation>
         </message>
         <message>
+            <source>Welcome</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Weld vertices</source>
             <translation>Ecken verschweißen</translation>
+        </message>
+        <message>
+            <source>What a trial is, in which order trials come, and what is asked</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>What bodies meet of %1</source>
@@ -5133,8 +5757,20 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Was möchten Sie tun?</translation>
         </message>
         <message>
+            <source>What is far away is as large as what is near</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>What is not as before</source>
             <translation>Was nicht wie zuvor ist</translation>
+        </message>
+        <message>
+            <source>What is selected is locked.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>What is selected, and its area</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>What is t&amp;ouched</source>
@@ -5211,6 +5847,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What the pattern's highest places add to the value of the material, as a part of it; -1 takes it away.</source>
             <translation>Was die höchsten Stellen des Musters zum Wert des Materials hinzufügen, als Teil davon; -1 nimmt ihn weg.</translation>
+        </message>
+        <message>
+            <source>What was answered so far is kept, and the run can be gone on with.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>What was edited when the program last stopped cannot be recovered: its journal is damaged. It was kept in %1.</source>
@@ -5309,6 +5949,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Breite der Kante zwischen tief und hoch als Teil einer Wiederholung.</translation>
         </message>
         <message>
+            <source>With a participant, whose answers and touch are logged</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>With the normals of the file</source>
             <translation>Mit den Normalen der Datei</translation>
         </message>
@@ -5317,8 +5961,16 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Mit der ganzen Hand</translation>
         </message>
         <message>
+            <source>Without conditions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Wood, metal, ...</source>
             <translation>Holz, Metall, ...</translation>
+        </message>
+        <message>
+            <source>Words</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Work, mJ</source>
@@ -5391,6 +6043,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>along the surface</source>
             <translation>tangential</translation>
+        </message>
+        <message>
+            <source>another one for each run</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>as before</source>
@@ -5531,6 +6187,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>in a recording: play or pause, a hundredth of a second back or on</source>
             <translation>in einer Aufnahme: abspielen oder anhalten, eine Hundertstelsekunde zurück oder weiter</translation>
+        </message>
+        <message>
+            <source>in a study: go on; each answer names its key, R feels again, Esc asks whether to end</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>in the list of layers: remove, duplicate, move</source>
@@ -5701,6 +6361,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>an</translation>
         </message>
         <message>
+            <source>on %1</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>on %1 surfaces</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>opening %1</source>
             <translation>dem Öffnen von %1</translation>
         </message>
@@ -5757,6 +6425,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Proxy %1  %2 µs</translation>
         </message>
         <message>
+            <source>questions: "%1" begins with no kind; write it as in the examples</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>recovering a scene</source>
             <translation>dem Wiederherstellen einer Szene</translation>
         </message>
@@ -5767,6 +6439,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>scene of %1</source>
             <translation>Szene von %1</translation>
+        </message>
+        <message>
+            <source>select; with Shift more, with Ctrl less, Esc gives the stroke up</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>servo</source>
@@ -5875,6 +6551,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>typical; tables disagree. %1</source>
             <translation>typisch; Tabellen weichen ab. %1</translation>
+        </message>
+        <message>
+            <source>until the participant goes on</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>up is</source>

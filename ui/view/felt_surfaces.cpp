@@ -207,16 +207,16 @@ QString FeltSurfaces::legend() const {
         lost = std::max(lost, made.mesh->lost);
     if (wish_.bumps > 0) {
         if (!pending() && made_.surfaces.empty())
-            parts << QStringLiteral("Bumps: no surface here has a height layer");
+            parts << QObject::tr("Bumps: no surface here has a height layer");
         else
             parts << (wish_.bumps == 1
-                          ? QStringLiteral("Bumps as high as they are felt")
-                          : QStringLiteral("Bumps drawn %1 times as high as they are felt").arg(wish_.bumps));
+                          ? QObject::tr("Bumps as high as they are felt")
+                          : QObject::tr("Bumps drawn %1 times as high as they are felt").arg(wish_.bumps));
     }
     if (pending())
-        parts << QStringLiteral("being sampled");
+        parts << QObject::tr("being sampled");
     else if (lost > kNoticed)
-        parts << QStringLiteral("too fine for this mesh and left out: %1 %").arg(std::lround(100 * lost));
+        parts << QObject::tr("too fine for this mesh and left out: %1 %").arg(std::lround(100 * lost));
     return parts.join(QStringLiteral("; "));
 }
 

@@ -98,7 +98,7 @@ QStringList FeltView::legends() const {
     if (const QString words = surfaces_.legend(); !words.isEmpty()) lines << words;
     if (options_.trail)
         lines
-            << QStringLiteral("Trail of the last %1 s: line slipping, beads sticking").arg(TrailLayer::kSpan);
+            << QObject::tr("Trail of the last %1 s: line slipping, beads sticking").arg(TrailLayer::kSpan);
     return lines;
 }
 

@@ -82,12 +82,12 @@ void NormalGlyphs::place(ObjectId object, vtkMatrix4x4* matrix) {
 }
 
 QString NormalGlyphs::legend() const {
-    if (!shown()) return QStringLiteral("Normals: being read");
-    if (about_.mostLean <= kSameLean) return QStringLiteral("Normals felt as drawn");
-    const QString kind = !about_.shaded   ? QStringLiteral("those of the facets")
-                         : !about_.facets ? QStringLiteral("those of force shading")
-                                          : QStringLiteral("of facets and of force shading");
-    return QStringLiteral("Normals felt: %1, up to %2\u00b0 from those drawn")
+    if (!shown()) return QObject::tr("Normals: being read");
+    if (about_.mostLean <= kSameLean) return QObject::tr("Normals felt as drawn");
+    const QString kind = !about_.shaded   ? QObject::tr("those of the facets")
+                         : !about_.facets ? QObject::tr("those of force shading")
+                                          : QObject::tr("of facets and of force shading");
+    return QObject::tr("Normals felt: %1, up to %2\u00b0 from those drawn")
         .arg(kind)
         .arg(about_.mostLean * 180 / std::numbers::pi, 0, 'f', 0);
 }

@@ -68,10 +68,10 @@ void SphereLayer::place(ObjectId object, vtkMatrix4x4* matrix) {
 }
 
 QString SphereLayer::legend() const {
-    if (!shown()) return QStringLiteral("Spheres: being read");
+    if (!shown()) return QObject::tr("Spheres: being read");
     const QString count =
-        drawn_ < all_ ? QStringLiteral("the %1 nearest of %2").arg(drawn_).arg(all_) : QString::number(all_);
-    return QStringLiteral("Spheres at level %1 of %2: %3 (+ and -)").arg(level_).arg(deepest_).arg(count);
+        drawn_ < all_ ? QObject::tr("the %1 nearest of %2").arg(drawn_).arg(all_) : QString::number(all_);
+    return QObject::tr("Spheres at level %1 of %2: %3 (+ and -)").arg(level_).arg(deepest_).arg(count);
 }
 
 } // namespace tactum
