@@ -117,6 +117,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectCompare();
     connectPresets();
     connectDevices();
+    connectShowing();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -185,7 +186,7 @@ void MainWindow::follow(const SceneChange& change) {
         view_->fit();
         hand_->placeBeside();
     }
-    for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry"})
+    for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry", "export-report"})
         actions_[id].setEnabled(!document_.empty());
     showCentre();
 }

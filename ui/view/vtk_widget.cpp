@@ -22,6 +22,7 @@ struct VtkWidget::Impl {
     QTimer rest;
     bool software = false;
     bool resting = false;
+    std::function<void(const QImage&)> taker; ///< of the next picture
 
     int samples() const { return !software || resting ? kSamples : 0; }
 };
@@ -92,6 +93,20 @@ void VtkWidget::paintGL() {
     impl_->window->renderFrame();
     makeOpaque();
     paintOver();
+    if (impl_->taker) givePicture(pixels);
+}
+
+void VtkWidget::takeNextPicture(std::function<void(const QImage&)> take) {
+    impl_->taker = std::move(take);
+}
+
+// Here, where the framebuffer is bound: whoever grabs the widget has it drawn once more.
+void VtkWidget::givePicture(const QSize& pixels) {
+    QImage upsideDown(pixels, QImage::Format_RGB32);
+    auto* gl = context()->functions();
+    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->glReadPixels(0, 0, pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, upsideDown.bits());
+    std::exchange(impl_->taker, {})(upsideDown.mirrored());
 }
 
 // Where the window has an alpha channel the compositor would see through the background.

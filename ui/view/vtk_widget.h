@@ -1,8 +1,10 @@
 // A Qt 6 widget that shows a VTK render window.
 #pragma once
 
+#include <functional>
 #include <memory>
 
+#include <QImage>
 #include <QOpenGLWidget>
 
 class vtkRenderer;
@@ -22,6 +24,9 @@ public:
 
     /// True once a context exists and it draws on the processor.
     bool rendersInSoftware() const;
+    /// Gives the next picture that is drawn anyway away, in device pixels and once. The one before is
+    /// forgotten when nothing was drawn for it yet.
+    void takeNextPicture(std::function<void(const QImage&)> take);
 
 protected:
     vtkRenderWindow& renderWindow() const;
@@ -42,6 +47,7 @@ protected:
 private:
     void releaseContext();
     void makeOpaque();
+    void givePicture(const QSize& pixels);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;
