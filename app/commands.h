@@ -39,6 +39,9 @@ struct PlayOptions {
     std::filesystem::path recording;
     std::optional<std::filesystem::path> out;     ///< the touch, CSV
     std::optional<std::filesystem::path> summary; ///< JSON
+    std::optional<std::filesystem::path> video;   ///< .webm or .gif
+    double videoHeight = 0;                       ///< pixels of 16:9; 0: by the ending
+    bool plot = false;                            ///< in the video
 };
 
 /// A force on the body that is at a point of the world when it begins.
@@ -90,6 +93,12 @@ struct SelfTestOptions {
 struct ThumbnailOptions {
     std::filesystem::path in, out;
     double size = 256; ///< pixels, both ways
+};
+
+/// A scene on one page.
+struct ReportOptions {
+    std::filesystem::path scene, out;
+    GivenAxes axes;
 };
 
 struct InfoOptions {

@@ -15,6 +15,7 @@
 
 #include "app/commands.h"
 #include "app/manual.h"
+#include "app/picture.h"
 #include "app/results.h"
 #include "app/screen.h"
 #include "app/window.h"
@@ -25,8 +26,10 @@
 #include "core/bundle/output_files.h"
 #include "core/haptics/moving_bodies.h"
 #include "core/port/device_check.h"
+#include "core/report/scene_report.h"
 #include "core/scene/placing.h"
 #include "core/scene/scene.h"
+#include "core/video/video_file.h"
 
 namespace tactum {
 
@@ -80,6 +83,8 @@ inline constexpr Parameter kFitDiagonal{
 
 inline constexpr Parameter kThumbnailSize{
     "size", "Size", "pixels", 16, 2048, 16, 256, 0, "Of the picture, both ways; 256 without it"};
+inline constexpr Parameter kVideoHeight{
+    "height", "Height", "pixels", 90, 2160, 2, 720, 0, "Of the video, 16:9; without it 720, of a GIF 360"};
 inline constexpr Parameter kLatencySeconds{
     "latency", "Latency", "s",
     0.1,       86400,     1,
@@ -320,7 +325,17 @@ void addPlay(CLI::App& program, PlayOptions& options) {
     addFile(*play, "--out", options.out,
             "Write the touch as CSV, one row for each haptic step; - is standard output");
     addFile(*play, "--summary", options.summary, "Write the summary as JSON");
-    play->final_callback([&] { checkOutputs({options.recording}, {options.out, options.summary}); });
+    CLI::Option* video = addFile(*play, "--video", options.video,
+                                 "Draw it as a video, a .webm or .gif, as the window shows it");
+    addNumber(*play, kVideoHeight, [&](double value) { options.videoHeight = value; });
+    play->get_option("--height")->needs(video);
+    play->add_flag("--plot", options.plot, "The force plot beneath the view, in the video")->needs(video);
+    play->final_callback([&] {
+        if (options.video)
+            if (const auto known = checkVideoFile(*options.video); !known)
+                throw CLI::ValidationError("--video", known.error().text);
+        checkOutputs({options.recording}, {options.out, options.summary, options.video});
+    });
 }
 
 void addConvert(CLI::App& program, ConvertOptions& options) {
@@ -358,6 +373,7 @@ struct Request {
     CheckOptions check;
     FeelOptions feel;
     ThumbnailOptions thumbnail;
+    ReportOptions report;
     std::filesystem::path bundle;
     std::string device;
     InfoOptions info;
@@ -409,6 +425,21 @@ void addFeel(CLI::App& program, FeelOptions& options) {
     addAxes(*feel, "ONTO", options.axes);
     feel->footer("Without --unit and --up a model that leaves them open is taken to be like FROM. Surfaces "
                  "find each other by name; what finds no partner goes to standard error.");
+}
+
+void addReport(CLI::App& program, ReportOptions& options) {
+    CLI::App* report = program.add_subcommand(
+        "report", "Write a scene on one page: pictures, values and their sources, problems, forces");
+    addFile(*report, "SCENE", options.scene, "Any file that the program opens; - is standard input")
+        ->required();
+    addFile(*report, "-o,--out", options.out, "The page, a .html or .pdf")->required();
+    addAxes(*report, "SCENE", options.axes);
+    report->footer("The date in it is SOURCE_DATE_EPOCH, where that is set.");
+    report->final_callback([&] {
+        if (const auto known = checkReportFile(options.out); !known)
+            throw CLI::ValidationError("--out", known.error().text);
+        checkOutputs({options.scene}, {options.out});
+    });
 }
 
 void addThumbnail(CLI::App& program, ThumbnailOptions& options) {
@@ -494,6 +525,7 @@ Result<int> run(const CLI::App& program, const Request& request) {
     if (program.got_subcommand("check")) return runCheck(request.check);
     if (program.got_subcommand("verify")) return runVerify(request.bundle, request.json);
     if (program.got_subcommand("feel")) return runFeel(request.feel);
+    if (program.got_subcommand("report")) return runReport(request.report);
     if (program.got_subcommand("thumbnail")) return runThumbnail(request.thumbnail);
     if (program.got_subcommand("manual")) return sayManual(program, request.manual);
     if (program.got_subcommand("device-server")) return runDeviceServer(request.device);
@@ -503,9 +535,9 @@ Result<int> run(const CLI::App& program, const Request& request) {
 }
 
 bool isVerb(std::string_view word) {
-    constexpr std::array<std::string_view, 12> verbs{"touch",   "simulate",      "convert", "play",
-                                                     "info",    "check",         "verify",  "feel",
-                                                     "devices", "device-server", "manual",  "thumbnail"};
+    constexpr std::array<std::string_view, 13> verbs{
+        "touch",  "report", "simulate", "convert",       "play",   "info",     "check",
+        "verify", "feel",   "devices",  "device-server", "manual", "thumbnail"};
     return std::ranges::find(verbs, word) != verbs.end();
 }
 
@@ -520,6 +552,7 @@ int runVerb(int argc, char** argv) {
     addCheck(program, request.check);
     addVerify(program, request);
     addFeel(program, request.feel);
+    addReport(program, request.report);
     addThumbnail(program, request.thumbnail);
     program.set_version_flag("--version", "tactum " TACTUM_VERSION);
     addDevices(program, request);
@@ -546,8 +579,10 @@ int runVerb(int argc, char** argv) {
         if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
         return runWindow(argc, argv, window);
     }
-    if (request.touch.picture) // before the work, not after it
+    if (request.touch.picture || request.play.video) // before the work, not after it
         if (const auto screen = reachScreen(argv); !screen) return sayError(screen.error());
+    if (program.got_subcommand("report"))
+        if (const auto there = reachQt(argv); !there) return sayError(there.error());
     const Result<int> code = run(program, request);
     if (!code) return sayError(code.error());
     std::cout.flush();

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/picture.h"
 #include "app/results.h"
 #include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
+#include "core/video/video_file.h"
 
 namespace tactum {
 
@@ -71,12 +73,21 @@ nlohmann::ordered_json summaryOf(const Recording& recording, const std::vector<R
     return json;
 }
 
+constexpr int kVideoHeight = 720, kGifHeight = 360; // pixels
+
+Result<void> writeVideoOf(const PlayOptions& options, const std::shared_ptr<const RecordedRun>& run) {
+    const bool gif = options.video->extension() == std::string(".") + kGifEnding;
+    const int height = options.videoHeight > 0 ? int(options.videoHeight) : gif ? kGifHeight : kVideoHeight;
+    return writeVideo(run, *options.video, height, options.plot);
+}
+
 } // namespace
 
 Result<int> runPlay(const PlayOptions& options) {
     auto recording = readRecording(options.recording);
     if (!recording) return tl::unexpected(recording.error());
-    auto player = Player::open(std::make_shared<const RecordedRun>(recording->run));
+    const auto run = std::make_shared<const RecordedRun>(recording->run);
+    auto player = Player::open(run);
     if (!player) return tl::unexpected(player.error());
     const TouchTrace rows = play(*player, options.out.has_value());
     const std::vector<RecordedEvent> events = eventsOf(recording->run);
@@ -91,6 +102,8 @@ Result<int> runPlay(const PlayOptions& options) {
         if (auto written = writeFile(*options.summary, summaryOf(*recording, events, check).dump() + '\n');
             !written)
             return tl::unexpected(written.error());
+    if (options.video)
+        if (auto written = writeVideoOf(options, run); !written) return tl::unexpected(written.error());
     if (!isDash(options.out) && !isDash(options.summary)) print(*recording, events, check);
     return check.differ > 0 ? 1 : 0;
 }

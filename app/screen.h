@@ -7,6 +7,9 @@
 
 namespace tactum {
 
+/// In the program with Qt: nothing. In the other: goes on as the program with Qt, as reachScreen() does.
+/// Thread: likewise.
+Result<void> reachQt(char** argv);
 /// In the program with a screen: whether there is a display. In the other: goes on as the program with a
 /// screen, with the same arguments; comes back only when that cannot be started. Thread: main, while there is
 /// no other and no Qt application.

@@ -126,6 +126,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectPresets();
     connectDevices();
     connectPreferences();
+    connectShowing();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -195,7 +196,7 @@ void MainWindow::follow(const SceneChange& change) {
         view_->fit();
         hand_->placeBeside();
     }
-    for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry"})
+    for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry", "export-report"})
         actions_[id].setEnabled(!document_.empty());
     showCentre();
 }

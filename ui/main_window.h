@@ -43,6 +43,7 @@ class NoticeBar;
 class PaintTool;
 class Playback;
 class PlaybackBar;
+class Presentation;
 class PresetLibrary;
 class PresetStore;
 struct PaletteEntry;
@@ -67,6 +68,7 @@ class StudySession;
 struct StudyStart;
 class TouchHint;
 class UsbPermission;
+class VideoRecorder;
 struct Problem;
 
 /// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
@@ -103,6 +105,7 @@ protected:
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QWidget* makeCentre();
@@ -135,6 +138,12 @@ private:
     void saveFolds() const;
     void showPlots();
     void hidePanels(bool hidden);
+    // Of showing a scene to others: main_window_showing.cpp.
+    void connectShowing();
+    void connectVideo();
+    void recordVideo(bool on);
+    void present(bool on);
+    void writeReport(const QString& file);
     void setArmed(bool armed);
     void showArmed(bool armed);
     void frame();
@@ -171,6 +180,7 @@ private:
     void saveAs();
     void askToOverwrite();
     void exportBundle();
+    void exportReport();
     void showFile();
     /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
     void leave(const QString& intent, std::function<void()> goOn);
@@ -324,6 +334,9 @@ private:
     PresetStore* presetStore_;
     PresetLibrary* presets_ = nullptr;
     DeviceLink* link_;
+    VideoRecorder* video_ = nullptr;
+    Presentation* presentation_ = nullptr;
+    bool panelsWereHidden_ = false; ///< before the presentation
     UsbPermission* permission_;
     DevicePanel* devicePanel_ = nullptr;
     DeviceSettings deviceSettings_;       ///< of the device in the engine

@@ -21,6 +21,7 @@
 #include "ui/panels/playback_bar.h"
 #include "ui/panels/status_strip.h"
 #include "ui/playback.h"
+#include "ui/played_touch.h"
 #include "ui/recording_saver.h"
 #include "ui/sound/sound_link.h"
 #include "ui/view/scene_view.h"
@@ -31,7 +32,6 @@ namespace tactum {
 namespace {
 
 constexpr double kKeyStep = 0.01; // s
-constexpr double kSlice = 0.016;  // s
 
 /// What would change the document, the hand or the forces.
 constexpr const char* kLiveActions[] = {
@@ -48,25 +48,6 @@ QString suggestedFile() {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QDir(folder).filePath(
         QDateTime::currentDateTime().toString(QStringLiteral("'touch' yyyy-MM-dd HH-mm")) + ending());
-}
-
-/// In slices as long as a frame: plot and trail take the contacts of one haptic step for each of them.
-void plot(ForcePlot& plot, SceneView& view, SoundLink& sound, Player& player, const QString& touched) {
-    const std::vector<TracePoint> ticks = player.takeTrace();
-    sound.play(ticks);
-    const std::vector<ReplayedStep> steps = player.takeSteps();
-    std::vector<TracePoint> slice;
-    std::size_t passed = 0;
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
-        slice.push_back(ticks[i]);
-        if (i + 1 < ticks.size() && ticks[i].t - slice.front().t < kSlice) continue;
-        while (passed < steps.size() && steps[passed].row->time <= ticks[i].t)
-            ++passed;
-        const HapticOutput& touch = passed > 0 ? steps[passed - 1].output : player.proxy().output;
-        plot.take(slice, touch, player.run().device.maxForce, player.proxy().rate, {}, touched);
-        view.addTrail(slice, touch);
-        slice.clear();
-    }
 }
 
 } // namespace
@@ -186,7 +167,7 @@ void MainWindow::playFrame() {
         view_->clearTrail();
     }
     if (const World* world = player.world()) showTouched(world, *world->scene);
-    plot(*docks_.plot, *view_, *sound_, player, touchedName_);
+    sound_->play(showPlayed(player, *docks_.plot, *view_, touchedName_));
     for (TracePoint live; engine_.popTrace(live);)
         continue;
     status_->display(player.proxy(), player.servo(), device);

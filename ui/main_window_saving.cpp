@@ -43,6 +43,7 @@ QString placeToSave(const Document& document, const QStringList& samples) {
 void MainWindow::connectSaving() {
     connect(&actions_["save"], &QAction::triggered, this, &MainWindow::save);
     connect(&actions_["save-as"], &QAction::triggered, this, &MainWindow::saveAs);
+    connect(&actions_["export-report"], &QAction::triggered, this, &MainWindow::exportReport);
     connect(&actions_["export"], &QAction::triggered, this, &MainWindow::exportBundle);
     connect(&document_, &Document::exported, this, [this](const QString& file) {
         notice_->showNote(tr("The bundle was written to %1.").arg(file));
@@ -105,6 +106,14 @@ void MainWindow::exportBundle() {
                                    {tr("Bundles as zip"), QString::fromUtf8(kBundleZipEnding)}},
                                   placeToSave(document_, samples_));
     if (!file.isEmpty()) document_.exportBundle(pathOf(file));
+}
+
+void MainWindow::exportReport() {
+    const QString file =
+        askWhere(this, tr("Export a report"),
+                 {{tr("Pages"), QStringLiteral("html")}, {tr("Printed pages"), QStringLiteral("pdf")}},
+                 placeToSave(document_, samples_));
+    if (!file.isEmpty()) writeReport(file);
 }
 
 void MainWindow::showFile() {

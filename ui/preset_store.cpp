@@ -123,6 +123,16 @@ QString PresetStore::folder() {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/presets");
 }
 
+std::vector<Preset> PresetStore::readAll() {
+    initPresets();
+    std::vector<Preset> presets;
+    for (const QString& folder : {PresetStore::folder(), QStringLiteral(":/presets")})
+        for (const QFileInfo& file :
+             QDir(folder).entryInfoList({u'*' + dottedEnding()}, QDir::Files, QDir::Name))
+            if (auto read = presetIn(file.filePath())) presets.push_back(std::move(read->preset));
+    return presets;
+}
+
 const StoredPreset* PresetStore::find(const QString& file) const {
     const auto found = std::ranges::find(presets_, file, &StoredPreset::file);
     return found == presets_.end() ? nullptr : &*found;

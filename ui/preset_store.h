@@ -36,6 +36,9 @@ public:
     /// Null for no file of a preset.
     const StoredPreset* find(const QString& file) const;
     static QString folder();
+    /// What there is to be read now, without a store: the presets that come with the program, and the user's
+    /// own. Thread: any but real time.
+    static std::vector<Preset> readAll();
     bool loading() const { return job_.running() || reading_.running(); }
 
     /// Writes a preset into the folder, under a name that is free. Empty when it fails, which it says.

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QImageReader>
 #include <QProcess>
 #include <QTest>
 
@@ -164,6 +165,26 @@ private slots:
             QCOMPARE(ended.code, 3);
             QVERIFY2(oneLine(ended.error).contains("the display :4711 cannot be reached"), ended.error);
         }
+    }
+
+    void aRecordingBecomesAVideo() {
+        const QString recording = TACTUM_REPLAYS "/few-bumps.tactum-recording";
+        const QStringList play{"play", recording, "--video"};
+        QCOMPARE(runTactum(play + QStringList{file("a.webm")}).code, 3); // no display
+        const Ended other = runTactum(play + QStringList{file("a.avi")});
+        QCOMPARE(other.code, 2);
+        COMPARE_CONTAINS(oneLine(other.error), "a.avi: a video is written as .webm or .gif");
+        QCOMPARE(runTactum({"play", recording, "--plot"}).code, 2); // of what?
+        const QString display = qEnvironmentVariable("DISPLAY");
+        if (display.isEmpty()) QSKIP("there is no display to draw on");
+        const Ended ended =
+            runTactum(play + QStringList{file("a.gif"), "--height", "180", "--plot"}, display);
+        QVERIFY2(ended.code == 0, ended.error);
+        const QImageReader picture(file("a.gif"));
+        QCOMPARE(picture.size(), QSize(320, 180));
+        const Ended away = runTactum(play + QStringList{file("no/a.webm")}, display);
+        QCOMPARE(away.code, 3);
+        COMPARE_CONTAINS(away.error, "a.webm: cannot be written");
     }
 
     void aDisplayWithoutOpenGlIsThree() {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <QColor>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -92,6 +93,36 @@ private slots:
             QVERIFY2(reader.exitCode() == 0, said);
             COMPARE_CONTAINS(said, "largest force "); // of several newtons
         }
+    }
+
+    /// One page of a scene, without a display.
+    void reportIsWrittenByItsEnding() {
+        qputenv("SOURCE_DATE_EPOCH", "1700000000");
+        const Ended page = runTactum({"report", plate(), "-o", file("r.html")});
+        QVERIFY2(page.code == 0, page.error);
+        QFile html(file("r.html"));
+        QVERIFY2(html.open(QIODevice::ReadOnly), qPrintable(html.errorString()));
+        const QByteArray text = html.readAll();
+        COMPARE_CONTAINS(text, "2023-11-14 22:13 UTC");
+        QFile model(plate());
+        QVERIFY2(model.open(QIODevice::ReadOnly), qPrintable(model.errorString()));
+        COMPARE_CONTAINS(text, QCryptographicHash::hash(model.readAll(), QCryptographicHash::Sha256).toHex());
+        const Ended paper = runTactum({"report", plate(), "-o", file("r.pdf")});
+        qunsetenv("SOURCE_DATE_EPOCH");
+        QVERIFY2(paper.code == 0, paper.error);
+        const Ended other = runTactum({"report", plate(), "-o", file("r.doc")});
+        QCOMPARE(other.code, 2);
+        COMPARE_CONTAINS(oneLine(other.error), "a report is written as .html or .pdf");
+        QCOMPARE(runTactum({"report", file("none.obj"), "-o", file("r.html")}).code, 1);
+        QCOMPARE(runTactum({"report", plate(), "-o", file("no/r.html")}).code, 3);
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", file("r.pdf"), "-"});
+        if (!reader.waitForStarted())
+            QSKIP("pdftotext is not installed: nobody else reads the PDF; apt install poppler-utils");
+        QVERIFY(reader.waitForFinished());
+        const QByteArray words = reader.readAllStandardOutput();
+        for (const char* part : {"plate.obj", "2023-11-14 22:13 UTC", "Surfaces", "Forces of a stroke"})
+            COMPARE_CONTAINS(words, part);
     }
 
     /// A file manager's picture: square, of the size asked for, with the model in the middle of it.

@@ -51,12 +51,14 @@ inline const std::vector<Room> kRooms{
     {"device",
      {"device/falcon", "device/wooden_haptics", "device/vendor", "device/plugin", "device/remote",
       "device/self_test"}},
-    {"ui", {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets", "core/study"}},
+    {"ui",
+     {"core/recording", "core/bundle", "core/health", "core/paint", "core/presets", "core/study",
+      "core/video", "core/report"}},
     {"app/serve", {"core/protocol", "device"}},
     {"app/hl", {"core/protocol"}},
     {"app/library", {"core/bundle", "core/presets", "core/import", "core/runtime", "device"}},
     {"app/python", {"core/bundle", "core/presets", "core/recording"}},
-    {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol", "core/vibration"}},
+    {"app", {"ui", "device", "core/runtime", "core/bundle", "core/protocol", "core/vibration", "core/video"}},
 };
 
 /// Includes that begin with `prefix` are seen only by files whose path begins with one of `places`.

@@ -317,6 +317,15 @@ void ForcePlot::paintShown(QPainter& painter, const QSize& size) const {
     }
 }
 
+QImage ForcePlot::picture(QSize pixels, double scale) const {
+    QImage image(pixels, QImage::Format_RGB32);
+    image.fill(theme().panel);
+    QPainter painter(&image);
+    painter.scale(scale, scale); // a ratio of device pixels below 1 is none to Qt
+    paintShown(painter, pixels / scale);
+    return image;
+}
+
 Result<void> ForcePlot::exportTo(const QString& file) const {
     const std::filesystem::path path = file.toStdU16String();
     const QString ending = QFileInfo(file).suffix().toLower();
@@ -335,13 +344,7 @@ Result<void> ForcePlot::exportTo(const QString& file) const {
         QPainter painter(&svg);
         paintShown(painter, size);
     } else if (ending == QLatin1String("png")) {
-        QImage image(size * kPictureScale, QImage::Format_RGB32);
-        image.setDevicePixelRatio(kPictureScale);
-        image.fill(theme().panel);
-        QPainter painter(&image);
-        paintShown(painter, size);
-        painter.end();
-        image.save(&buffer, "PNG");
+        picture(size * kPictureScale, kPictureScale).save(&buffer, "PNG");
     } else {
         return inputError(file.toStdString() +
                           ": a plot is written as .csv, .png or .svg; choose one of them");

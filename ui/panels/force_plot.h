@@ -40,6 +40,9 @@ public:
     bool isShown(const QString& id) const;
     void setShown(const QString& id, bool shown);
 
+    /// The strips that are shown, without buttons. `pixels`: of the picture; `scale`: of them to a logical
+    /// one.
+    QImage picture(QSize pixels, double scale) const;
     /// Writes what is seen: .csv the numbers of every tick, .png and .svg the picture of the shown strips.
     /// Errors: a sentence.
     Result<void> exportTo(const QString& file) const;

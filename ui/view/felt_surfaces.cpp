@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QObject>
+
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 

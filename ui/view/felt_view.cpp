@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QFontMetricsF>
+#include <QObject>
 #include <QPainter>
 
 #include "ui/view/smooth_image.h"
@@ -97,8 +98,7 @@ QStringList FeltView::legends() const {
     if (options_.feltNormals) lines << normals_.legend();
     if (const QString words = surfaces_.legend(); !words.isEmpty()) lines << words;
     if (options_.trail)
-        lines
-            << QObject::tr("Trail of the last %1 s: line slipping, beads sticking").arg(TrailLayer::kSpan);
+        lines << QObject::tr("Trail of the last %1 s: line slipping, beads sticking").arg(TrailLayer::kSpan);
     return lines;
 }
 

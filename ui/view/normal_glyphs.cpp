@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <QObject>
+
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QFontMetricsF>
+#include <QObject>
 #include <QPainter>
 
 #include "core/surface/material.h"

@@ -402,6 +402,11 @@ void SceneView::setOverlayVisible(bool visible) {
     changed();
 }
 
+void SceneView::setTouchScale(double scale) {
+    impl_->overlay.setScale(scale);
+    changed();
+}
+
 void SceneView::setTheme(bool dark) {
     impl_->dark = dark;
     impl_->applyTheme();

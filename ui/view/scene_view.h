@@ -135,6 +135,8 @@ public:
     void setManners(const CameraManners& manners);
     /// Proxy, finger, spring, force, contacts and their words.
     void setOverlayVisible(bool visible);
+    /// Proxy, finger, spring and contacts so many times as large; the force's arrow keeps its length.
+    void setTouchScale(double scale);
     void setTheme(bool dark);
     /// How many logical pixels of the lower edge something lies over, from side to side: legends are above.
     void setFoot(int pixels);

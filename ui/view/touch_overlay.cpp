@@ -140,6 +140,7 @@ struct TouchOverlay::Impl {
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
     const Theme* theme = &kDarkTheme;
+    double scale = 1;
     bool visible = true, normals = true, planes = true;
     vtkNew<vtkPolyData> line;
     vtkNew<vtkTubeFilter> tube;
@@ -179,9 +180,14 @@ void TouchOverlay::setMarks(bool normals, bool planes) {
     impl_->planes = planes;
 }
 
+void TouchOverlay::setScale(double scale) {
+    impl_->scale = scale;
+}
+
 void TouchOverlay::update(const TouchState& state, const ViewCamera& camera, double proxyRadius) {
     if (!impl_->visible) return;
-    const double pixel = camera.pixelSize(state.proxy), atFinger = camera.pixelSize(state.finger);
+    const double pixel = impl_->scale * camera.pixelSize(state.proxy);
+    const double atFinger = impl_->scale * camera.pixelSize(state.finger);
     const double radius = std::max(proxyRadius, kProxyLeast * pixel);
     const double fingerRadius = std::max(0.6 * proxyRadius, kFingerLeast * atFinger);
     impl_->proxy.place(state.proxy, Vec3::UnitY(), radius, radius);

@@ -52,6 +52,8 @@ public:
     void setVisible(bool visible);
     /// Which of the marks of contacts are shown: their normals, their planes.
     void setMarks(bool normals, bool planes);
+    /// Of everything but the length of the force's arrow.
+    void setScale(double scale);
     /// Places everything for the camera; pixels are logical ones. proxyRadius in m.
     void update(const TouchState& state, const ViewCamera& camera, double proxyRadius);
 

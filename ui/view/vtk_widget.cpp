@@ -25,6 +25,7 @@ struct VtkWidget::Impl {
     bool grabbing = false;
     bool finished = false;                          ///< nothing better is to come
     PictureQuality quality = PictureQuality::Quick; ///< of the last picture
+    std::function<void(const QImage&)> taker;       ///< of the next picture
 };
 
 VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>()) {
@@ -113,6 +114,20 @@ void VtkWidget::paint(PictureQuality quality) {
     impl_->window->renderFrame();
     makeOpaque();
     paintOver();
+    if (impl_->taker) givePicture(pixels);
+}
+
+void VtkWidget::takeNextPicture(std::function<void(const QImage&)> take) {
+    impl_->taker = std::move(take);
+}
+
+// Here, where the framebuffer is bound: whoever grabs the widget has it drawn once more.
+void VtkWidget::givePicture(const QSize& pixels) {
+    QImage upsideDown(pixels, QImage::Format_RGB32);
+    auto* gl = context()->functions();
+    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->glReadPixels(0, 0, pixels.width(), pixels.height(), GL_BGRA, GL_UNSIGNED_BYTE, upsideDown.bits());
+    std::exchange(impl_->taker, {})(upsideDown.mirrored());
 }
 
 // Where the window has an alpha channel the compositor would see through the background.

@@ -1,8 +1,10 @@
 // A Qt 6 widget that shows a VTK render window.
 #pragma once
 
+#include <functional>
 #include <memory>
 
+#include <QImage>
 #include <QOpenGLWidget>
 
 #include "ui/view/picture_budget.h"
@@ -27,6 +29,9 @@ public:
     PictureQuality quality() const;
     /// Whether that is how it stays until something changes.
     bool rests() const;
+    /// Gives the next picture that is drawn anyway away, in device pixels and once. The one before is
+    /// forgotten when nothing was drawn for it yet.
+    void takeNextPicture(std::function<void(const QImage&)> take);
 
 protected:
     GlWindow& renderWindow() const;
@@ -51,6 +56,7 @@ private:
     void releaseContext();
     void paint(PictureQuality quality);
     void makeOpaque();
+    void givePicture(const QSize& pixels);
 
     struct Impl;
     std::unique_ptr<Impl> impl_;

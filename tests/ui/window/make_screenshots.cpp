@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QPainter>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 #include <QUndoStack>
@@ -28,7 +29,9 @@
 #include "ui/journal.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/preset_store.h"
+#include "ui/recording_saver.h"
 #include "ui/style.h"
+#include "ui/video_recorder.h"
 #include "ui/view/scene_view.h"
 
 using namespace tactum;
@@ -374,11 +377,33 @@ void takeLooks(const QDir& folder, const QString& scenes, QSize size) {
     }
 }
 
+/// The view alone on the screen while it is touched, and the same stroke as a video and as a recording.
+void takeShowing(const QDir& folder, const QString& sample, QSize size) {
+    TouchedWindow program(size);
+    if (!program.open(sample)) qFatal("%s cannot be opened", qPrintable(sample));
+    program.type(QStringLiteral("stiffness"), QStringLiteral("350"));
+    program.type(QStringLiteral("static-friction"), QStringLiteral("0.6"));
+    auto* video = program.window->findChild<VideoRecorder*>();
+    const auto file = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+    if (!video->begin(file("showing.webm"), {{1280, 720}, true})) qFatal("the video cannot be written");
+    program.command("present").setChecked(true);
+    program.frames(20);
+    const QPoint at = pressAndStroke(program);
+    save(program, folder, QStringLiteral("presentation.png"));
+    program.release(at);
+    program.command("present").setChecked(false);
+    video->end();
+    QSignalSpy saved(program.window->findChild<RecordingSaver*>(), &RecordingSaver::saved);
+    auto* saver = program.window->findChild<RecordingSaver*>();
+    saver->save(file("showing.tactum-recording"), saver->take(QStringLiteral("a stroke to show")));
+    if (!test::waitFor([&] { return saved.count() > 0; })) qFatal("the recording is not written");
+}
+
 // FOLDER [SCENE [WIDTHxHEIGHT
-// [felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks]]]: with the last word
-// only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or of a
-// device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of its dock in both
-// themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
+// [felt|layers|paint|tasks|bodies|many|moving|connected|touch|device|devices|looks|showing]]]: with the last
+// word only the pictures of what is felt, of layers, of painting, of presets and problems, of what moves, or
+// of a device; `touch`: what join_pictures.py makes a moving picture of; `devices`: every page of its dock in
+// both themes; `moving`: every scene in which bodies move; `looks`: every scene at home.
 int main(int argc, char** argv) {
     prepareProcess();
     QApplication app(argc, argv);
@@ -412,6 +437,8 @@ int main(int argc, char** argv) {
     if (only == "connected") return 0;
     if (wanted("study")) takeStudyPictures(folder, sample, size);
     if (only == "study") return 0;
+    if (wanted("showing")) takeShowing(folder, sample, size);
+    if (only == "showing") return 0;
     if (wanted("bodies")) takeBodies(folder, scenes, size);
     if (wanted("many")) takeMany(folder, scenes, size);
     if (only == "many") return 0;
