@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "app/streams.h"
 #include "app/terminal_progress.h"
+#include "core/archive/sha256.h"
 #include "core/files/source.h"
 #include "ui/preset_store.h"
 #include "ui/report_file.h"

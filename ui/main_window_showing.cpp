@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QSettings>
 
+#include "core/archive/sha256.h"
 #include "ui/ask_where.h"
 #include "ui/background_job.h"
 #include "ui/guard_watch.h"

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "core/archive/sha256.h"
 #include "core/base/clock.h"
 #include "core/study/stimulus.h"
 #include "ui/health_words.h"

@@ -172,14 +172,6 @@ Result<void> checkReportFile(const std::filesystem::path& file) {
                       ": a report is written as .html or .pdf; choose one of them");
 }
 
-std::string fingerprintOf(const std::filesystem::path& file) {
-    std::error_code unknown;
-    std::ifstream in(file, std::ios::binary);
-    if (!std::filesystem::is_regular_file(file, unknown) || !in) return {};
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
-    return in.bad() ? std::string() : sha256(bytes);
-}
-
 std::string reportDate() {
     std::time_t seconds = std::time(nullptr);
     if (const char* given = std::getenv("SOURCE_DATE_EPOCH"))

@@ -38,9 +38,6 @@ struct ReportSubject {
 inline constexpr const char *kHtmlEnding = ".html", *kPdfEnding = ".pdf";
 /// Error for a file of another ending.
 Result<void> checkReportFile(const std::filesystem::path& file);
-/// Of a file's bytes; empty where they cannot be read. Thread: any but real time.
-std::string fingerprintOf(const std::filesystem::path& file);
-
 /// "2026-11-26 17:05 UTC": the moment that SOURCE_DATE_EPOCH says, else now.
 std::string reportDate();
 

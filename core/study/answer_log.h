@@ -14,7 +14,7 @@ inline constexpr const char* kStudyLogVersion = "1.0";
 
 /// What a trial is logged with besides itself.
 struct TrialFacts {
-    std::string scene;         ///< fingerprint of the study's file: see Study
+    std::string scene;         ///< fingerprintOf() the study's file
     std::string time;          ///< when it was answered, ISO 8601, UTC
     double clock = 0;          ///< ms, of a clock that nobody sets, when it was answered
     std::vector<double> begun; ///< s of the log of the touch: when each interval began first

@@ -6,7 +6,6 @@
 
 #include "core/archive/zip_archive.h"
 #include "core/base/atomic_file.h"
-#include "core/base/fingerprint.h"
 #include "core/base/scratch_folder.h"
 #include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
@@ -310,20 +309,6 @@ Result<void> writeStudy(const Study& study, const std::filesystem::path& file, c
     } catch (const std::bad_alloc&) {
         return machineError(shownPath(file) + ": not enough memory to save the study; close other programs");
     }
-}
-
-std::string fingerprintOf(const std::filesystem::path& file) {
-    constexpr const char* kDigits = "0123456789abcdef";
-    const auto value = guarded<std::uint64_t>(file, kNoMemory, [&] {
-        const Source source = Source::open(file, kLargestStudy);
-        Fingerprint print;
-        print.add(source.bytes().data(), source.bytes().size());
-        return print.value();
-    });
-    std::string text;
-    for (int shift = 60; value && shift >= 0; shift -= 4)
-        text += kDigits[*value >> shift & 15];
-    return text;
 }
 
 } // namespace tactum

@@ -30,8 +30,6 @@ Result<Study> readStudy(const std::filesystem::path& file, const Progress& progr
 /// Writes it whole or not at all. A study that check() refuses is written as well: it may be unfinished.
 /// Errors: one line with the path. Thread: any but real time.
 Result<void> writeStudy(const Study& study, const std::filesystem::path& file, const Progress& progress = {});
-/// Tells a study's file from every other; 16 hexadecimal digits. Empty when it cannot be read.
-std::string fingerprintOf(const std::filesystem::path& file);
 
 /// The design as its file has it, and back; `where` stands for the file in errors. What check() refuses is
 /// read: who edits it can mend it.

@@ -519,6 +519,12 @@
             <source>%1[*] - Tactum</source>
             <translation>%1[*] - Tactum</translation>
         </message>
+        <message numerus="yes">
+            <source>%n picture(s) were left out, for the encoder could not follow; a smaller size takes less.</source>
+            <translation type="unfinished">
+                <numerusform />
+            </translation>
+        </message>
         <message>
             <source>&amp;About Tactum</source>
             <translation>Über T&amp;actum</translation>
@@ -796,6 +802,10 @@
             <translation>&amp;Beenden</translation>
         </message>
         <message>
+            <source>&amp;Record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>&amp;Record a stroke</source>
             <translation>&amp;Strich aufnehmen</translation>
         </message>
@@ -1018,6 +1028,14 @@
         <message>
             <source>120 mm wide and 8 mm high</source>
             <translation>120 mm breit und 8 mm hoch</translation>
+        </message>
+        <message>
+            <source>1280 x &amp;720</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>1920 x &amp;1080</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>2 of 3: move the handle up</source>
@@ -1292,6 +1310,18 @@
             <translation type="unfinished" />
         </message>
         <message>
+            <source>A video has 1280 x 720 pixels</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A video has 1920 x 1080 pixels</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>A video has the size of the view</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>A whole hand calms the device, so that surfaces may be up to 1.7 times as stiff. Held more loosely than said they may shake: after three times the light grip is assumed again, until you choose anew. It is remembered for this device.</source>
             <translation>Eine ganze Hand beruhigt das Gerät, sodass Oberflächen bis zu 1.7-mal so steif sein dürfen. Wird der Griff lockerer gehalten als angegeben, können sie zittern: Nach dem dritten Mal gilt wieder lockeres Halten, bis Sie neu wählen. Es wird für dieses Gerät gemerkt.</translation>
         </message>
@@ -1524,6 +1554,10 @@
             <translation>Wie eng umwickelt: Mulden werden gefüllt.</translation>
         </message>
         <message>
+            <source>As large as the &amp;view</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>As listed</source>
             <translation type="unfinished" />
         </message>
@@ -1687,6 +1721,18 @@
         <message>
             <source>Bring the finger to the middle. From there a gentle spring draws it back, wherever you go.</source>
             <translation>Finger zur Mitte bringen. Von dort zieht eine sanfte Feder ihn zurück, wohin er auch geht.</translation>
+        </message>
+        <message>
+            <source>Bumps as high as they are felt</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Bumps drawn %1 times as high as they are felt</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Bumps: no surface here has a height layer</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Bundles</source>
@@ -2105,6 +2151,10 @@
             <translation>CSV e&amp;xportieren...</translation>
         </message>
         <message>
+            <source>E&amp;xport a report...</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Each condition by itself</source>
             <translation type="unfinished" />
         </message>
@@ -2223,6 +2273,10 @@
         <message>
             <source>Export a bundle</source>
             <translation>Bündel exportieren</translation>
+        </message>
+        <message>
+            <source>Export a report</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Export both touches</source>
@@ -3168,6 +3222,10 @@
             <translation>Unterer Anschlag</translation>
         </message>
         <message>
+            <source>Ma&amp;ke a video</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Make the chosen device ready, step by step</source>
             <translation>Das gewählte Gerät Schritt für Schritt bereit machen</translation>
         </message>
@@ -3326,6 +3384,10 @@
         <message>
             <source>Move, turn and scale: click an object and drag its handles; G, R and S take hold of it</source>
             <translation>Verschieben, drehen und skalieren: ein Objekt anklicken und seine Anfasser ziehen; G, R und S greifen es</translation>
+        </message>
+        <message>
+            <source>Moving pictures</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Multiply</source>
@@ -3520,8 +3582,20 @@
             <translation>Normal (ersetzen)</translation>
         </message>
         <message>
+            <source>Normals felt as drawn</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Normals felt: %1, up to %2° from those drawn</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Normals of the file for %1</source>
             <translation>Normalen der Datei für %1</translation>
+        </message>
+        <message>
+            <source>Normals: being read</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Not connected to %1: no force</source>
@@ -3680,6 +3754,10 @@
             <translation>Ein weiteres Gelenk, wie eines, das einen Kreis schließt</translation>
         </message>
         <message>
+            <source>One page with pictures, values, their sources and the forces of a stroke, as HTML or PDF</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>One ring of triangles less</source>
             <translation>Ein Ring von Dreiecken weniger</translation>
         </message>
@@ -3794,6 +3872,10 @@
         <message>
             <source>Page of the guide</source>
             <translation>Seite des Handbuchs</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Paint %1 of %2</source>
@@ -3924,6 +4006,10 @@
             <translation>Oberflächen werden zum Berühren vorbereitet</translation>
         </message>
         <message>
+            <source>Presentation displa&amp;y</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>Preset %1</source>
             <translation>Vorgabe %1</translation>
         </message>
@@ -3942,6 +4028,10 @@
         <message>
             <source>Presets, problems and history to their tabs, so that the scene has their room</source>
             <translation>Vorgaben, Probleme und Verlauf auf ihre Reiter, damit die Szene ihren Platz hat</translation>
+        </message>
+        <message>
+            <source>Printed pages</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Problems</source>
@@ -4066,6 +4156,10 @@ text | What was it like?</source>
         <message>
             <source>Record a stroke, mark the scene as A, and edit it: the same stroke is felt in both.</source>
             <translation>Einen Strich aufnehmen, die Szene als A markieren und bearbeiten: Derselbe Strich wird in beiden gefühlt.</translation>
+        </message>
+        <message>
+            <source>Record the view</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Recording: finger, proxy and forces are those of then</source>
@@ -4616,6 +4710,14 @@ der Grenze rendern</translation>
         <message>
             <source>Sphere</source>
             <translation>Kugel</translation>
+        </message>
+        <message>
+            <source>Spheres at level %1 of %2: %3 (+ and -)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Spheres: being read</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Spherical</source>
@@ -5185,6 +5287,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Das Diagramm wurde nach %1 geschrieben.</translation>
         </message>
         <message>
+            <source>The plots that are shown are in the video, beneath the view</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The preset %1 was removed.</source>
             <translation>Die Vorgabe %1 wurde entfernt.</translation>
         </message>
@@ -5199,6 +5305,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The proxy loop did not answer for 0.1 s.</source>
             <translation>Die Proxyschleife hat 0.1 s lang nicht geantwortet.</translation>
+        </message>
+        <message>
+            <source>The report was written to %1.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>The rule 70-tactum.rules was not installed with the program: install the program anew.</source>
@@ -5389,6 +5499,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Werte einer gemalten Ebene oder das Bild einer, die auf Texturkoordinaten liegt</translation>
         </message>
         <message>
+            <source>The video was written to %1: %2 s.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>The view alone on the whole screen, with larger words and a larger contact; Esc comes back</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>The view alone; Tab does the same while the view has the focus</source>
             <translation>Die Ansicht allein; Tab tut dasselbe, wenn die Ansicht den Fokus hat</translation>
         </message>
@@ -5543,6 +5661,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Toward you (z)</source>
             <translation>Zu Ihnen hin (z)</translation>
+        </message>
+        <message>
+            <source>Trail of the last %1 s: line slipping, beads sticking</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>Triangle</source>
@@ -5715,6 +5837,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Vertices at the same place become one, so that normals run smoothly over them</source>
             <translation>Ecken an derselben Stelle werden eine, sodass Normalen glatt darüber verlaufen</translation>
+        </message>
+        <message>
+            <source>Videos</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>View</source>
@@ -5953,6 +6079,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation type="unfinished" />
         </message>
         <message>
+            <source>With the &amp;force plot</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>With the normals of the file</source>
             <translation>Mit den Normalen der Datei</translation>
         </message>
@@ -5999,6 +6129,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Write what is seen as CSV, PNG or SVG</source>
             <translation>Was zu sehen ist, als CSV, PNG oder SVG schreiben</translation>
+        </message>
+        <message>
+            <source>Write what the view shows as a video, until it is chosen again</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>Writing the report</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>X</source>
@@ -6067,6 +6205,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>beginning a new scene</source>
             <translation>dem Anlegen einer neuen Szene</translation>
+        </message>
+        <message>
+            <source>being sampled</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>ceiling</source>
@@ -6341,6 +6483,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>von %1 N</translation>
         </message>
         <message>
+            <source>of facets and of force shading</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>of its springs, motor, friction and stops</source>
             <translation>von Federn, Motor, Reibung und Anschlägen</translation>
         </message>
@@ -6493,6 +6639,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Textur</translation>
         </message>
         <message>
+            <source>the %1 nearest of %2</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <source>the button was let go</source>
             <translation>die Taste wurde losgelassen</translation>
         </message>
@@ -6547,6 +6697,18 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>the servo or the device stood still</source>
             <translation>der Servo oder das Gerät stand still</translation>
+        </message>
+        <message>
+            <source>those of force shading</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>those of the facets</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>too fine for this mesh and left out: %1 %</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <source>typical; tables disagree. %1</source>

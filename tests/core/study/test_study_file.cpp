@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/archive/sha256.h"
 #include "core/archive/zip_archive.h"
 #include "core/base/atomic_file.h"
 #include "core/files/gltf/gltf_file.h"
@@ -121,7 +122,7 @@ void TestStudyFile::theSameStudyIsTheSameFile() {
     const auto read = readStudy(a);
     VERIFY_RESULT(read);
     VERIFY_RESULT(writeStudy(*read, b));
-    QCOMPARE(fingerprintOf(a).size(), std::size_t(16));
+    QCOMPARE(fingerprintOf(a).size(), std::size_t(64));
     QCOMPARE(fingerprintOf(a), fingerprintOf(b));
     VERIFY_RESULT(writeStudy({richDesign(), {plate(100), plate(901)}}, b));
     QVERIFY(fingerprintOf(a) != fingerprintOf(b));
