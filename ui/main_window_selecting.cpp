@@ -32,7 +32,7 @@ constexpr ReachCommand kReaches[] = {{"take-surface", SelectReach::Surface, QT_T
                                      {"take-material", SelectReach::Material, QT_TR_NOOP("Same feel")},
                                      {"take-colour", SelectReach::Colour, QT_TR_NOOP("Same colour")},
                                      {"take-connected", SelectReach::Connected, QT_TR_NOOP("Connected")},
-                                     {"take-smooth", SelectReach::Smooth, QT_TR_NOOP("Smooth")},
+                                     {"take-smooth", SelectReach::Smooth, QT_TR_NOOP("Smooth part")},
                                      {"take-similar", SelectReach::Similar, QT_TR_NOOP("Similar normals")},
                                      {"take-facing", SelectReach::Facing, QT_TR_NOOP("Facing the same way")},
                                      {"take-triangle", SelectReach::Triangle, QT_TR_NOOP("Triangle")}};

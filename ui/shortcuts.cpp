@@ -332,7 +332,7 @@ constexpr Command kCommands[] = {
     {"compare-auto", "Compare", "After &each edit", "", "", "Each edit is compared with A at once", true},
     {"compare-csv", "Compare", "E&xport CSV...", "", "", "Both forces of each step of the stroke", false,
      true},
-    {"study-keep", "Study", "&Keep this state as...", "Ctrl+Shift+E", "",
+    {"study-keep", "Study", "&Keep this state as...", "Ctrl+K", "",
      "The scene as it is now becomes a condition of the study, under a name"},
     {"study-replace", "Study", "Repla&ce the condition", "", "",
      "The condition that is chosen in the dock Study becomes the scene as it is now"},

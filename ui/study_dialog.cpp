@@ -22,22 +22,19 @@
 #include "core/base/numbers.h"
 #include "ui/panels/study_panel.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
 namespace {
 
-QString plainText(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 /// One question a line: kind | text | more.
 QString lineOf(const StudyQuestion& question) {
-    QStringList parts{QString::fromLatin1(kQuestionNames[int(question.kind)]), plainText(question.text)};
+    QStringList parts{QString::fromLatin1(kQuestionNames[int(question.kind)]), asIs(question.text)};
     if (question.kind == StudyQuestion::Kind::Rating)
-        parts << QString::number(question.steps) << plainText(question.low) << plainText(question.high);
+        parts << QString::number(question.steps) << asIs(question.low) << asIs(question.high);
     for (const std::string& choice : question.choices)
-        if (question.kind == StudyQuestion::Kind::Choice) parts << plainText(choice);
+        if (question.kind == StudyQuestion::Kind::Choice) parts << asIs(choice);
     while (!parts.isEmpty() && parts.back().isEmpty())
         parts.removeLast();
     return parts.join(QStringLiteral(" | "));
@@ -92,7 +89,7 @@ public:
 
 private:
     QLineEdit* line(const char* name, const std::string& text) {
-        auto* edit = new QLineEdit(plainText(text));
+        auto* edit = new QLineEdit(asIs(text));
         edit->setObjectName(QString::fromLatin1(name));
         connect(edit, &QLineEdit::textChanged, this, [this] { judge(); });
         return edit;
@@ -196,12 +193,10 @@ private:
         form->addRow(QObject::tr("Parameter"), parameter_ = box("study-parameter", parameters, now));
         QStringList names{QObject::tr("All surfaces")};
         names += surfaces;
-        if (!rule.surface.empty() && !surfaces.contains(plainText(rule.surface)))
-            names << plainText(rule.surface);
+        if (!rule.surface.empty() && !surfaces.contains(asIs(rule.surface))) names << asIs(rule.surface);
         form->addRow(QObject::tr("Surface"),
-                     surface_ =
-                         box("study-surface", names,
-                             rule.surface.empty() ? 0 : int(names.lastIndexOf(plainText(rule.surface)))));
+                     surface_ = box("study-surface", names,
+                                    rule.surface.empty() ? 0 : int(names.lastIndexOf(asIs(rule.surface)))));
         form->addRow(compares_ = check("study-compares", QObject::tr("Two intervals: one has the reference"),
                                        rule.compares));
         form->addRow(QObject::tr("Reference value"),
@@ -237,7 +232,7 @@ private:
             rows->addWidget(edit);
         };
         add(QObject::tr("Instructions for the participant"),
-            instructions_ = text("study-instructions", plainText(design_.instructions), 5));
+            instructions_ = text("study-instructions", asIs(design_.instructions), 5));
         QStringList lines;
         for (const StudyQuestion& question : design_.questions)
             lines << lineOf(question);
@@ -310,7 +305,7 @@ private:
         repeats_->setEnabled(design_.procedure != Procedure::Staircase);
         order_->setEnabled(design_.procedure != Procedure::Staircase);
         prompt_->setEnabled(design_.procedure != Procedure::List);
-        prompt_->setPlaceholderText(plainText(promptOf(design_)));
+        prompt_->setPlaceholderText(wordsOf(promptOf(design_)));
         summary_->setText(fault.isEmpty() ? summaryOf(design_) : fault);
     }
 
@@ -345,7 +340,7 @@ public:
         goOn_ = new QCheckBox;
         goOn_->setObjectName(QStringLiteral("study-go-on"));
         auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-        buttons->button(QDialogButtonBox::Ok)->setText(QObject::tr("&Run"));
+        buttons->button(QDialogButtonBox::Ok)->setText(QObject::tr("&Run the study"));
         auto* summary = new QLabel(summaryOf(design));
         summary->setTextFormat(Qt::PlainText);
         form->addRow(QObject::tr("&Participant number"), participant_);

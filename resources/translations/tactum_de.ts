@@ -53,7 +53,7 @@
         </message>
         <message>
             <source> servo ticks</source>
-            <translation type="unfinished" />
+            <translation> Servotakte</translation>
         </message>
         <message>
             <source>%1 %</source>
@@ -69,7 +69,7 @@
         </message>
         <message>
             <source>%1 (%2)</source>
-            <translation type="unfinished" />
+            <translation>%1 (%2)</translation>
         </message>
         <message>
             <source>%1 - Tactum</source>
@@ -153,7 +153,7 @@
         </message>
         <message>
             <source>%1 goes from %2 to %3.</source>
-            <translation type="unfinished" />
+            <translation>%1 reicht von %2 bis %3.</translation>
         </message>
         <message>
             <source>%1 has %2 layers, and more are not felt. Remove one first.</source>
@@ -193,7 +193,7 @@
         </message>
         <message>
             <source>%1 is a mere number.</source>
-            <translation type="unfinished" />
+            <translation>%1 ist eine bloße Zahl.</translation>
         </message>
         <message>
             <source>%1 is as it was before the program stopped, but without its history, which cannot be read.</source>
@@ -229,7 +229,7 @@
         </message>
         <message>
             <source>%1 is measured in %2.</source>
-            <translation type="unfinished" />
+            <translation>%1 wird in %2 gemessen.</translation>
         </message>
         <message>
             <source>%1 is not there any more; the forces are off. Plug it in: it is made ready again by itself. Until then the mouse leads a simulated hand. %2</source>
@@ -325,7 +325,7 @@
         </message>
         <message>
             <source>%1 questions after each</source>
-            <translation type="unfinished" />
+            <translation>%1 Fragen nach jedem</translation>
         </message>
         <message>
             <source>%1 s</source>
@@ -369,11 +369,11 @@
         </message>
         <message>
             <source>%1 trials</source>
-            <translation type="unfinished" />
+            <translation>%1 Durchgänge</translation>
         </message>
         <message>
             <source>%1 triangles</source>
-            <translation type="unfinished" />
+            <translation>%1 Dreiecke</translation>
         </message>
         <message>
             <source>%1 was changed by another program. Its new shapes can take the feel of this scene.</source>
@@ -473,7 +473,7 @@
         </message>
         <message>
             <source>%1: %2 %3</source>
-            <translation type="unfinished" />
+            <translation>%1: %2 %3</translation>
         </message>
         <message>
             <source>%1: %2 (T selects it)</source>
@@ -481,7 +481,7 @@
         </message>
         <message>
             <source>%1: %2 N/m, friction %3 / %4</source>
-            <translation type="unfinished" />
+            <translation>%1: %2 N/m, Reibung %3 / %4</translation>
         </message>
         <message>
             <source>%1: %2 ticks, %3</source>
@@ -505,7 +505,7 @@
         </message>
         <message>
             <source>%1: not felt</source>
-            <translation type="unfinished" />
+            <translation>%1: nicht gefühlt</translation>
         </message>
         <message>
             <source>%1: nothing can be heard.</source>
@@ -521,8 +521,9 @@
         </message>
         <message numerus="yes">
             <source>%n picture(s) were left out, for the encoder could not follow; a smaller size takes less.</source>
-            <translation type="unfinished">
-                <numerusform />
+            <translation>
+                <numerusform>Ausgelassene Bilder: %n, denn der Encoder kam nicht mit; eine kleinere Größe braucht weniger.</numerusform>
+                <numerusform>Ausgelassene Bilder: %n, denn der Encoder kam nicht mit; eine kleinere Größe braucht weniger.</numerusform>
             </translation>
         </message>
         <message>
@@ -647,15 +648,15 @@
         </message>
         <message>
             <source>&amp;Go on after trial %1, where the last run broke off</source>
-            <translation type="unfinished" />
+            <translation>Nach Durchgang %1 &amp;fortsetzen, wo der letzte Lauf abbrach</translation>
         </message>
         <message>
             <source>&amp;Go on: no run of this participant broke off</source>
-            <translation type="unfinished" />
+            <translation>&amp;Fortsetzen: kein Lauf dieser Person brach ab</translation>
         </message>
         <message>
             <source>&amp;Ground and shadow</source>
-            <translation type="unfinished" />
+            <translation>&amp;Boden und Schatten</translation>
         </message>
         <message>
             <source>&amp;Grow</source>
@@ -687,7 +688,7 @@
         </message>
         <message>
             <source>&amp;Keep this state as...</source>
-            <translation type="unfinished" />
+            <translation>Zustand fest&amp;halten als...</translation>
         </message>
         <message>
             <source>&amp;Keyboard</source>
@@ -699,7 +700,7 @@
         </message>
         <message>
             <source>&amp;Lasso</source>
-            <translation type="unfinished" />
+            <translation>La&amp;sso</translation>
         </message>
         <message>
             <source>&amp;Light</source>
@@ -707,7 +708,7 @@
         </message>
         <message>
             <source>&amp;Lines between surfaces</source>
-            <translation type="unfinished" />
+            <translation>&amp;Linien zwischen Oberflächen</translation>
         </message>
         <message>
             <source>&amp;Lock</source>
@@ -743,7 +744,7 @@
         </message>
         <message>
             <source>&amp;New study</source>
-            <translation type="unfinished" />
+            <translation>&amp;Neue Studie</translation>
         </message>
         <message>
             <source>&amp;Next panel</source>
@@ -759,7 +760,7 @@
         </message>
         <message>
             <source>&amp;Open a study...</source>
-            <translation type="unfinished" />
+            <translation>Studie ö&amp;ffnen...</translation>
         </message>
         <message>
             <source>&amp;Open...</source>
@@ -775,11 +776,11 @@
         </message>
         <message>
             <source>&amp;Parallel projection</source>
-            <translation type="unfinished" />
+            <translation>&amp;Parallelprojektion</translation>
         </message>
         <message>
             <source>&amp;Participant number</source>
-            <translation type="unfinished" />
+            <translation>&amp;Nummer der Person</translation>
         </message>
         <message>
             <source>&amp;Planes</source>
@@ -791,7 +792,7 @@
         </message>
         <message>
             <source>&amp;Procedure and questions...</source>
-            <translation type="unfinished" />
+            <translation>&amp;Ablauf und Fragen...</translation>
         </message>
         <message>
             <source>&amp;Put the proxy on the finger</source>
@@ -803,7 +804,7 @@
         </message>
         <message>
             <source>&amp;Record</source>
-            <translation type="unfinished" />
+            <translation>&amp;Aufnehmen</translation>
         </message>
         <message>
             <source>&amp;Record a stroke</source>
@@ -830,8 +831,12 @@
             <translation>&amp;Laufen lassen</translation>
         </message>
         <message>
+            <source>&amp;Run the study</source>
+            <translation>Studie &amp;durchführen</translation>
+        </message>
+        <message>
             <source>&amp;Run with a participant...</source>
-            <translation type="unfinished" />
+            <translation>Mit einer Person &amp;durchführen...</translation>
         </message>
         <message>
             <source>&amp;Same feel</source>
@@ -843,7 +848,7 @@
         </message>
         <message>
             <source>&amp;Save the study as...</source>
-            <translation type="unfinished" />
+            <translation>Studie &amp;speichern unter...</translation>
         </message>
         <message>
             <source>&amp;Select</source>
@@ -963,7 +968,7 @@
         </message>
         <message>
             <source>&amp;Wireframe</source>
-            <translation type="unfinished" />
+            <translation>&amp;Drahtgitter</translation>
         </message>
         <message>
             <source>&amp;y is up</source>
@@ -987,7 +992,7 @@
         </message>
         <message>
             <source>, about %1 min</source>
-            <translation type="unfinished" />
+            <translation>, etwa %1 min</translation>
         </message>
         <message>
             <source>0 N</source>
@@ -1007,15 +1012,15 @@
         </message>
         <message>
             <source>1 question after each</source>
-            <translation type="unfinished" />
+            <translation>1 Frage nach jedem</translation>
         </message>
         <message>
             <source>1 surface</source>
-            <translation type="unfinished" />
+            <translation>1 Oberfläche</translation>
         </message>
         <message>
             <source>1 triangle</source>
-            <translation type="unfinished" />
+            <translation>1 Dreieck</translation>
         </message>
         <message>
             <source>1 unit is</source>
@@ -1031,11 +1036,11 @@
         </message>
         <message>
             <source>1280 x &amp;720</source>
-            <translation type="unfinished" />
+            <translation>1280 x &amp;720</translation>
         </message>
         <message>
             <source>1920 x &amp;1080</source>
-            <translation type="unfinished" />
+            <translation>1920 x &amp;1080</translation>
         </message>
         <message>
             <source>2 of 3: move the handle up</source>
@@ -1095,7 +1100,7 @@
         </message>
         <message>
             <source>A click takes all that face the same &amp;way</source>
-            <translation type="unfinished" />
+            <translation>Klick wählt gleiche Rich&amp;tung</translation>
         </message>
         <message>
             <source>A click takes all triangles that hang together over edges</source>
@@ -1107,11 +1112,11 @@
         </message>
         <message>
             <source>A click takes every surface that has the colour of the one under the cursor</source>
-            <translation type="unfinished" />
+            <translation>Ein Klick wählt jede Oberfläche, die die Farbe der Oberfläche unter dem Mauszeiger hat</translation>
         </message>
         <message>
             <source>A click takes every triangle of the object that faces the same way within the angle, connected or not</source>
-            <translation type="unfinished" />
+            <translation>Ein Klick wählt jedes Dreieck des Objekts, das innerhalb des Winkels in dieselbe Richtung zeigt, zusammenhängend oder nicht</translation>
         </message>
         <message>
             <source>A click takes one triangle</source>
@@ -1147,7 +1152,7 @@
         </message>
         <message>
             <source>A click takes the same colou&amp;r</source>
-            <translation type="unfinished" />
+            <translation>Klick wählt glei&amp;che Farbe</translation>
         </message>
         <message>
             <source>A click takes triangles up to edges that bend by more than the angle</source>
@@ -1155,7 +1160,7 @@
         </message>
         <message>
             <source>A condition needs a name of its own, and there may be %1 of them.</source>
-            <translation type="unfinished" />
+            <translation>Eine Bedingung braucht einen eigenen Namen, und es darf höchstens %1 geben.</translation>
         </message>
         <message>
             <source>A constraint plane of its own</source>
@@ -1179,7 +1184,7 @@
         </message>
         <message>
             <source>A grid of 1, 10 or 100 mm beneath the scene, and the shadow that it casts there</source>
-            <translation type="unfinished" />
+            <translation>Ein Raster von 1, 10 oder 100 mm unter der Szene und der Schatten, den sie dort wirft</translation>
         </message>
         <message>
             <source>A ground to put several models on</source>
@@ -1195,7 +1200,7 @@
         </message>
         <message>
             <source>A larger radius for the brush that paints, or the one that selects</source>
-            <translation type="unfinished" />
+            <translation>Ein größerer Radius für den Pinsel, der malt, oder den, der auswählt</translation>
         </message>
         <message>
             <source>A layer like woven cloth on all selected surfaces</source>
@@ -1243,7 +1248,7 @@
         </message>
         <message>
             <source>A pause</source>
-            <translation type="unfinished" />
+            <translation>Eine Pause</translation>
         </message>
         <message>
             <source>A picture becomes a layer of a surface: open a model first, and drop it there.</source>
@@ -1291,7 +1296,7 @@
         </message>
         <message>
             <source>A smaller radius for the brush that paints, or the one that selects</source>
-            <translation type="unfinished" />
+            <translation>Ein kleinerer Radius für den Pinsel, der malt, oder den, der auswählt</translation>
         </message>
         <message>
             <source>A stiff wall stands to the right of the middle. Push against it: it holds and does not buzz.</source>
@@ -1307,19 +1312,19 @@
         </message>
         <message>
             <source>A thin line where one surface ends and another begins</source>
-            <translation type="unfinished" />
+            <translation>Eine dünne Linie, wo eine Oberfläche endet und eine andere beginnt</translation>
         </message>
         <message>
             <source>A video has 1280 x 720 pixels</source>
-            <translation type="unfinished" />
+            <translation>Ein Video hat 1280 x 720 Pixel</translation>
         </message>
         <message>
             <source>A video has 1920 x 1080 pixels</source>
-            <translation type="unfinished" />
+            <translation>Ein Video hat 1920 x 1080 Pixel</translation>
         </message>
         <message>
             <source>A video has the size of the view</source>
-            <translation type="unfinished" />
+            <translation>Ein Video hat die Größe der Ansicht</translation>
         </message>
         <message>
             <source>A whole hand calms the device, so that surfaces may be up to 1.7 times as stiff. Held more loosely than said they may shake: after three times the light grip is assumed again, until you choose anew. It is remembered for this device.</source>
@@ -1339,11 +1344,11 @@
         </message>
         <message>
             <source>A/B/X</source>
-            <translation type="unfinished" />
+            <translation>A/B/X</translation>
         </message>
         <message>
             <source>A/B/X: which one is X?</source>
-            <translation type="unfinished" />
+            <translation>A/B/X: Welches ist X?</translation>
         </message>
         <message>
             <source>A: as marked</source>
@@ -1447,7 +1452,7 @@
         </message>
         <message>
             <source>All surfaces</source>
-            <translation type="unfinished" />
+            <translation>Alle Oberflächen</translation>
         </message>
         <message>
             <source>Along its own axes.</source>
@@ -1511,11 +1516,11 @@
         </message>
         <message>
             <source>Answer</source>
-            <translation type="unfinished" />
+            <translation>Antwort</translation>
         </message>
         <message>
             <source>Answers and touch are logged as CSV; Esc ends it</source>
-            <translation type="unfinished" />
+            <translation>Antworten und Berührung werden als CSV protokolliert; Esc beendet es</translation>
         </message>
         <message>
             <source>Anywhere</source>
@@ -1555,11 +1560,11 @@
         </message>
         <message>
             <source>As large as the &amp;view</source>
-            <translation type="unfinished" />
+            <translation>So &amp;groß wie die Ansicht</translation>
         </message>
         <message>
             <source>As listed</source>
-            <translation type="unfinished" />
+            <translation>Wie aufgelistet</translation>
         </message>
         <message>
             <source>As opened</source>
@@ -1603,11 +1608,11 @@
         </message>
         <message>
             <source>At most %1 trials</source>
-            <translation type="unfinished" />
+            <translation>Höchstens %1 Durchgänge</translation>
         </message>
         <message>
             <source>At most trials</source>
-            <translation type="unfinished" />
+            <translation>Höchstens Durchgänge</translation>
         </message>
         <message>
             <source>At once</source>
@@ -1639,7 +1644,7 @@
         </message>
         <message>
             <source>B&amp;rush</source>
-            <translation type="unfinished" />
+            <translation>&amp;Pinsel</translation>
         </message>
         <message>
             <source>B: as it is now</source>
@@ -1668,11 +1673,11 @@
         </message>
         <message>
             <source>Balanced Latin square</source>
-            <translation type="unfinished" />
+            <translation>Balanciertes lateinisches Quadrat</translation>
         </message>
         <message>
             <source>Begin (Space)</source>
-            <translation type="unfinished" />
+            <translation>Beginnen (Leertaste)</translation>
         </message>
         <message>
             <source>Beneath the layer that it lies on</source>
@@ -1708,7 +1713,7 @@
         </message>
         <message>
             <source>Box and lasso also take what lies behind; else what is seen, as the brush does</source>
-            <translation type="unfinished" />
+            <translation>Box und Lasso wählen auch, was dahinter liegt; sonst, was zu sehen ist, wie der Pinsel</translation>
         </message>
         <message>
             <source>Bring %1 back</source>
@@ -1724,15 +1729,15 @@
         </message>
         <message>
             <source>Bumps as high as they are felt</source>
-            <translation type="unfinished" />
+            <translation>Erhebungen so hoch wie gefühlt</translation>
         </message>
         <message>
             <source>Bumps drawn %1 times as high as they are felt</source>
-            <translation type="unfinished" />
+            <translation>Erhebungen %1-mal so hoch gezeichnet wie gefühlt</translation>
         </message>
         <message>
             <source>Bumps: no surface here has a height layer</source>
-            <translation type="unfinished" />
+            <translation>Erhebungen: keine Oberfläche hier hat eine Höhenebene</translation>
         </message>
         <message>
             <source>Bundles</source>
@@ -1804,7 +1809,7 @@
         </message>
         <message>
             <source>Choice asked</source>
-            <translation type="unfinished" />
+            <translation>Frage zur Wahl</translation>
         </message>
         <message>
             <source>Choose %1...</source>
@@ -1828,7 +1833,7 @@
         </message>
         <message>
             <source>Close (Space)</source>
-            <translation type="unfinished" />
+            <translation>Schließen (Leertaste)</translation>
         </message>
         <message>
             <source>Close the holes whose rim is simple; wide openings stay.</source>
@@ -1908,7 +1913,7 @@
         </message>
         <message>
             <source>Conditions of the study</source>
-            <translation type="unfinished" />
+            <translation>Bedingungen der Studie</translation>
         </message>
         <message>
             <source>Connect</source>
@@ -2043,6 +2048,10 @@
             <translation>Gerät</translation>
         </message>
         <message>
+            <source>Did you feel it?</source>
+            <translation>Haben Sie es gefühlt?</translation>
+        </message>
+        <message>
             <source>Difference B - A</source>
             <translation>Differenz B - A</translation>
         </message>
@@ -2096,11 +2105,11 @@
         </message>
         <message>
             <source>Drag, select tool with the brush</source>
-            <translation type="unfinished" />
+            <translation>Ziehen, Werkzeug Auswählen mit dem Pinsel</translation>
         </message>
         <message>
             <source>Drags take what they go over, until Esc or C again; with Shift also, with Ctrl not any more; [ and ] size</source>
-            <translation type="unfinished" />
+            <translation>Ziehen wählt, was überstrichen wird, bis Esc oder wieder C; mit Umschalt zusätzlich, mit Strg nicht mehr; [ und ] ändern die Größe</translation>
         </message>
         <message>
             <source>Draw the finger out of the surface, then arm again.</source>
@@ -2152,11 +2161,11 @@
         </message>
         <message>
             <source>E&amp;xport a report...</source>
-            <translation type="unfinished" />
+            <translation>Be&amp;richt exportieren...</translation>
         </message>
         <message>
             <source>Each condition by itself</source>
-            <translation type="unfinished" />
+            <translation>Jede Bedingung für sich</translation>
         </message>
         <message>
             <source>Each edit is compared with A at once</source>
@@ -2184,7 +2193,7 @@
         </message>
         <message>
             <source>End it (E)</source>
-            <translation type="unfinished" />
+            <translation>Beenden (E)</translation>
         </message>
         <message>
             <source>End the stroke</source>
@@ -2192,11 +2201,11 @@
         </message>
         <message>
             <source>End the study?</source>
-            <translation type="unfinished" />
+            <translation>Möchten Sie die Studie beenden?</translation>
         </message>
         <message>
             <source>Ends after reversals</source>
-            <translation type="unfinished" />
+            <translation>Ende nach Umkehrungen</translation>
         </message>
         <message>
             <source>Energy</source>
@@ -2252,7 +2261,7 @@
         </message>
         <message>
             <source>Every surface that has the colour of the active one</source>
-            <translation type="unfinished" />
+            <translation>Jede Oberfläche, die die Farbe der aktiven hat</translation>
         </message>
         <message>
             <source>Every surface that is visible</source>
@@ -2276,7 +2285,7 @@
         </message>
         <message>
             <source>Export a report</source>
-            <translation type="unfinished" />
+            <translation>Bericht exportieren</translation>
         </message>
         <message>
             <source>Export both touches</source>
@@ -2312,7 +2321,7 @@
         </message>
         <message>
             <source>Facing the same way</source>
-            <translation type="unfinished" />
+            <translation>Gleiche Richtung</translation>
         </message>
         <message>
             <source>Falloff</source>
@@ -2324,7 +2333,7 @@
         </message>
         <message>
             <source>Feel again (R)</source>
-            <translation type="unfinished" />
+            <translation>Noch einmal fühlen (R)</translation>
         </message>
         <message>
             <source>Feel all layers again (S)</source>
@@ -2384,7 +2393,7 @@
         </message>
         <message>
             <source>First difference</source>
-            <translation type="unfinished" />
+            <translation>Erster Unterschied</translation>
         </message>
         <message>
             <source>Fit the &amp;workspace to the model</source>
@@ -2504,7 +2513,7 @@
         </message>
         <message>
             <source>Forces off while something is asked</source>
-            <translation type="unfinished" />
+            <translation>Kräfte aus, während etwas gefragt wird</translation>
         </message>
         <message>
             <source>Forces off, and out</source>
@@ -2512,7 +2521,7 @@
         </message>
         <message>
             <source>Forces on (F)</source>
-            <translation type="unfinished" />
+            <translation>Kräfte an (F)</translation>
         </message>
         <message>
             <source>Forget them</source>
@@ -2548,7 +2557,7 @@
         </message>
         <message>
             <source>Frozen, without a finger</source>
-            <translation type="unfinished" />
+            <translation>Eingefroren, ohne Finger</translation>
         </message>
         <message>
             <source>G</source>
@@ -2592,11 +2601,11 @@
         </message>
         <message>
             <source>Go on (Space)</source>
-            <translation type="unfinished" />
+            <translation>Weiter (Leertaste)</translation>
         </message>
         <message>
             <source>Go on without it</source>
-            <translation type="unfinished" />
+            <translation>Ohne sie weitermachen</translation>
         </message>
         <message>
             <source>Goes farther</source>
@@ -2707,7 +2716,7 @@
         </message>
         <message>
             <source>Hidden</source>
-            <translation type="unfinished" />
+            <translation>Verborgen</translation>
         </message>
         <message>
             <source>Hide %1</source>
@@ -2891,7 +2900,7 @@
         </message>
         <message>
             <source>Instructions for the participant</source>
-            <translation type="unfinished" />
+            <translation>Anweisungen für die teilnehmende Person</translation>
         </message>
         <message>
             <source>Is&amp;ometric</source>
@@ -2911,7 +2920,7 @@
         </message>
         <message>
             <source>It goes on by itself.</source>
-            <translation type="unfinished" />
+            <translation>Es geht von selbst weiter.</translation>
         </message>
         <message>
             <source>It has no effect as things are.</source>
@@ -2963,7 +2972,7 @@
         </message>
         <message>
             <source>Its conditions, procedure and questions</source>
-            <translation type="unfinished" />
+            <translation>Ihre Bedingungen, ihr Ablauf und ihre Fragen</translation>
         </message>
         <message>
             <source>Joint</source>
@@ -2991,11 +3000,11 @@
         </message>
         <message>
             <source>Keep this state</source>
-            <translation type="unfinished" />
+            <translation>Zustand festhalten</translation>
         </message>
         <message>
             <source>Keep this state...</source>
-            <translation type="unfinished" />
+            <translation>Zustand festhalten...</translation>
         </message>
         <message>
             <source>Kept for a crash after</source>
@@ -3007,7 +3016,7 @@
         </message>
         <message>
             <source>Kind</source>
-            <translation type="unfinished" />
+            <translation>Art</translation>
         </message>
         <message>
             <source>Language</source>
@@ -3015,7 +3024,7 @@
         </message>
         <message>
             <source>Largest difference</source>
-            <translation type="unfinished" />
+            <translation>Größter Unterschied</translation>
         </message>
         <message>
             <source>Largest ratio of tangential to normal force at which a resting contact holds (section 4.1).</source>
@@ -3091,7 +3100,7 @@
         </message>
         <message>
             <source>Lift off until you touch nothing.</source>
-            <translation type="unfinished" />
+            <translation>Bitte heben Sie ab, bis Sie nichts mehr berühren.</translation>
         </message>
         <message>
             <source>Light</source>
@@ -3151,7 +3160,7 @@
         </message>
         <message>
             <source>Log every</source>
-            <translation type="unfinished" />
+            <translation>Protokoll alle</translation>
         </message>
         <message>
             <source>Longest side</source>
@@ -3159,7 +3168,7 @@
         </message>
         <message>
             <source>Loo&amp;k</source>
-            <translation type="unfinished" />
+            <translation>Darstellungs&amp;weise</translation>
         </message>
         <message>
             <source>Look</source>
@@ -3207,7 +3216,7 @@
         </message>
         <message>
             <source>Looking which triangles lie there</source>
-            <translation type="unfinished" />
+            <translation>Dort liegende Dreiecke werden gesucht</translation>
         </message>
         <message>
             <source>Loops</source>
@@ -3223,7 +3232,7 @@
         </message>
         <message>
             <source>Ma&amp;ke a video</source>
-            <translation type="unfinished" />
+            <translation>Video &amp;erstellen</translation>
         </message>
         <message>
             <source>Make the chosen device ready, step by step</source>
@@ -3387,7 +3396,7 @@
         </message>
         <message>
             <source>Moving pictures</source>
-            <translation type="unfinished" />
+            <translation>Bewegte Bilder</translation>
         </message>
         <message>
             <source>Multiply</source>
@@ -3407,7 +3416,7 @@
         </message>
         <message>
             <source>Name of the condition</source>
-            <translation type="unfinished" />
+            <translation>Name der Bedingung</translation>
         </message>
         <message>
             <source>Name of the layer</source>
@@ -3439,7 +3448,11 @@
         </message>
         <message>
             <source>Next (Space)</source>
-            <translation type="unfinished" />
+            <translation>Weiter (Leertaste)</translation>
+        </message>
+        <message>
+            <source>No</source>
+            <translation>Nein</translation>
         </message>
         <message>
             <source>No button</source>
@@ -3459,11 +3472,11 @@
         </message>
         <message>
             <source>No condition is chosen in the dock Study.</source>
-            <translation type="unfinished" />
+            <translation>Im Bereich Studie ist keine Bedingung gewählt.</translation>
         </message>
         <message>
             <source>No condition yet. Make the scene feel as one should, then keep this state.</source>
-            <translation type="unfinished" />
+            <translation>Noch keine Bedingung. Die Szene so einrichten, wie sich eine anfühlen soll, dann den Zustand festhalten.</translation>
         </message>
         <message>
             <source>No device is connected.</source>
@@ -3583,11 +3596,11 @@
         </message>
         <message>
             <source>Normals felt as drawn</source>
-            <translation type="unfinished" />
+            <translation>Normalen gefühlt wie gezeichnet</translation>
         </message>
         <message>
             <source>Normals felt: %1, up to %2° from those drawn</source>
-            <translation type="unfinished" />
+            <translation>Gefühlte Normalen: %1, bis zu %2° neben den gezeichneten</translation>
         </message>
         <message>
             <source>Normals of the file for %1</source>
@@ -3595,7 +3608,7 @@
         </message>
         <message>
             <source>Normals: being read</source>
-            <translation type="unfinished" />
+            <translation>Normalen: werden gelesen</translation>
         </message>
         <message>
             <source>Not connected to %1: no force</source>
@@ -3727,7 +3740,7 @@
         </message>
         <message>
             <source>One file with the conditions in it</source>
-            <translation type="unfinished" />
+            <translation>Eine Datei mit den Bedingungen darin</translation>
         </message>
         <message>
             <source>One hull</source>
@@ -3743,7 +3756,7 @@
         </message>
         <message>
             <source>One moment.</source>
-            <translation type="unfinished" />
+            <translation>Einen Moment, bitte.</translation>
         </message>
         <message>
             <source>One more joint of %1</source>
@@ -3755,7 +3768,7 @@
         </message>
         <message>
             <source>One page with pictures, values, their sources and the forces of a stroke, as HTML or PDF</source>
-            <translation type="unfinished" />
+            <translation>Eine Seite mit Bildern, Werten, deren Quellen und den Kräften eines Strichs, als HTML oder PDF</translation>
         </message>
         <message>
             <source>One ring of triangles less</source>
@@ -3819,7 +3832,7 @@
         </message>
         <message>
             <source>Open a study</source>
-            <translation type="unfinished" />
+            <translation>Studie öffnen</translation>
         </message>
         <message>
             <source>Open again</source>
@@ -3847,7 +3860,7 @@
         </message>
         <message>
             <source>Order</source>
-            <translation type="unfinished" />
+            <translation>Reihenfolge</translation>
         </message>
         <message>
             <source>Origin</source>
@@ -3875,7 +3888,7 @@
         </message>
         <message>
             <source>Pages</source>
-            <translation type="unfinished" />
+            <translation>Seiten</translation>
         </message>
         <message>
             <source>Paint %1 of %2</source>
@@ -3895,11 +3908,11 @@
         </message>
         <message>
             <source>Pairs, the better one is chosen</source>
-            <translation type="unfinished" />
+            <translation>Paare, das bessere wird gewählt</translation>
         </message>
         <message>
             <source>Pairs: one of two is chosen</source>
-            <translation type="unfinished" />
+            <translation>Paare: eines von zweien wird gewählt</translation>
         </message>
         <message>
             <source>Panel %1</source>
@@ -3907,7 +3920,7 @@
         </message>
         <message>
             <source>Parameter</source>
-            <translation type="unfinished" />
+            <translation>Parameter</translation>
         </message>
         <message>
             <source>Part of the radius over which the effect fades to nothing: 0 is a hard edge, at 1 it fades from the middle.</source>
@@ -3935,7 +3948,7 @@
         </message>
         <message>
             <source>Pause after a trial</source>
-            <translation type="unfinished" />
+            <translation>Pause nach einem Durchgang</translation>
         </message>
         <message>
             <source>Pause the force plot</source>
@@ -4007,7 +4020,7 @@
         </message>
         <message>
             <source>Presentation displa&amp;y</source>
-            <translation type="unfinished" />
+            <translation>Präsentationsan&amp;zeige</translation>
         </message>
         <message>
             <source>Preset %1</source>
@@ -4031,7 +4044,7 @@
         </message>
         <message>
             <source>Printed pages</source>
-            <translation type="unfinished" />
+            <translation>Gedruckte Seiten</translation>
         </message>
         <message>
             <source>Problems</source>
@@ -4043,15 +4056,15 @@
         </message>
         <message>
             <source>Procedure</source>
-            <translation type="unfinished" />
+            <translation>Ablauf</translation>
         </message>
         <message>
             <source>Procedure and questions</source>
-            <translation type="unfinished" />
+            <translation>Ablauf und Fragen</translation>
         </message>
         <message>
             <source>Procedure...</source>
-            <translation type="unfinished" />
+            <translation>Ablauf...</translation>
         </message>
         <message>
             <source>Proxy</source>
@@ -4079,7 +4092,11 @@ rating | How rough was it? | 7 | smooth | rough
 choice | Which hand? | left | right
 magnitude | How stiff was it?
 text | What was it like?</source>
-            <translation type="unfinished" />
+            <translation>Fragen nach jedem Durchgang, eine je Zeile:
+rating | Wie rau war es? | 7 | glatt | rau
+choice | Welche Hand? | links | rechts
+magnitude | Wie steif war es?
+text | Wie war es?</translation>
         </message>
         <message>
             <source>R&amp;ight</source>
@@ -4099,7 +4116,7 @@ text | What was it like?</source>
         </message>
         <message>
             <source>Random in each repetition</source>
-            <translation type="unfinished" />
+            <translation>Zufällig in jeder Wiederholung</translation>
         </message>
         <message>
             <source>Rate</source>
@@ -4123,7 +4140,7 @@ text | What was it like?</source>
         </message>
         <message>
             <source>Re&amp;move the condition</source>
-            <translation type="unfinished" />
+            <translation>Bedingung en&amp;tfernen</translation>
         </message>
         <message>
             <source>Re&amp;name</source>
@@ -4159,7 +4176,7 @@ text | What was it like?</source>
         </message>
         <message>
             <source>Record the view</source>
-            <translation type="unfinished" />
+            <translation>Ansicht aufnehmen</translation>
         </message>
         <message>
             <source>Recording: finger, proxy and forces are those of then</source>
@@ -4183,7 +4200,7 @@ text | What was it like?</source>
         </message>
         <message>
             <source>Reference value</source>
-            <translation type="unfinished" />
+            <translation>Referenzwert</translation>
         </message>
         <message>
             <source>Remember what the finger does until it is chosen again</source>
@@ -4195,7 +4212,7 @@ text | What was it like?</source>
         </message>
         <message>
             <source>Remove</source>
-            <translation type="unfinished" />
+            <translation>Entfernen</translation>
         </message>
         <message>
             <source>Remove %1</source>
@@ -4237,15 +4254,15 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Repetitions</source>
-            <translation type="unfinished" />
+            <translation>Wiederholungen</translation>
         </message>
         <message>
             <source>Repla&amp;ce the condition</source>
-            <translation type="unfinished" />
+            <translation>Bedingung &amp;ersetzen</translation>
         </message>
         <message>
             <source>Replace</source>
-            <translation type="unfinished" />
+            <translation>Ersetzen</translation>
         </message>
         <message>
             <source>Replace the file</source>
@@ -4261,7 +4278,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Right answers to go down</source>
-            <translation type="unfinished" />
+            <translation>Richtige Antworten für abwärts</translation>
         </message>
         <message>
             <source>Right button</source>
@@ -4277,7 +4294,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Run the study</source>
-            <translation type="unfinished" />
+            <translation>Studie durchführen</translation>
         </message>
         <message>
             <source>Run this line in a terminal, then plug the device in anew:</source>
@@ -4285,7 +4302,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Run...</source>
-            <translation type="unfinished" />
+            <translation>Durchführen...</translation>
         </message>
         <message>
             <source>S&amp;et</source>
@@ -4293,7 +4310,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>S&amp;how the condition</source>
-            <translation type="unfinished" />
+            <translation>Bedingung &amp;zeigen</translation>
         </message>
         <message>
             <source>S&amp;hrink</source>
@@ -4337,11 +4354,11 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Same co&amp;lour</source>
-            <translation type="unfinished" />
+            <translation>Gleiche &amp;Farbe</translation>
         </message>
         <message>
             <source>Same colour</source>
-            <translation type="unfinished" />
+            <translation>Gleiche Farbe</translation>
         </message>
         <message>
             <source>Same feel</source>
@@ -4405,7 +4422,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Save the study</source>
-            <translation type="unfinished" />
+            <translation>Studie speichern</translation>
         </message>
         <message>
             <source>Save the view</source>
@@ -4617,7 +4634,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Show state %1</source>
-            <translation type="unfinished" />
+            <translation>Zustand %1 zeigen</translation>
         </message>
         <message>
             <source>Show the panel and give it the keys</source>
@@ -4633,7 +4650,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Shown, the finger on the surface</source>
-            <translation type="unfinished" />
+            <translation>Gezeigt, der Finger auf der Oberfläche</translation>
         </message>
         <message>
             <source>Shows or hides this strip; the wheel over it changes the span of time</source>
@@ -4669,7 +4686,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Smallest difference</source>
-            <translation type="unfinished" />
+            <translation>Kleinster Unterschied</translation>
         </message>
         <message>
             <source>Smooth</source>
@@ -4678,6 +4695,10 @@ der Grenze rendern</translation>
         <message>
             <source>Smooth normals of %1</source>
             <translation>Glatte Normalen von %1</translation>
+        </message>
+        <message>
+            <source>Smooth part</source>
+            <translation>Glatter Teil</translation>
         </message>
         <message>
             <source>Softness</source>
@@ -4693,7 +4714,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Space, Enter</source>
-            <translation type="unfinished" />
+            <translation>Leertaste, Eingabe</translation>
         </message>
         <message>
             <source>Space, Left, Right</source>
@@ -4713,11 +4734,11 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Spheres at level %1 of %2: %3 (+ and -)</source>
-            <translation type="unfinished" />
+            <translation>Kugeln auf Stufe %1 von %2: %3 (+ und -)</translation>
         </message>
         <message>
             <source>Spheres: being read</source>
-            <translation type="unfinished" />
+            <translation>Kugeln: werden gelesen</translation>
         </message>
         <message>
             <source>Spherical</source>
@@ -4740,19 +4761,19 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Staircase</source>
-            <translation type="unfinished" />
+            <translation>Treppe (Staircase-Verfahren)</translation>
         </message>
         <message>
             <source>Staircase over a parameter</source>
-            <translation type="unfinished" />
+            <translation>Treppe über einen Parameter</translation>
         </message>
         <message>
             <source>Staircase, %1 down 1 up, over %2</source>
-            <translation type="unfinished" />
+            <translation>Treppe, %1 abwärts 1 aufwärts, über %2</translation>
         </message>
         <message>
             <source>State %1</source>
-            <translation type="unfinished" />
+            <translation>Zustand %1</translation>
         </message>
         <message>
             <source>Static friction</source>
@@ -4760,11 +4781,11 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Steps multiply and divide</source>
-            <translation type="unfinished" />
+            <translation>Schritte multiplizieren und dividieren</translation>
         </message>
         <message>
             <source>Steps, the next after each reversal</source>
-            <translation type="unfinished" />
+            <translation>Schritte, der nächste nach jeder Umkehr</translation>
         </message>
         <message>
             <source>Stiffest</source>
@@ -4784,19 +4805,19 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Stimuli may be felt again before the choice</source>
-            <translation type="unfinished" />
+            <translation>Reize dürfen vor der Wahl noch einmal gefühlt werden</translation>
         </message>
         <message>
             <source>Stimulus</source>
-            <translation type="unfinished" />
+            <translation>Reiz</translation>
         </message>
         <message>
             <source>Stimulus %1 of %2</source>
-            <translation type="unfinished" />
+            <translation>Reiz %1 von %2</translation>
         </message>
         <message>
             <source>Stimulus lasts</source>
-            <translation type="unfinished" />
+            <translation>Reiz dauert</translation>
         </message>
         <message>
             <source>Stop, and go on by one step of the haptics</source>
@@ -4824,15 +4845,15 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Studies</source>
-            <translation type="unfinished" />
+            <translation>Studien</translation>
         </message>
         <message>
             <source>Studies (*.%1)</source>
-            <translation type="unfinished" />
+            <translation>Studien (*.%1)</translation>
         </message>
         <message>
             <source>Study</source>
-            <translation type="unfinished" />
+            <translation>Studie</translation>
         </message>
         <message>
             <source>Subtract</source>
@@ -4908,7 +4929,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>Take the handle in your hand. The forces come on when you begin.</source>
-            <translation type="unfinished" />
+            <translation>Bitte nehmen Sie den Griff in die Hand. Die Kräfte gehen an, wenn Sie beginnen.</translation>
         </message>
         <message>
             <source>Take the last 10 s</source>
@@ -4972,7 +4993,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>That was all. Thank you.</source>
-            <translation type="unfinished" />
+            <translation>Das war alles. Vielen Dank.</translation>
         </message>
         <message>
             <source>The &amp;last one</source>
@@ -4992,7 +5013,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The answers are in %1, the touch beside them. The forces are off.</source>
-            <translation type="unfinished" />
+            <translation>Die Antworten sind in %1, die Berührung daneben. Die Kräfte sind aus.</translation>
         </message>
         <message>
             <source>The audio output could not be opened; is another program holding it?</source>
@@ -5036,11 +5057,11 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The chosen condition becomes the scene as it is now</source>
-            <translation type="unfinished" />
+            <translation>Die gewählte Bedingung wird zur Szene, wie sie jetzt ist</translation>
         </message>
         <message>
             <source>The chosen condition is no part of the study any more</source>
-            <translation type="unfinished" />
+            <translation>Die gewählte Bedingung gehört nicht mehr zur Studie</translation>
         </message>
         <message>
             <source>The chosen preset as a file for others</source>
@@ -5052,7 +5073,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The condition that is chosen in the dock Study becomes the scene as it is now</source>
-            <translation type="unfinished" />
+            <translation>Die im Bereich Studie gewählte Bedingung wird zur Szene, wie sie jetzt ist</translation>
         </message>
         <message>
             <source>The connection to %1 was lost, and is there again. The forces are off.</source>
@@ -5144,7 +5165,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The forces are off. Take the handle in your hand.</source>
-            <translation type="unfinished" />
+            <translation>Die Kräfte sind aus. Bitte nehmen Sie den Griff in die Hand.</translation>
         </message>
         <message>
             <source>The forces are on.</source>
@@ -5212,7 +5233,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The logs come beside %1.</source>
-            <translation type="unfinished" />
+            <translation>Die Protokolle kommen neben %1.</translation>
         </message>
         <message>
             <source>The mesh has no texture coordinates, so it is not felt. Triplanar needs none.</source>
@@ -5252,7 +5273,7 @@ der Grenze rendern</translation>
         </message>
         <message>
             <source>The next drag takes what its line goes round; with Shift also, with Ctrl not any more</source>
-            <translation type="unfinished" />
+            <translation>Das nächste Ziehen wählt, was seine Linie umschließt; mit Umschalt zusätzlich, mit Strg nicht mehr</translation>
         </message>
         <message>
             <source>The next drag takes what lies in a box; with Shift also, with Ctrl not any more</source>
@@ -5288,7 +5309,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The plots that are shown are in the video, beneath the view</source>
-            <translation type="unfinished" />
+            <translation>Die gezeigten Diagramme sind im Video, unter der Ansicht</translation>
         </message>
         <message>
             <source>The preset %1 was removed.</source>
@@ -5308,7 +5329,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The report was written to %1.</source>
-            <translation type="unfinished" />
+            <translation>Der Bericht wurde nach %1 geschrieben.</translation>
         </message>
         <message>
             <source>The rule 70-tactum.rules was not installed with the program: install the program anew.</source>
@@ -5320,11 +5341,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The scene as it is now becomes a condition of the study, under a name</source>
-            <translation type="unfinished" />
+            <translation>Die Szene, wie sie jetzt ist, wird unter einem Namen zu einer Bedingung der Studie</translation>
         </message>
         <message>
             <source>The scene as it is now becomes a condition, under a name</source>
-            <translation type="unfinished" />
+            <translation>Die Szene, wie sie jetzt ist, wird unter einem Namen zu einer Bedingung</translation>
         </message>
         <message>
             <source>The scene as it is now is what edits are held against</source>
@@ -5344,11 +5365,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The scene becomes the chosen condition again</source>
-            <translation type="unfinished" />
+            <translation>Die Szene wird wieder die gewählte Bedingung</translation>
         </message>
         <message>
             <source>The scene becomes the chosen condition; Undo takes it back</source>
-            <translation type="unfinished" />
+            <translation>Die Szene wird die gewählte Bedingung; Rückgängig nimmt es zurück</translation>
         </message>
         <message>
             <source>The scene is felt already.</source>
@@ -5452,27 +5473,27 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The study cannot be run yet; the dock Study says why.</source>
-            <translation type="unfinished" />
+            <translation>Die Studie kann noch nicht durchgeführt werden; der Bereich Studie sagt, warum.</translation>
         </message>
         <message>
             <source>The study goes on without it</source>
-            <translation type="unfinished" />
+            <translation>Die Studie geht ohne sie weiter</translation>
         </message>
         <message>
             <source>The study has ended: %1</source>
-            <translation type="unfinished" />
+            <translation>Die Studie ist beendet: %1</translation>
         </message>
         <message>
             <source>The study has no condition yet.</source>
-            <translation type="unfinished" />
+            <translation>Die Studie hat noch keine Bedingung.</translation>
         </message>
         <message>
             <source>The study has not been saved. Study &gt; Save the study as... keeps it.</source>
-            <translation type="unfinished" />
+            <translation>Die Studie wurde nicht gespeichert. Studie &gt; Studie speichern unter... bewahrt sie.</translation>
         </message>
         <message>
             <source>The study was saved to %1.</source>
-            <translation type="unfinished" />
+            <translation>Die Studie wurde nach %1 gespeichert.</translation>
         </message>
         <message>
             <source>The surface is locked, so it gets no layer; unlock it first (L).</source>
@@ -5492,7 +5513,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The triangles of the model as lines</source>
-            <translation type="unfinished" />
+            <translation>Die Dreiecke des Modells als Linien</translation>
         </message>
         <message>
             <source>The values of a painted layer, or the image of one that lies on texture coordinates</source>
@@ -5500,11 +5521,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The video was written to %1: %2 s.</source>
-            <translation type="unfinished" />
+            <translation>Das Video wurde nach %1 geschrieben: %2 s.</translation>
         </message>
         <message>
             <source>The view alone on the whole screen, with larger words and a larger contact; Esc comes back</source>
-            <translation type="unfinished" />
+            <translation>Nur die Ansicht auf dem ganzen Bildschirm, mit größeren Texten und größerem Kontakt; Esc führt zurück</translation>
         </message>
         <message>
             <source>The view alone; Tab does the same while the view has the focus</source>
@@ -5588,7 +5609,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Thr&amp;ough the model</source>
-            <translation type="unfinished" />
+            <translation>Durch das Modell hi&amp;ndurch</translation>
         </message>
         <message>
             <source>Three small scenes to feel whether a device works as it should. Your own scene waits, unchanged.</source>
@@ -5596,11 +5617,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Threshold of the last</source>
-            <translation type="unfinished" />
+            <translation>Schwelle aus den letzten</translation>
         </message>
         <message>
             <source>Through</source>
-            <translation type="unfinished" />
+            <translation>Hindurch</translation>
         </message>
         <message>
             <source>Throw %1 away</source>
@@ -5648,7 +5669,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Touch it.</source>
-            <translation type="unfinished" />
+            <translation>Bitte berühren Sie es.</translation>
         </message>
         <message>
             <source>Touch over time</source>
@@ -5664,7 +5685,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Trail of the last %1 s: line slipping, beads sticking</source>
-            <translation type="unfinished" />
+            <translation>Spur der letzten %1 s: Linie gleitet, Perlen haften</translation>
         </message>
         <message>
             <source>Triangle</source>
@@ -5748,15 +5769,15 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Two intervals: one has the reference</source>
-            <translation type="unfinished" />
+            <translation>Zwei Intervalle: eines hat die Referenz</translation>
         </message>
         <message>
             <source>Type a number above 0, then Enter.</source>
-            <translation type="unfinished" />
+            <translation>Bitte geben Sie eine Zahl über 0 ein und drücken Sie dann Eingabe.</translation>
         </message>
         <message>
             <source>Type, then Enter.</source>
-            <translation type="unfinished" />
+            <translation>Bitte schreiben Sie und drücken Sie dann Eingabe.</translation>
         </message>
         <message>
             <source>UV, in metres</source>
@@ -5840,7 +5861,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Videos</source>
-            <translation type="unfinished" />
+            <translation>Videos</translation>
         </message>
         <message>
             <source>View</source>
@@ -5864,7 +5885,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Welcome</source>
-            <translation type="unfinished" />
+            <translation>Willkommen</translation>
         </message>
         <message>
             <source>Weld vertices</source>
@@ -5872,7 +5893,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>What a trial is, in which order trials come, and what is asked</source>
-            <translation type="unfinished" />
+            <translation>Was ein Durchgang ist, in welcher Reihenfolge Durchgänge kommen und was gefragt wird</translation>
         </message>
         <message>
             <source>What bodies meet of %1</source>
@@ -5884,7 +5905,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>What is far away is as large as what is near</source>
-            <translation type="unfinished" />
+            <translation>Fernes ist so groß wie Nahes</translation>
         </message>
         <message>
             <source>What is not as before</source>
@@ -5892,11 +5913,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>What is selected is locked.</source>
-            <translation type="unfinished" />
+            <translation>Was ausgewählt ist, ist gesperrt.</translation>
         </message>
         <message>
             <source>What is selected, and its area</source>
-            <translation type="unfinished" />
+            <translation>Was ausgewählt ist, und seine Fläche</translation>
         </message>
         <message>
             <source>What is t&amp;ouched</source>
@@ -5976,7 +5997,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>What was answered so far is kept, and the run can be gone on with.</source>
-            <translation type="unfinished" />
+            <translation>Ihre bisherigen Antworten bleiben erhalten, und der Lauf kann fortgesetzt werden.</translation>
         </message>
         <message>
             <source>What was edited when the program last stopped cannot be recovered: its journal is damaged. It was kept in %1.</source>
@@ -6055,6 +6076,18 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Welches seiner Gelenke</translation>
         </message>
         <message>
+            <source>Which of the two did you prefer?</source>
+            <translation>Welches der beiden war Ihnen lieber?</translation>
+        </message>
+        <message>
+            <source>Which of the two was X?</source>
+            <translation>Welches der beiden war X?</translation>
+        </message>
+        <message>
+            <source>Which of the two was stronger?</source>
+            <translation>Welches der beiden war stärker?</translation>
+        </message>
+        <message>
             <source>Which point keeps its place while the wheel zooms.</source>
             <translation>Welcher Punkt seinen Platz behält, wenn das Mausrad zoomt.</translation>
         </message>
@@ -6076,11 +6109,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>With a participant, whose answers and touch are logged</source>
-            <translation type="unfinished" />
+            <translation>Mit einer teilnehmenden Person, deren Antworten und Berührung protokolliert werden</translation>
         </message>
         <message>
             <source>With the &amp;force plot</source>
-            <translation type="unfinished" />
+            <translation>Mit dem &amp;Kraftdiagramm</translation>
         </message>
         <message>
             <source>With the normals of the file</source>
@@ -6092,7 +6125,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Without conditions</source>
-            <translation type="unfinished" />
+            <translation>Ohne Bedingungen</translation>
         </message>
         <message>
             <source>Wood, metal, ...</source>
@@ -6100,7 +6133,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Words</source>
-            <translation type="unfinished" />
+            <translation>Texte</translation>
         </message>
         <message>
             <source>Work, mJ</source>
@@ -6132,11 +6165,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>Write what the view shows as a video, until it is chosen again</source>
-            <translation type="unfinished" />
+            <translation>Was die Ansicht zeigt, als Video schreiben, bis es wieder gewählt wird</translation>
         </message>
         <message>
             <source>Writing the report</source>
-            <translation type="unfinished" />
+            <translation>Bericht wird geschrieben</translation>
         </message>
         <message>
             <source>X</source>
@@ -6145,6 +6178,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Y</source>
             <translation>Y</translation>
+        </message>
+        <message>
+            <source>Yes</source>
+            <translation>Ja</translation>
         </message>
         <message>
             <source>You may use USB devices now, and real time when you have logged in again. If yours is still not usable, plug it in anew.</source>
@@ -6184,7 +6221,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>another one for each run</source>
-            <translation type="unfinished" />
+            <translation>ein anderer für jeden Lauf</translation>
         </message>
         <message>
             <source>as before</source>
@@ -6208,7 +6245,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>being sampled</source>
-            <translation type="unfinished" />
+            <translation>wird abgetastet</translation>
         </message>
         <message>
             <source>ceiling</source>
@@ -6332,7 +6369,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>in a study: go on; each answer names its key, R feels again, Esc asks whether to end</source>
-            <translation type="unfinished" />
+            <translation>in einer Studie: weiter; jede Antwort nennt ihre Taste, R fühlt noch einmal, Esc fragt, ob beendet werden soll</translation>
         </message>
         <message>
             <source>in the list of layers: remove, duplicate, move</source>
@@ -6484,7 +6521,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>of facets and of force shading</source>
-            <translation type="unfinished" />
+            <translation>die von Facetten und Kraft-Shading</translation>
         </message>
         <message>
             <source>of its springs, motor, friction and stops</source>
@@ -6508,11 +6545,11 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>on %1</source>
-            <translation type="unfinished" />
+            <translation>auf %1</translation>
         </message>
         <message>
             <source>on %1 surfaces</source>
-            <translation type="unfinished" />
+            <translation>auf %1 Oberflächen</translation>
         </message>
         <message>
             <source>opening %1</source>
@@ -6572,7 +6609,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>questions: "%1" begins with no kind; write it as in the examples</source>
-            <translation type="unfinished" />
+            <translation>Fragen: "%1" beginnt mit keiner Art; wie in den Beispielen schreiben</translation>
         </message>
         <message>
             <source>recovering a scene</source>
@@ -6588,7 +6625,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>select; with Shift more, with Ctrl less, Esc gives the stroke up</source>
-            <translation type="unfinished" />
+            <translation>auswählen; mit Umschalt mehr, mit Strg weniger, Esc bricht den Strich ab</translation>
         </message>
         <message>
             <source>servo</source>
@@ -6640,7 +6677,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>the %1 nearest of %2</source>
-            <translation type="unfinished" />
+            <translation>die %1 nächsten von %2</translation>
         </message>
         <message>
             <source>the button was let go</source>
@@ -6700,15 +6737,15 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>those of force shading</source>
-            <translation type="unfinished" />
+            <translation>die des Kraft-Shadings</translation>
         </message>
         <message>
             <source>those of the facets</source>
-            <translation type="unfinished" />
+            <translation>die der Facetten</translation>
         </message>
         <message>
             <source>too fine for this mesh and left out: %1 %</source>
-            <translation type="unfinished" />
+            <translation>zu fein für dieses Netz und ausgelassen: %1 %</translation>
         </message>
         <message>
             <source>typical; tables disagree. %1</source>
@@ -6716,7 +6753,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>until the participant goes on</source>
-            <translation type="unfinished" />
+            <translation>bis die Person weitergeht</translation>
         </message>
         <message>
             <source>up is</source>

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -23,10 +24,6 @@ QLabel* labelOf(const char* name, int points) {
     label->setWordWrap(true);
     label->setAlignment(Qt::AlignCenter);
     return label;
-}
-
-QString wordsFrom(const std::string& text) {
-    return QString::fromStdString(text);
 }
 
 /// What an interval is called to the participant.
@@ -115,7 +112,7 @@ StudyPage::Way StudyPage::goOn(const QString& text) {
 }
 
 void StudyPage::showInstructions() {
-    const QString text = wordsFrom(run_->design().instructions);
+    const QString text = asIs(run_->design().instructions);
     const QString always = tr("Take the handle in your hand. The forces come on when you begin.");
     show(tr("Welcome"), text.isEmpty() ? always : text + QStringLiteral("\n\n") + always,
          {goOn(tr("Begin (Space)"))});
@@ -138,13 +135,13 @@ void StudyPage::showChoice() {
     std::vector<Way> ways;
     const std::vector<std::string> choices = choicesOf(run_->design());
     for (int i = 0; i < int(choices.size()); ++i) {
-        const QString name = wordsFrom(choices[std::size_t(i)]);
+        const QString name = wordsOf(choices[std::size_t(i)]);
         ways.push_back({name.size() > 1 ? tr("%1 (%2)").arg(name, name.left(1)) : name, name.at(0).unicode(),
                         [this, i] { emit chosen(i); }});
     }
     if (run_->design().again)
         ways.push_back({tr("Feel again (R)"), Qt::Key_R, [this] { emit againWanted(); }});
-    show(wordsFrom(promptOf(run_->design())), {}, std::move(ways));
+    show(wordsOf(promptOf(run_->design())), {}, std::move(ways));
 }
 
 void StudyPage::showQuestion() {
@@ -153,12 +150,12 @@ void StudyPage::showQuestion() {
     if (question.kind != StudyQuestion::Kind::Choice) return showField(question);
     std::vector<Way> ways;
     for (const std::string& choice : question.choices) {
-        const QString name = wordsFrom(choice);
+        const QString name = asIs(choice);
         const int key = Qt::Key_1 + int(ways.size());
         ways.push_back(
             {tr("%1 (%2)").arg(name).arg(ways.size() + 1), key, [this, name] { emit replied(name); }});
     }
-    show(wordsFrom(question.text), {}, std::move(ways));
+    show(asIs(question.text), {}, std::move(ways));
 }
 
 void StudyPage::showRating(const StudyQuestion& question) {
@@ -169,20 +166,20 @@ void StudyPage::showRating(const StudyQuestion& question) {
                         : i == 10 ? Qt::Key_0
                                   : 0,
                         [this, i] { emit replied(QString::number(i)); }});
-    show(wordsFrom(question.text), {}, std::move(ways));
-    low_->setText(wordsFrom(question.low));
-    high_->setText(wordsFrom(question.high));
+    show(asIs(question.text), {}, std::move(ways));
+    low_->setText(asIs(question.low));
+    high_->setText(asIs(question.high));
     low_->setVisible(!question.low.empty());
     high_->setVisible(!question.high.empty());
 }
 
 void StudyPage::showField(const StudyQuestion& question) {
-    show(wordsFrom(question.text),
+    show(asIs(question.text),
          question.kind == StudyQuestion::Kind::Magnitude ? tr("Type a number above 0, then Enter.")
                                                          : tr("Type, then Enter."),
          {});
     field_->setVisible(true);
-    field_->setAccessibleName(wordsFrom(question.text));
+    field_->setAccessibleName(asIs(question.text));
     field_->setFocus();
 }
 

@@ -11,6 +11,7 @@
 #include "ui/panels/hinted_tree.h"
 #include "ui/study_desk.h"
 #include "ui/style.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -32,9 +33,7 @@ QString procedureWords(const StudyDesign& design) {
     const MaterialField* field = fieldOf(design.staircase);
     return StudyPanel::tr("Staircase, %1 down 1 up, over %2")
         .arg(design.staircase.down)
-        .arg(field ? QString::fromUtf8(field->parameter->label.data(), int(field->parameter->label.size()))
-                         .toLower()
-                   : QStringLiteral("?"));
+        .arg(field ? wordsOf(field->parameter->label) : QStringLiteral("?"));
 }
 
 } // namespace

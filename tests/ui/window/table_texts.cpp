@@ -8,6 +8,7 @@
 #include "core/safety/inhibit_words.h"
 #include "core/scene/bodies.h"
 #include "core/scene/colliders.h"
+#include "core/study/design.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
 #include "ui/device_settings.h"
@@ -54,6 +55,19 @@ void addCommands(Texts& texts) {
     }
 }
 
+/// What a participant is asked where the author has written nothing.
+void addStudies(Texts& texts) {
+    StudyDesign design;
+    for (const Procedure procedure : {Procedure::Pairs, Procedure::Abx, Procedure::Staircase})
+        for (const bool compares : {true, false}) {
+            design.procedure = procedure;
+            design.staircase.compares = compares;
+            texts.add(promptOf(design));
+            for (const std::string& choice : choicesOf(design))
+                if (choice.size() > 1) texts.add(choice);
+        }
+}
+
 } // namespace
 
 std::set<QString> tableTexts() {
@@ -90,6 +104,7 @@ std::set<QString> tableTexts() {
         for (const char* choice : each.choices)
             texts.add(choice);
     }
+    addStudies(texts);
     return texts.all;
 }
 

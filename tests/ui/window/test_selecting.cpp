@@ -366,7 +366,7 @@ void TestSelecting::theRowShowsWhatAClickTakes() {
     auto* list = row->findChild<QComboBox*>();
     QCOMPARE(list->currentText(), QStringLiteral("Surface"));
     command(program, "take-smooth").trigger();
-    QCOMPARE(list->currentText(), QStringLiteral("Smooth"));
+    QCOMPARE(list->currentText(), QStringLiteral("Smooth part"));
     QTest::keyClick(list, Qt::Key_End); // letters are commands of the window
     QVERIFY(command(program, "take-triangle").isChecked());
 }
