@@ -95,7 +95,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tactum)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-open-sans, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-open-sans, libgl1-mesa-dri, qt6-translations-l10n")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "author haptic scenes, and touch them
 Open a 3-D model, give each surface a feel (stiffness, friction, texture,
 moving parts) and touch it with a force-feedback device, or with the mouse

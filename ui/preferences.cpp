@@ -71,7 +71,7 @@ const std::vector<Preference>& table() {
          {"N/m", "N/mm"}},
         {Preferred::Theme,
          kLook,
-         chosen("theme", "Theme", 3, "Also under View > Theme."),
+         chosen("theme", "Theme", 3, "Also under View > Look > Theme."),
          {"Dark", "Light", "Like the system"}},
         {Preferred::Size,
          kLook,

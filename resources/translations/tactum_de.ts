@@ -719,6 +719,10 @@
             <translation>Loser &amp;Körper</translation>
         </message>
         <message>
+            <source>&amp;Make a video</source>
+            <translation>Vi&amp;deo erstellen</translation>
+        </message>
+        <message>
             <source>&amp;Mark as A</source>
             <translation>Als A &amp;markieren</translation>
         </message>
@@ -1091,6 +1095,10 @@
             <translation>Eine Taste des Geräts hat alle Kraft beendet.</translation>
         </message>
         <message>
+            <source>A clic&amp;k takes the same colour</source>
+            <translation>Klick wählt glei&amp;che Farbe</translation>
+        </message>
+        <message>
             <source>A click takes</source>
             <translation>Klick wählt</translation>
         </message>
@@ -1149,10 +1157,6 @@
         <message>
             <source>A click takes the same &amp;feel</source>
             <translation>Klick wählt gleiche &amp;Haptik</translation>
-        </message>
-        <message>
-            <source>A click takes the same colou&amp;r</source>
-            <translation>Klick wählt glei&amp;che Farbe</translation>
         </message>
         <message>
             <source>A click takes triangles up to edges that bend by more than the angle</source>
@@ -1471,8 +1475,8 @@
             <translation>Entlang z der Welt</translation>
         </message>
         <message>
-            <source>Also under View &gt; Theme.</source>
-            <translation>Auch unter Ansicht &gt; Design.</translation>
+            <source>Also under View &gt; Look &gt; Theme.</source>
+            <translation>Auch unter Ansicht &gt; Darstellungsweise &gt; Design.</translation>
         </message>
         <message>
             <source>An edit that is not saved is in the recovery journal after this time at the latest. The first edits are after two seconds.</source>
@@ -3231,10 +3235,6 @@
             <translation>Unterer Anschlag</translation>
         </message>
         <message>
-            <source>Ma&amp;ke a video</source>
-            <translation>Video &amp;erstellen</translation>
-        </message>
-        <message>
             <source>Make the chosen device ready, step by step</source>
             <translation>Das gewählte Gerät Schritt für Schritt bereit machen</translation>
         </message>
@@ -4349,12 +4349,12 @@ der Grenze rendern</translation>
             <translation>Als V&amp;orgabe speichern...</translation>
         </message>
         <message>
-            <source>Same as the active &amp;one</source>
-            <translation>&amp;Wie die aktive</translation>
+            <source>Sam&amp;e colour</source>
+            <translation>Gleiche &amp;Farbe</translation>
         </message>
         <message>
-            <source>Same co&amp;lour</source>
-            <translation>Gleiche &amp;Farbe</translation>
+            <source>Same as the active &amp;one</source>
+            <translation>&amp;Wie die aktive</translation>
         </message>
         <message>
             <source>Same colour</source>
@@ -5561,7 +5561,7 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         </message>
         <message>
             <source>The&amp;me</source>
-            <translation>&amp;Design</translation>
+            <translation>Desi&amp;gn</translation>
         </message>
         <message>
             <source>Theme</source>
@@ -5608,10 +5608,6 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Dieser Rechner hat keinen Audioausgang</translation>
         </message>
         <message>
-            <source>Thr&amp;ough the model</source>
-            <translation>Durch das Modell hi&amp;ndurch</translation>
-        </message>
-        <message>
             <source>Three small scenes to feel whether a device works as it should. Your own scene waits, unchanged.</source>
             <translation>Drei kleine Szenen, um zu fühlen, ob ein Gerät arbeitet, wie es soll. Ihre eigene Szene wartet unverändert.</translation>
         </message>
@@ -5622,6 +5618,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Through</source>
             <translation>Hindurch</translation>
+        </message>
+        <message>
+            <source>Through the mo&amp;del</source>
+            <translation>Durch das Modell hi&amp;ndurch</translation>
         </message>
         <message>
             <source>Throw %1 away</source>

@@ -71,8 +71,10 @@ QString amountText(std::size_t surfaces, const Sum& sum) {
 SelectionCount::SelectionCount(Document& document, QWidget* parent) : QLabel(parent), document_(document) {
     setObjectName(QStringLiteral("selection-count"));
     setToolTip(tr("What is selected, and its area"));
+    // Later: the document keeps its selection to what there is after it has told of a change.
     connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
-        if (change.what == SceneChange::What::Selection || change.touchesShape()) count();
+        if (change.what == SceneChange::What::Selection || change.touchesShape())
+            QMetaObject::invokeMethod(this, &SelectionCount::count, Qt::QueuedConnection);
     });
     connect(&job_, &BackgroundJob::finished, this, [this] {
         if (std::exchange(again_, false)) count();

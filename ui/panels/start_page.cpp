@@ -130,9 +130,9 @@ void StartPage::setRecent(const QStringList& files) {
     list->addWidget(line(tr("Recent"), 0, true));
     for (const QString& file : files) {
         const QFileInfo info(file);
-        auto* button =
-            new QPushButton(icon(QStringLiteral("recent")),
-                            QStringLiteral("%1   %2").arg(info.fileName(), shortened(info.path())));
+        QString text = QStringLiteral("%1   %2").arg(info.fileName(), shortened(info.path()));
+        text.replace(u'&', QStringLiteral("&&")); // of a name, and no letter for Alt
+        auto* button = new QPushButton(icon(QStringLiteral("recent")), text);
         button->setProperty("link", true);
         connect(button, &QPushButton::clicked, this, [this, file] { emit fileChosen(file); });
         list->addWidget(button);

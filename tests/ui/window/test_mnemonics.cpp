@@ -25,6 +25,7 @@
 #include "tests/ui/window/window_fixture.h"
 #include "ui/ask_where.h"
 #include "ui/connect_dialog.h"
+#include "ui/language.h"
 #include "ui/mnemonics.h"
 #include "ui/panels/finding_list.h"
 #include "ui/recent_files.h"
@@ -125,6 +126,7 @@ private slots:
     void init() { useSettingsIn(folder_.path()); }
 
     void aLetterIsFound();
+    void everyMenuEntryHasItsLetter_data();
     void everyMenuEntryHasItsLetter();
     void everyDialogHasItsLetters();
     void whatHasTheKeysHasAName();
@@ -139,7 +141,16 @@ void TestMnemonics::aLetterIsFound() {
     QCOMPARE(withMnemonic(QStringLiteral("sav"), used), QStringLiteral("sav"));
 }
 
+void TestMnemonics::everyMenuEntryHasItsLetter_data() {
+    QTest::addColumn<QString>("code");
+    QTest::newRow("English") << QString();
+    QTest::newRow("German") << QStringLiteral("de");
+}
+
 void TestMnemonics::everyMenuEntryHasItsLetter() {
+    QFETCH(const QString, code);
+    Language language;
+    if (!code.isEmpty()) QVERIFY(language.begin(code) && QCoreApplication::installTranslator(&language));
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     rememberFile(writeFile(folder_, QStringLiteral("odd & even.obj"), "v 0 0 0\n"));
