@@ -1,4 +1,5 @@
 #include "ui/device_link.h"
+#include "ui/words.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,8 +27,7 @@ public:
         attempt_->progress = 0;
         QMetaObject::invokeMethod(
             &link_,
-            [&link = link_, attempt = attempt_, step = QString::fromUtf8(step.data(), qsizetype(step.size())),
-             request = QString::fromUtf8(request.data(), qsizetype(request.size()))] {
+            [&link = link_, attempt = attempt_, step = asIs(step), request = asIs(request)] {
                 if (attempt == link.attempt_) link.beginStep(step, request);
             },
             Qt::QueuedConnection);

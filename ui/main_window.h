@@ -295,6 +295,7 @@ private:
     void switchOff();
     void beginTrial(Trial trial);
     void endTrial();
+    void showOwnScene();
     void showTrial();
 
     Document& document_;

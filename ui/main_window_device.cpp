@@ -252,13 +252,18 @@ void MainWindow::endTrial() {
     trial_.reset();
     switchOff();
     publisher_.setTrial(nullptr);
+    showOwnScene();
+    showTrial();
+}
+
+/// After something else was felt in its place.
+void MainWindow::showOwnScene() {
     view_->setScene(document_.scene());
     view_->setProxyRadius(document_.scene().proxyRadius);
     view_->setSelection(document_.selected());
     if (!document_.empty()) view_->fit();
     showCentre();
     hand_->placeBeside();
-    showTrial();
 }
 
 void MainWindow::showTrial() {

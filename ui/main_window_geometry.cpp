@@ -13,6 +13,7 @@
 #include "ui/panels/notice_bar.h"
 #include "ui/playback.h"
 #include "ui/source_watch.h"
+#include "ui/words.h"
 
 namespace tactum {
 
@@ -28,9 +29,7 @@ QString countText(std::size_t count, const char* noun) {
 
 QString unitName(const FileAxes& axes) {
     const auto unit = std::ranges::find(kLengthUnits, axes.unit, &LengthUnit::metres);
-    return unit == std::end(kLengthUnits)
-               ? QString()
-               : QString::fromUtf8(unit->name.data(), qsizetype(unit->name.size()));
+    return unit == std::end(kLengthUnits) ? QString() : asIs(unit->name);
 }
 
 /// "1000 times smaller"

@@ -28,13 +28,14 @@
 #include "ui/study_session.h"
 #include "ui/touch_hint.h"
 #include "ui/view/scene_view.h"
+#include "ui/words.h"
 
 namespace tactum {
 
 namespace {
 
 QString studyEnding() {
-    return QString::fromUtf8(kStudyEnding.data(), int(kStudyEnding.size()));
+    return asIs(kStudyEnding);
 }
 
 /// Names of surfaces, each once.
@@ -261,12 +262,7 @@ void MainWindow::endStudy() {
     if (studyPage_->isHidden()) return;
     switchOff();
     showAfterStudy();
-    view_->setScene(document_.scene());
-    view_->setProxyRadius(document_.scene().proxyRadius);
-    view_->setSelection(document_.selected());
-    if (!document_.empty()) view_->fit();
-    showCentre();
-    hand_->placeBeside();
+    showOwnScene();
     showStudyCommands();
     docks_.plot->clear();
     notice_->showNote(tr("The answers are in %1, the touch beside them. The forces are off.")

@@ -80,8 +80,7 @@ DisplayUnit displayUnit(const Parameter& parameter) {
     if (parameter.unit == "kg") return {1e3, QStringLiteral("g"), std::max(0, parameter.decimals - 3)};
     if (parameter.unit == "rad")
         return {180 / std::numbers::pi, QStringLiteral("\u00b0"), std::max(0, parameter.decimals - 2)};
-    return {1, QString::fromUtf8(parameter.unit.data(), qsizetype(parameter.unit.size())),
-            parameter.decimals};
+    return {1, asIs(parameter.unit), parameter.decimals};
 }
 
 std::optional<double> readNumber(const QString& typed, const QString& unit) {

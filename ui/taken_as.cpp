@@ -1,4 +1,5 @@
 #include "ui/taken_as.h"
+#include "ui/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +70,7 @@ AxesChoice rememberedAxes(const std::filesystem::path& file) {
 void rememberUnit(const std::filesystem::path& file, double unit, double guess) {
     const auto known = std::ranges::find(kLengthUnits, unit, &LengthUnit::metres);
     if (known == std::end(kLengthUnits)) return;
-    remember(keyOf(file, "unit"), QString::fromUtf8(known->name.data(), qsizetype(known->name.size())),
-             unit == guess);
+    remember(keyOf(file, "unit"), asIs(known->name), unit == guess);
 }
 
 void rememberUp(const std::filesystem::path& file, bool zUp, bool guess) {

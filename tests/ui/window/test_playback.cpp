@@ -51,19 +51,6 @@ class TestPlayback : public QObject {
         QThreadPool::globalInstance()->waitForDone();
         program.frames(2);
     }
-    static void stroke(TouchedWindow& program) {
-        QPoint at = program.centre();
-        program.press(at);
-        program.frames(20);
-        program.wheel(at, 4);
-        for (int i = 0; i < 20; ++i) {
-            at += QPoint(3, 1);
-            program.moveTo(at);
-            program.frames(2);
-        }
-        program.frames(20);
-        program.release(at);
-    }
     static bool opened(TouchedWindow& program, const QString& file) {
         program.window->open(file);
         return test::waitFor([&] { return playbackOf(program).active(); });
@@ -93,10 +80,10 @@ void TestPlayback::initTestCase() {
     TouchedWindow program;
     QVERIFY(program.open(writeCube(folder_)));
     QVERIFY(program.fullForce());
-    stroke(program);
+    program.stroke();
     program.type(QStringLiteral("stiffness"), QStringLiteral("400"));
     program.frames(20);
-    stroke(program);
+    program.stroke();
     recording_ = folder_.filePath(QStringLiteral("stroke.tactum-recording"));
     QVERIFY(save(program, recording_));
 }
@@ -225,7 +212,7 @@ void TestPlayback::historyAndHandAreLeftAlone() {
     const Scene scene = program.document.scene();
     QVERIFY(opened(program, recording_));
     const Vec3 hand = program.finger();
-    stroke(program);
+    program.stroke();
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     program.frames(10);
     COMPARE_NEAR(program.finger(), hand, 1e-3, "m");

@@ -44,18 +44,6 @@ class TestShowing : public QObject {
         program.command("record-video").trigger();
         return waitFor([&] { return ended.count() > 0; });
     }
-    static void stroke(TouchedWindow& program) {
-        QPoint at = program.centre();
-        program.press(at);
-        program.frames(20);
-        program.wheel(at, 4);
-        for (int i = 0; i < 20; ++i) {
-            at += QPoint(3, 1);
-            program.moveTo(at);
-            program.frames(2);
-        }
-        program.release(at);
-    }
 
     /// Where the docks are, and which of them are seen.
     static QStringList layoutOf(const MainWindow& window) {
@@ -98,7 +86,7 @@ void TestShowing::theViewBecomesAVideo() {
     begin(program, name);
     QVERIFY(videoOf(program).recording());
     QVERIFY(program.command("record-video").isChecked());
-    stroke(program);
+    program.stroke();
     QVERIFY(program.atRest());
     program.frames(30);
     const QImage last = program.window->view().grabPicture();
@@ -152,7 +140,7 @@ void TestShowing::thePlotIsBeneathInAFixedSize() {
     program.command("video-plot").setChecked(true);
     const QString name = file("plot.webm");
     begin(program, name);
-    stroke(program);
+    program.stroke();
     QVERIFY(end(program));
     const SeenVideo found = seen(name);
     QCOMPARE(QSize(found.width, found.height), QSize(1280, 720));
@@ -186,7 +174,7 @@ void TestShowing::whoClosesTheWindowKeepsTheVideo() {
         TouchedWindow program;
         QVERIFY(program.open(writeCube(folder_)));
         begin(program, name);
-        stroke(program);
+        program.stroke();
     }
     QCOMPARE_GT(seen(name).duration, 0.1);
 }

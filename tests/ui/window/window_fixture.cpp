@@ -135,6 +135,20 @@ void TouchedWindow::release(QPoint at) {
     QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, window->view().mapTo(window.get(), at));
 }
 
+void TouchedWindow::stroke() {
+    QPoint at = centre();
+    press(at);
+    frames(20);
+    wheel(at, 4);
+    for (int i = 0; i < 20; ++i) {
+        at += QPoint(3, 1);
+        moveTo(at);
+        frames(2);
+    }
+    frames(20);
+    release(at);
+}
+
 void TouchedWindow::wheel(QPoint at, int notches) {
     SceneView& view = window->view();
     for (int i = 0; i < notches; ++i) {

@@ -61,6 +61,8 @@ public:
     /// Turns the wheel at a place of the view, away from the person: zooms in there, or pushes the held
     /// finger deeper.
     void wheel(QPoint at, int notches);
+    /// Presses into the middle of the view, strokes to the right and lets go.
+    void stroke();
     /// Lets the loops and the window run for so many frames.
     void frames(int count);
     /// Waits until the finger stands still: the hand has come to where the person wants it.
