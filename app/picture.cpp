@@ -10,9 +10,9 @@
 #include "app/terminal_progress.h"
 #include "core/files/source.h"
 #include "core/recording/player.h"
-#include "ui/numbers.h"
-#include "ui/recording_video.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/showing/recording_video.h"
 #include "ui/view/surface_format.h"
 #include "ui/view/touch_picture.h"
 

@@ -6,8 +6,8 @@
 #include "app/terminal_progress.h"
 #include "core/archive/sha256.h"
 #include "core/files/source.h"
-#include "ui/preset_store.h"
-#include "ui/report_file.h"
+#include "ui/document/preset_store.h"
+#include "ui/showing/report_file.h"
 
 namespace tactum {
 

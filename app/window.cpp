@@ -12,12 +12,12 @@
 #include "core/runtime/local_engine.h"
 #include "device/registry.h"
 #include "device/simulated_hand.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
+#include "ui/base/language.h"
+#include "ui/base/preferences.h"
+#include "ui/base/style.h"
 #include "ui/panels/sample_gallery.h"
-#include "ui/preferences.h"
-#include "ui/style.h"
 #include "ui/view/surface_format.h"
+#include "ui/window/main_window.h"
 
 namespace tactum {
 

@@ -115,17 +115,20 @@ tactum_headers(tactum_core_headers LINKS Eigen3::Eigen Threads::Threads
     <map> <memory> <numeric> <optional> <span> <string> <string_view> <tl/expected.hpp> <tuple> <utility> <variant> <vector>)
 target_include_directories(tactum_core_headers SYSTEM PRIVATE "${TL_EXPECTED_INCLUDE}")
 
-# tactum_room(NAME SOURCES ... USES room ... PRIVATE library ... HEADERS <header>...)
+# tactum_room(NAME SOURCES ... USES room ... PRIVATE library ... [HEADERS <header>... | READS headers])
 # One folder, one target. USES are other rooms, seen by whoever uses this one; PRIVATE are outside
-# libraries, which nobody else sees. HEADERS are precompiled for this room instead of those of the core.
+# libraries, which nobody else sees. HEADERS are precompiled for this room instead of those of the core; READS names those
+# of tactum_headers() that it shares with other rooms.
 function(tactum_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE;HEADERS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "READS" "SOURCES;USES;PRIVATE;HEADERS" ${ARGN})
   set(target tactum_${name})
   if(ROOM_SOURCES)
     add_library(${target} STATIC ${ROOM_SOURCES})
     if(ROOM_HEADERS)
       tactum_unity(${target})
       target_precompile_headers(${target} PRIVATE ${ROOM_HEADERS})
+    elseif(ROOM_READS)
+      tactum_unity(${target} ${ROOM_READS})
     else()
       tactum_unity(${target} tactum_core_headers)
     endif()

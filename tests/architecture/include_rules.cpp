@@ -51,11 +51,13 @@ bool leadsTo(std::string_view from, std::string_view to) {
                                [&](std::string_view used) { return used == to || leadsTo(used, to); });
 }
 
-// The room that tactum_<name> is built from: "geometry" is core/geometry, "ui_view" a part of ui.
+// The room that tactum_<name> is built from: "geometry" is core/geometry, "ui_view" is ui/view.
 std::string_view roomOfTarget(const std::string& name) {
+    const bool ofWindow = name.starts_with("ui_");
     for (const Room& room : kRooms)
-        if (room.folder == "core/" + name || room.folder == "device/" + name ||
-            room.folder == name.substr(0, name.find('_')))
+        if (ofWindow
+                ? room.folder == "ui/" + name.substr(3)
+                : room.folder == "core/" + name || room.folder == "device/" + name || room.folder == name)
             return room.folder;
     return {};
 }

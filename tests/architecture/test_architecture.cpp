@@ -96,7 +96,8 @@ void TestArchitecture::readsEveryFormOfInclude() {
 
 void TestArchitecture::findsTheInnermostRoom() {
     QCOMPARE(roomOf("core/base/vec.h"), "core/base");
-    QCOMPARE(roomOf("ui/view/scene_view.h"), "ui");
+    QCOMPARE(roomOf("ui/view/scene_view.h"), "ui/view");
+    QCOMPARE(roomOf("ui/main.h"), "");
     QCOMPARE(roomOf("uikit/button.h"), "");
     QCOMPARE(roomOf("core/version.h"), "");
 }
@@ -121,10 +122,13 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/runtime/a.cpp", "\"device/simulated_hand.h\"", false);
     add("device/a.h", "\"core/port/haptic_device.h\"", true);
     add("device/a.h", "\"core/scene/scene.h\"", false);
-    add("ui/a.cpp", "\"core/runtime/engine.h\"", true);
-    add("ui/view/a.cpp", "\"ui/theme.h\"", true);
-    add("ui/a.cpp", "\"device/simulated_hand.h\"", false);
-    add("ui/a.cpp", "\"app/main.h\"", false);
+    add("ui/window/a.cpp", "\"core/runtime/engine.h\"", true);
+    add("ui/view/a.cpp", "\"ui/base/theme.h\"", true);
+    add("ui/view/a.cpp", "\"ui/document/document.h\"", false); // the view knows no history
+    add("ui/widgets/a.cpp", "\"ui/document/document.h\"", false);
+    add("ui/panels/a.cpp", "\"ui/window/main_window.h\"", false);
+    add("ui/window/a.cpp", "\"device/simulated_hand.h\"", false);
+    add("ui/window/a.cpp", "\"app/main.h\"", false);
     add("app/a.cpp", "\"device/simulated_hand.h\"", true);
     add("app/a.cpp", "\"tests/architecture/house_plan.h\"", false);
     add("core/scene/a.cpp", "\"scene.h\"", false); // not from the root
@@ -137,9 +141,9 @@ void TestArchitecture::judgesAnInclude_data() {
     add("core/files/gltf/gltf_model.h", "<tiny_gltf.h>", true);
     add("core/files/gltf/read_gltf.cpp", "<tiny_gltf.h>", false);
     add("device/a.cpp", "<QTimer>", false);
-    add("ui/inspector/a.cpp", "<QWidget>", true);
-    add("ui/inspector/a.cpp", "<vtkActor.h>", false);
-    add("ui/inspector/a.cpp", "\"a.moc\"", true);
+    add("ui/panels/a.cpp", "<QWidget>", true);
+    add("ui/panels/a.cpp", "<vtkActor.h>", false);
+    add("ui/panels/a.cpp", "\"a.moc\"", true);
     add("ui/view/a.cpp", "<vtkActor.h>", true);
     add("ui/view/a.cpp", "<boost/any.hpp>", false);
     add("attic/a.cpp", "<vector>", false); // no room
@@ -160,10 +164,11 @@ void TestArchitecture::judgesALink() {
     QCOMPARE(faults("core/proxy/CMakeLists.txt", "tactum_room(proxy USES collision\n scene)"),
              std::size_t(1));
     QCOMPARE(faults("core/base/CMakeLists.txt", "tactum_room(base)"), std::size_t(0));
-    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES ui_view runtime PRIVATE device)"),
-             std::size_t(0));
-    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES device)"), std::size_t(1));
-    QCOMPARE(faults("ui/CMakeLists.txt", "tactum_room(ui USES attic)"), std::size_t(1));
+    const char* const panels = "ui/panels/CMakeLists.txt";
+    QCOMPARE(faults(panels, "tactum_ui_room(panels USES ui_view runtime PRIVATE device)"), std::size_t(0));
+    QCOMPARE(faults(panels, "tactum_ui_room(panels USES device)"), std::size_t(1));
+    QCOMPARE(faults(panels, "tactum_ui_room(panels USES ui_window ui_attic)"), std::size_t(2));
+    QCOMPARE(faults(panels, "tactum_ui_room(panels USES attic)"), std::size_t(1));
 }
 
 void TestArchitecture::reportsForm() {

@@ -28,7 +28,7 @@
 #include <QTreeWidget>
 #include <QUndoView>
 
-#include "ui/style.h"
+#include "ui/base/style.h"
 
 namespace tactum::test {
 namespace {

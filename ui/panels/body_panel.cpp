@@ -12,12 +12,12 @@
 #include <QToolButton>
 
 #include "core/dynamics/path_places.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
 #include "ui/panels/world_fields.h"
-#include "ui/style.h"
-#include "ui/words.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 namespace {

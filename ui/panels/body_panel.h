@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/scene/bodies.h"
-#include "ui/document.h"
+#include "ui/document/document.h"
 #include "ui/view/joint_gizmo.h"
 #include "ui/view/mass_mark.h"
 #include "ui/view/path_gizmo.h"

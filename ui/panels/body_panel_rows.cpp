@@ -9,9 +9,9 @@
 
 #include "core/dynamics/path_places.h"
 #include "core/scene/colliders.h"
+#include "ui/base/words.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/choice_box.h"
-#include "ui/words.h"
 
 namespace tactum {
 namespace {

@@ -6,7 +6,7 @@
 #include <QComboBox>
 #include <QWheelEvent>
 
-#include "ui/layer_edits.h"
+#include "ui/document/layer_edits.h"
 
 namespace tactum {
 

@@ -7,10 +7,10 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/comparison.h"
-#include "ui/numbers.h"
-#include "ui/panels/compare_chart.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/engine/comparison.h"
+#include "ui/widgets/compare_chart.h"
 
 namespace tactum {
 

@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/shared_link.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/engine/shared_link.h"
 
 namespace tactum {
 namespace {

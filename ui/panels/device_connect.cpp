@@ -12,11 +12,11 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "ui/device_link.h"
-#include "ui/panels/columns.h"
+#include "ui/base/style.h"
+#include "ui/engine/device_link.h"
 #include "ui/panels/device_steps.h"
-#include "ui/panels/hinted_tree.h"
-#include "ui/style.h"
+#include "ui/widgets/columns.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

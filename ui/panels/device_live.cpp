@@ -9,14 +9,14 @@
 
 #include "core/runtime/engine.h"
 #include "core/safety/motor_heat.h"
-#include "ui/numbers.h"
-#include "ui/panels/button_lamps.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/columns.h"
-#include "ui/panels/force_meter.h"
-#include "ui/panels/level_bar.h"
 #include "ui/panels/workspace_picture.h"
-#include "ui/style.h"
+#include "ui/widgets/button_lamps.h"
+#include "ui/widgets/columns.h"
+#include "ui/widgets/force_meter.h"
+#include "ui/widgets/level_bar.h"
 
 namespace tactum {
 

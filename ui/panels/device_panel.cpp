@@ -9,13 +9,13 @@
 #include <QToolButton>
 
 #include "core/runtime/engine.h"
-#include "ui/device_link.h"
-#include "ui/panels/columns.h"
+#include "ui/base/style.h"
+#include "ui/engine/device_link.h"
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
 #include "ui/panels/device_trial_page.h"
 #include "ui/panels/workspace_fields.h"
-#include "ui/style.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 

@@ -6,9 +6,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "ui/device_link.h"
-#include "ui/panels/columns.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/engine/device_link.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 

@@ -8,11 +8,11 @@
 #include <QToolButton>
 
 #include "core/runtime/engine.h"
-#include "ui/health_words.h"
-#include "ui/numbers.h"
-#include "ui/panels/columns.h"
-#include "ui/panels/force_meter.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/engine/health_words.h"
+#include "ui/widgets/columns.h"
+#include "ui/widgets/force_meter.h"
 
 namespace tactum {
 

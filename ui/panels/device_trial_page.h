@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/device_trial.h"
+#include "ui/engine/device_trial.h"
 
 class QLabel;
 class QPushButton;

@@ -4,7 +4,7 @@
 
 #include <QEvent>
 
-#include "ui/style.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

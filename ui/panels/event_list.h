@@ -3,8 +3,8 @@
 
 #include <deque>
 
-#include "ui/guard_watch.h"
-#include "ui/panels/hinted_tree.h"
+#include "ui/engine/guard_watch.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "ui/style.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/scene/findings.h"
-#include "ui/panels/hinted_tree.h"
+#include "ui/widgets/hinted_tree.h"
 
 class QDialog;
 

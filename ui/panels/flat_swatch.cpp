@@ -10,8 +10,8 @@
 #include <QWheelEvent>
 
 #include "core/surface/texture_stack.h"
-#include "ui/numbers.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

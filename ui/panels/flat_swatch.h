@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "ui/background_job.h"
-#include "ui/layer_picture.h"
+#include "ui/base/background_job.h"
+#include "ui/document/layer_picture.h"
 
 namespace tactum {
 

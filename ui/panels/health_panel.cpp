@@ -8,11 +8,11 @@
 
 #include "core/safety/motor_heat.h"
 #include "core/safety/passivity.h"
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/panels/event_list.h"
-#include "ui/panels/level_bar.h"
-#include "ui/panels/period_chart.h"
-#include "ui/style.h"
+#include "ui/widgets/level_bar.h"
+#include "ui/widgets/period_chart.h"
 
 namespace tactum {
 

@@ -7,7 +7,7 @@
 #include <QScrollArea>
 
 #include "core/runtime/engine.h"
-#include "ui/health_words.h"
+#include "ui/engine/health_words.h"
 
 class QCheckBox;
 class QGridLayout;

@@ -4,8 +4,8 @@
 #include <QStyledItemDelegate>
 #include <QUndoStack>
 
-#include "ui/panels/edit_keys.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/widgets/edit_keys.h"
 
 namespace tactum {
 

@@ -9,8 +9,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/numbers.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/taken_as.h"
+#include "ui/document/taken_as.h"
 
 class QBoxLayout;
 class QButtonGroup;

@@ -9,10 +9,10 @@
 #include <QScrollArea>
 #include <QToolButton>
 
-#include "ui/panels/columns.h"
+#include "ui/base/style.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/panels/swatch.h"
-#include "ui/style.h"
+#include "ui/widgets/columns.h"
+#include "ui/widgets/swatch.h"
 
 namespace tactum {
 

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "ui/document.h"
-#include "ui/health_words.h"
+#include "ui/document/document.h"
+#include "ui/engine/health_words.h"
 
 class QButtonGroup;
 class QCheckBox;

@@ -11,8 +11,8 @@
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
 
-#include "ui/layer_picture.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/document/layer_picture.h"
 
 namespace tactum {
 

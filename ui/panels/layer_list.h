@@ -6,8 +6,8 @@
 
 #include <QPixmap>
 
-#include "ui/layer_edits.h"
-#include "ui/panels/hinted_tree.h"
+#include "ui/document/layer_edits.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

@@ -8,14 +8,14 @@
 #include <QScrollArea>
 #include <QToolButton>
 
-#include "ui/layer_profile.h"
-#include "ui/panels/columns.h"
+#include "ui/base/shortcuts.h"
+#include "ui/base/style.h"
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/layer_fields.h"
 #include "ui/panels/layer_list.h"
+#include "ui/panels/layer_profile.h"
 #include "ui/panels/profile_chart.h"
-#include "ui/shortcuts.h"
-#include "ui/style.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 

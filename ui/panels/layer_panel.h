@@ -8,9 +8,9 @@
 #include <QWidget>
 
 #include "core/haptics/world.h"
-#include "ui/document.h"
-#include "ui/last_stroke.h"
-#include "ui/layer_edits.h"
+#include "ui/document/document.h"
+#include "ui/document/layer_edits.h"
+#include "ui/panels/last_stroke.h"
 #include "ui/view/mapping_gizmo.h"
 
 class QLabel;

@@ -7,7 +7,7 @@
 #include <QStandardPaths>
 
 #include "core/files/images/read_image.h"
-#include "ui/layer_mapping.h"
+#include "ui/document/layer_mapping.h"
 #include "ui/panels/layer_panel.h"
 
 namespace tactum {

@@ -12,8 +12,8 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "ui/panels/swatch.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/widgets/swatch.h"
 
 namespace tactum {
 

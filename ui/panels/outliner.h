@@ -8,8 +8,8 @@
 #include <QIcon>
 
 #include "core/scene/bodies.h"
-#include "ui/document.h"
-#include "ui/panels/hinted_tree.h"
+#include "ui/document/document.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

@@ -6,11 +6,11 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "ui/panels/number_box.h"
-#include "ui/panels/value_slider.h"
-#include "ui/preferences.h"
-#include "ui/style.h"
-#include "ui/words.h"
+#include "ui/base/preferences.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/value_slider.h"
 
 namespace tactum {
 

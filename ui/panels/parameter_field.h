@@ -7,8 +7,8 @@
 #include <QWidget>
 
 #include "core/surface/parameter.h"
-#include "ui/document.h"
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/document/document.h"
 
 class QLabel;
 class QToolButton;

@@ -4,10 +4,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/style.h"
-#include "ui/words.h"
 
 namespace tactum {
 

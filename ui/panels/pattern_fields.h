@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/document.h"
+#include "ui/document/document.h"
 
 class QComboBox;
 class QLabel;

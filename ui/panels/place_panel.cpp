@@ -6,11 +6,11 @@
 
 #include <QLabel>
 
-#include "ui/arrange_tool.h"
-#include "ui/numbers.h"
-#include "ui/panels/columns.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/style.h"
+#include "ui/tools/arrange_tool.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 namespace {

@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "core/base/vec.h"
-#include "ui/document.h"
+#include "ui/document/document.h"
 
 class QLabel;
 

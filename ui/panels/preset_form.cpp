@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "ui/style.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

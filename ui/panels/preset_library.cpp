@@ -14,11 +14,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/numbers.h"
-#include "ui/panels/hinted_tree.h"
-#include "ui/preset_store.h"
-#include "ui/style.h"
-#include "ui/words.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
+#include "ui/document/preset_store.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

@@ -5,9 +5,9 @@
 #include <QHeaderView>
 #include <QPushButton>
 
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/panels/finding_list.h"
-#include "ui/style.h"
 
 namespace tactum {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/health/examine.h"
-#include "ui/background_job.h"
-#include "ui/document.h"
-#include "ui/panels/hinted_tree.h"
+#include "ui/base/background_job.h"
+#include "ui/document/document.h"
+#include "ui/widgets/hinted_tree.h"
 
 namespace tactum {
 

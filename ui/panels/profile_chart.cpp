@@ -6,9 +6,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 #include "ui/panels/flat_swatch.h"
-#include "ui/style.h"
 
 namespace tactum {
 

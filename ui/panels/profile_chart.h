@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "ui/layer_profile.h"
+#include "ui/panels/layer_profile.h"
 
 namespace tactum {
 

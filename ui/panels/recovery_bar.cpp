@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "ui/recovery.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/document/recovery.h"
 
 namespace tactum {
 

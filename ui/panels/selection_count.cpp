@@ -6,8 +6,8 @@
 
 #include "core/geometry/surfaces.h"
 #include "core/geometry/triangle_set.h"
-#include "ui/document.h"
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/document/document.h"
 
 namespace tactum {
 

@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "ui/background_job.h"
+#include "ui/base/background_job.h"
 
 namespace tactum {
 

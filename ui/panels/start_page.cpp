@@ -9,8 +9,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "ui/base/style.h"
 #include "ui/panels/sample_gallery.h"
-#include "ui/style.h"
 
 namespace tactum {
 

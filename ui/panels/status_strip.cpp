@@ -7,9 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/numbers.h"
-#include "ui/panels/force_meter.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/widgets/force_meter.h"
 
 namespace tactum {
 

@@ -10,10 +10,10 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "ui/base/style.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/columns.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/style.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 

@@ -6,8 +6,8 @@
 
 #include <QWidget>
 
-#include "ui/axis_capture.h"
-#include "ui/device_settings.h"
+#include "ui/engine/axis_capture.h"
+#include "ui/engine/device_settings.h"
 
 class QCheckBox;
 class QComboBox;

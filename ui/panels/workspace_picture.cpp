@@ -5,8 +5,8 @@
 
 #include <QPainter>
 
-#include "ui/numbers.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/style.h"
 
 namespace tactum {
 

@@ -3,10 +3,10 @@
 #include <array>
 
 #include "core/scene/bodies.h"
-#include "ui/panels/columns.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/style.h"
-#include "ui/words.h"
+#include "ui/widgets/columns.h"
 
 namespace tactum {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "ui/document.h"
+#include "ui/document/document.h"
 
 namespace tactum {
 

@@ -1,7 +1,7 @@
 // The small coordinate cross in the corner. Private to this folder.
 #pragma once
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 class QPainter;

@@ -13,7 +13,7 @@
 #include <vtkRenderer.h>
 
 #include "core/scene/scene.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/aside.h"
 #include "ui/view/model_mapper.h"
 

@@ -1,7 +1,7 @@
 // The rings of the brushes: on the model, and on the view. Private to this folder.
 #pragma once
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"
 

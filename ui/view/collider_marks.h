@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 class QPainter;

@@ -10,7 +10,7 @@
 #include <vtkPolyDataMapper.h>
 
 #include "core/geometry/triangle_soup.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 class vtkMatrix4x4;
 class vtkRenderer;

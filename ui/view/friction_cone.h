@@ -1,7 +1,7 @@
 // The cone of forces that friction holds, at a contact. Private to this folder.
 #pragma once
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/touch_overlay.h"
 #include "ui/view/touch_shape.h"
 

@@ -9,7 +9,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/aside.h"
 #include "ui/view/contact_shadow.h"
 

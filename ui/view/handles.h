@@ -10,7 +10,7 @@
 #include <QPointF>
 #include <QPolygonF>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 namespace tactum {

@@ -1,7 +1,7 @@
 // Where the mass of a body is, drawn over the model: the even ellipsoid that has its mass and moments.
 #pragma once
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 class QPainter;

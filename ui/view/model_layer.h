@@ -20,7 +20,7 @@
 #include "core/haptics/body_places.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/coarse_mesh.h"
 #include "ui/view/crowd.h"
 #include "ui/view/display_mesh.h"

@@ -10,7 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/aside.h"
 #include "ui/view/felt_normals.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/haptics/replay.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 class vtkRenderer;

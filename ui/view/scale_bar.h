@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/felt_options.h"
 
 class QPainter;

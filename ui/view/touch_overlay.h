@@ -8,7 +8,7 @@
 #include <QPointF>
 
 #include "core/runtime/channels.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/view_camera.h"
 
 class vtkRenderer;

@@ -9,7 +9,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/axes_gizmo.h"
 #include "ui/view/model_layer.h"
 #include "ui/view/offscreen_window.h"

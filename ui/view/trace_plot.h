@@ -4,7 +4,7 @@
 #include <QRectF>
 
 #include "core/haptics/replay.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 class QPainter;
 

@@ -11,7 +11,7 @@
 
 #include "core/haptics/haptic_step.h"
 #include "core/runtime/trace_point.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 class vtkRenderer;
 

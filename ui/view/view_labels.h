@@ -3,7 +3,7 @@
 
 #include <QFont>
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/touch_overlay.h"
 #include "ui/view/view_camera.h"
 

@@ -9,7 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include "core/geometry/triangle_soup.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/kept_renderer.h"
 #include "ui/view/outline_pass.h"
 #include "ui/view/smoothed_renderer.h"

@@ -12,9 +12,9 @@
 #include "device/simulated_hand.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
+#include "ui/base/style.h"
+#include "ui/document/journal.h"
 #include "ui/panels/connection_bar.h"
-#include "ui/style.h"
 
 namespace tactum::test {
 

@@ -12,8 +12,8 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/soups.h"
-#include "ui/panels/notice_bar.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_connected_window {
 

@@ -7,8 +7,8 @@
 #include <QTest>
 
 #include "tests/support/waiting.h"
-#include "ui/document.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/document/document.h"
 
 namespace tactum::testing {
 

@@ -20,14 +20,14 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/device_link.h"
+#include "ui/engine/device_link.h"
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
 #include "ui/panels/device_panel.h"
 #include "ui/panels/device_steps.h"
 #include "ui/panels/device_trial_page.h"
-#include "ui/panels/number_box.h"
 #include "ui/panels/workspace_fields.h"
+#include "ui/widgets/number_box.h"
 
 namespace test_device_pages {
 

@@ -15,16 +15,16 @@
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
 #include "tests/ui/panels/touch_traces.h"
-#include "ui/panels/button_lamps.h"
-#include "ui/panels/compare_chart.h"
 #include "ui/panels/flat_swatch.h"
-#include "ui/panels/force_meter.h"
-#include "ui/panels/level_bar.h"
-#include "ui/panels/period_chart.h"
 #include "ui/panels/profile_chart.h"
-#include "ui/panels/strip_chart.h"
-#include "ui/panels/swatch.h"
 #include "ui/panels/workspace_picture.h"
+#include "ui/widgets/button_lamps.h"
+#include "ui/widgets/compare_chart.h"
+#include "ui/widgets/force_meter.h"
+#include "ui/widgets/level_bar.h"
+#include "ui/widgets/period_chart.h"
+#include "ui/widgets/strip_chart.h"
+#include "ui/widgets/swatch.h"
 
 namespace test_figures {
 

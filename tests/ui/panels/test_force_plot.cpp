@@ -9,8 +9,8 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/panels/touch_traces.h"
-#include "ui/panels/force_plot.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/widgets/force_plot.h"
 
 namespace test_force_plot {
 

@@ -19,13 +19,13 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
+#include "ui/base/shortcuts.h"
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/layer_fields.h"
 #include "ui/panels/layer_list.h"
 #include "ui/panels/layer_panel.h"
-#include "ui/panels/number_box.h"
 #include "ui/panels/profile_chart.h"
-#include "ui/shortcuts.h"
+#include "ui/widgets/number_box.h"
 
 namespace test_layer_panels {
 

@@ -21,11 +21,11 @@
 #include "ui/panels/event_list.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/history_list.h"
-#include "ui/panels/notice_bar.h"
 #include "ui/panels/sample_gallery.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
-#include "ui/panels/tool_strip.h"
+#include "ui/widgets/notice_bar.h"
+#include "ui/widgets/tool_strip.h"
 
 namespace test_notices {
 

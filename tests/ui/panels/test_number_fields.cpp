@@ -21,11 +21,11 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/numbers.h"
-#include "ui/panels/number_box.h"
+#include "ui/base/numbers.h"
+#include "ui/base/units.h"
 #include "ui/panels/parameter_field.h"
-#include "ui/panels/value_slider.h"
-#include "ui/units.h"
+#include "ui/widgets/number_box.h"
+#include "ui/widgets/value_slider.h"
 
 namespace test_number_fields {
 

@@ -11,7 +11,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/panels/command_palette.h"
+#include "ui/widgets/command_palette.h"
 
 namespace test_palette_entries {
 

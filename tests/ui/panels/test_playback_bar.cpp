@@ -14,8 +14,8 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/panels/playback_bar.h"
-#include "ui/panels/scrubber.h"
+#include "ui/showing/playback_bar.h"
+#include "ui/widgets/scrubber.h"
 
 namespace test_playback_bar {
 

@@ -26,16 +26,16 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/comparison.h"
+#include "ui/document/preset_store.h"
+#include "ui/engine/comparison.h"
+#include "ui/engine/world_publisher.h"
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/inspector.h"
-#include "ui/panels/number_box.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/preset_form.h"
 #include "ui/panels/preset_library.h"
 #include "ui/panels/problems.h"
-#include "ui/preset_store.h"
-#include "ui/world_publisher.h"
+#include "ui/widgets/number_box.h"
 
 namespace test_scene_panels {
 

@@ -12,9 +12,9 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
 #include "tests/ui/panels/panels.h"
-#include "ui/panels/study_page.h"
-#include "ui/panels/study_panel.h"
-#include "ui/study_desk.h"
+#include "ui/study/study_desk.h"
+#include "ui/study/study_page.h"
+#include "ui/study/study_panel.h"
 
 namespace test_study_panels {
 

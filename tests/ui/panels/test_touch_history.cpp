@@ -5,8 +5,8 @@
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/panels/touch_traces.h"
-#include "ui/panels/strip_chart.h"
-#include "ui/panels/touch_history.h"
+#include "ui/widgets/strip_chart.h"
+#include "ui/widgets/touch_history.h"
 
 namespace test_touch_history {
 

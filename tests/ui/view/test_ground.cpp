@@ -8,7 +8,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/contact_shadow.h"
 #include "ui/view/ground_layer.h"
 #include "ui/view/scene_view.h"

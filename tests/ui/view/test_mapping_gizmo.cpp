@@ -7,7 +7,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/support/shown.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/mapping_gizmo.h"
 
 namespace test_mapping_gizmo {

@@ -12,7 +12,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/hand_tool.h"
 #include "ui/view/scene_picker.h"
 #include "ui/view/scene_view.h"

@@ -5,7 +5,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/view/ball_scene.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 #include "ui/view/surface_format.h"
 #include "ui/view/touch_picture.h"
 

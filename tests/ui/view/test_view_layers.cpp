@@ -15,7 +15,7 @@
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "tests/ui/view/props.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
 #include "ui/view/axes_gizmo.h"
 #include "ui/view/brush_ring.h"
 #include "ui/view/colour_map.h"

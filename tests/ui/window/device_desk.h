@@ -15,7 +15,7 @@
 
 #include "tests/ui/window/fake_devices.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/device_link.h"
+#include "ui/engine/device_link.h"
 #include "ui/panels/device_panel.h"
 
 namespace tactum {

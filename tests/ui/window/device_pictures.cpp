@@ -9,8 +9,8 @@
 
 #include "tests/ui/window/fake_devices.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/device_link.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/engine/device_link.h"
 #include "ui/view/scene_view.h"
 
 namespace tactum {

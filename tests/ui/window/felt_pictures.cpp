@@ -4,8 +4,8 @@
 #include <QDockWidget>
 #include <QTest>
 
-#include "ui/panels/force_plot.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/force_plot.h"
 
 namespace tactum {
 

@@ -26,12 +26,12 @@
 #include "tests/ui/window/study_pictures.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
+#include "ui/base/style.h"
+#include "ui/document/journal.h"
+#include "ui/document/preset_store.h"
 #include "ui/panels/sample_gallery.h"
-#include "ui/preset_store.h"
-#include "ui/recording_saver.h"
-#include "ui/style.h"
-#include "ui/video_recorder.h"
+#include "ui/showing/recording_saver.h"
+#include "ui/showing/video_recorder.h"
 #include "ui/view/scene_view.h"
 
 using namespace tactum;

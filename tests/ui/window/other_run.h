@@ -15,7 +15,7 @@
 #include "core/files/journal.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
+#include "ui/document/journal.h"
 
 namespace tactum {
 

@@ -8,8 +8,8 @@
 #include <QTimer>
 
 #include "tests/ui/window/window_fixture.h"
-#include "ui/study_desk.h"
-#include "ui/study_session.h"
+#include "ui/study/study_desk.h"
+#include "ui/study/study_session.h"
 
 namespace tactum {
 

@@ -11,12 +11,12 @@
 #include "core/study/design.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
-#include "ui/device_settings.h"
-#include "ui/paint_goal.h"
-#include "ui/preferences.h"
-#include "ui/select_tool.h"
-#include "ui/shortcuts.h"
-#include "ui/words.h"
+#include "ui/base/preferences.h"
+#include "ui/base/shortcuts.h"
+#include "ui/base/words.h"
+#include "ui/engine/device_settings.h"
+#include "ui/tools/paint_goal.h"
+#include "ui/tools/select_tool.h"
 
 namespace tactum {
 

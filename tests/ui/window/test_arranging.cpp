@@ -15,7 +15,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/arrange_tool.h"
+#include "ui/tools/arrange_tool.h"
 #include "ui/view/scene_view.h"
 
 namespace test_arranging {

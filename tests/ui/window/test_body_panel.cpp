@@ -16,8 +16,8 @@
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/panels/body_panel.h"
-#include "ui/panels/force_plot.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/force_plot.h"
 
 namespace test_body_panel {
 

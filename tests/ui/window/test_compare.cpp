@@ -12,7 +12,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/comparison.h"
+#include "ui/engine/comparison.h"
 
 namespace test_compare {
 

@@ -10,7 +10,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/device_link.h"
+#include "ui/engine/device_link.h"
 
 namespace test_falcon_window {
 

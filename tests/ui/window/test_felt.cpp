@@ -9,9 +9,9 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/force_plot.h"
 #include "ui/sound/sound_output.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/force_plot.h"
 
 namespace test_felt {
 

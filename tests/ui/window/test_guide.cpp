@@ -8,9 +8,9 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
-#include "ui/guide_window.h"
-#include "ui/keyboard_sheet.h"
-#include "ui/shortcuts.h"
+#include "ui/base/shortcuts.h"
+#include "ui/window/guide_window.h"
+#include "ui/window/keyboard_sheet.h"
 
 namespace test_guide {
 

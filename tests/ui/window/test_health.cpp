@@ -14,11 +14,11 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/health_words.h"
+#include "ui/engine/health_words.h"
+#include "ui/engine/steady_ceiling.h"
 #include "ui/panels/health_panel.h"
-#include "ui/panels/period_chart.h"
-#include "ui/steady_ceiling.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/period_chart.h"
 
 namespace test_health {
 

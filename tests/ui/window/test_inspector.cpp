@@ -11,7 +11,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
 
 namespace test_inspector {
 

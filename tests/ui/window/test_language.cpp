@@ -15,9 +15,9 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/table_texts.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/language.h"
-#include "ui/mnemonics.h"
-#include "ui/preferences.h"
+#include "ui/base/language.h"
+#include "ui/base/mnemonics.h"
+#include "ui/base/preferences.h"
 
 namespace test_language {
 

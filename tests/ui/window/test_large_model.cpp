@@ -16,9 +16,9 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/support/quiet.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/paint_tool.h"
-#include "ui/region_select.h"
-#include "ui/select_tool.h"
+#include "ui/tools/paint_tool.h"
+#include "ui/tools/region_select.h"
+#include "ui/tools/select_tool.h"
 #include "ui/view/scene_view.h"
 
 namespace test_large_model {

@@ -12,7 +12,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/layered_window.h"
-#include "ui/layer_picture.h"
+#include "ui/document/layer_picture.h"
 #include "ui/panels/flat_swatch.h"
 #include "ui/panels/profile_chart.h"
 

@@ -23,13 +23,13 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/ask_where.h"
-#include "ui/connect_dialog.h"
-#include "ui/language.h"
-#include "ui/mnemonics.h"
+#include "ui/base/ask_where.h"
+#include "ui/base/language.h"
+#include "ui/base/mnemonics.h"
+#include "ui/document/recent_files.h"
 #include "ui/panels/finding_list.h"
-#include "ui/recent_files.h"
 #include "ui/view/scene_view.h"
+#include "ui/window/connect_dialog.h"
 
 namespace test_mnemonics {
 

@@ -18,10 +18,10 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/paint_tool.h"
+#include "ui/document/preset_store.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/panels/recovery_bar.h"
-#include "ui/preset_store.h"
+#include "ui/tools/paint_tool.h"
 #include "ui/view/scene_view.h"
 
 namespace test_one_job {

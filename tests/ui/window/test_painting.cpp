@@ -8,7 +8,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/paint_tool.h"
+#include "ui/tools/paint_tool.h"
 #include "ui/view/scene_view.h"
 
 namespace test_painting {

@@ -15,10 +15,10 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/command_palette.h"
-#include "ui/recent_files.h"
-#include "ui/shortcuts.h"
+#include "ui/base/shortcuts.h"
+#include "ui/document/recent_files.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/command_palette.h"
 
 namespace test_palette {
 

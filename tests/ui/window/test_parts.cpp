@@ -27,11 +27,11 @@
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
+#include "ui/document/journal.h"
 #include "ui/panels/import_bar.h"
-#include "ui/panels/notice_bar.h"
 #include "ui/panels/outliner.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_parts {
 

@@ -15,7 +15,7 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/notice_bar.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_places {
 

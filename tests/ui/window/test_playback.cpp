@@ -18,9 +18,9 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/troubled_hand.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/playback_bar.h"
-#include "ui/playback.h"
-#include "ui/recording_saver.h"
+#include "ui/showing/playback.h"
+#include "ui/showing/playback_bar.h"
+#include "ui/showing/recording_saver.h"
 #include "ui/view/scene_view.h"
 
 namespace test_playback {

@@ -13,12 +13,12 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
-#include "ui/numbers.h"
-#include "ui/preferences.h"
-#include "ui/style.h"
+#include "ui/base/numbers.h"
+#include "ui/base/preferences.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
+#include "ui/document/journal.h"
 #include "ui/view/scene_view.h"
-#include "ui/words.h"
 
 namespace test_preferences {
 

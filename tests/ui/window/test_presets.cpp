@@ -19,12 +19,12 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/apply_preset.h"
-#include "ui/panels/notice_bar.h"
+#include "ui/document/apply_preset.h"
+#include "ui/document/preset_store.h"
 #include "ui/panels/preset_form.h"
 #include "ui/panels/preset_library.h"
-#include "ui/preset_store.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_presets {
 

@@ -21,7 +21,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/other_run.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/journal.h"
+#include "ui/document/journal.h"
 #include "ui/panels/recovery_bar.h"
 #include "ui/view/scene_view.h"
 

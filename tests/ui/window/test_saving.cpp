@@ -11,7 +11,7 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/ask_where.h"
+#include "ui/base/ask_where.h"
 
 namespace test_saving {
 

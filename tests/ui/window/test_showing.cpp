@@ -14,11 +14,11 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/force_plot.h"
-#include "ui/recording_saver.h"
-#include "ui/recording_video.h"
-#include "ui/video_recorder.h"
+#include "ui/showing/recording_saver.h"
+#include "ui/showing/recording_video.h"
+#include "ui/showing/video_recorder.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/force_plot.h"
 
 namespace test_showing {
 

@@ -26,11 +26,11 @@
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/notice_bar.h"
-#include "ui/panels/study_page.h"
-#include "ui/study_desk.h"
-#include "ui/study_session.h"
+#include "ui/study/study_desk.h"
+#include "ui/study/study_page.h"
+#include "ui/study/study_session.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_study {
 

@@ -15,7 +15,7 @@
 #include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/obj_box.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/source_watch.h"
+#include "ui/document/source_watch.h"
 
 namespace test_update_geometry {
 

@@ -20,10 +20,10 @@
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/numbers.h"
+#include "ui/base/numbers.h"
+#include "ui/base/shortcuts.h"
+#include "ui/document/recent_files.h"
 #include "ui/panels/history_list.h"
-#include "ui/recent_files.h"
-#include "ui/shortcuts.h"
 #include "ui/view/scene_view.h"
 
 namespace test_window {

@@ -12,9 +12,9 @@
 #include <QWindow>
 
 #include "device/simulated_hand.h"
-#include "ui/guard_watch.h"
-#include "ui/journal.h"
-#include "ui/style.h"
+#include "ui/base/style.h"
+#include "ui/document/journal.h"
+#include "ui/engine/guard_watch.h"
 #include "ui/view/scene_view.h"
 #include "ui/view/surface_format.h"
 

@@ -13,8 +13,8 @@
 #include "core/runtime/local_engine.h"
 #include "core/safety/force_gate.h"
 #include "tests/support/waiting.h"
-#include "ui/document.h"
-#include "ui/main_window.h"
+#include "ui/document/document.h"
+#include "ui/window/main_window.h"
 
 class QAction;
 class QDoubleSpinBox;

@@ -1,0 +1,16 @@
+// A preset given to surfaces of the document.
+#pragma once
+
+#include "core/presets/preset.h"
+#include "ui/document/document.h"
+#include "ui/document/preset_store.h"
+
+namespace tactum {
+
+/// One step of the history, whatever the preset sets and however many surfaces there are. A colour that came
+/// from a preset of the `library` makes room for that of another. Locked surfaces stay as they are. False
+/// where nothing was changed. Thread: ui.
+bool applyPreset(Document& document, const SurfaceRefs& refs, const Preset& preset,
+                 const std::vector<StoredPreset>& library = {});
+
+} // namespace tactum

@@ -1,0 +1,323 @@
+#include "ui/engine/device_link.h"
+#include "ui/base/words.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QSettings>
+
+namespace tactum {
+
+namespace {
+
+constexpr int kLook = 1000; // ms
+
+QString chosenKey() {
+    return QStringLiteral("device/chosen");
+}
+
+} // namespace
+
+/// Passes on from the worker what the device says while it is made ready.
+class DeviceLink::Watch final : public Opening {
+public:
+    Watch(DeviceLink& link, std::shared_ptr<Attempt> attempt) : link_(link), attempt_(std::move(attempt)) {}
+
+    void begin(std::string_view step, std::string_view request) override {
+        attempt_->progress = 0;
+        QMetaObject::invokeMethod(
+            &link_,
+            [&link = link_, attempt = attempt_, step = asIs(step), request = asIs(request)] {
+                if (attempt == link.attempt_) link.beginStep(step, request);
+            },
+            Qt::QueuedConnection);
+    }
+    void progress(double part) override { attempt_->progress = std::clamp(part, 0.0, 1.0); }
+    bool cancelled() const override { return attempt_->cancelled; }
+
+private:
+    DeviceLink& link_;
+    std::shared_ptr<Attempt> attempt_;
+};
+
+DeviceLink::DeviceLink(Engine& engine, QObject* parent)
+    : QObject(parent), engine_(engine), current_(engine.device().real ? QString() : kSimulatedDevice),
+      wanted_(current_), stop_(std::make_shared<StopSwitch>()) {
+    pool_.setMaxThreadCount(2);
+    timer_.setSingleShot(true);
+    timer_.setInterval(kLook);
+    connect(&timer_, &QTimer::timeout, this, &DeviceLink::look);
+}
+
+// What the workers still send finds nobody any more: Qt drops it with this object, the device with it.
+DeviceLink::~DeviceLink() {
+    if (attempt_) attempt_->cancelled = true;
+    pool_.waitForDone();
+}
+
+void DeviceLink::setCatalogue(DeviceCatalogue& catalogue) {
+    catalogue_ = &catalogue;
+    wanted_ = QSettings().value(chosenKey(), current_).toString();
+    look();
+}
+
+const DeviceListing* DeviceLink::find(const QString& id) const {
+    if (id.isEmpty()) return nullptr;
+    const auto found = std::ranges::find(devices_, id.toStdString(), &DeviceListing::id);
+    return found == devices_.end() ? nullptr : &*found;
+}
+
+void DeviceLink::look() {
+    if (!catalogue_) return;
+    again_ = listing_;
+    if (listing_) return;
+    listing_ = true;
+    timer_.stop();
+    pool_.start([this, wantsSpare = !spare_] {
+        const std::lock_guard alone(asking_);
+        auto found = catalogue_->list();
+        Made spare;
+        if (wantsSpare)
+            if (auto made = catalogue_->make(kSimulatedDevice.toStdString()))
+                spare = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(*made));
+        QMetaObject::invokeMethod(
+            this, [this, found = std::move(found), spare] { listed(found, spare); }, Qt::QueuedConnection);
+    });
+}
+
+void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
+    listing_ = false;
+    if (spare) spare_ = spare;
+    const bool troubled = connected() && !engine_.trouble().empty();
+    const bool changed = found != devices_ || troubled != troubled_;
+    troubled_ = troubled;
+    devices_ = std::move(found);
+    if (connected() && !current_.isEmpty() && !find(current_) && unread()) lose();
+    seenUnread_ = engine_.servo().invalidSamples;
+    bringBack();
+    if (changed) emit listChanged();
+    if (std::exchange(again_, false)) return look();
+    timer_.start();
+}
+
+// A device that is open may be hidden from a list, by its maker's library for instance: it is lost when its
+// readings do not come either, or its driver does not come back at all.
+bool DeviceLink::unread() {
+    constexpr std::uint64_t kHiccup = 100; // readings
+    return !engine_.running() || engine_.servoStandsStill() ||
+           engine_.servo().inhibit == InhibitReason::DeviceLost ||
+           engine_.servo().invalidSamples > seenUnread_ + kHiccup;
+}
+
+void DeviceLink::lose() {
+    const QString name = lostName_ = QString::fromStdString(engine_.device().name);
+    wantedThere_ = false;
+    park();
+    emit wentAway(name);
+}
+
+/// Once for each time that the wanted device appears: what failed is not tried without end.
+void DeviceLink::bringBack() {
+    const DeviceListing* wanted = find(wanted_);
+    const bool there = wanted && wanted->usable;
+    if (there && !wantedThere_ && wanted_ != current_ && !attempt_) begin(wanted_, true);
+    wantedThere_ = there;
+}
+
+// By value: it may be the name of the current device, which changes on the way.
+void DeviceLink::choose(QString id) {
+    if (!catalogue_ || id.isEmpty()) return;
+    wanted_ = id;
+    QSettings().setValue(chosenKey(), id);
+    const DeviceListing* listing = find(id);
+    wantedThere_ = listing && listing->usable;
+    if (id != kSimulatedDevice) {
+        if (mayBegin(id) || id != current_) begin(id, false);
+        return;
+    }
+    giveUp();
+    next_.clear();
+    lostName_.clear();
+    if (!attempt_) finish(Preparation::State::None);
+    if (connected() || !engine_.running()) park();
+}
+
+bool DeviceLink::mayBegin(const QString& id) const {
+    return !id.isEmpty() && !preparing() && (id != current_ || (connected() && !engine_.trouble().empty()));
+}
+
+void DeviceLink::tryAgain() {
+    if (!preparing() && !preparation_.id.isEmpty()) choose(preparation_.id);
+}
+
+void DeviceLink::supply(const QString& id, const QString& file) {
+    pool_.start([this, id, file] {
+        const auto kept = [&] {
+            const std::lock_guard alone(asking_);
+            return catalogue_->supply(id.toStdString(), file.toStdString());
+        }();
+        QMetaObject::invokeMethod(
+            this,
+            [this, id, kept] {
+                if (!kept) return emit failed(QString::fromStdString(kept.error().text));
+                emit supplied(QString::fromStdString(*kept));
+                look();
+                if (preparation_.state == Preparation::State::Failed && preparation_.id == id) tryAgain();
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void DeviceLink::giveUp() {
+    if (!attempt_) return;
+    attempt_->cancelled = true;
+    next_.clear();
+    preparation_.givingUp = true;
+    emit preparationChanged();
+}
+
+void DeviceLink::begin(QString id, bool back) {
+    if (attempt_) {
+        attempt_->cancelled = true;
+        next_ = id;
+        nextBack_ = back;
+        return;
+    }
+    // Nothing pushes while the person is busy with another device, and the same one is free to be opened.
+    if (connected()) park();
+    const DeviceListing* listing = find(id);
+    preparation_ = {.state = Preparation::State::Running,
+                    .id = id,
+                    .name = listing ? QString::fromStdString(listing->name) : id,
+                    .steps = {},
+                    .request = {},
+                    .progress = 0,
+                    .givingUp = false,
+                    .failure = {}};
+    attempt_ = std::make_shared<Attempt>();
+    attempt_->id = id;
+    attempt_->back = back;
+    pool_.start([this, attempt = attempt_] { prepare(attempt); });
+    emit preparationChanged();
+}
+
+/// Thread: a worker.
+void DeviceLink::prepare(const std::shared_ptr<Attempt>& attempt) {
+    const auto deliver = [this, attempt](const Made& device, const QString& failure) {
+        QMetaObject::invokeMethod(
+            this, [this, attempt, device, failure] { ended(attempt, device, failure); },
+            Qt::QueuedConnection);
+    };
+    auto made = [&] {
+        const std::lock_guard alone(asking_);
+        return catalogue_->make(attempt->id.toStdString());
+    }();
+    if (!made) return deliver({}, QString::fromStdString(made.error().text));
+    auto device = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(*made));
+    QMetaObject::invokeMethod(
+        this,
+        [this, attempt, name = QString::fromStdString((*device)->info().name), steps = (*device)->steps()] {
+            if (attempt == attempt_) knowSteps(name, steps);
+        },
+        Qt::QueuedConnection);
+    Watch watch(*this, attempt);
+    const Result<void> prepared = (*device)->prepare(watch);
+    if (prepared && !attempt->cancelled) return deliver(device, {});
+    device.reset(); // here: it may take its time
+    deliver({}, prepared ? QString() : QString::fromStdString(prepared.error().text));
+}
+
+void DeviceLink::knowSteps(const QString& name, const std::vector<std::string>& steps) {
+    if (!name.isEmpty()) preparation_.name = name;
+    for (const std::string& step : steps)
+        preparation_.steps.push_back({QString::fromStdString(step), StepState::Waiting});
+    emit preparationChanged();
+}
+
+/// A step that was not announced is shown all the same.
+void DeviceLink::beginStep(const QString& step, const QString& request) {
+    auto& steps = preparation_.steps;
+    auto at = std::ranges::find(steps, step, &Preparation::Step::name);
+    if (at == steps.end()) at = steps.insert(steps.end(), {step, StepState::Waiting});
+    for (auto before = steps.begin(); before != at; ++before)
+        before->state = StepState::Done;
+    at->state = StepState::Doing;
+    preparation_.request = request;
+    preparation_.progress = 0;
+    emit preparationChanged();
+}
+
+void DeviceLink::frame() {
+    if (!attempt_ || preparation_.progress == attempt_->progress) return;
+    preparation_.progress = attempt_->progress;
+    emit preparationChanged();
+}
+
+void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure) {
+    attempt_.reset();
+    if (attempt->cancelled || attempt->id != wanted_) // the person may want another one by now
+        finish(wanted_ == kSimulatedDevice ? Preparation::State::None : Preparation::State::GivenUp);
+    else if (device)
+        adopt(*attempt, std::move(*device));
+    else
+        fail(failure);
+    if (!next_.isEmpty() && !attempt_) begin(std::exchange(next_, {}), nextBack_);
+}
+
+void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device) {
+    emit letsGo();
+    auto stop = std::make_shared<StopSwitch>();
+    const Result<void> started = engine_.setDevice(std::make_unique<StopButton>(std::move(device), stop));
+    if (!started) {
+        park();
+        return fail(QString::fromStdString(started.error().text));
+    }
+    stop_ = std::move(stop);
+    current_ = attempt.id;
+    lostName_.clear();
+    seenUnread_ = 0;
+    for (Preparation::Step& step : preparation_.steps)
+        step.state = StepState::Done;
+    preparation_.name = QString::fromStdString(engine_.device().name); // which it knows only now
+    finish(Preparation::State::Done);
+    emit exchanged();
+    emit ready(preparation_.name, attempt.back);
+}
+
+void DeviceLink::fail(const QString& sentence) {
+    QString where = preparation_.name;
+    for (Preparation::Step& step : preparation_.steps)
+        if (step.state == StepState::Doing) {
+            step.state = StepState::Failed;
+            where = tr("%1, step \"%2\"").arg(preparation_.name, step.name);
+            if (sentence.contains(step.name)) where = preparation_.name; // it says so itself
+        }
+    preparation_.failure = sentence;
+    finish(Preparation::State::Failed);
+    emit failed(QStringLiteral("%1: %2").arg(where, sentence));
+}
+
+void DeviceLink::finish(Preparation::State state) {
+    preparation_.state = state;
+    preparation_.request.clear();
+    preparation_.givingUp = false;
+    for (Preparation::Step& step : preparation_.steps)
+        if (step.state == StepState::Doing) step.state = StepState::Waiting;
+    emit preparationChanged();
+}
+
+/// The simulated device into the engine, and a look for the next spare one. Where the catalogue has none, the
+/// loops rest.
+void DeviceLink::park() {
+    emit letsGo();
+    current_ = kSimulatedDevice;
+    stop_ = std::make_shared<StopSwitch>();
+    const Result<void> stopped = engine_.stop();
+    if (const Made spare = std::exchange(spare_, nullptr))
+        (void)engine_.setDevice(std::move(*spare)); // it opens nothing that could fail
+    look();
+    emit exchanged();
+    if (!stopped) emit failed(QString::fromStdString(stopped.error().text));
+}
+
+} // namespace tactum

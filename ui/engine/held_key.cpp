@@ -1,0 +1,32 @@
+#include "ui/engine/held_key.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+
+namespace tactum {
+
+HeldKey::HeldKey(Qt::Key key, int milliseconds, QObject* parent) : QObject(parent), key_(key) {
+    timer_.setSingleShot(true);
+    timer_.setInterval(milliseconds);
+    connect(&timer_, &QTimer::timeout, this, &HeldKey::held);
+    qApp->installEventFilter(this);
+}
+
+bool HeldKey::eventFilter(QObject* watched, QEvent* event) {
+    const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (press || event->type() == QEvent::KeyRelease) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        // A held key repeats as pairs of release and press: those say nothing.
+        if (key->key() == key_ && !key->isAutoRepeat()) {
+            if (!press)
+                timer_.stop();
+            else if (!timer_.isActive())
+                timer_.start();
+        }
+    }
+    // The release of a key goes elsewhere once the program is not in front.
+    if (event->type() == QEvent::ApplicationDeactivate) timer_.stop();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace tactum

@@ -1,0 +1,31 @@
+#include "ui/showing/played_touch.h"
+
+#include "ui/view/scene_view.h"
+#include "ui/widgets/force_plot.h"
+
+namespace tactum {
+
+namespace {
+constexpr double kSlice = 0.016; // s
+}
+
+/// In slices as long as a frame: plot and trail take the contacts of one haptic step for each of them.
+std::vector<TracePoint> showPlayed(Player& player, ForcePlot& plot, SceneView& view, const QString& touched) {
+    std::vector<TracePoint> ticks = player.takeTrace();
+    const std::vector<ReplayedStep> steps = player.takeSteps();
+    std::vector<TracePoint> slice;
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        slice.push_back(ticks[i]);
+        if (i + 1 < ticks.size() && ticks[i].t - slice.front().t < kSlice) continue;
+        while (passed < steps.size() && steps[passed].row->time <= ticks[i].t)
+            ++passed;
+        const HapticOutput& touch = passed > 0 ? steps[passed - 1].output : player.proxy().output;
+        plot.take(slice, touch, player.run().device.maxForce, player.proxy().rate, {}, touched);
+        view.addTrail(slice, touch);
+        slice.clear();
+    }
+    return ticks;
+}
+
+} // namespace tactum

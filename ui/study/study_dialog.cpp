@@ -1,0 +1,396 @@
+#include "ui/study/study_dialog.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "core/base/numbers.h"
+#include "ui/base/style.h"
+#include "ui/base/words.h"
+#include "ui/study/study_panel.h"
+
+namespace tactum {
+
+namespace {
+
+/// One question a line: kind | text | more.
+QString lineOf(const StudyQuestion& question) {
+    QStringList parts{QString::fromLatin1(kQuestionNames[int(question.kind)]), asIs(question.text)};
+    if (question.kind == StudyQuestion::Kind::Rating)
+        parts << QString::number(question.steps) << asIs(question.low) << asIs(question.high);
+    for (const std::string& choice : question.choices)
+        if (question.kind == StudyQuestion::Kind::Choice) parts << asIs(choice);
+    while (!parts.isEmpty() && parts.back().isEmpty())
+        parts.removeLast();
+    return parts.join(QStringLiteral(" | "));
+}
+
+std::optional<StudyQuestion> questionOf(const QString& line) {
+    QStringList parts = line.split(u'|');
+    for (QString& part : parts)
+        part = part.trimmed();
+    StudyQuestion question;
+    const auto kind = std::ranges::find(kQuestionNames, parts[0].toLower().toStdString());
+    if (kind == std::end(kQuestionNames) || parts.size() < 2) return {};
+    question.kind = StudyQuestion::Kind(kind - std::begin(kQuestionNames));
+    question.text = parts[1].toStdString();
+    if (question.kind == StudyQuestion::Kind::Rating) {
+        if (parts.size() > 2) question.steps = parts[2].toInt();
+        question.low = parts.value(3).toStdString();
+        question.high = parts.value(4).toStdString();
+    } else if (question.kind == StudyQuestion::Kind::Choice) {
+        for (const QString& choice : parts.mid(2))
+            question.choices.push_back(choice.toStdString());
+    }
+    return question;
+}
+
+class DesignDialog : public QDialog {
+public:
+    DesignDialog(QWidget* parent, const StudyDesign& now, const QStringList& surfaces)
+        : QDialog(parent), design_(now),
+          buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+        setObjectName(QStringLiteral("study-dialog"));
+        setWindowTitle(QObject::tr("Procedure and questions"));
+        auto* columns = new QHBoxLayout;
+        columns->setSpacing(3 * kRhythm);
+        columns->addWidget(makeProcedure());
+        columns->addWidget(makeStaircase(surfaces));
+        columns->addWidget(makeQuestions());
+        auto* rows = new QVBoxLayout(this);
+        rows->addLayout(columns);
+        summary_ = new QLabel;
+        summary_->setObjectName(QStringLiteral("study-dialog-summary"));
+        summary_->setTextFormat(Qt::PlainText);
+        summary_->setWordWrap(true);
+        rows->addWidget(summary_);
+        rows->addWidget(buttons_);
+        connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+        connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        judge();
+    }
+
+    const StudyDesign& design() const { return design_; }
+
+private:
+    QLineEdit* line(const char* name, const std::string& text) {
+        auto* edit = new QLineEdit(asIs(text));
+        edit->setObjectName(QString::fromLatin1(name));
+        connect(edit, &QLineEdit::textChanged, this, [this] { judge(); });
+        return edit;
+    }
+    QComboBox* box(const char* name, const QStringList& texts, int now) {
+        auto* combo = new QComboBox;
+        combo->setObjectName(QString::fromLatin1(name));
+        combo->addItems(texts);
+        combo->setCurrentIndex(now);
+        connect(combo, &QComboBox::currentIndexChanged, this, [this] { judge(); });
+        return combo;
+    }
+    QSpinBox* whole(const char* name, int least, int most, int now) {
+        auto* spin = new QSpinBox;
+        spin->setObjectName(QString::fromLatin1(name));
+        spin->setRange(least, most);
+        spin->setValue(now);
+        connect(spin, &QSpinBox::valueChanged, this, [this] { judge(); });
+        return spin;
+    }
+    QDoubleSpinBox* number(const char* name, double most, double now, int decimals,
+                           const QString& unit = {}) {
+        auto* spin = new QDoubleSpinBox;
+        spin->setObjectName(QString::fromLatin1(name));
+        spin->setDecimals(decimals);
+        spin->setRange(0, most);
+        spin->setValue(now);
+        if (!unit.isEmpty()) spin->setSuffix(u' ' + unit);
+        connect(spin, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
+        return spin;
+    }
+    QCheckBox* check(const char* name, const QString& text, bool on) {
+        auto* tick = new QCheckBox(text);
+        tick->setObjectName(QString::fromLatin1(name));
+        tick->setChecked(on);
+        connect(tick, &QCheckBox::toggled, this, [this] { judge(); });
+        return tick;
+    }
+    QPlainTextEdit* text(const char* name, const QString& words, int rows) {
+        auto* edit = new QPlainTextEdit(words);
+        edit->setObjectName(QString::fromLatin1(name));
+        edit->setTabChangesFocus(true);
+        edit->setFixedHeight(rows * 3 * kRhythm);
+        connect(edit, &QPlainTextEdit::textChanged, this, [this] { judge(); });
+        return edit;
+    }
+
+    QWidget* makeProcedure() {
+        auto* group = new QGroupBox(QObject::tr("Procedure"));
+        auto* form = new QFormLayout(group);
+        form->addRow(QObject::tr("Name"), name_ = line("study-name", design_.name));
+        form->addRow(
+            QObject::tr("Kind"),
+            kind_ = box("study-kind",
+                        {QObject::tr("Each condition by itself"), QObject::tr("Pairs: one of two is chosen"),
+                         QObject::tr("A/B/X: which one is X?"), QObject::tr("Staircase over a parameter")},
+                        int(design_.procedure)));
+        form->addRow(QObject::tr("Order"),
+                     order_ = box("study-order",
+                                  {QObject::tr("As listed"), QObject::tr("Random in each repetition"),
+                                   QObject::tr("Balanced Latin square")},
+                                  int(design_.order)));
+        form->addRow(QObject::tr("Repetitions"),
+                     repeats_ = whole("study-repeats", 1, kMaxRepetitions, design_.repeats));
+        form->addRow(QObject::tr("Seed"),
+                     seed_ = line("study-seed", design_.seed ? std::to_string(design_.seed) : std::string()));
+        seed_->setPlaceholderText(QObject::tr("another one for each run"));
+        form->addRow(QObject::tr("Choice asked"), prompt_ = line("study-prompt", design_.prompt));
+        form->addRow(QObject::tr("Stimulus lasts"),
+                     stimulus_ =
+                         number("study-seconds", 3600, design_.stimulusSeconds, 1, QStringLiteral("s")));
+        stimulus_->setSpecialValueText(QObject::tr("until the participant goes on"));
+        form->addRow(QObject::tr("Pause after a trial"),
+                     pause_ = number("study-pause", 3600, design_.pauseSeconds, 1, QStringLiteral("s")));
+        form->addRow(QObject::tr("View"),
+                     view_ = box("study-view",
+                                 {QObject::tr("Shown, the finger on the surface"),
+                                  QObject::tr("Frozen, without a finger"), QObject::tr("Hidden")},
+                                 int(design_.view)));
+        form->addRow(again_ = check("study-again", QObject::tr("Stimuli may be felt again before the choice"),
+                                    design_.again));
+        form->addRow(between_ = check("study-between", QObject::tr("Forces off while something is asked"),
+                                      design_.forcesOffBetween));
+        form->addRow(QObject::tr("Log every"), every_ = whole("study-every", 1, 1000, design_.touchEvery));
+        every_->setSuffix(QObject::tr(" servo ticks"));
+        return group;
+    }
+
+    QWidget* makeStaircase(const QStringList& surfaces) {
+        const StaircaseRule& rule = design_.staircase;
+        auto* group = staircase_ = new QGroupBox(QObject::tr("Staircase"));
+        auto* form = new QFormLayout(group);
+        QStringList parameters;
+        int now = 0;
+        for (const MaterialField& field : kMaterialFields) {
+            if (field.parameter->key == rule.parameter) now = int(parameters.size());
+            const Parameter& p = *field.parameter;
+            parameters << QString::fromStdString(std::string(p.label) +
+                                                 (p.unit.empty() ? "" : " (" + std::string(p.unit) + ")"));
+        }
+        form->addRow(QObject::tr("Parameter"), parameter_ = box("study-parameter", parameters, now));
+        QStringList names{QObject::tr("All surfaces")};
+        names += surfaces;
+        if (!rule.surface.empty() && !surfaces.contains(asIs(rule.surface))) names << asIs(rule.surface);
+        form->addRow(QObject::tr("Surface"),
+                     surface_ = box("study-surface", names,
+                                    rule.surface.empty() ? 0 : int(names.lastIndexOf(asIs(rule.surface)))));
+        form->addRow(compares_ = check("study-compares", QObject::tr("Two intervals: one has the reference"),
+                                       rule.compares));
+        form->addRow(QObject::tr("Reference value"),
+                     reference_ = number("study-reference", 10000, rule.reference, 3));
+        form->addRow(QObject::tr("First difference"), start_ = number("study-start", 10000, rule.start, 3));
+        form->addRow(QObject::tr("Smallest difference"),
+                     smallest_ = number("study-smallest", 10000, rule.smallest, 3));
+        form->addRow(QObject::tr("Largest difference"),
+                     largest_ = number("study-largest", 10000, rule.largest, 3));
+        QStringList steps;
+        for (const double step : rule.steps)
+            steps << QString::number(step, 'g', 12);
+        form->addRow(QObject::tr("Steps, the next after each reversal"),
+                     steps_ = line("study-steps", steps.join(QStringLiteral("; ")).toStdString()));
+        form->addRow(ratio_ = check("study-ratio", QObject::tr("Steps multiply and divide"), rule.ratio));
+        form->addRow(QObject::tr("Right answers to go down"), down_ = whole("study-down", 1, 4, rule.down));
+        form->addRow(QObject::tr("Ends after reversals"),
+                     reversals_ = whole("study-reversals", 1, 1000, rule.reversals));
+        form->addRow(QObject::tr("Threshold of the last"), used_ = whole("study-used", 1, 1000, rule.used));
+        form->addRow(QObject::tr("At most trials"),
+                     trials_ = whole("study-trials", 1, kMaxTrials, rule.trials));
+        return group;
+    }
+
+    QWidget* makeQuestions() {
+        auto* group = new QGroupBox(QObject::tr("Words"));
+        auto* rows = new QVBoxLayout(group);
+        const auto add = [&](const QString& words, QPlainTextEdit* edit) {
+            auto* label = new QLabel(words);
+            label->setBuddy(edit);
+            label->setWordWrap(true);
+            rows->addWidget(label);
+            rows->addWidget(edit);
+        };
+        add(QObject::tr("Instructions for the participant"),
+            instructions_ = text("study-instructions", asIs(design_.instructions), 5));
+        QStringList lines;
+        for (const StudyQuestion& question : design_.questions)
+            lines << lineOf(question);
+        add(QObject::tr("Questions after each trial, one a line:\n"
+                        "rating | How rough was it? | 7 | smooth | rough\n"
+                        "choice | Which hand? | left | right\n"
+                        "magnitude | How stiff was it?\n"
+                        "text | What was it like?"),
+            questions_ = text("study-questions", lines.join(u'\n'), 5));
+        rows->addStretch();
+        return group;
+    }
+
+    QString read() {
+        design_.name = name_->text().trimmed().toStdString();
+        design_.procedure = Procedure(kind_->currentIndex());
+        design_.order = StudyOrder(order_->currentIndex());
+        design_.repeats = repeats_->value();
+        design_.seed = seed_->text().trimmed().toULongLong();
+        design_.prompt = prompt_->text().trimmed().toStdString();
+        design_.stimulusSeconds = stimulus_->value();
+        design_.pauseSeconds = pause_->value();
+        design_.view = StudyView(view_->currentIndex());
+        design_.again = again_->isChecked();
+        design_.forcesOffBetween = between_->isChecked();
+        design_.touchEvery = every_->value();
+        design_.instructions = instructions_->toPlainText().trimmed().toStdString();
+        readStaircase();
+        return readQuestions();
+    }
+
+    void readStaircase() {
+        StaircaseRule& rule = design_.staircase;
+        rule.parameter = kMaterialFields[std::size_t(parameter_->currentIndex())].parameter->key;
+        rule.surface = surface_->currentIndex() <= 0 ? std::string() : surface_->currentText().toStdString();
+        rule.compares = compares_->isChecked();
+        rule.reference = reference_->value();
+        rule.start = start_->value();
+        rule.smallest = smallest_->value();
+        rule.largest = largest_->value();
+        rule.steps.clear();
+        for (const QString& step : steps_->text().split(u';', Qt::SkipEmptyParts))
+            rule.steps.push_back(parseNumber(step.trimmed().toStdString()).value_or(0));
+        rule.ratio = ratio_->isChecked();
+        rule.down = down_->value();
+        rule.reversals = reversals_->value();
+        rule.used = used_->value();
+        rule.trials = trials_->value();
+    }
+
+    QString readQuestions() {
+        design_.questions.clear();
+        for (const QString& line : questions_->toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
+            if (line.trimmed().isEmpty()) continue;
+            const auto question = questionOf(line);
+            if (!question)
+                return QObject::tr("questions: \"%1\" begins with no kind; write it as in the examples")
+                    .arg(line.trimmed());
+            design_.questions.push_back(*question);
+        }
+        return {};
+    }
+
+    /// What was chosen can be kept unless a question cannot be read; the rest the summary tells.
+    void judge() {
+        if (!questions_) return; // not all is there yet
+        const QString fault = read();
+        buttons_->button(QDialogButtonBox::Ok)->setEnabled(fault.isEmpty());
+        staircase_->setEnabled(design_.procedure == Procedure::Staircase);
+        repeats_->setEnabled(design_.procedure != Procedure::Staircase);
+        order_->setEnabled(design_.procedure != Procedure::Staircase);
+        prompt_->setEnabled(design_.procedure != Procedure::List);
+        prompt_->setPlaceholderText(wordsOf(promptOf(design_)));
+        summary_->setText(fault.isEmpty() ? summaryOf(design_) : fault);
+    }
+
+    StudyDesign design_;
+    QDialogButtonBox* buttons_;
+    QLabel* summary_ = nullptr;
+    QGroupBox* staircase_ = nullptr;
+    QLineEdit *name_ = nullptr, *seed_ = nullptr, *prompt_ = nullptr, *steps_ = nullptr;
+    QComboBox *kind_ = nullptr, *order_ = nullptr, *view_ = nullptr, *parameter_ = nullptr,
+              *surface_ = nullptr;
+    QSpinBox *repeats_ = nullptr, *every_ = nullptr, *down_ = nullptr, *reversals_ = nullptr,
+             *used_ = nullptr, *trials_ = nullptr;
+    QDoubleSpinBox *stimulus_ = nullptr, *pause_ = nullptr, *reference_ = nullptr, *start_ = nullptr,
+                   *smallest_ = nullptr, *largest_ = nullptr;
+    QCheckBox *again_ = nullptr, *between_ = nullptr, *compares_ = nullptr, *ratio_ = nullptr;
+    QPlainTextEdit *instructions_ = nullptr, *questions_ = nullptr;
+};
+
+class StartDialog : public QDialog {
+public:
+    StartDialog(QWidget* parent, const StudyDesign& design, const QString& file)
+        : QDialog(parent), design_(design), file_(file.toStdU16String()) {
+        setObjectName(QStringLiteral("study-start"));
+        setWindowTitle(QObject::tr("Run the study"));
+        auto* form = new QFormLayout(this);
+        auto* note = new QLabel(QObject::tr("The logs come beside %1.").arg(QFileInfo(file).fileName()));
+        note->setTextFormat(Qt::PlainText);
+        note->setWordWrap(true);
+        participant_ = new QSpinBox;
+        participant_->setObjectName(QStringLiteral("study-participant"));
+        participant_->setRange(1, 1000000);
+        goOn_ = new QCheckBox;
+        goOn_->setObjectName(QStringLiteral("study-go-on"));
+        auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+        buttons->button(QDialogButtonBox::Ok)->setText(QObject::tr("&Run the study"));
+        auto* summary = new QLabel(summaryOf(design));
+        summary->setTextFormat(Qt::PlainText);
+        form->addRow(QObject::tr("&Participant number"), participant_);
+        form->addRow(goOn_);
+        form->addRow(summary);
+        form->addRow(note);
+        form->addRow(buttons);
+        connect(participant_, &QSpinBox::valueChanged, this, [this] { look(); });
+        connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+        connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        look();
+    }
+
+    StudyStart start() const {
+        StudyStart start{file_, participant_->value(), design_.seed,
+                         goOn_->isEnabled() && goOn_->isChecked()};
+        while (start.seed == 0)
+            start.seed = QRandomGenerator::system()->generate64();
+        return start;
+    }
+
+private:
+    void look() {
+        const auto broken = brokenOff(design_, file_, participant_->value());
+        goOn_->setEnabled(broken.has_value());
+        goOn_->setChecked(broken.has_value());
+        goOn_->setText(broken ? QObject::tr("&Go on after trial %1, where the last run broke off")
+                                    .arg(broken->run.answers.size())
+                              : QObject::tr("&Go on: no run of this participant broke off"));
+    }
+
+    StudyDesign design_;
+    std::filesystem::path file_;
+    QSpinBox* participant_;
+    QCheckBox* goOn_;
+};
+
+} // namespace
+
+std::optional<StudyDesign> askForDesign(QWidget* parent, const StudyDesign& now,
+                                        const QStringList& surfaces) {
+    DesignDialog dialog(parent, now, surfaces);
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return dialog.design();
+}
+
+std::optional<StudyStart> askForStart(QWidget* parent, const StudyDesign& design, const QString& file) {
+    StartDialog dialog(parent, design, file);
+    if (dialog.exec() != QDialog::Accepted) return {};
+    return dialog.start();
+}
+
+} // namespace tactum

@@ -1,0 +1,33 @@
+#include "ui/widgets/swatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QGuiApplication>
+#include <QPainter>
+
+namespace tactum {
+
+QPixmap swatch(const Eigen::Vector3f& linear) {
+    auto shown = [](float c) { return std::pow(std::clamp(c, 0.f, 1.f), 1 / 2.2f); };
+    const qreal ratio = qApp->devicePixelRatio();
+    QPixmap pixmap(QSize(16, 16) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor::fromRgbF(shown(linear.x()), shown(linear.y()), shown(linear.z())));
+    painter.drawRoundedRect(QRectF(3, 3, 10, 10), 2.5, 2.5);
+    return pixmap;
+}
+
+// What has no picture of its own for a selected row is tinted by the style.
+QIcon swatchIcon(const Eigen::Vector3f& linear) {
+    QIcon icon;
+    for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected, QIcon::Disabled})
+        icon.addPixmap(swatch(linear), mode);
+    return icon;
+}
+
+} // namespace tactum

@@ -1,0 +1,103 @@
+#include "ui/widgets/tool_strip.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "ui/base/style.h"
+
+namespace tactum {
+
+namespace {
+
+QToolButton* buttonOf(QAction* action, const QString& text) {
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setObjectName(action->objectName() + QStringLiteral("-button"));
+    button->setAccessibleName(action->text().remove(u'&'));
+    button->setToolTip(action->toolTip());
+    button->setCheckable(action->isCheckable());
+    button->setChecked(action->isChecked());
+    button->setEnabled(action->isEnabled());
+    QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
+    QObject::connect(action, &QAction::changed, button, [button, action] {
+        button->setChecked(action->isChecked());
+        button->setEnabled(action->isEnabled());
+    });
+    return button;
+}
+
+} // namespace
+
+ToolStrip::ToolStrip(QWidget* parent)
+    : QWidget(parent), content_(new QWidget(this)), row_(new QHBoxLayout(content_)) {
+    setObjectName(QStringLiteral("tool-strip"));
+    row_->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, kRhythm / 2);
+    row_->setSpacing(kRhythm / 2);
+    content_->installEventFilter(this);
+    setAttribute(Qt::WA_StyledBackground); // it lies over the view
+    setProperty("strip", true);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    hide();
+}
+
+QSize ToolStrip::sizeHint() const {
+    return content_->sizeHint();
+}
+
+void ToolStrip::layOut() {
+    content_->resize(std::max(width(), content_->minimumSizeHint().width()), height());
+}
+
+void ToolStrip::resizeEvent(QResizeEvent*) {
+    layOut();
+}
+
+bool ToolStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) {
+        updateGeometry();
+        layOut();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ToolStrip::addLabel(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setProperty("dimmed", true);
+    row_->addWidget(label);
+}
+
+void ToolStrip::addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names) {
+    auto* list = new QComboBox;
+    list->setAccessibleName(what);
+    list->addItems(names);
+    for (int i = 0; i < int(actions.size()); ++i) {
+        list->setItemData(i, actions[i]->toolTip(), Qt::ToolTipRole);
+        const auto follow = [list, i, action = actions[i]] {
+            if (action->isChecked()) list->setCurrentIndex(i);
+        };
+        connect(actions[i], &QAction::toggled, list, follow);
+        follow();
+    }
+    connect(list, &QComboBox::activated, this, [actions](int i) { actions[i]->trigger(); });
+    row_->addWidget(list);
+}
+
+void ToolStrip::addAction(QAction* action, const QString& name) {
+    row_->addWidget(buttonOf(action, name.isEmpty() ? action->text().remove(u'&') : name));
+}
+
+void ToolStrip::addField(QWidget* field) {
+    row_->addWidget(field);
+}
+
+void ToolStrip::addStretch() {
+    row_->addStretch(1);
+}
+
+} // namespace tactum

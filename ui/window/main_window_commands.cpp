@@ -1,0 +1,310 @@
+// The commands of the window: menus, tool bar, and what each command does.
+#include "ui/window/main_window.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QShortcut>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "core/recording/recording_file.h"
+#include "ui/base/ask_where.h"
+#include "ui/base/mnemonics.h"
+#include "ui/base/style.h"
+#include "ui/document/recent_files.h"
+#include "ui/engine/held_key.h"
+#include "ui/panels/body_panel.h"
+#include "ui/panels/start_page.h"
+#include "ui/panels/status_strip.h"
+#include "ui/showing/playback.h"
+#include "ui/tools/hand_link.h"
+#include "ui/tools/touch_hint.h"
+#include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
+#include "ui/widgets/tool_strip.h"
+#include "ui/window/folds.h"
+#include "ui/window/guide_window.h"
+#include "ui/window/keyboard_sheet.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kHoldToStop = 500;                            // ms
+constexpr double kTurn = 0.2617993877991494, kNearer = 0.8; // 15 degrees
+
+QString readableFilter() {
+    QStringList patterns;
+    for (const std::string& ending : readableEndings())
+        patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+    const QString models = patterns.join(u' ');
+    const QString recordings = QStringLiteral("*.") + QString::fromStdString(std::string(kRecordingEnding));
+    return QObject::tr("Models and recordings (%1 %2);;Models (%1);;Recordings (%2)").arg(models, recordings);
+}
+
+void aboutTactum(QWidget* parent) {
+    QMessageBox::about(
+        parent, QObject::tr("About Tactum"),
+        QObject::tr(
+            "<h3>Tactum %1</h3><p>Gives the surfaces of 3-D models a feel, and lets you touch them. After "
+            "Ruspini and Khatib, <i>Haptic Display for Human Interaction with Virtual Dynamic "
+            "Environments</i>, 2001.</p><p>BSD-3-Clause licence.</p>")
+            .arg(QCoreApplication::applicationVersion()));
+}
+
+} // namespace
+
+void MainWindow::makeToolBar() {
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize({24, 24});
+    for (const char* id :
+         {"open", "", "undo", "redo", "", "touch", "select", "paint", "arrange", "", "fit", "view-front",
+          "view-right", "view-top", "view-isometric", "", "overlay", "", "armed"}) {
+        if (*id)
+            bar->addAction(&actions_[id]);
+        else
+            bar->addSeparator();
+    }
+    for (const char* id : {"open", "touch", "select", "paint", "arrange", "armed"})
+        static_cast<QToolButton*>(bar->widgetForAction(&actions_[id]))
+            ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+void MainWindow::makeMenus() {
+    actions_.fill(*menuBar());
+    auto* file = menuBar()->findChild<QMenu*>(QStringLiteral("File"));
+    auto* recent = new QMenu(tr("Ope&n recent"), file);
+    file->insertMenu(&actions_["save-picture"], recent);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    auto* samples = new QMenu(tr("From the sam&ples"), file);
+    menuBar()->findChild<QMenu*>(QStringLiteral("File/A&dd"))->addMenu(samples);
+    fillSamples(samples);
+    auto* view = menuBar()->findChild<QMenu*>(QStringLiteral("View"));
+    QMenu* panels = createPopupMenu();
+    panels->setTitle(tr("&Panels"));
+    connect(panels, &QMenu::aboutToShow, panels, [panels] { giveMnemonics(*panels); });
+    view->addMenu(panels);
+}
+
+void MainWindow::fillRecent(QMenu* menu) {
+    menu->clear();
+    const QStringList files = recentFiles();
+    for (const QString& file : files)
+        menu->addAction(QFileInfo(file).fileName().replace(u'&', QStringLiteral("&&")), this,
+                        [this, file] { open(file); })
+            ->setToolTip(file);
+    if (files.isEmpty())
+        menu->addAction(tr("No file was opened yet"))->setEnabled(false);
+    else
+        menu->addSeparator();
+    if (!files.isEmpty())
+        menu->addAction(tr("Forget them"), this, [this] {
+            forgetRecentFiles();
+            start_->setRecent({});
+        });
+    giveMnemonics(*menu);
+}
+
+void MainWindow::connectFile() {
+    connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
+    connect(&actions_["connect"], &QAction::triggered, this, &MainWindow::connectToServer);
+    connect(&actions_["save-picture"], &QAction::triggered, this, &MainWindow::savePicture);
+    connect(&actions_["quit"], &QAction::triggered, this, &QWidget::close);
+    connect(&actions_["guide"], &QAction::triggered, this, [this] { showGuide(this); });
+    connect(&actions_["keyboard"], &QAction::triggered, this, [this] { showKeyboardSheet(this); });
+    connect(&actions_["about"], &QAction::triggered, this, [this] { aboutTactum(this); });
+    connect(start_, &StartPage::openRequested, this, &MainWindow::askForFile);
+    connect(start_, &StartPage::fileChosen, this, &MainWindow::open);
+}
+
+void MainWindow::connectEdit() {
+    QUndoStack& history = document_.history();
+    QAction &undo = actions_["undo"], &redo = actions_["redo"];
+    undo.setEnabled(false);
+    redo.setEnabled(false);
+    connect(&undo, &QAction::triggered, &history, &QUndoStack::undo);
+    connect(&redo, &QAction::triggered, &history, &QUndoStack::redo);
+    connect(&history, &QUndoStack::canUndoChanged, &undo, &QAction::setEnabled);
+    connect(&history, &QUndoStack::canRedoChanged, &redo, &QAction::setEnabled);
+    connect(&history, &QUndoStack::undoTextChanged, &undo,
+            [&undo](const QString& text) { undo.setText(tr("&Undo %1").arg(text)); });
+    connect(&history, &QUndoStack::redoTextChanged, &redo,
+            [&redo](const QString& text) { redo.setText(tr("&Redo %1").arg(text)); });
+    connect(&actions_["show-all"], &QAction::triggered, &document_, &Document::showAll);
+    connect(&actions_["hide"], &QAction::triggered, this,
+            [this] { document_.setSurfacesVisible(document_.selected(), false); });
+    connect(&actions_["isolate"], &QAction::triggered, this, [this] {
+        if (document_.selection()) document_.isolate(document_.selected());
+    });
+    connect(&actions_["lock"], &QAction::triggered, this, [this] {
+        const auto active = document_.selection();
+        if (active) document_.setLocked(document_.selected(), !document_.surface(*active)->locked);
+    });
+}
+
+void MainWindow::connectView() {
+    connectTheme();
+    auto* tools = new QActionGroup(this);
+    for (const char* id : {"touch", "select", "paint", "arrange"})
+        tools->addAction(&actions_[id]);
+    connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
+    connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
+    connect(&actions_["paint"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Paint); });
+    connect(&actions_["arrange"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Arrange); });
+    connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
+    connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
+        hint_->hide();
+        if (on && !document_.empty() && !hand_->idle()) hint_->offer();
+    });
+    actions_["touch"].trigger();
+    connect(&actions_["fit"], &QAction::triggered, view_, &SceneView::fit);
+    const std::pair<const char*, StandardView> views[] = {{"view-front", StandardView::Front},
+                                                          {"view-right", StandardView::Right},
+                                                          {"view-top", StandardView::Top},
+                                                          {"view-isometric", StandardView::Isometric}};
+    for (const auto& [id, standard] : views)
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, standard = standard] { view_->showStandardView(standard); });
+    struct CameraCommand {
+        const char* id;
+        double yaw, pitch, nearer;
+    };
+    for (const CameraCommand& each : {CameraCommand{"orbit-left", -kTurn, 0, 1},
+                                      {"orbit-right", kTurn, 0, 1},
+                                      {"orbit-up", 0, kTurn, 1},
+                                      {"orbit-down", 0, -kTurn, 1},
+                                      {"zoom-in", 0, 0, kNearer},
+                                      {"zoom-out", 0, 0, 1 / kNearer}})
+        connect(&actions_[each.id], &QAction::triggered, this,
+                [this, each] { view_->moveCamera(each.yaw, each.pitch, each.nearer); });
+    connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
+    actions_["overlay"].setChecked(true);
+    connect(&actions_["panels"], &QAction::toggled, this, &MainWindow::hidePanels);
+    connectFolds();
+    // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
+    auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
+    connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
+        if (grabbed) hint_->followed();
+    });
+}
+
+void MainWindow::connectDevice() {
+    connect(&actions_["armed"], &QAction::triggered, this, &MainWindow::setArmed);
+    connect(&actions_["stop"], &QAction::triggered, this, [this] { setArmed(false); });
+    connect(&actions_["restart-proxy"], &QAction::triggered, this, [this] { engine_.restartProxy(); });
+    connect(status_, &StatusStrip::stopPressed, this, [this] { setArmed(false); });
+    auto* escape = new HeldKey(Qt::Key_Escape, kHoldToStop, this);
+    connect(escape, &HeldKey::held, this, [this] { setArmed(false); });
+    showArmed(engine_.armed());
+}
+
+void MainWindow::connectMotion() {
+    QAction &run = actions_["motion-run"], &slow = actions_["motion-slow"];
+    const auto setPace = [this, &run, &slow] {
+        constexpr double kSlow = 0.1;
+        engine_.setPace(!run.isChecked() ? 0 : slow.isChecked() ? kSlow : 1);
+    };
+    run.setChecked(true);
+    connect(&run, &QAction::toggled, this, setPace);
+    connect(&slow, &QAction::toggled, this, setPace);
+    connect(&actions_["motion-step"], &QAction::triggered, this, [this, &run] {
+        run.setChecked(false);
+        engine_.stepBodies();
+    });
+    connect(&actions_["colliders"], &QAction::toggled, this, &MainWindow::showColliders);
+    connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
+        if (change.takesTime()) showColliders();
+    });
+    connect(&actions_["motion-reset"], &QAction::triggered, this, [this] { engine_.beginBodies(); });
+    using Hold = BodyPanel::Hold;
+    for (const auto& [id, hold] : {std::pair{"body-loose", Hold::Loose},
+                                   {"body-hinge", Hold::Hinge},
+                                   {"body-slider", Hold::Slider},
+                                   {"body-path", Hold::Path},
+                                   {"body-still", Hold::Still}})
+        connect(&actions_[id], &QAction::triggered, this, [this, chosen = hold] {
+            docks_.body->hold(chosen);
+            folds_->bringForward(*findChild<QDockWidget*>(QStringLiteral("dock-body")));
+        });
+    connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
+    connect(docks_.body, &BodyPanel::marked, this, [this] {
+        view_->setJoint(docks_.body->mark());
+        view_->setPath(docks_.body->path());
+        view_->setMass(docks_.body->mass());
+    });
+    const auto gesture = std::make_shared<Gesture>(0);
+    const auto begin = [this, gesture] { *gesture = document_.beginTrial(); };
+    connect(view_, &SceneView::jointGrabbed, this, begin);
+    connect(view_, &SceneView::jointDragged, this,
+            [this, gesture](const JointMark& mark) { docks_.body->setMark(mark, *gesture); });
+    connect(view_, &SceneView::pathGrabbed, this, begin);
+    connect(view_, &SceneView::pathDragged, this,
+            [this, gesture](const std::vector<Vec3>& points) { docks_.body->setPath(points, *gesture); });
+    connect(view_, &SceneView::handlesLeft, this,
+            [this, gesture](bool givenUp) { document_.endTrial(*gesture, givenUp); });
+}
+
+void MainWindow::showColliders() {
+    view_->setColliders(actions_["colliders"].isChecked() ? colliderMarks(document_.scene())
+                                                          : std::vector<ColliderMark>());
+}
+
+void MainWindow::connectDocument() {
+    connect(&document_, &Document::changed, this, &MainWindow::follow);
+    connect(&document_, &Document::opened, this, &MainWindow::showOpened);
+    connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
+    connect(&document_, &Document::noted, this, [this](const QString& sentence) {
+        fittedNote_ = sentence;
+        notice_->showNote(sentence);
+    });
+    connect(&document_, &Document::editProgressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(tr("Changing the mesh"), fraction, secondsLeft, true);
+    });
+    connect(&document_, &Document::editEnded, this, [this](const QString& sentence) {
+        notice_->endProgress();
+        if (!sentence.isEmpty()) notice_->showError(sentence);
+    });
+    connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelEdit);
+    connect(&document_, &Document::openProgressed, this, [this](double fraction, double secondsLeft) {
+        notice_->showProgress(document_.adding() ? tr("Adding") : tr("Opening"), fraction, secondsLeft, true);
+    });
+    connect(notice_, &NoticeBar::cancelled, &document_, &Document::cancelOpen);
+    connect(&publisher_, &WorldPublisher::progressed, this, [this](double fraction, double secondsLeft) {
+        if (!document_.opening())
+            notice_->showProgress(tr("Preparing the surfaces for touch"), fraction, secondsLeft, false);
+    });
+    connect(&publisher_, &WorldPublisher::shapesPublished, notice_, &NoticeBar::endProgress);
+    connect(&publisher_, &WorldPublisher::failed, this, [this](const QString& sentence) {
+        notice_->endProgress();
+        notice_->showError(tr("What you touch is still as it was before: %1").arg(sentence));
+    });
+}
+
+void MainWindow::askForFile() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a model or a recording"),
+                                                      recentFiles().value(0), readableFilter());
+    if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::savePicture() {
+    const QImage picture = view_->grabPicture(); // as it is now, however long the person looks for a place
+    const QString file = askWhere(this, tr("Save the view"), {{tr("Pictures"), QStringLiteral("png")}},
+                                  QStringLiteral("touch.png"));
+    if (file.isEmpty()) return;
+    if (picture.save(file, "PNG"))
+        notice_->showNote(tr("The view was written to %1.").arg(file));
+    else
+        notice_->showError(
+            tr("%1 cannot be written. Choose another folder, or make room on the disk.").arg(file));
+}
+
+} // namespace tactum
