@@ -14,6 +14,7 @@ class QDockWidget;
 namespace tactum {
 
 class Document;
+class EditNotice;
 class Engine;
 class NoticeBar;
 class Playback;
@@ -29,6 +30,7 @@ struct Workbench {
     Actions& actions;
     SceneView& view;
     NoticeBar& notice;
+    EditNotice& told;   ///< what the notices say of the last edit
     Playback& playback; ///< while it is active, a recording is seen in the document's place
 
     /// Does `act` whenever the command is chosen, as long as `whose` lives.

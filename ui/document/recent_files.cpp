@@ -1,7 +1,9 @@
 #include "ui/document/recent_files.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
 
 namespace tactum {
 
@@ -25,6 +27,14 @@ void rememberFile(const QString& absolutePath) {
 
 void forgetRecentFiles() {
     QSettings().remove(kKey);
+}
+
+QString placeToSave(const std::filesystem::path& scene, const QStringList& samples) {
+    const QFileInfo file(QString::fromStdU16String(scene.u16string()));
+    if (!scene.empty() && !samples.contains(file.canonicalFilePath())) return file.filePath();
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    return (documents.exists() ? documents : QDir::home())
+        .filePath(scene.empty() ? QStringLiteral("scene.glb") : file.fileName());
 }
 
 } // namespace tactum

@@ -23,7 +23,13 @@ AxisMap axesOf(const QStringList& words) {
     return axes;
 }
 
+constexpr double kUsualRadius = 0.05; // m
+
 } // namespace
+
+double usualRadius(const DeviceInfo& device) {
+    return device.workspaceRadius > 0 ? device.workspaceRadius : kUsualRadius;
+}
 
 DeviceSettings rememberedSettings(const QString& deviceId) {
     QSettings stored;

@@ -5,6 +5,7 @@
 
 #include <QString>
 
+#include "core/port/haptic_device.h"
 #include "core/port/workspace.h"
 #include "core/surface/parameter.h"
 
@@ -33,6 +34,9 @@ struct DeviceSettings {
 /// As they were when no device of that id was known; what was remembered and cannot be is left out.
 DeviceSettings rememberedSettings(const QString& deviceId);
 void rememberSettings(const QString& deviceId, const DeviceSettings& settings);
+
+/// How far a handle reaches from its centre, m; what is usual where the device does not know it.
+double usualRadius(const DeviceInfo& device);
 
 /// The mapping in which the world's axis `which` is the device's `axis`: where another world axis had that
 /// one, it gets what this one had, so that every mapping that can be chosen is possible.

@@ -14,8 +14,28 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/controllers/arming.h"
 #include "ui/controllers/compare_controller.h"
+#include "ui/controllers/device_controller.h"
+#include "ui/controllers/edit_notice.h"
+#include "ui/controllers/folds.h"
+#include "ui/controllers/geometry_controller.h"
+#include "ui/controllers/health_controller.h"
+#include "ui/controllers/import_controller.h"
+#include "ui/controllers/layer_controller.h"
+#include "ui/controllers/paint_controller.h"
+#include "ui/controllers/palette_controller.h"
+#include "ui/controllers/preference_controller.h"
 #include "ui/controllers/preset_controller.h"
+#include "ui/controllers/problem_controller.h"
+#include "ui/controllers/recording_controller.h"
+#include "ui/controllers/recovery_controller.h"
+#include "ui/controllers/report_controller.h"
+#include "ui/controllers/room_controller.h"
+#include "ui/controllers/save_controller.h"
+#include "ui/controllers/stage.h"
+#include "ui/controllers/study_controller.h"
+#include "ui/controllers/trial_controller.h"
 #include "ui/document/journal.h"
 #include "ui/document/layer_edits.h"
 #include "ui/document/recent_files.h"
@@ -24,8 +44,9 @@
 #include "ui/engine/guard_watch.h"
 #include "ui/engine/shared_link.h"
 #include "ui/engine/touched.h"
-#include "ui/engine/usb_permission.h"
 #include "ui/panels/connection_bar.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/health_panel.h"
 #include "ui/panels/import_bar.h"
 #include "ui/panels/inspector.h"
 #include "ui/panels/recovery_bar.h"
@@ -33,6 +54,7 @@
 #include "ui/panels/status_strip.h"
 #include "ui/showing/playback.h"
 #include "ui/showing/playback_bar.h"
+#include "ui/showing/played_touch.h"
 #include "ui/showing/recording_saver.h"
 #include "ui/sound/sound_link.h"
 #include "ui/study/study_desk.h"
@@ -48,7 +70,6 @@
 #include "ui/widgets/force_plot.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/tool_strip.h"
-#include "ui/window/folds.h"
 
 namespace tactum {
 
@@ -82,19 +103,24 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
       guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
       saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
       recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      studyDesk_(new StudyDesk(document, this)), study_(new StudySession(publisher_, engine, this)),
-      studyPage_(new StudyPage), sound_(new SoundLink(this)),
-      link_(new DeviceLink(engine, this)), bench_{*this,    document_, engine_,  publisher_,
-                                                  actions_, *view_,    *notice_, *playback_},
-      permission_(new UsbPermission(this)), samples_(samples) {
+      studyPage_(new StudyPage), sound_(new SoundLink(this)), link_(new DeviceLink(engine, this)),
+      told_(new EditNotice(document, *notice_, this)), bench_{*this,      document_, engine_,
+                                                              publisher_, actions_,  *view_,
+                                                              *notice_,   *told_,    *playback_},
+      arming_(new Arming(engine, actions_, *view_, *notice_, *guard_, *link_, this)),
+      stage_(new Stage(document, *view_, *centre_, *start_, this)),
+      save_(new SaveController(bench_, samples)), samples_(samples) {
     view_->setTheme(theme().dark);
     setCentralWidget(makeCentre());
     docks_ = addDocks(*this, document);
     addPlaceDock();
     compare_ = new CompareController(bench_);
-    addStudyDock();
+    study_ = new StudyController(bench_, *arming_, *stage_, *hand_, *studyPage_);
     presets_ = new PresetController(bench_);
-    addDeviceDock();
+    devicePanel_ = new DevicePanel(*link_);
+    addTabBeside(*this, bench_.dock("dock-inspector"), QStringLiteral("dock-device"), tr("Device"),
+                 devicePanel_);
+    bench_.dock("dock-inspector").raise();
     sizeDocks(*this);
     folds_ = new Folds(*this);
     makeToolBar();
@@ -102,30 +128,17 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     connectFile();
-    connectSaving();
     connectEdit();
     connectView();
     connectSelecting();
     connectArranging();
     connectSurfaces();
-    connectPainting();
-    connectLayers();
     connectFelt();
-    connectDevice();
     connectMotion();
-    connectHealth();
     connectDocument();
-    connectProblems();
-    connectRecordings();
-    connectImport();
-    connectGeometry();
     connectParts();
-    connectRecovery();
-    connectPalette();
-    connectStudy();
-    connectDevices();
-    connectPreferences();
     connectShowing();
+    makeControllers();
     setAcceptDrops(true);
     restore();
     follow({});
@@ -137,6 +150,78 @@ MainWindow::~MainWindow() = default;
 
 Comparison& MainWindow::comparison() {
     return compare_->comparison();
+}
+
+StudyDesk& MainWindow::studyDesk() {
+    return study_->desk();
+}
+
+StudySession& MainWindow::study() {
+    return study_->session();
+}
+
+void MainWindow::setCatalogue(DeviceCatalogue& catalogue) {
+    link_->setCatalogue(catalogue);
+    devices_->showCommands();
+}
+
+/// Those that nobody here asks anything of, and what they tell each other.
+void MainWindow::makeControllers() {
+    const auto refreshStart = [this] { start_->setRecent(recentFiles()); };
+    connect(save_, &SaveController::filesChanged, this, refreshStart);
+    room_ = new RoomController(bench_, *folds_);
+    makeLive();
+    layers_ = new LayerController(bench_, *docks_.layers);
+    new PaintController(bench_, *painting_, *paintStrip_, *docks_.layers);
+    new ProblemController(bench_, *docks_.problems);
+    new ImportController(bench_, *importBar_, *playbackBar_, *hint_);
+    new GeometryController(bench_);
+    new ReportController(bench_, *guard_, samples_);
+    connect(journal_, &Journal::failed, notice_, &NoticeBar::showError);
+    connect(new RecoveryController(bench_, *recovery_, *recoveryBar_), &RecoveryController::replaces, save_,
+            &SaveController::leave);
+    recovery_->look();
+    connect(new PaletteController(bench_, *folds_, *centre_, *importBar_), &PaletteController::fileChosen,
+            this, &MainWindow::open);
+    connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
+            refreshStart);
+}
+
+/// What concerns the hand, the device and the forces: what is felt in the document's place gives way to each
+/// other.
+void MainWindow::makeLive() {
+    trial_ = new TrialController(bench_, *arming_, *stage_, *hand_, devicePanel_->trial());
+    connect(link_, &DeviceLink::exchanged, trial_,
+            &TrialController::end); // it was laid out for the other one
+    devices_ = new DeviceController(bench_, *arming_, *link_, *hand_, *hint_, *folds_, *devicePanel_);
+    health_ = new HealthController(bench_, *arming_, *guard_, *docks_.health, *docks_.inspector, *status_);
+    connect(devices_, &DeviceController::adopted, health_, &HealthController::adoptDevice);
+    connect(trial_, &TrialController::asked, devices_,
+            [this] { devices_->showPage(int(DevicePanel::Page::Trial)); });
+    connect(link_, &DeviceLink::letsGo, saver_, &RecordingSaver::flush);
+    connect(saver_, &RecordingSaver::saved, this, &MainWindow::sayRecorded);
+    connect(study_, &StudyController::begins, trial_, &TrialController::end);
+    connect(study_, &StudyController::begins, hint_, &QWidget::hide);
+    connect(study_, &StudyController::ended, this, [this] {
+        showFelt();
+        docks_.plot->clear();
+    });
+    connect(playback_, &Playback::begun, trial_, &TrialController::end);
+    auto* recordings = new RecordingController(bench_, *arming_, *stage_, *hand_, *arranging_, *saver_);
+    connect(recordings, &RecordingController::liveChanged, this, [this](bool live) {
+        if (live) compare_->showCommands();
+        devices_->showCommands();
+        study_->showCommands();
+    });
+    connect(recordings, &RecordingController::shown, this, [this] {
+        shownShape_ = 0;
+        playFrame();
+        health_->showOf(true);
+    });
+    connect(playback_, &Playback::ended, this, [this] {
+        health_->showOf(false);
+        docks_.plot->clear();
+    });
 }
 
 QWidget* MainWindow::makeCentre() {
@@ -170,7 +255,7 @@ QWidget* MainWindow::makeCentre() {
 
 void MainWindow::open(const QString& file) {
     if (isRecording(file)) return playback_->open(file);
-    leave(tr("opening %1").arg(QFileInfo(file).fileName()), [this, file] {
+    save_->leave(tr("opening %1").arg(QFileInfo(file).fileName()), [this, file] {
         playback_->end();
         const std::filesystem::path path(file.toStdU16String());
         document_.open(path, samples_.contains(QFileInfo(file).canonicalFilePath()), rememberedAxes(path));
@@ -184,7 +269,7 @@ void MainWindow::showFault(const QString& sentence) {
 void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
     playback_->end(); // whoever edits wants to see it
-    endTrial();
+    trial_->end();
     if (change.what == What::Selection) return showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     // The World from before knows other objects by the same numbers.
@@ -195,55 +280,69 @@ void MainWindow::follow(const SceneChange& change) {
         view_->setProxyRadius(document_.scene().proxyRadius);
     }
     if (change.what == What::Everything) {
-        showCentre(); // or the view would not know yet how large it is
+        stage_->showCentre(); // or the view would not know yet how large it is
         view_->fit();
         hand_->placeBeside();
     }
     for (const char* id : {"save", "save-as", "export", "save-picture", "update-geometry", "export-report"})
         actions_[id].setEnabled(!document_.empty());
-    showCentre();
+    stage_->showCentre();
 }
 
 void MainWindow::showOpened() {
-    showFile();
+    save_->showFile();
     view_->setFocus();
     if (!hand_->idle()) hint_->offer();
-}
-
-void MainWindow::setArmed(bool armed) {
-    const bool faulty = guard_->fault().has_value();
-    if (armed) link_->stop().pressed = false; // held still, it stops again at once
-    if (!armed) view_->endTouch();
-    guard_->setArmed(armed);
-    showArmed(armed);
-    if (!armed && !faulty)
-        notice_->showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
-    else if (armed && (faulty || notice_->property("severity") == QLatin1String("note")))
-        notice_->hide();
-}
-
-void MainWindow::showArmed(bool armed) {
-    actions_["armed"].setChecked(armed);
-    actions_["stop"].setEnabled(armed);
 }
 
 void MainWindow::frame() {
     engine_.poll();
     if (shared_) shared_->frame();
     saver_->watch(); // before a fault switches the forces off
-    watchHealth();
-    watchDevice();
-    if (study_->running()) return studyFrame();
-    showPlots();
+    health_->frame();
+    devices_->frame();
+    if (study_->running()) return study_->frame();
+    room_->frame();
     if (playback_->active()) return playFrame();
     hand_->follow();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
     const World* world = publisher_.world().get();
     const bool known = world && engine_.proxy().worldRevision == world->revision;
-    showTouched(known ? world : nullptr, trial_ && world ? *world->scene : document_.scene());
+    showTouched(known ? world : nullptr, trial_->running() && world ? *world->scene : document_.scene());
     drawTrace();
     status_->display(engine_);
+}
+
+void MainWindow::playFrame() {
+    playback_->frame();
+    Player& player = playback_->player();
+    const DeviceInfo& device = player.run().device;
+    if (const World* world = player.world(); world && world->shapeRevision != shownShape_) {
+        shownShape_ = world->shapeRevision;
+        view_->setScene(*world->scene);
+    }
+    if (view_->isVisible()) view_->setHaptics(player.proxy(), player.servo(), device.maxForce, true);
+    view_->setWorld(player.sharedWorld());
+    if (playback_->takeJump()) {
+        docks_.plot->clear();
+        view_->clearTrail();
+    }
+    if (const World* world = player.world()) showTouched(world, *world->scene);
+    sound_->play(showPlayed(player, *docks_.plot, *view_, touchedName_));
+    for (TracePoint live; engine_.popTrace(live);)
+        continue;
+    status_->display(player.proxy(), player.servo(), device);
+}
+
+void MainWindow::sayRecorded(const QString& file, bool afterFault) {
+    const bool live = !playback_->active();
+    const QString kept = tr("What led to it was saved: %1.").arg(file);
+    if (afterFault && link_->lost() && live) return devices_->sayAway(link_->lostName(), kept);
+    if (arming_->faulty() && live) return arming_->offer(kept);
+    notice_->showNote(
+        afterFault ? tr("There was a fault. What led to it was saved: open %1 to see it again.").arg(file)
+                   : tr("The last minute was saved to %1.").arg(file));
 }
 
 /// `scene`: as the world was made of it, but with the names of now.
@@ -254,7 +353,7 @@ void MainWindow::showTouched(const World* world, const Scene& scene) {
     touchedName_ = now ? nameOfSurface(scene, *now) : QString();
     view_->setTouched(touchedName_);
     status_->setTouched(touchedName_);
-    if (now && !trial_ && !playback_->active()) touched_ = now;
+    if (now && !trial_->running() && !playback_->active()) touched_ = now;
 }
 
 void MainWindow::selectTouched() {
@@ -269,23 +368,13 @@ QSize MainWindow::firstSize(QSize room) {
 
 void MainWindow::restore() {
     resize(firstSize(screen()->availableSize()));
-    QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
-    restoreFolds();
+    room_->restore();
     setWindowTitle(tr("Tactum"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (study_->running() || studyDesk_->modified()) {
-        event->ignore();
-        if (study_->running()) return studyPage_->askToEnd();
-        return leaveStudy([this] { close(); });
-    }
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), shownPanels_.isEmpty() ? saveState() : shownPanels_);
-    saveFolds();
+    if (study_->keepsOpen()) return event->ignore();
+    room_->save();
     saver_->flush();
     if (leaving_ || !document_.modified()) {
         engine_.setArmed(false);
@@ -293,7 +382,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return QMainWindow::closeEvent(event);
     }
     event->ignore();
-    leave(tr("closing"), [this] {
+    save_->leave(tr("closing"), [this] {
         leaving_ = true;
         close();
     });
@@ -316,7 +405,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     const QString file = firstFile(*event->mimeData());
-    if (isPicture(file)) return dropPicture(file, event->position());
+    if (isPicture(file)) return layers_->drop(file, event->position());
     const QPointF at = view_->mapFrom(this, event->position());
     if (!presets_->take(file, view_->isVisible() ? view_->surfaceAt(at) : std::nullopt))
         dropModels(filesIn(*event->mimeData()));

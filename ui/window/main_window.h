@@ -7,47 +7,46 @@
 #include <vector>
 
 #include <QMainWindow>
-#include <QPointer>
 #include <QTimer>
 
 #include "core/geometry/repair.h"
 #include "core/port/hand_target.h"
 #include "core/runtime/engine.h"
-#include "ui/base/preferences.h"
 #include "ui/base/shortcuts.h"
 #include "ui/base/style.h"
 #include "ui/controllers/docks.h"
 #include "ui/controllers/workbench.h"
 #include "ui/document/document.h"
-#include "ui/engine/device_settings.h"
-#include "ui/engine/device_trial.h"
 #include "ui/engine/world_publisher.h"
 
-class QDialog;
 class QMenu;
 class QStackedWidget;
 
 namespace tactum {
 
+class Arming;
 class ArrangeTool;
 class CompareController;
 class Comparison;
 class ConnectionBar;
 class DeviceCatalogue;
+class DeviceController;
 class DeviceLink;
+class EditNotice;
 class Folds;
 class DevicePanel;
 class GuardWatch;
 class HandLink;
+class HealthController;
 class ImportBar;
 class Journal;
+class LayerController;
 class NoticeBar;
 class PaintTool;
 class Playback;
 class PlaybackBar;
 class Presentation;
 class PresetController;
-struct PaletteEntry;
 class RecordingSaver;
 class RegionSelect;
 class SelectTool;
@@ -56,19 +55,20 @@ class SharedLink;
 class SharedScene;
 class Recovery;
 class RecoveryBar;
+class RoomController;
+class SaveController;
 class SceneView;
 class SoundLink;
+class Stage;
 class StartPage;
 class StatusStrip;
+class StudyController;
 class StudyDesk;
 class StudyPage;
-class StudyPanel;
 class StudySession;
-struct StudyStart;
+class TrialController;
 class TouchHint;
-class UsbPermission;
 class VideoRecorder;
-struct Problem;
 
 /// Thread: ui. Polls the engine sixty times a second. `hand` is empty for a device that leads itself.
 class MainWindow : public QMainWindow {
@@ -91,8 +91,8 @@ public:
     Document& document() { return document_; }
     Journal& journal() { return *journal_; }
     Comparison& comparison();
-    StudyDesk& studyDesk() { return *studyDesk_; }
-    StudySession& study() { return *study_; }
+    StudyDesk& studyDesk();
+    StudySession& study();
     DeviceLink& devices() { return *link_; }
     /// Of a window that was never opened before, on a screen with so much room.
     static QSize firstSize(QSize room);
@@ -111,41 +111,28 @@ private:
     void makeToolBar();
     void makeMenus();
     void fillRecent(QMenu* menu);
-    void connectTheme();
     void connectFile();
     void connectEdit();
     void connectView();
-    void connectDevice();
+    void makeControllers();
+    void makeLive();
     void connectMotion();
     void showColliders();
     void connectDocument();
-    void connectProblems();
-    void showPlace(ObjectId id, const Problem& problem);
     void restore();
-    // Of what a person prefers: main_window_preferences.cpp.
-    void connectPreferences();
-    void followPreference(Preferred id);
-    void setTheme(ThemeChoice choice);
 
     void follow(const SceneChange& change);
     void showOpened();
     void askForFile();
     void savePicture();
-    // Of the room of the view: main_window_panels.cpp.
-    void connectFolds();
-    void restoreFolds();
-    void saveFolds() const;
-    void showPlots();
-    void hidePanels(bool hidden);
     // Of showing a scene to others: main_window_showing.cpp.
     void connectShowing();
     void connectVideo();
     void recordVideo(bool on);
     void present(bool on);
-    void writeReport(const QString& file);
-    void setArmed(bool armed);
-    void showArmed(bool armed);
     void frame();
+    void playFrame();
+    void sayRecorded(const QString& file, bool afterFault);
     void showTouched(const World* world, const Scene& scene);
     void selectTouched();
     // Of selecting: main_window_selecting.cpp.
@@ -163,34 +150,6 @@ private:
     void setShading(const QString& text, const std::function<void(Shading&)>& change);
     void turnOverSelected();
     void repairSelected(const QString& text, Result<Repaired> (*how)(const SharedSoup&, const Progress&));
-    // Of the brush: main_window_painting.cpp.
-    void connectPainting();
-    void fillPaintStrip(const QList<QAction*>& goals, const QList<QAction*>& modes);
-    // Of texture layers: main_window_layers.cpp.
-    void connectLayers();
-    void connectMapping();
-    void showLayerCommands();
-    void showMapping();
-    /// A picture that was dropped at a place of the window becomes a layer of what lies there.
-    void dropPicture(const QString& file, QPointF place);
-    // Of saving: main_window_saving.cpp.
-    void connectSaving();
-    void save();
-    void saveAs();
-    void askToOverwrite();
-    void exportBundle();
-    void exportReport();
-    void showFile();
-    /// Goes on when nothing would be lost by it, or when the person has saved or thrown away what would be.
-    void leave(const QString& intent, std::function<void()> goOn);
-    // Of what a file leaves open: main_window_import.cpp.
-    void connectImport();
-    std::optional<FileAxes> shownAxes() const;
-    void takeOtherwise(const FileAxes& axes);
-    void endAsking();
-    void showImport();
-    void keepFootFree();
-    void showImportCommands(const TakenAs* taken);
     // Of objects that come, are doubled, and go: main_window_parts.cpp.
     void connectParts();
     void fillSamples(QMenu* menu);
@@ -200,48 +159,7 @@ private:
     void showAdded(const SceneAddition& addition);
     void removeSelected();
     void showObjectMenu(const QPoint& at, QWidget& over);
-    // Of shapes that changed elsewhere: main_window_geometry.cpp.
-    void connectGeometry();
-    void askForGeometry();
-    void updateGeometry(const std::filesystem::path& file);
-    void offerUpdate();
-    void showUpdated(const GeometryUpdate& update);
-    void followTold(int step);
-    void connectRecovery(); ///< main_window_recovery.cpp
-    void connectToServer();
-    void showCentre(); ///< main_window_shared.cpp
-    // Of the command palette: main_window_palette.cpp.
-    void connectPalette();
-    void openPalette();
-    QString whyNot(const QString& id) const;
-    void addPanels(std::vector<PaletteEntry>& entries);
-    void addSurfaces(std::vector<PaletteEntry>& entries);
-    // Of studies: main_window_study.cpp.
-    void addStudyDock();
-    void connectStudy();
-    void connectStudyPage();
-    void showStudyCommands();
-    void leaveStudy(std::function<void()> goOn);
-    void askForStudy();
-    void saveStudy(std::function<void()> after);
-    void keepState();
-    void editStudy();
-    void askToRunStudy();
-    void beginStudy(const StudyStart& start);
-    void hideForStudy();
-    void showAfterStudy();
-    void endStudy();
-    void armForStudy();
-    void proceedStudy();
-    void showStudyStep();
-    void studyFrame();
-    // Of recordings: main_window_playback.cpp.
-    void connectRecordings();
-    void saveRecording();
-    void beginPlayback();
-    void endPlayback();
-    void setLive(bool live);
-    void playFrame();
+    void connectToServer(); ///< main_window_shared.cpp
     // Of what is felt, seen and heard: main_window_felt.cpp.
     void connectFelt();
     void showFelt();
@@ -249,37 +167,6 @@ private:
     void exportPlot();
     void connectSound();
     void setSound(bool on);
-    // Of guard and health: main_window_health.cpp.
-    void connectHealth();
-    void watchHealth();
-    void displayHealth();
-    void displayRecordedHealth();
-    void showHealthOf(bool recording);
-    void restoreDeadMan();
-    void setDeadMan(bool on);
-    void offerToArm(const QString& more = {});
-    void withdrawArming();
-    void askToOverride(bool on);
-    // Of devices: main_window_device.cpp.
-    void addDeviceDock();
-    void connectDevices();
-    void showDevicePage(int page);
-    void adoptDevice();
-    void setDeviceSettings(const DeviceSettings& settings);
-    void showDeviceSettings();
-    void setWorkspace(const Workspace& workspace);
-    void centreWorkspace(bool fit);
-    void watchDevice();
-    void offerReady(const QString& name, bool back);
-    void sayRequest();
-    void sayAway(const QString& name, const QString& more = {});
-    void showDeviceCommands();
-    void switchOff();
-    void beginTrial(Trial trial);
-    void endTrial();
-    void showOwnScene();
-    void showTrial();
-
     Document& document_;
     Engine& engine_;
     WorldPublisher publisher_;
@@ -308,51 +195,38 @@ private:
     Journal* journal_;
     Recovery* recovery_;
     RecoveryBar* recoveryBar_;
-    StudyDesk* studyDesk_;
-    StudySession* study_;
     StudyPage* studyPage_;
-    StudyPanel* studyPanel_ = nullptr;
     SoundLink* sound_;
     DeviceLink* link_;
+    EditNotice* told_;
     Workbench bench_; ///< of the controllers below
+    Arming* arming_;
+    Stage* stage_;
+    SaveController* save_;
+    RoomController* room_ = nullptr;
+    StudyController* study_ = nullptr;
+    TrialController* trial_ = nullptr;
+    DeviceController* devices_ = nullptr;
+    HealthController* health_ = nullptr;
+    LayerController* layers_ = nullptr;
     CompareController* compare_ = nullptr;
     PresetController* presets_ = nullptr;
     VideoRecorder* video_ = nullptr;
     Presentation* presentation_ = nullptr;
     bool panelsWereHidden_ = false; ///< before the presentation
-    UsbPermission* permission_;
     DevicePanel* devicePanel_ = nullptr;
-    DeviceSettings deviceSettings_; ///< of the device in the engine
-    std::optional<Trial> trial_;    ///< that is felt instead of the document
-    QString dropped_;               ///< the one model that is being added because it was dropped
+    QString dropped_; ///< the one model that is being added because it was dropped
     Docks docks_;
     std::optional<Feel> copied_; ///< to be pasted
     QStringList samples_;        ///< scenes to begin with, never written over
-    QByteArray shownPanels_;     ///< the layout to come back to while all panels are hidden
-    QStringList foldedPanels_;   ///< the same of what is folded
     Folds* folds_ = nullptr;
-    /// Who says whether the plots are folded: nothing was felt yet, the hand is still there, they came by
-    /// themselves, the person.
-    enum class Plots { Empty, Due, Shown, AsDecided } plots_ = Plots::Empty;
     bool grabbed_ = false;              ///< the finger in the view
     std::uint64_t shownShape_ = 0;      ///< of the recorded scene in the view
-    int healthFrames_ = 0;              ///< since the health was last displayed
-    std::function<void()> afterSave_;   ///< what the person wanted to do next
-    bool importSeen_ = false;           ///< the person has closed the import bar
-    std::optional<FileAxes> asked_;     ///< as which the file is being read again
-    QString fittedNote_;                ///< what was last noted of the document
-    int toldStep_ = 0;                  ///< of the history after what is told of; 0: none
-    QString told_;                      ///< what is told of it
-    QPointer<QDialog> updateList_;      ///< what is not as before
     bool leaving_ = false;              ///< the person has agreed to close the window
-    bool riskAccepted_ = false;         ///< of stiffness above the ceiling, until the program ends
     std::vector<TracePoint> trace_;     ///< of this frame
     std::optional<SurfaceRef> touched_; ///< last, of the document
     std::optional<SurfaceRef> hovered_; ///< under the mouse, of the document
     QString touchedName_;               ///< in this frame; empty: nothing is touched
-    std::vector<QAction*> studyOff_;    ///< commands that come back when a study ends,
-    std::vector<QWidget*> studyHid_;    ///< and bars
-    bool studyHidPanels_ = false;       ///< the study did, not the person
     QTimer frames_;
 };
 

@@ -17,6 +17,7 @@
 #include "ui/base/ask_where.h"
 #include "ui/base/mnemonics.h"
 #include "ui/base/style.h"
+#include "ui/controllers/folds.h"
 #include "ui/document/recent_files.h"
 #include "ui/engine/held_key.h"
 #include "ui/panels/body_panel.h"
@@ -28,7 +29,6 @@
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/tool_strip.h"
-#include "ui/window/folds.h"
 #include "ui/window/guide_window.h"
 #include "ui/window/keyboard_sheet.h"
 
@@ -36,7 +36,6 @@ namespace tactum {
 
 namespace {
 
-constexpr int kHoldToStop = 500;                            // ms
 constexpr double kTurn = 0.2617993877991494, kNearer = 0.8; // 15 degrees
 
 QString readableFilter() {
@@ -117,6 +116,7 @@ void MainWindow::connectFile() {
     connect(&actions_["open"], &QAction::triggered, this, &MainWindow::askForFile);
     connect(&actions_["connect"], &QAction::triggered, this, &MainWindow::connectToServer);
     connect(&actions_["save-picture"], &QAction::triggered, this, &MainWindow::savePicture);
+    connect(&actions_["restart-proxy"], &QAction::triggered, this, [this] { engine_.restartProxy(); });
     connect(&actions_["quit"], &QAction::triggered, this, &QWidget::close);
     connect(&actions_["guide"], &QAction::triggered, this, [this] { showGuide(this); });
     connect(&actions_["keyboard"], &QAction::triggered, this, [this] { showKeyboardSheet(this); });
@@ -151,7 +151,6 @@ void MainWindow::connectEdit() {
 }
 
 void MainWindow::connectView() {
-    connectTheme();
     auto* tools = new QActionGroup(this);
     for (const char* id : {"touch", "select", "paint", "arrange"})
         tools->addAction(&actions_[id]);
@@ -187,24 +186,10 @@ void MainWindow::connectView() {
                 [this, each] { view_->moveCamera(each.yaw, each.pitch, each.nearer); });
     connect(&actions_["overlay"], &QAction::toggled, view_, &SceneView::setOverlayVisible);
     actions_["overlay"].setChecked(true);
-    connect(&actions_["panels"], &QAction::toggled, this, &MainWindow::hidePanels);
-    connectFolds();
-    // Only while the view has the focus: elsewhere Tab moves on, as everybody expects of it.
-    auto* tab = new QShortcut(Qt::Key_Tab, view_, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(tab, &QShortcut::activated, &actions_["panels"], &QAction::toggle);
     connect(view_, &SceneView::handGrabbed, this, [this](bool grabbed) {
+        grabbed_ = grabbed;
         if (grabbed) hint_->followed();
     });
-}
-
-void MainWindow::connectDevice() {
-    connect(&actions_["armed"], &QAction::triggered, this, &MainWindow::setArmed);
-    connect(&actions_["stop"], &QAction::triggered, this, [this] { setArmed(false); });
-    connect(&actions_["restart-proxy"], &QAction::triggered, this, [this] { engine_.restartProxy(); });
-    connect(status_, &StatusStrip::stopPressed, this, [this] { setArmed(false); });
-    auto* escape = new HeldKey(Qt::Key_Escape, kHoldToStop, this);
-    connect(escape, &HeldKey::held, this, [this] { setArmed(false); });
-    showArmed(engine_.armed());
 }
 
 void MainWindow::connectMotion() {
@@ -262,10 +247,6 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::changed, this, &MainWindow::follow);
     connect(&document_, &Document::opened, this, &MainWindow::showOpened);
     connect(&document_, &Document::openFailed, notice_, &NoticeBar::showError);
-    connect(&document_, &Document::noted, this, [this](const QString& sentence) {
-        fittedNote_ = sentence;
-        notice_->showNote(sentence);
-    });
     connect(&document_, &Document::editProgressed, this, [this](double fraction, double secondsLeft) {
         notice_->showProgress(tr("Changing the mesh"), fraction, secondsLeft, true);
     });

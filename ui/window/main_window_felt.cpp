@@ -7,6 +7,7 @@
 #include <QSettings>
 
 #include "ui/base/ask_where.h"
+#include "ui/controllers/study_controller.h"
 #include "ui/panels/body_panel.h"
 #include "ui/panels/layer_panel.h"
 #include "ui/showing/playback.h"
@@ -82,7 +83,7 @@ void MainWindow::connectFelt() {
     connect(&actions_["spheres-coarser"], &QAction::triggered, this, [step] { step(-1); });
     connect(&publisher_, &WorldPublisher::published, this, [this] {
         // In a study the view keeps the first one: what is seen does not say what is felt.
-        const bool blind = study_->running() && study_->run().step() != StudyStep::Instructions;
+        const bool blind = study_->running() && study_->session().run().step() != StudyStep::Instructions;
         if (!playback_->active() && !blind) view_->setWorld(publisher_.world());
     });
     connectSound();

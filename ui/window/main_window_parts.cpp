@@ -14,6 +14,9 @@
 #include "ui/base/ask_where.h"
 #include "ui/base/mnemonics.h"
 #include "ui/base/numbers.h"
+#include "ui/controllers/edit_notice.h"
+#include "ui/controllers/save_controller.h"
+#include "ui/controllers/study_controller.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/outliner.h"
 #include "ui/panels/start_page.h"
@@ -98,7 +101,7 @@ bool isInPicture(const SceneView& view, const Bounds& box) {
 void MainWindow::connectParts() {
     for (const auto& [id, ground] : {std::pair{"new", false}, {"new-ground", true}})
         connect(&actions_[id], &QAction::triggered, this, [this, onGround = ground] {
-            leave(tr("beginning a new scene"), [this, onGround] {
+            save_->leave(tr("beginning a new scene"), [this, onGround] {
                 playback_->end();
                 document_.begin(onGround ? sceneOf(Primitive::Ground) : Scene());
             });
@@ -163,13 +166,12 @@ void MainWindow::dropModels(const QStringList& files) {
 void MainWindow::showAdded(const SceneAddition& addition) {
     const QString sentence = sentenceFor(addition, document_.scene());
     const QString file = std::exchange(dropped_, {});
-    told_ = sentence;
-    toldStep_ = document_.history().index();
+    told_->keep(sentence);
     const auto undo = [this] { document_.history().undo(); };
     const QString severity = addition.refused.empty() ? QStringLiteral("note") : QStringLiteral("error");
     if (!file.isEmpty()) {
         notice_->offer(sentence, severity, tr("Open it alone"), [this, undo, file] {
-            if (document_.history().index() == toldStep_) undo();
+            if (told_->isLast()) undo();
             open(file);
         });
         notice_->alsoOffer(tr("Undo"), undo);
@@ -197,8 +199,7 @@ void MainWindow::removeSelected() {
     const QString more = sentenceFor(document_.removeObjects(chosen), partName);
     if (more.isEmpty()) return;
     notice_->showNote(more);
-    told_ = more;
-    toldStep_ = document_.history().index();
+    told_->keep(more);
 }
 
 void MainWindow::showObjectMenu(const QPoint& at, QWidget& over) {

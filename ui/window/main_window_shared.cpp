@@ -6,6 +6,8 @@
 #include <QProcess>
 #include <QStackedWidget>
 
+#include "ui/controllers/arming.h"
+#include "ui/controllers/stage.h"
 #include "ui/engine/shared_link.h"
 #include "ui/panels/connection_bar.h"
 #include "ui/panels/start_page.h"
@@ -29,16 +31,17 @@ void MainWindow::connectToServer() {
 
 void MainWindow::setShared(SharedScene& shared) {
     shared_ = new SharedLink(document_, engine_, shared, this);
+    stage_->setApart([this] { return !shared_->state().connected; });
     hand_->setIdle(engine_.device().real); // one that leads itself
     connect(shared_, &SharedLink::changed, this, [this] {
         connection_->display(shared_->state());
-        showCentre();
-        showArmed(engine_.armed());
+        stage_->showCentre();
+        arming_->show(engine_.armed());
     });
     connect(connection_, &ConnectionBar::penWanted, shared_, [this] { shared_->askForPen(); });
     connect(shared_, &SharedLink::refused, this, [this](const QString& sentence) {
         notice_->showError(sentence);
-        showArmed(engine_.armed());
+        arming_->show(engine_.armed());
     });
     connect(shared_, &SharedLink::told, notice_, &NoticeBar::showNote);
     connect(shared_, &SharedLink::foundAnother, this, [this](const QString& sentence) {
@@ -50,13 +53,6 @@ void MainWindow::setShared(SharedScene& shared) {
                        [this, name] { shared_->givePen(name); });
     });
     connect(shared_, &SharedLink::penNotAskedAnyMore, notice_, [this] { notice_->withdraw(tr("Let them")); });
-}
-
-/// The start page where there is nothing yet, but for a window whose server is not there: what it would open
-/// nobody could feel.
-void MainWindow::showCentre() {
-    const bool apart = shared_ && !shared_->state().connected;
-    centre_->setCurrentWidget(!document_.isOpen() && !apart ? static_cast<QWidget*>(start_) : view_);
 }
 
 } // namespace tactum

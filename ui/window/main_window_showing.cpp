@@ -1,17 +1,11 @@
-// Showing a scene to others: a video of the view, the view alone on the screen, a report.
+// Showing a scene to others: a video of the view, the view alone on the screen.
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QSettings>
 
-#include "core/archive/sha256.h"
 #include "ui/base/ask_where.h"
-#include "ui/base/background_job.h"
 #include "ui/base/numbers.h"
-#include "ui/document/preset_store.h"
-#include "ui/engine/guard_watch.h"
 #include "ui/showing/presentation.h"
-#include "ui/showing/report_file.h"
 #include "ui/showing/video_recorder.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
@@ -92,35 +86,6 @@ void MainWindow::present(bool on) {
     if (on) panelsWereHidden_ = panels.isChecked();
     panels.setChecked(on || panelsWereHidden_);
     presentation_->set(on);
-}
-
-/// Of the scene as it is now, on a worker.
-void MainWindow::writeReport(const QString& file) {
-    const bool saved = !document_.modified() && !document_.path().empty();
-    const DeviceInfo& info = engine_.device();
-    const ReportDevice device{info.name, info.maxForce, info.maxStiffness, guard_->ceiling().value};
-    auto* job = new BackgroundJob(this);
-    connect(job, &BackgroundJob::progressed, this, [this](double fraction, double secondsLeft) {
-        notice_->showProgress(tr("Writing the report"), fraction, secondsLeft, true);
-    });
-    connect(notice_, &NoticeBar::cancelled, job, &BackgroundJob::cancel);
-    connect(job, &BackgroundJob::finished, job, &QObject::deleteLater);
-    job->start([this, file, device, scene = std::make_shared<const Scene>(document_.scene()),
-                title = document_.title().toStdString(), found = document_.findings(),
-                source = saved ? document_.path() : std::filesystem::path(),
-                version = QCoreApplication::applicationVersion().toStdString()](const Progress& progress) {
-        const std::vector<Preset> presets = PresetStore::readAll();
-        const ReportSubject subject{*scene,  title, fingerprintOf(source), version, reportDate(), found,
-                                    presets, device};
-        const auto written = writeReportFile(subject, file.toStdU16String(), progress);
-        return BackgroundJob::Delivery([this, file, written] {
-            notice_->endProgress();
-            if (written)
-                notice_->showNote(tr("The report was written to %1.").arg(file));
-            else
-                notice_->showError(QString::fromStdString(written.error().text));
-        });
-    });
 }
 
 /// What nobody else wanted.

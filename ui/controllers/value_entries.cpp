@@ -1,4 +1,4 @@
-#include "ui/window/value_entries.h"
+#include "ui/controllers/value_entries.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ui/window/folds.h"
+#include "ui/controllers/folds.h"
 
 #include <QDockWidget>
 #include <QEvent>

@@ -1,4 +1,4 @@
-#include "ui/window/preferences_dialog.h"
+#include "ui/controllers/preferences_dialog.h"
 
 #include <QComboBox>
 #include <QDialog>

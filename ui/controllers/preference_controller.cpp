@@ -1,14 +1,10 @@
-// What a person prefers, brought to where it counts.
-#include "ui/window/main_window.h"
+#include "ui/controllers/preference_controller.h"
 
 #include <QActionGroup>
 
-#include "ui/base/preferences.h"
+#include "ui/controllers/preferences_dialog.h"
 #include "ui/document/journal.h"
-#include "ui/document/recent_files.h"
-#include "ui/panels/start_page.h"
 #include "ui/view/scene_view.h"
-#include "ui/window/preferences_dialog.h"
 
 namespace tactum {
 
@@ -39,42 +35,44 @@ Journal::Pace preferredPace() {
 
 } // namespace
 
-void MainWindow::connectPreferences() {
-    connect(&actions_["preferences"], &QAction::triggered, this, [this] { showPreferences(this); });
-    connect(&Preferences::instance(), &Preferences::changed, this, &MainWindow::followPreference);
+PreferenceController::PreferenceController(const Workbench& bench, Journal& journal)
+    : QObject(&bench.window), bench_(bench), journal_(journal) {
+    bench.on("preferences", this, [this] { showPreferences(&bench_.window); });
+    connect(&Preferences::instance(), &Preferences::changed, this, &PreferenceController::follow);
     for (const Preferred id : {Preferred::DragTurns, Preferred::JournalTime})
-        followPreference(id);
+        follow(id);
+    connectTheme();
 }
 
-void MainWindow::followPreference(Preferred id) {
+void PreferenceController::follow(Preferred id) {
     switch (id) {
     case Preferred::Theme:
         return setTheme(rememberedTheme());
     case Preferred::JournalTime:
     case Preferred::JournalEdits:
-        return journal_->setPace(preferredPace());
+        return journal_.setPace(preferredPace());
     default:
-        return view_->setManners(preferredManners());
+        return bench_.view.setManners(preferredManners());
     }
 }
 
-void MainWindow::connectTheme() {
+void PreferenceController::connectTheme() {
     auto* group = new QActionGroup(this);
     for (const auto& [id, choice] : kThemes) {
-        group->addAction(&actions_[id]);
-        actions_[id].setChecked(choice == rememberedTheme());
-        connect(&actions_[id], &QAction::triggered, this,
+        group->addAction(&bench_.actions[id]);
+        bench_.actions[id].setChecked(choice == rememberedTheme());
+        connect(&bench_.actions[id], &QAction::triggered, this,
                 [choice = choice] { Preferences::instance().set(Preferred::Theme, int(choice)); });
     }
 }
 
-void MainWindow::setTheme(ThemeChoice choice) {
+void PreferenceController::setTheme(ThemeChoice choice) {
     for (const auto& [id, each] : kThemes)
-        actions_[id].setChecked(each == choice);
+        bench_.actions[id].setChecked(each == choice);
     applyTheme(choice);
-    actions_.refreshIcons();
-    start_->setRecent(recentFiles());
-    view_->setTheme(theme().dark);
+    bench_.actions.refreshIcons();
+    bench_.view.setTheme(theme().dark);
+    emit themeChanged();
 }
 
 } // namespace tactum

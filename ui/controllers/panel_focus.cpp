@@ -1,10 +1,10 @@
-#include "ui/window/panel_focus.h"
+#include "ui/controllers/panel_focus.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 
-#include "ui/window/folds.h"
+#include "ui/controllers/folds.h"
 
 namespace tactum {
 

@@ -1,0 +1,89 @@
+#include "ui/controllers/arming.h"
+
+#include "core/runtime/engine.h"
+#include "ui/engine/device_link.h"
+#include "ui/engine/guard_watch.h"
+#include "ui/engine/health_words.h"
+#include "ui/engine/held_key.h"
+#include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
+
+namespace tactum {
+
+namespace {
+
+constexpr int kHoldToStop = 500; // ms
+
+QString armAgain() {
+    return Arming::tr("Arm again");
+}
+
+} // namespace
+
+Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& notice, GuardWatch& guard,
+               DeviceLink& link, QObject* parent)
+    : QObject(parent), engine_(engine), actions_(actions), view_(view), notice_(notice), guard_(guard),
+      link_(link) {
+    connect(&actions["armed"], &QAction::triggered, this, &Arming::set);
+    connect(&actions["stop"], &QAction::triggered, this, [this] { set(false); });
+    connect(new HeldKey(Qt::Key_Escape, kHoldToStop, this), &HeldKey::held, this, [this] { set(false); });
+    connect(&guard, &GuardWatch::faulted, this, [this](InhibitReason why) {
+        offer();
+        if (why == InhibitReason::DeviceLost) link_.look(); // whether it is there at all
+    });
+    show(engine.armed());
+}
+
+bool Arming::faulty() const {
+    return guard_.fault().has_value();
+}
+
+void Arming::set(bool armed) {
+    const bool wasFaulty = faulty();
+    if (armed) link_.stop().pressed = false; // held still, it stops again at once
+    if (!armed) view_.endTouch();
+    guard_.setArmed(armed);
+    show(armed);
+    if (!armed && !wasFaulty)
+        notice_.showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
+    else if (armed && (wasFaulty || notice_.property("severity") == QLatin1String("note")))
+        notice_.hide();
+}
+
+void Arming::switchOff() {
+    guard_.setArmed(false);
+    show(false);
+}
+
+void Arming::switchOn() {
+    guard_.setArmed(true);
+    show(true);
+}
+
+void Arming::show(bool armed) {
+    actions_["armed"].setChecked(armed);
+    actions_["stop"].setEnabled(armed);
+}
+
+void Arming::offer(const QString& more) {
+    show(false);
+    const bool lost = *guard_.fault() == InhibitReason::DeviceLost;
+    const QString trouble = lost ? QString::fromStdString(engine_.trouble()) : QString();
+    const QString text =
+        QStringLiteral("%1 %2 %3").arg(guardSentences(*guard_.fault()), trouble, more).simplified();
+    // What its driver cannot get over by itself no arming brings back.
+    if (!trouble.isEmpty() && link_.connected())
+        notice_.offer(text, QStringLiteral("error"), tr("Open again"),
+                      [this] { link_.choose(link_.current()); });
+    else
+        notice_.offer(text, QStringLiteral("error"), armAgain(), [this] { set(true); });
+}
+
+void Arming::adoptDevice() {
+    for (const QString& button : {armAgain(), tr("Open again"), tr("Arm")})
+        notice_.withdraw(button);
+    guard_.forget();
+    show(false);
+}
+
+} // namespace tactum

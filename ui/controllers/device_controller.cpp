@@ -1,0 +1,202 @@
+#include "ui/controllers/device_controller.h"
+
+#include <QAction>
+#include <QDockWidget>
+
+#include <cmath>
+#include <limits>
+
+#include "ui/controllers/arming.h"
+#include "ui/controllers/folds.h"
+#include "ui/document/document.h"
+#include "ui/engine/device_link.h"
+#include "ui/engine/usb_permission.h"
+#include "ui/panels/device_connect.h"
+#include "ui/panels/device_live.h"
+#include "ui/panels/device_panel.h"
+#include "ui/panels/workspace_fields.h"
+#include "ui/showing/playback.h"
+#include "ui/tools/hand_link.h"
+#include "ui/tools/touch_hint.h"
+#include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
+
+namespace tactum {
+
+DeviceController::DeviceController(const Workbench& bench, Arming& arming, DeviceLink& link, HandLink& hand,
+                                   TouchHint& hint, Folds& folds, DevicePanel& panel)
+    : QObject(&bench.window), bench_(bench), arming_(arming), link_(link), hand_(hand), hint_(hint),
+      folds_(folds), panel_(panel), permission_(new UsbPermission(this)) {
+    connectCommands();
+    connectLink();
+    connectConnecting();
+    connectLive();
+    connectWorkspace();
+    connect(&panel, &DevicePanel::armPressed, &arming, &Arming::set);
+    hand.setIdle(link.connected());
+    showSettings();
+    showCommands();
+}
+
+void DeviceController::choose() {
+    link_.choose(panel_.connecting().chosen());
+}
+
+void DeviceController::connectCommands() {
+    bench_.on("device-panel", this, [this] { showPage(int(DevicePanel::Page::Connect)); });
+    bench_.on("device-connect", this, [this] { choose(); });
+    bench_.on("device-disconnect", this, [this] { link_.choose(kSimulatedDevice); });
+    bench_.on("workspace-centre", this, [this] { centreWorkspace(false); });
+    bench_.on("workspace-fit", this, [this] { centreWorkspace(true); });
+    bench_.on("workspace-axes", this, [this] {
+        showPage(int(DevicePanel::Page::Workspace));
+        panel_.workspace().beginCapture();
+    });
+}
+
+void DeviceController::connectLink() {
+    connect(&link_, &DeviceLink::exchanged, this, &DeviceController::adopt);
+    connect(&link_, &DeviceLink::ready, this, &DeviceController::offerReady);
+    connect(&link_, &DeviceLink::failed, &bench_.notice, &NoticeBar::showError);
+    connect(&link_, &DeviceLink::supplied, &bench_.notice, &NoticeBar::showNote);
+    connect(&link_, &DeviceLink::wentAway, this, [this](const QString& name) { sayAway(name); });
+    connect(&link_, &DeviceLink::preparationChanged, this, &DeviceController::showCommands);
+    connect(&link_, &DeviceLink::preparationChanged, this, &DeviceController::sayRequest);
+}
+
+void DeviceController::connectConnecting() {
+    DeviceConnect& connecting = panel_.connecting();
+    connect(&connecting, &DeviceConnect::connectPressed, this, [this] { choose(); });
+    connect(&connecting, &DeviceConnect::disconnectPressed, this, [this] { link_.choose(kSimulatedDevice); });
+    connect(&connecting, &DeviceConnect::chosenChanged, this, &DeviceController::showCommands);
+    connect(&connecting, &DeviceConnect::permissionPressed, permission_, &UsbPermission::ask);
+    connecting.setLacksRealTime(lacksRealTime());
+    connect(permission_, &UsbPermission::refused, &connecting, &DeviceConnect::showCommand);
+    connect(permission_, &UsbPermission::granted, this, [this] {
+        bench_.notice.showNote(
+            tr("You may use USB devices now, and real time when you have logged in again. If yours is still "
+               "not usable, plug it in anew."));
+        panel_.connecting().setLacksRealTime(lacksRealTime());
+        link_.look();
+    });
+}
+
+void DeviceController::connectLive() {
+    connect(&panel_.live(), &DeviceLive::stopButtonChosen, this, [this](std::uint32_t button) {
+        DeviceSettings next = settings_;
+        next.stopButton = button;
+        next.workspace.clutch &= ~button; // a button does one thing
+        setSettings(next);
+    });
+    connect(&panel_.live(), &DeviceLive::graspChosen, this, [this](bool grasped) {
+        DeviceSettings next = settings_;
+        next.grasped = grasped;
+        setSettings(next);
+    });
+}
+
+void DeviceController::connectWorkspace() {
+    WorkspaceFields& workspace = panel_.workspace();
+    connect(&workspace, &WorkspaceFields::edited, this, &DeviceController::setWorkspace);
+    connect(&workspace, &WorkspaceFields::centrePressed, this, [this] { centreWorkspace(false); });
+    connect(&workspace, &WorkspaceFields::fitPressed, this, [this] { centreWorkspace(true); });
+    connect(&workspace, &WorkspaceFields::captureBegun, &arming_, &Arming::switchOff);
+}
+
+void DeviceController::showPage(int page) {
+    folds_.bringForward(bench_.dock("dock-device"));
+    panel_.showPage(DevicePanel::Page(page));
+    panel_.setFocus(Qt::ShortcutFocusReason);
+}
+
+/// Another device is in the engine, without force.
+void DeviceController::adopt() {
+    arming_.adoptDevice();
+    hand_.setIdle(link_.connected());
+    if (link_.connected()) hint_.hide(); // the mouse leads nothing
+    setSettings(link_.connected() ? rememberedSettings(link_.current()) : DeviceSettings{});
+    showCommands();
+    emit adopted();
+}
+
+// How a person's device lies in the scene, and what its buttons do, belongs to neither the scene nor its
+// history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
+void DeviceController::setSettings(const DeviceSettings& settings) {
+    settings_ = settings;
+    if (const auto possible = bench_.engine.setWorkspace(settings.workspace); !possible)
+        bench_.notice.showError(QString::fromStdString(possible.error().text));
+    link_.stop().buttons = settings.stopButton;
+    bench_.engine.setGrasped(settings.grasped);
+    if (link_.connected()) rememberSettings(link_.current(), settings);
+    showSettings();
+}
+
+void DeviceController::showSettings() {
+    const DeviceInfo& device = bench_.engine.device();
+    panel_.live().setGrasped(settings_.grasped, link_.connected());
+    panel_.live().setStopButton(settings_.stopButton, device.buttons, link_.connected());
+    panel_.workspace().show(settings_.workspace, device.buttons, device.workspaceRadius, link_.connected());
+}
+
+void DeviceController::setWorkspace(const Workspace& workspace) {
+    DeviceSettings next = settings_;
+    next.workspace = workspace;
+    next.stopButton &= ~workspace.clutch; // a button does one thing
+    setSettings(next);
+}
+
+void DeviceController::centreWorkspace(bool fit) {
+    if (!link_.connected()) return;
+    const Bounds model = boundsOf(bench_.document.scene());
+    Workspace next = settings_.workspace;
+    next.offset = model.empty() ? Vec3(Vec3::Zero()) : model.centre();
+    if (fit && model.diagonal() > 0)
+        next.scale = kWorkspaceScale.clamped(0.5 * model.diagonal() / usualRadius(bench_.engine.device()));
+    ++next.centring;
+    setWorkspace(next);
+}
+
+/// Once a frame.
+void DeviceController::frame() {
+    link_.frame();
+    panel_.display(bench_.engine);
+    // The device itself has been without force since the tick that read the button.
+    if (!link_.stop().pressed || !bench_.engine.armed()) return;
+    arming_.set(false);
+    bench_.notice.showNote(tr("Stopped by the button of the device. Device > Forces on goes on."));
+}
+
+void DeviceController::offerReady(const QString& name, bool back) {
+    bench_.notice.offer((back ? tr("%1 is there and ready. The forces are off: hold the handle, then arm.")
+                              : tr("%1 is ready. The forces are off: hold the handle, then arm."))
+                            .arg(name),
+                        QStringLiteral("note"), tr("Arm"), [this] { arming_.set(true); });
+}
+
+/// A device that was remembered is made ready by itself, and waits for a person who may look elsewhere.
+void DeviceController::sayRequest() {
+    const Preparation& preparation = link_.preparation();
+    if (preparation.request.isEmpty()) return bench_.notice.withdraw(tr("Show"));
+    const QString text = QStringLiteral("%1: %2").arg(preparation.name, preparation.request);
+    if (!panel_.visibleRegion().isEmpty() || bench_.notice.text() == text) return;
+    bench_.notice.offer(text, QStringLiteral("note"), tr("Show"),
+                        [this] { showPage(int(DevicePanel::Page::Connect)); });
+}
+
+void DeviceController::sayAway(const QString& name, const QString& more) {
+    bench_.notice.showError(
+        tr("%1 is not there any more; the forces are off. Plug it in: it is made ready again by "
+           "itself. Until then the mouse leads a simulated hand. %2")
+            .arg(name, more)
+            .trimmed());
+}
+
+void DeviceController::showCommands() {
+    const bool connected = link_.connected();
+    bench_.actions["device-connect"].setEnabled(link_.mayBegin(panel_.connecting().chosen()));
+    bench_.actions["device-disconnect"].setEnabled(link_.mayLetGo());
+    for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
+        bench_.actions[id].setEnabled(connected && !bench_.playback.active());
+}
+
+} // namespace tactum
