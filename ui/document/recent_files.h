@@ -12,8 +12,8 @@ QStringList recentFiles();
 void rememberFile(const QString& absolutePath);
 void forgetRecentFiles();
 
-/// Where a person is asked to save at first: over the scene's own file, `scene`; among the documents when it has none yet, and when
-/// it is one of `samples`, for what is made of a sample belongs to the person.
+/// Where a person is asked to save at first: over the scene's own file, `scene`; among the documents when it
+/// has none yet, and when it is one of `samples`, for what is made of a sample belongs to the person.
 QString placeToSave(const std::filesystem::path& scene, const QStringList& samples);
 
 } // namespace tactum
