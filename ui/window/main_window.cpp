@@ -23,6 +23,7 @@
 #include "ui/controllers/health_controller.h"
 #include "ui/controllers/import_controller.h"
 #include "ui/controllers/layer_controller.h"
+#include "ui/controllers/motion_controller.h"
 #include "ui/controllers/paint_controller.h"
 #include "ui/controllers/palette_controller.h"
 #include "ui/controllers/preference_controller.h"
@@ -134,7 +135,6 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectArranging();
     connectSurfaces();
     connectFelt();
-    connectMotion();
     connectDocument();
     connectParts();
     connectShowing();
@@ -176,6 +176,7 @@ void MainWindow::makeControllers() {
     new ProblemController(bench_, *docks_.problems);
     new ImportController(bench_, *importBar_, *playbackBar_, *hint_);
     new GeometryController(bench_);
+    new MotionController(bench_, *docks_.body, *folds_);
     new ReportController(bench_, *guard_, samples_);
     connect(journal_, &Journal::failed, notice_, &NoticeBar::showError);
     connect(new RecoveryController(bench_, *recovery_, *recoveryBar_), &RecoveryController::replaces, save_,

@@ -116,8 +116,6 @@ private:
     void connectView();
     void makeControllers();
     void makeLive();
-    void connectMotion();
-    void showColliders();
     void connectDocument();
     void restore();
 

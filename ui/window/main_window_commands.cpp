@@ -20,7 +20,6 @@
 #include "ui/controllers/folds.h"
 #include "ui/document/recent_files.h"
 #include "ui/engine/held_key.h"
-#include "ui/panels/body_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/showing/playback.h"
@@ -190,57 +189,6 @@ void MainWindow::connectView() {
         grabbed_ = grabbed;
         if (grabbed) hint_->followed();
     });
-}
-
-void MainWindow::connectMotion() {
-    QAction &run = actions_["motion-run"], &slow = actions_["motion-slow"];
-    const auto setPace = [this, &run, &slow] {
-        constexpr double kSlow = 0.1;
-        engine_.setPace(!run.isChecked() ? 0 : slow.isChecked() ? kSlow : 1);
-    };
-    run.setChecked(true);
-    connect(&run, &QAction::toggled, this, setPace);
-    connect(&slow, &QAction::toggled, this, setPace);
-    connect(&actions_["motion-step"], &QAction::triggered, this, [this, &run] {
-        run.setChecked(false);
-        engine_.stepBodies();
-    });
-    connect(&actions_["colliders"], &QAction::toggled, this, &MainWindow::showColliders);
-    connect(&document_, &Document::changed, this, [this](const SceneChange& change) {
-        if (change.takesTime()) showColliders();
-    });
-    connect(&actions_["motion-reset"], &QAction::triggered, this, [this] { engine_.beginBodies(); });
-    using Hold = BodyPanel::Hold;
-    for (const auto& [id, hold] : {std::pair{"body-loose", Hold::Loose},
-                                   {"body-hinge", Hold::Hinge},
-                                   {"body-slider", Hold::Slider},
-                                   {"body-path", Hold::Path},
-                                   {"body-still", Hold::Still}})
-        connect(&actions_[id], &QAction::triggered, this, [this, chosen = hold] {
-            docks_.body->hold(chosen);
-            folds_->bringForward(*findChild<QDockWidget*>(QStringLiteral("dock-body")));
-        });
-    connect(docks_.body, &BodyPanel::failed, notice_, &NoticeBar::showError);
-    connect(docks_.body, &BodyPanel::marked, this, [this] {
-        view_->setJoint(docks_.body->mark());
-        view_->setPath(docks_.body->path());
-        view_->setMass(docks_.body->mass());
-    });
-    const auto gesture = std::make_shared<Gesture>(0);
-    const auto begin = [this, gesture] { *gesture = document_.beginTrial(); };
-    connect(view_, &SceneView::jointGrabbed, this, begin);
-    connect(view_, &SceneView::jointDragged, this,
-            [this, gesture](const JointMark& mark) { docks_.body->setMark(mark, *gesture); });
-    connect(view_, &SceneView::pathGrabbed, this, begin);
-    connect(view_, &SceneView::pathDragged, this,
-            [this, gesture](const std::vector<Vec3>& points) { docks_.body->setPath(points, *gesture); });
-    connect(view_, &SceneView::handlesLeft, this,
-            [this, gesture](bool givenUp) { document_.endTrial(*gesture, givenUp); });
-}
-
-void MainWindow::showColliders() {
-    view_->setColliders(actions_["colliders"].isChecked() ? colliderMarks(document_.scene())
-                                                          : std::vector<ColliderMark>());
 }
 
 void MainWindow::connectDocument() {
