@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/base/chart_axis.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
 #include "ui/panels/flat_swatch.h"
@@ -47,11 +48,7 @@ void ProfileChart::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), theme().field);
     painter.setFont(figureFont(-1));
-    if (!profile_.any()) {
-        painter.setPen(theme().textDimmed);
-        painter.drawText(rect().adjusted(8, 4, -8, -4), int(Qt::AlignCenter) | Qt::TextWordWrap, hint_);
-        return;
-    }
+    if (!profile_.any()) return drawChartHint(painter, rect(), hint_);
     double low = 1e300, high = -1e300;
     for (const double value : profile_.values) {
         if (!std::isfinite(value)) continue;

@@ -7,9 +7,9 @@
 #include <QPainter>
 
 #include "core/surface/material.h"
+#include "ui/base/chart_axis.h"
 #include "ui/view/colour_map.h"
 #include "ui/view/smooth_image.h"
-#include "ui/view/trace_plot.h"
 
 namespace tactum {
 

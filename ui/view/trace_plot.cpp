@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "ui/base/chart_axis.h"
+
 namespace tactum {
 
 namespace {
@@ -33,11 +35,6 @@ private:
     QRectF box_;
     double start_, span_ = 1, top_ = 1;
 };
-
-/// As many decimals as the step needs.
-QString tickText(double value, double step) {
-    return QString::number(value, 'f', std::max(0, int(std::ceil(-std::log10(step) - 1e-9))));
-}
 
 void drawForceTicks(QPainter& painter, const Axes& axes, const Theme& theme) {
     const double step = tickStep(axes.top(), 5), height = painter.fontMetrics().height();
@@ -96,13 +93,6 @@ void drawCurve(QPainter& painter, const Axes& axes, const TouchTrace& rows, cons
 }
 
 } // namespace
-
-double tickStep(double range, int most) {
-    const double power = std::pow(10, std::floor(std::log10(range / most)));
-    for (double factor : {1.0, 2.0, 5.0})
-        if (range / (factor * power) <= most * (1 + 1e-9)) return factor * power;
-    return 10 * power;
-}
 
 void drawForcePlot(QPainter& painter, const QRectF& box, const TouchTrace& rows, const Theme& theme) {
     const double line = painter.fontMetrics().height();

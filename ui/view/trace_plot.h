@@ -10,9 +10,6 @@ class QPainter;
 
 namespace tactum {
 
-/// A step of 1, 2 or 5 times a power of ten that divides `range` (> 0) into at most `most` (> 0) parts.
-double tickStep(double range, int most);
-
 /// Draws |F| over t with axes, units and the spans of contact. The trace must not be empty.
 void drawForcePlot(QPainter& painter, const QRectF& box, const TouchTrace& rows, const Theme& theme);
 

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "ui/base/chart_axis.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
 
@@ -13,18 +14,7 @@ namespace tactum {
 namespace {
 
 constexpr double kMin = 0.1; // N, end of the axis
-
-/// A round number of newtons for the end of the axis.
-double axisFor(double newton) {
-    const double decade = std::pow(10.0, std::floor(std::log10(std::max(newton, 1e-6))));
-    for (const double factor : {1.0, 2.0, 4.0, 8.0})
-        if (newton <= factor * decade) return factor * decade;
-    return 10 * decade;
-}
-
-int decimalsOf(double step) {
-    return std::clamp(int(std::ceil(-std::log10(step) + 1e-9)), 0, 6);
-}
+constexpr int kLines = 4;    // above zero, at most
 
 } // namespace
 
@@ -69,15 +59,14 @@ void CompareChart::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), theme().panel);
     if (!a_ || !b_ || a_->size() < 2 || b_->size() < 2) {
-        painter.setPen(theme().textDimmed);
-        painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignCenter | Qt::TextWordWrap, hint_);
-        return;
+        return drawChartHint(painter, rect(), hint_);
     }
     const QRectF place = area();
     const int count = std::clamp(int(place.width()), 2, 4000);
     const std::vector<double> a = columnsOf(*a_, count), b = columnsOf(*b_, count);
-    const double top = axisFor(std::max({kMin, *std::ranges::max_element(a), *std::ranges::max_element(b)}));
-    paintAxes(painter, top, b_->back().t - b_->front().t);
+    const double most = std::max({kMin, *std::ranges::max_element(a), *std::ranges::max_element(b)});
+    const double step = tickStep(most, kLines), top = step * std::ceil(most / step - 1e-9);
+    paintAxes(painter, top, step, b_->back().t - b_->front().t);
     const auto lineOf = [&](const std::vector<double>& columns) {
         QPolygonF line;
         for (std::size_t i = 0; i < columns.size(); ++i)
@@ -102,17 +91,12 @@ void CompareChart::paintEvent(QPaintEvent*) {
     paintLegend(painter);
 }
 
-void CompareChart::paintAxes(QPainter& painter, double top, double seconds) const {
+void CompareChart::paintAxes(QPainter& painter, double top, double step, double seconds) const {
     const QRectF place = area();
     painter.setFont(figureFont(-1));
-    for (int i = 0; i <= 4; ++i) {
-        const double y = place.bottom() - place.height() * i / 4;
-        painter.setPen(QPen(theme().plotGrid, 1));
-        painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
-        painter.setPen(theme().textDimmed);
-        const QString label = i == 0 ? tr("0 N") : numberText(top * i / 4, decimalsOf(top / 4));
-        painter.drawText(QRectF(0, y - 8, place.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, label);
-    }
+    for (int i = 0; i * step <= top * (1 + 1e-9); ++i)
+        drawGridLine(painter, place, place.bottom() - place.height() * i * step / top,
+                     i == 0 ? tr("0 N") : tickText(i * step, step));
     painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), 16), Qt::AlignLeft,
                      QStringLiteral("0 s"));
     painter.drawText(QRectF(place.left(), place.bottom() + 2, place.width(), 16), Qt::AlignRight,

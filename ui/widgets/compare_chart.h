@@ -29,7 +29,7 @@ private:
     /// The largest force of each column of pixels.
     std::vector<double> columnsOf(const TouchTrace& rows, int count) const;
     QRectF area() const;
-    void paintAxes(QPainter& painter, double top, double seconds) const;
+    void paintAxes(QPainter& painter, double top, double step, double seconds) const;
     void paintLegend(QPainter& painter) const;
 
     std::shared_ptr<const TouchTrace> a_, b_;

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/base/chart_axis.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
 
@@ -77,13 +78,8 @@ void PeriodChart::paintEvent(QPaintEvent*) {
 void PeriodChart::paintGrid(QPainter& painter) const {
     const QRectF a = area();
     const std::pair<double, QString> lines[] = {{1, tr("100 %")}, {1e-2, tr("1 %")}, {1e-4, tr("0.01 %")}};
-    for (const auto& [share, label] : lines) {
-        const double y = std::round(a.bottom() - heightOf(share) * a.height()) + 0.5;
-        painter.setPen(theme().plotGrid);
-        painter.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-        painter.setPen(theme().textDimmed);
-        painter.drawText(QRectF(0, y - 8, a.left() - 5, 16), Qt::AlignRight | Qt::AlignVCenter, label);
-    }
+    for (const auto& [share, label] : lines)
+        drawGridLine(painter, a, a.bottom() - heightOf(share) * a.height(), label);
     for (const auto& [bin, label] : kLabels) {
         const double x = edge(bin + 1);
         painter.drawText(QRectF(x - 32, a.bottom() + 2, 64, 14), Qt::AlignHCenter | Qt::AlignTop,

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "ui/base/chart_axis.h"
 #include "ui/base/numbers.h"
 #include "ui/base/style.h"
 
@@ -14,18 +15,6 @@ namespace tactum {
 namespace {
 
 constexpr double kLeft = 52, kTop = 22, kRight = 16, kBottom = 6, kTimeBelow = 16; // logical pixels
-
-/// 1, 2 or 5 times a power of ten that divides a range into at most so many parts.
-double stepOf(double range, int most) {
-    const double power = std::pow(10, std::floor(std::log10(range / most)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (range / (factor * power) <= most * (1 + 1e-9)) return factor * power;
-    return 10 * power;
-}
-
-QString tickText(double value, double step) {
-    return numberText(value, std::max(0, int(std::ceil(-std::log10(step) - 1e-9))));
-}
 
 /// One strip while it is drawn.
 class Strip {
@@ -79,17 +68,13 @@ private:
     void grid() {
         for (double n = std::ceil(axis_.low / axis_.step - 1e-9); n * axis_.step <= axis_.high * (1 + 1e-9);
              ++n) {
-            const double value = n * axis_.step, at = std::round(y(value)) + 0.5;
-            painter_.setPen(QPen(theme().plotGrid, 1));
-            painter_.drawLine(QPointF(area_.left(), at), QPointF(area_.right(), at));
-            painter_.setPen(theme().textDimmed);
-            painter_.drawText(QRectF(box_.left(), at - 8, kLeft - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
-                              tickText(value, axis_.step));
+            const double value = n * axis_.step;
+            drawGridLine(painter_, area_, y(value), tickText(value, axis_.step));
         }
     }
 
     void times() {
-        const double step = stepOf(time_.span, 8);
+        const double step = tickStep(time_.span, 8);
         painter_.setPen(theme().textDimmed);
         for (double n = 0; n * step <= time_.span * (1 + 1e-9); ++n) {
             const double at = x(history_.end() - n * step);
@@ -252,7 +237,7 @@ StripAxis axisFor(double low, double high, int most) {
     if (high - low <= 0) high = 1;
     const double reach = 1.06 * (high - low);
     StripAxis axis;
-    axis.step = stepOf(reach, most);
+    axis.step = tickStep(reach, most);
     axis.low = low < 0 ? axis.step * std::floor(low / axis.step) : 0;
     axis.high = std::max(axis.step, high + 0.06 * (high - low));
     return axis;

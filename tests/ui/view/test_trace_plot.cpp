@@ -5,6 +5,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "ui/base/chart_axis.h"
 #include "ui/view/trace_plot.h"
 
 namespace test_trace_plot {
