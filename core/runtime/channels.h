@@ -25,25 +25,32 @@
 
 namespace tactum {
 
-/// What the proxy loop tells the window.
-struct ProxyTelemetry {
+/// What the proxy loop tells the window of one hand.
+struct TouchTelemetry {
     HapticOutput output;        ///< of the last update
     Vec3 finger = Vec3::Zero(); ///< that the update used
+    Coupling coupling{};        ///< of the last update: with what it pushed bodies
+};
+
+/// What it tells of what all hands share.
+struct WorldTelemetry {
     std::uint64_t updates = 0;
     std::uint64_t worldRevision = 0; ///< the World that the update used
     std::uint64_t worldSince = 0;    ///< the first update that used it
     double rate = 0;                 ///< Hz, over the last half second
     double updateMicros = 0;         ///< mean time of hapticStep over the last half second
     double worstUpdateMicros = 0;    ///< largest of it
-    std::uint64_t boundHits = 0;     ///< steps that ended at their iteration bound
-    std::uint64_t squeezed = 0;      ///< steps in which surfaces left the proxy less room than it needs
-    std::uint64_t passed = 0;        ///< steps in which a moving body had to pass over the proxy
-    double time = 0;                 ///< s, of the bodies that move by themselves
-    BodiesState bodies;              ///< of those that forces move
-    Coupling coupling{};             ///< of the last update: with what it pushed them
+    std::uint64_t boundHits = 0;     ///< steps of a hand that ended at their iteration bound
+    std::uint64_t squeezed = 0; ///< steps of a hand in which surfaces left the proxy less room than it needs
+    std::uint64_t passed = 0;   ///< steps of a hand in which a moving body had to pass over the proxy
+    double time = 0;            ///< s, of the bodies that move by themselves
+    BodiesState bodies;         ///< of those that forces move
     Fidelity fidelity = Fidelity::Full;
     std::uint64_t stepsDown = 0; ///< how often the fidelity was lowered
 };
+
+/// The first hand, and what it shares with others.
+struct ProxyTelemetry : TouchTelemetry, WorldTelemetry {};
 
 /// What the servo renders, and how many steps of the proxy led to it.
 struct NumberedModel {
