@@ -41,6 +41,9 @@ void keepCommonSteps(RecordedRun& run) {
         auto& proxy = run.hand(i).proxy;
         dropBefore(proxy, std::min(first, end));
         proxy.rows.resize(std::size_t(end - std::min(end, proxy.first)));
+        auto& ticks = run.hand(i).servo.rows;
+        while (!ticks.empty() && ticks.back().model > end)
+            ticks.pop_back();
     }
 }
 

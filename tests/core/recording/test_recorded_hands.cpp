@@ -7,7 +7,9 @@
 #include "core/recording/events.h"
 #include "core/recording/player.h"
 #include "core/recording/recording_file.h"
-#include "core/runtime/recorder.h"
+#include "core/runtime/local_engine.h"
+#include "device/simulated_hand.h"
+#include "tests/core/runtime/patience.h"
 #include "tests/support/compare.h"
 #include "tests/support/test_program.h"
 #include "tests/support/two_hands.h"
@@ -149,6 +151,38 @@ private slots:
         QCOMPARE(check.servoSteps, run_.servo.rows.size() + run_.others[0].servo.rows.size());
     }
 
+    /// As the loops themselves make it, with a copy while they go on.
+    void whatAnEngineOfTwoDidGivesTheSameBits() {
+        const std::array targets{std::make_shared<HandTarget>(), std::make_shared<HandTarget>()};
+        LocalEngine engine(std::make_unique<SimulatedHand>(targets[0]));
+        engine.publish(compile(test::boxOnFloor(0.05, {.stiffness = 300, .staticFriction = 0.8})).value());
+        VERIFY_RESULT(engine.start());
+        VERIFY_RESULT(engine.addDevice(std::make_unique<SimulatedHand>(targets[1])));
+        engine.setAllArmed(true);
+        int frame = 0;
+        QVERIFY(eventually([&] {
+            engine.poll();
+            const double depth = 4e-3 * std::sin(0.01 * ++frame);
+            for (const std::size_t i : {std::size_t(0), std::size_t(1)})
+                targets[i]->write(
+                    {.position = {(i == 0 ? -1 : 1) * (test::kBoxHalf + test::kFingertip - depth), 0, 0}});
+            if (frame % 400 == 0) engine.hand(1).setArmed(frame % 800 == 0);
+            if (frame % 500 == 0) engine.beginBodies();
+            return engine.hand(1).servo().ticks >= 4000;
+        }));
+        const RecordedRun run = engine.recorded();
+        engine.stop();
+        QCOMPARE(run.hands(), std::size_t(2));
+        for (std::size_t i = 0; i < 2; ++i)
+            QCOMPARE_GT(std::ranges::count_if(run.hand(i).proxy.rows,
+                                              [](const ProxyRow& row) { return row.contacts > 0; }),
+                        100);
+        const ReplayCheck check = replayed(run);
+        QVERIFY2(check.differ == 0, check.first.c_str());
+        QCOMPARE(check.servoSteps, run.servo.rows.size() + run.others[0].servo.rows.size());
+        QCOMPARE_GT(check.servoSteps, std::uint64_t(7000));
+    }
+
     void fromTheMiddleToo() {
         auto player = Player::open(std::make_shared<const RecordedRun>(run_));
         VERIFY_RESULT(player);
@@ -179,7 +213,7 @@ private slots:
     /// lacks.
     void whatOneRingHasAloneIsLeftOut() {
         RecordedRun uneven = run_;
-        uneven.proxy.rows.pop_back();
+        uneven.proxy.rows.resize(uneven.proxy.rows.size() - 5); // ticks of the other name them
         uneven.others[0].proxyStates.erase(uneven.others[0].proxyStates.begin());
         trim(uneven);
         QCOMPARE(uneven.others[0].proxy.end(), uneven.proxy.end());
