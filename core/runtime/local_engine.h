@@ -21,10 +21,10 @@ public:
     /// than kMaxHands, and then nothing changes. On another error nothing runs, and start() would try again
     /// with it.
     Result<void> addDevice(std::unique_ptr<HapticDevice> device);
-    /// Another device for one hand, as setDevice() for the first.
+    /// Another device for one hand, below hands(), as setDevice() for the first.
     Result<void> exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device);
-    /// Without this hand, whose device is destroyed; those after it move up. Loops that ran start again,
-    /// forces off. The last one stays.
+    /// Without this hand, below hands(), whose device is destroyed; those after it move up. Loops that ran
+    /// start again, forces off. The last one stays.
     Result<void> removeDevice(std::size_t hand);
     /// Forces of all hands on or off.
     void setAllArmed(bool armed);
@@ -70,8 +70,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// One hand: each member as the one of Engine. A view, until the engine's devices change. Thread: that of the
-/// engine's members.
+/// One hand: each member as the one of Engine. A view, until the engine's devices change or it
+/// stops. Thread: that of the engine's members.
 class LocalEngine::Hand {
 public:
     const DeviceInfo& device() const;

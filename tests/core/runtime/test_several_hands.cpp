@@ -117,14 +117,17 @@ private slots:
         const std::size_t other = 1 - std::size_t(silent);
         TwoOnAPlate two;
         QVERIFY(two.start());
+        auto hand = two.engine.hand(std::size_t(silent));
+        const auto isInhibitedBy = [&](InhibitReason why) {
+            return eventually([&] { return two.engine.poll(), hand.servo().inhibit == why; });
+        };
+        hand.setArmed(true);
         two.probes[std::size_t(silent)]->valid = false;
-        QVERIFY(eventually([&] {
-            two.engine.poll();
-            return two.engine.hand(std::size_t(silent)).servo().inhibit != InhibitReason::Nothing &&
-                   two.engine.hand(std::size_t(silent)).servo().invalidSamples > 50;
-        }));
+        QVERIFY(isInhibitedBy(InhibitReason::DeviceLost));
         QVERIFY(two.presses(other));
         two.probes[std::size_t(silent)]->valid = true;
+        hand.setArmed(false);
+        QVERIFY(isInhibitedBy(InhibitReason::NotArmed));
         QVERIFY(two.presses(std::size_t(silent)));
     }
 

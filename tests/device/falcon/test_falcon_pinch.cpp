@@ -154,6 +154,7 @@ private slots:
         qInfo("grip %.3f N, sum of the forces %.4f %.4f %.4f N, weight %.4f N", pinch.grip(), sum->x(),
               sum->y(), sum->z(), kWeight);
         COMPARE_NEAR(sum->y(), -kWeight, 0.01 * kWeight, "N");
+        COMPARE_NEAR(sum->x(), 0, 0.01 * kWeight, "N");
         QCOMPARE_GT(pinch.boxHeight(), 0.5 * kLift);
 
         const double critical = kWeight / 2 / pinch.grip();
