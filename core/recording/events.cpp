@@ -44,24 +44,40 @@ void addDevice(Events& events, const ServoRow& before, const ServoRow& now) {
         events.push_back({now.time, false, "the device did not answer"});
 }
 
-void addProxy(Events& events, const ProxyRow& before, const ProxyRow& now) {
+/// Of what all hands share.
+void addScene(Events& events, const ProxyRow& before, const ProxyRow& now) {
     if (now.world != before.world) events.push_back({now.time, false, "the scene was edited"});
-    if (now.flags & ProxyRow::Found) events.push_back({now.time, false, "the finger was found anew"});
     if (now.flags & ProxyRow::Begin) events.push_back({now.time, false, "the bodies began anew"});
-    if (now.flags & ProxyRow::Restart) events.push_back({now.time, false, "the proxy was put on the finger"});
     if (now.fidelity() != before.fidelity()) events.push_back({now.time, false, wordsFor(now.fidelity())});
+}
+
+void addProxy(Events& events, const ProxyRow& now) {
+    if (now.flags & ProxyRow::Found) events.push_back({now.time, false, "the finger was found anew"});
+    if (now.flags & ProxyRow::Restart) events.push_back({now.time, false, "the proxy was put on the finger"});
+}
+
+Events eventsOf(const RecordedHand& hand) {
+    Events events;
+    for (std::size_t i = 1; i < hand.servo.rows.size(); ++i) {
+        addGuard(events, hand.servo.rows[i - 1], hand.servo.rows[i]);
+        addDevice(events, hand.servo.rows[i - 1], hand.servo.rows[i]);
+    }
+    for (std::size_t i = 1; i < hand.proxy.rows.size(); ++i)
+        addProxy(events, hand.proxy.rows[i]);
+    return events;
 }
 
 } // namespace
 
 std::vector<RecordedEvent> eventsOf(const RecordedRun& run) {
     Events events;
-    for (std::size_t i = 1; i < run.servo.rows.size(); ++i) {
-        addGuard(events, run.servo.rows[i - 1], run.servo.rows[i]);
-        addDevice(events, run.servo.rows[i - 1], run.servo.rows[i]);
-    }
+    for (std::size_t i = 0; i < run.hands(); ++i)
+        for (RecordedEvent& event : eventsOf(run.hand(i))) {
+            if (run.hands() > 1) event.text = "hand " + std::to_string(i + 1) + ": " + event.text;
+            events.push_back(std::move(event));
+        }
     for (std::size_t i = 1; i < run.proxy.rows.size(); ++i)
-        addProxy(events, run.proxy.rows[i - 1], run.proxy.rows[i]);
+        addScene(events, run.proxy.rows[i - 1], run.proxy.rows[i]);
     std::ranges::stable_sort(events, {}, &RecordedEvent::time);
     return events;
 }

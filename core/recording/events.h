@@ -11,7 +11,7 @@ namespace tactum {
 struct RecordedEvent {
     double time = 0; ///< s on the clock of the rows
     bool fault = false;
-    std::string text; ///< a few words
+    std::string text; ///< a few words; of one of several hands they begin with which
 };
 
 /// Read from the rows, in the order of time: faults and other pauses of the force, forces on and off,

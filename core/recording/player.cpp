@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 #include "core/base/numbers.h"
 #include "core/base/realtime.h"
@@ -69,7 +70,10 @@ tl::unexpected<Error> unusable(const std::string& what) {
 
 } // namespace
 
-Player::Player(std::shared_ptr<const RecordedRun> run) : run_(std::move(run)), servoState_(run_->device) {}
+Player::Player(std::shared_ptr<const RecordedRun> run) : run_(std::move(run)), others_(run_->others.size()) {
+    for (std::size_t i = 0; i < run_->hands(); ++i)
+        hands_.emplace_back(run_->hand(i));
+}
 
 Result<Player> Player::open(std::shared_ptr<const RecordedRun> run, const Progress& progress) {
     assertNotRealtime();
@@ -84,7 +88,9 @@ Result<Player> Player::open(std::shared_ptr<const RecordedRun> run, const Progre
         previous = (player.worlds_[scene.numbers.revision] = std::move(*world)).get();
     }
     if (auto whole = player.checkRows(); !whole) return tl::unexpected(whole.error());
-    if (auto whole = player.checkStates(); !whole) return tl::unexpected(whole.error());
+    if (auto whole = player.checkStates<SimState>(recorded); !whole) return tl::unexpected(whole.error());
+    for (const RecordedHand& other : recorded.others)
+        if (auto whole = player.checkStates<HandState>(other); !whole) return tl::unexpected(whole.error());
     player.begin(player.beginningBefore(recorded.begin()));
     return player;
 }
@@ -93,17 +99,23 @@ Result<void> Player::checkRows() const {
     const auto has = [](const auto& rows, const auto& states) {
         return rows.rows.empty() || rows.first == 0 || (!states.empty() && states.front().row == rows.first);
     };
-    if (!has(run_->proxy, run_->proxyStates) || !has(run_->servo, run_->servoStates))
-        return unusable("the state that it begins with is missing");
+    if (run_->hands() > std::size_t(kMaxHands)) return unusable("it has more hands than can be");
+    for (const Hand& hand : hands_)
+        if (!has(hand.recorded->proxy, hand.recorded->proxyStates) ||
+            !has(hand.recorded->servo, hand.recorded->servoStates))
+            return unusable("the state that it begins with is missing");
+    for (const RecordedHand& other : run_->others)
+        if (!std::ranges::equal(run_->proxyStates, other.proxyStates, {}, &SimStateBytes::row,
+                                &SimStateBytes::row))
+            return unusable("the states of its hands are not of the same haptic steps");
     for (const ProxyRow& row : run_->proxy.rows)
         if (!worldOf(row.world)) return unusable("scene " + std::to_string(row.world) + " is missing");
     return {};
 }
 
-Result<void> Player::checkStates() const {
-    const RecordedRun& recorded = *run_;
+template <class State> Result<void> Player::checkStates(const RecordedHand& recorded) const {
     for (const SimStateBytes& kept : recorded.proxyStates) {
-        SimState state;
+        State state;
         if (!read(kept.used(), state))
             return unusable("the state before haptic step " + std::to_string(kept.row) + " cannot be read");
         for (const auto& [revision, world] : worlds_)
@@ -134,28 +146,32 @@ std::shared_ptr<const World> Player::sharedWorld() const {
     return found == worlds_.end() ? nullptr : found->second;
 }
 
-// The last state of the servo before the time, and the last of the proxy before the model that it rendered.
-// Without rows of the servo, the last of the proxy.
+// The last state of each servo before the time, and the last of the proxy before the models that they
+// rendered. Without rows of a servo, the last of the proxy.
 Player::Beginning Player::beginningBefore(double time) const {
-    const auto& proxy = run_->proxy;
-    const auto& servo = run_->servo;
     Beginning at;
-    for (const ServoStateBytes& kept : run_->servoStates)
-        if (kept.row >= servo.first && kept.row < servo.end() &&
-            servo.rows[std::size_t(kept.row - servo.first)].time <= time)
-            at.servo = std::size_t(kept.row - servo.first);
+    std::uint64_t model = ~std::uint64_t(0);
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+        const auto& servo = hands_[i].recorded->servo;
+        for (const ServoStateBytes& kept : hands_[i].recorded->servoStates)
+            if (kept.row >= servo.first && kept.row < servo.end() &&
+                servo.rows[std::size_t(kept.row - servo.first)].time <= time)
+                at.servo[i] = std::size_t(kept.row - servo.first);
+        if (!servo.rows.empty()) model = std::min(model, servo.rows[at.servo[i]].model);
+    }
+    const auto& proxy = run_->proxy;
     for (const SimStateBytes& kept : run_->proxyStates) {
         if (kept.row < proxy.first || kept.row >= proxy.end()) continue;
         const std::size_t index = std::size_t(kept.row - proxy.first);
-        const bool early =
-            servo.rows.empty() ? proxy.rows[index].time <= time : kept.row <= servo.rows[at.servo].model;
+        const bool early = model == ~std::uint64_t(0) ? proxy.rows[index].time <= time : kept.row <= model;
         if (early) at.proxy = index;
     }
     return at;
 }
 
-const ServoRow* Player::servoRow() const {
-    return nextServo_ == 0 ? nullptr : &run_->servo.rows[nextServo_ - 1];
+const ServoRow* Player::servoRow(std::size_t hand) const {
+    const std::size_t next = hands_[hand].nextServo;
+    return next == 0 ? nullptr : &hands_[hand].recorded->servo.rows[next - 1];
 }
 
 void Player::count(const ProxyRow& row) {
@@ -163,34 +179,39 @@ void Player::count(const ProxyRow& row) {
     proxy_.fidelity = row.fidelity();
 }
 
-void Player::count(const ServoRow& row) {
-    periods_.add(row.time, 1e6 * std::abs(row.dt - 1 / run_->device.rate));
-    servo_.periods = periods_.counted();
-    servo_.misses += (row.flags & ServoRow::Late) != 0;
+void Player::Hand::count(const ServoRow& row) {
+    periods.add(row.time, 1e6 * std::abs(row.dt - 1 / recorded->device.rate));
+    servo.periods = periods.counted();
+    servo.misses += (row.flags & ServoRow::Late) != 0;
 }
 
 void Player::begin(const Beginning& at) {
     sim_ = {};
-    servoState_ = ServoState(run_->device);
     nextProxy_ = at.proxy;
-    nextServo_ = at.servo;
     modelSteps_ = run_->proxy.first + at.proxy;
     for (const SimStateBytes& kept : run_->proxyStates)
         if (kept.row == modelSteps_) read(kept.used(), sim_);
-    for (const ServoStateBytes& kept : run_->servoStates)
-        if (kept.row == run_->servo.first + at.servo) read(kept.used(), servoState_);
+    for (std::size_t i = 0; i < hands_.size(); ++i)
+        begin(i, at.servo[i]);
     time_ = run_->begin();
     proxy_ = {};
-    servo_ = {};
-    periods_ = {};
     // What only rows tell: no state keeps it.
     for (std::size_t i = 0; i < nextProxy_; ++i)
         count(run_->proxy.rows[i]);
-    for (std::size_t i = 0; i < nextServo_; ++i)
-        count(run_->servo.rows[i]);
-    trace_.clear();
-    steps_.clear();
     check_ = {};
+}
+
+void Player::begin(std::size_t i, std::size_t servo) {
+    Hand& hand = hands_[i] = Hand(run_->hand(i));
+    hand.nextServo = servo;
+    for (const ServoStateBytes& kept : hand.recorded->servoStates)
+        if (kept.row == hand.recorded->servo.first + servo) read(kept.used(), hand.state);
+    for (std::size_t k = 0; k < servo; ++k)
+        hand.count(hand.recorded->servo.rows[k]);
+    if (i == 0) return;
+    others_[i - 1] = {};
+    for (const SimStateBytes& kept : hand.recorded->proxyStates)
+        if (kept.row == modelSteps_) read(kept.used(), others_[i - 1]);
 }
 
 void Player::seek(double time, double before) {
@@ -198,20 +219,30 @@ void Player::seek(double time, double before) {
     advanceTo(time);
 }
 
+/// Whose tick comes next: that of the oldest model, which later haptic steps write over.
+std::size_t Player::nextHand() const {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < hands_.size(); ++i) {
+        const ServoRow *best = hands_[found].next(), *row = hands_[i].next();
+        if (row && (!best || std::tie(row->model, row->time) < std::tie(best->model, best->time))) found = i;
+    }
+    return found;
+}
+
 // A tick of the servo comes after the haptic step whose model it rendered, and before the next one: whatever
 // the clocks say, for a step can be over before a tick that began earlier looks at its model.
 void Player::advanceTo(double time) {
     const auto& proxy = run_->proxy.rows;
-    const auto& servo = run_->servo.rows;
     for (;;) {
-        const bool ticks = nextServo_ < servo.size();
-        const std::uint64_t wanted = ticks ? servo[nextServo_].model : ~std::uint64_t(0);
-        const bool steps = nextProxy_ < proxy.size() && modelSteps_ < wanted;
-        if (ticks && servo[nextServo_].time <= time) {
+        const std::size_t hand = nextHand();
+        const ServoRow* tick = hands_[hand].next();
+        const bool steps =
+            nextProxy_ < proxy.size() && modelSteps_ < (tick ? tick->model : ~std::uint64_t(0));
+        if (tick && tick->time <= time) {
             if (steps)
                 stepProxy();
             else
-                stepServo();
+                stepServo(hand);
         } else if (steps && proxy[nextProxy_].time <= time) {
             stepProxy();
         } else {
@@ -220,52 +251,66 @@ void Player::advanceTo(double time) {
     }
     time_ = std::clamp(time, run_->begin(), run_->end());
     proxy_.rate = rateAt(proxy, nextProxy_);
-    servo_.rate = rateAt(servo, nextServo_);
+    for (Hand& hand : hands_)
+        hand.servo.rate = rateAt(hand.recorded->servo.rows, hand.nextServo);
 }
 
 void Player::stepProxy() {
-    const ProxyRow& row = run_->proxy.rows[nextProxy_++];
-    const HapticOutput output = stepFrom(row, *worldOf(row.world), sim_);
+    const std::size_t index = nextProxy_++;
+    std::array<ProxyRow, std::size_t(kMaxHands)> rows;
+    std::array<HapticOutput, std::size_t(kMaxHands)> outputs;
+    for (std::size_t i = 0; i < hands_.size(); ++i)
+        rows[i] = hands_[i].recorded->proxy.rows[index];
+    stepFrom({rows.data(), hands_.size()}, *worldOf(rows[0].world), sim_, others_, outputs);
     modelSteps_ = run_->proxy.first + nextProxy_;
+    for (std::size_t i = 0; i < hands_.size(); ++i)
+        noteStep(i, outputs[i]);
+    static_cast<TouchTelemetry&>(proxy_) = hands_[0].touch;
+    proxy_.updates = modelSteps_;
+    proxy_.worldRevision = rows[0].world;
+    proxy_.time = sim_.time;
+    proxy_.bodies = sim_.bodies;
+    count(run_->proxy.rows[index]);
+}
+
+void Player::noteStep(std::size_t i, const HapticOutput& output) {
+    Hand& hand = hands_[i];
+    const ProxyRow& row = hand.recorded->proxy.rows[nextProxy_ - 1];
     ProxyRow now = row;
     note(now, output);
     ++check_.proxySteps;
     if (const std::string what = difference(row, now); !what.empty())
-        differs("haptic step", modelSteps_ - 1, row.time, what);
-    proxy_.output = output;
-    proxy_.finger = vectorOf(row.finger);
-    proxy_.updates = modelSteps_;
-    proxy_.worldRevision = row.world;
-    proxy_.time = sim_.time;
-    proxy_.bodies = sim_.bodies;
-    proxy_.coupling = sim_.press.coupling;
+        differs(i, "haptic step", modelSteps_ - 1, row.time, what);
+    hand.touch = {output, vectorOf(row.finger), stateOf(i).press.coupling};
     proxy_.boundHits += output.report.boundHit;
     proxy_.squeezed += output.report.squeezed;
     proxy_.passed += output.report.passed;
-    count(row);
-    steps_.push_back({&row, output});
+    hand.steps.push_back({&row, output});
 }
 
-void Player::stepServo() {
-    const ServoRow& row = run_->servo.rows[nextServo_++];
-    const LocalContactModel none;
-    const ServoOutput output = stepFrom(row, servoState_, modelSteps_ == 0 ? none : sim_.model);
+void Player::stepServo(std::size_t i) {
+    Hand& hand = hands_[i];
+    const ServoRow& row = *hand.next();
+    const LocalContactModel none, &model = modelSteps_ == 0 ? none : stateOf(i).model;
+    const std::uint64_t number = hand.recorded->servo.first + hand.nextServo++;
+    const ServoOutput output = stepFrom(row, hand.state, model);
     ServoRow now = row;
-    note(now, output, servoState_);
+    note(now, output, hand.state);
     ++check_.servoSteps;
-    const std::uint64_t number = run_->servo.first + nextServo_ - 1;
     if (const std::string what = difference(row, now); !what.empty())
-        differs("servo tick", number, row.time, what);
-    note(servo_, output, servoState_);
-    count(row);
-    trace_.push_back(
-        tracePoint({.t = row.time, .finger = servo_.finger, .force = servo_.force, .energy = servo_.energy},
-                   sim_.model));
+        differs(i, "servo tick", number, row.time, what);
+    note(hand.servo, output, hand.state);
+    hand.count(row);
+    hand.trace.push_back(tracePoint(
+        {.t = row.time, .finger = hand.servo.finger, .force = hand.servo.force, .energy = hand.servo.energy},
+        stateOf(i).model));
 }
 
-void Player::differs(const char* loop, std::uint64_t number, double time, const std::string& what) {
+void Player::differs(std::size_t hand, const char* loop, std::uint64_t number, double time,
+                     const std::string& what) {
     if (check_.differ++ > 0) return;
-    check_.first = std::string(loop) + " " + std::to_string(number) + " at ";
+    const std::string whose = hands_.size() > 1 ? "hand " + std::to_string(hand + 1) + ": " : std::string();
+    check_.first = whose + loop + " " + std::to_string(number) + " at ";
     appendNumber(check_.first, time - run_->begin());
     check_.first += " s: " + what;
 }

@@ -16,7 +16,7 @@ namespace tactum {
 
 /// What a replay has found so far.
 struct ReplayCheck {
-    std::uint64_t proxySteps = 0, servoSteps = 0;
+    std::uint64_t proxySteps = 0, servoSteps = 0; ///< of all hands
     std::uint64_t differ = 0; ///< steps whose results are other bits than the recorded ones
     std::string first;        ///< a sentence about the first of these
 };
@@ -51,12 +51,17 @@ public:
     std::shared_ptr<const World> sharedWorld() const;
     const ProxyTelemetry& proxy() const { return proxy_; }
     /// With the misses since the recording began; whose they were it does not know.
-    const ServoTelemetry& servo() const { return servo_; }
+    const ServoTelemetry& servo(std::size_t hand = 0) const { return hands_[hand].servo; }
+    /// What a hand touches; that of the first is in proxy(), too. `hand`, here and there: below
+    /// run().hands().
+    const TouchTelemetry& touch(std::size_t hand) const { return hands_[hand].touch; }
     /// Of the last servo tick; nullptr before the first.
-    const ServoRow* servoRow() const;
-    /// Every servo tick and every haptic step since the last call of these.
-    std::vector<TracePoint> takeTrace() { return std::exchange(trace_, {}); }
-    std::vector<ReplayedStep> takeSteps() { return std::exchange(steps_, {}); }
+    const ServoRow* servoRow(std::size_t hand = 0) const;
+    /// Every servo tick and every haptic step of a hand since the last call of these.
+    std::vector<TracePoint> takeTrace(std::size_t hand = 0) { return std::exchange(hands_[hand].trace, {}); }
+    std::vector<ReplayedStep> takeSteps(std::size_t hand = 0) {
+        return std::exchange(hands_[hand].steps, {});
+    }
     /// Of all steps since open() or the last seek().
     const ReplayCheck& check() const { return check_; }
 
@@ -64,31 +69,53 @@ private:
     explicit Player(std::shared_ptr<const RecordedRun> run);
 
     Result<void> checkRows() const;
-    Result<void> checkStates() const;
+    template <class State> Result<void> checkStates(const RecordedHand& hand) const;
+    /// Indices of the rows to go on with.
     struct Beginning {
-        std::size_t proxy = 0, servo = 0; ///< indices of the rows to go on with
+        std::size_t proxy = 0;
+        std::array<std::size_t, std::size_t(kMaxHands)> servo{};
+    };
+    /// What a replay knows of one hand.
+    struct Hand {
+        explicit Hand(const RecordedHand& hand) : recorded(&hand), state(hand.device) {}
+
+        /// The tick to take next; nullptr after the last.
+        const ServoRow* next() const {
+            return nextServo < recorded->servo.rows.size() ? &recorded->servo.rows[nextServo] : nullptr;
+        }
+        void count(const ServoRow& row);
+
+        const RecordedHand* recorded;
+        ServoState state;
+        std::size_t nextServo = 0;
+        TouchTelemetry touch;
+        ServoTelemetry servo;
+        RecentPeriods periods;
+        std::vector<TracePoint> trace;
+        std::vector<ReplayedStep> steps;
     };
     Beginning beginningBefore(double time) const;
     void begin(const Beginning& at);
+    void begin(std::size_t hand, std::size_t servo);
+    HandState& stateOf(std::size_t hand) { return hand == 0 ? sim_ : others_[hand - 1]; }
     void count(const ProxyRow& row);
-    void count(const ServoRow& row);
+    std::size_t nextHand() const;
     void stepProxy();
-    void stepServo();
-    void differs(const char* loop, std::uint64_t number, double time, const std::string& what);
+    void noteStep(std::size_t hand, const HapticOutput& output);
+    void stepServo(std::size_t hand);
+    void differs(std::size_t hand, const char* loop, std::uint64_t number, double time,
+                 const std::string& what);
     const World* worldOf(std::uint64_t revision) const;
 
     std::shared_ptr<const RecordedRun> run_;
     std::map<std::uint64_t, std::shared_ptr<const World>> worlds_; ///< by revision
     SimState sim_;
-    ServoState servoState_;
-    std::size_t nextProxy_ = 0, nextServo_ = 0;
-    std::uint64_t modelSteps_ = 0; ///< rows of the proxy that led to sim_.model; 0: there is none
+    std::vector<HandState> others_; ///< the second hand and so on
+    std::vector<Hand> hands_;
+    std::size_t nextProxy_ = 0;
+    std::uint64_t modelSteps_ = 0; ///< rows of the proxy that led to the models; 0: there are none
     double time_ = 0;
     ProxyTelemetry proxy_;
-    ServoTelemetry servo_;
-    RecentPeriods periods_;
-    std::vector<TracePoint> trace_;
-    std::vector<ReplayedStep> steps_;
     ReplayCheck check_;
 };
 

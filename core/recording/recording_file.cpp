@@ -21,7 +21,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "TACTUMRC";
-constexpr std::uint32_t kVersion = 18;
+/// Of one hand, and of several.
+constexpr std::uint32_t kVersion = 18, kVersionOfHands = 19;
 /// Of each loop; a state is much larger in memory than it may be in the file.
 constexpr std::uint64_t kMaxStates = 2 * std::uint64_t(kRecorded / kStateEvery);
 constexpr std::size_t kStart = 16, kSeal = 8; ///< bytes before the header, and after everything
@@ -70,6 +71,13 @@ template <class Row> void writeRows(StringOut& out, const std::vector<Row>& rows
     out.bytes.append(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row));
 }
 
+void writeHand(StringOut& out, const RecordedHand& hand) {
+    writeRows(out, hand.proxy.rows);
+    writeRows(out, hand.servo.rows);
+    writeStates(out, hand.proxyStates);
+    writeStates(out, hand.servoStates);
+}
+
 std::string headerOf(const Recording& recording, std::size_t sceneBytes) {
     const RecordedRun& run = recording.run;
     Json json{{"format", "tactum-recording"},
@@ -80,6 +88,10 @@ std::string headerOf(const Recording& recording, std::size_t sceneBytes) {
               {"scene_bytes", sceneBytes},
               {"proxy", toJson(run.proxy, run.proxyStates)},
               {"servo", toJson(run.servo, run.servoStates)}};
+    for (const RecordedHand& other : run.others)
+        json["others"].push_back({{"device", toJson(other.device)},
+                                  {"proxy", toJson(other.proxy, other.proxyStates)},
+                                  {"servo", toJson(other.servo, other.servoStates)}});
     for (const auto& source : recording.sources)
         json["sources"].push_back(source.string());
     return json.dump(1, ' ', false, Json::error_handler_t::replace);
@@ -96,9 +108,10 @@ void demandStart(std::string_view bytes, const std::filesystem::path& file) {
                 "is no recording of Tactum; choose a file that ends in ." + std::string(kRecordingEnding));
     std::uint32_t version = 0;
     std::memcpy(&version, bytes.data() + kMagic.size(), sizeof version);
-    if (version != kVersion)
+    if (version != kVersion && version != kVersionOfHands)
         failFor(file, "was written by another version of Tactum (format " + std::to_string(version) +
-                          ", this one reads " + std::to_string(kVersion) + "); open it with that one");
+                          ", this one reads " + std::to_string(kVersion) + " and " +
+                          std::to_string(kVersionOfHands) + "); open it with that one");
 }
 
 /// What the loaded models offer. `folder` first: a recording may have come from another machine together with
@@ -136,16 +149,13 @@ public:
         RecordedRun& run = recording.run;
         try {
             recording.reason = printable(header_.at("reason").get<std::string>(), 400);
-            run.device = deviceOf(header_.at("device"));
             for (const auto& source : header_.at("sources"))
                 recording.sources.emplace_back(source.get<std::string>());
             ByteIn scenes = part(header_.at("scene_bytes").get<std::uint64_t>());
             run.scenes = readScenes(scenes, [&] { return partsOf(recording.sources, file_.parent_path()); });
             scenes.demand(scenes.left() == 0, "the scenes are followed by something else");
-            readRows(header_.at("proxy"), run.proxy);
-            readRows(header_.at("servo"), run.servo);
-            readStates(header_.at("proxy"), run.proxy, run.proxyStates);
-            readStates(header_.at("servo"), run.servo, run.servoStates);
+            readHand(header_, run);
+            readOthers(run.others);
         } catch (const Json::exception&) {
             fail("its header lacks something or has it wrong; the recording is damaged, use another one");
         }
@@ -182,6 +192,23 @@ private:
         ByteIn in(bytes_.substr(at_, size), name_, at_, "the recording is damaged, use another one");
         at_ += size;
         return in;
+    }
+
+    void readHand(const Json& json, RecordedHand& hand) {
+        hand.device = deviceOf(json.at("device"));
+        readRows(json.at("proxy"), hand.proxy);
+        readRows(json.at("servo"), hand.servo);
+        readStates(json.at("proxy"), hand.proxy, hand.proxyStates);
+        readStates(json.at("servo"), hand.servo, hand.servoStates);
+    }
+
+    void readOthers(std::vector<RecordedHand>& others) {
+        if (!header_.contains("others")) return;
+        const Json& hands = header_.at("others");
+        if (!hands.is_array() || hands.size() >= std::size_t(kMaxHands))
+            fail("has more hands than can be; the recording is damaged, use another one");
+        for (const Json& hand : hands)
+            readHand(hand, others.emplace_back());
     }
 
     template <class Row> void readRows(const Json& json, NumberedRows<Row>& rows) {
@@ -250,14 +277,13 @@ std::string recordingBytes(const Recording& recording) {
     const std::string header = headerOf(recording, scenes.size());
     StringOut out;
     out.bytes = kMagic;
-    std::uint32_t version = kVersion, length = std::uint32_t(header.size());
+    std::uint32_t version = run.others.empty() ? kVersion : kVersionOfHands,
+                  length = std::uint32_t(header.size());
     out(version), out(length);
     out.bytes += header;
     out.bytes += scenes;
-    writeRows(out, run.proxy.rows);
-    writeRows(out, run.servo.rows);
-    writeStates(out, run.proxyStates);
-    writeStates(out, run.servoStates);
+    for (std::size_t i = 0; i < run.hands(); ++i)
+        writeHand(out, run.hand(i));
     out.bytes.append(kSeal, '\0');
     sealRecording(out.bytes);
     return std::move(out.bytes);

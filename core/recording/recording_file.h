@@ -2,6 +2,7 @@
 //
 //   "TACTUMRC"  version, length of the header: 4 bytes each   JSON header
 //   scenes      rows of the proxy    rows of the servo    states of the proxy    states of the servo
+//   the same four of each further hand
 //   fingerprint of everything before: 8 bytes
 #pragma once
 

@@ -64,8 +64,10 @@ double beginOf(const RecordedRun& run) {
     double begin = kLatest;
     if (!run.proxy.rows.empty() && isTime(run.proxy.rows.front().time))
         begin = std::min(begin, run.proxy.rows.front().time);
-    if (!run.servo.rows.empty() && isTime(run.servo.rows.front().time))
-        begin = std::min(begin, run.servo.rows.front().time);
+    for (std::size_t i = 0; i < run.hands(); ++i) {
+        const auto& servo = run.hand(i).servo.rows;
+        if (!servo.empty() && isTime(servo.front().time)) begin = std::min(begin, servo.front().time);
+    }
     return begin;
 }
 
@@ -83,18 +85,38 @@ std::string faultIn(const char* what, const NumberedRows<Row>& rows, double begi
     return {};
 }
 
+std::string faultIn(const RecordedHand& hand, double begin) {
+    if (!checkDevice(hand.device)) return "its device has figures that cannot be";
+    std::string fault =
+        faultIn("haptic step ", hand.proxy, begin, [](const ProxyRow& row) { return faultIn(row); });
+    if (!fault.empty()) return fault;
+    std::uint64_t model = 0;
+    return faultIn("servo tick ", hand.servo, begin, [&](const ServoRow& row) {
+        return faultIn(row, std::exchange(model, row.model), hand.proxy.end());
+    });
+}
+
+/// Whether both are of one step. What else they should share only the first hand's row decides.
+bool areOfOneStep(const ProxyRow& first, const ProxyRow& other) {
+    return first.time == other.time && first.world == other.world;
+}
+
+bool haveTheSameSteps(const RecordedHand& first, const RecordedHand& other) {
+    return first.proxy.first == other.proxy.first &&
+           std::ranges::equal(first.proxy.rows, other.proxy.rows, areOfOneStep);
+}
+
 } // namespace
 
 std::string faultIn(const RecordedRun& run) {
-    if (!checkDevice(run.device)) return "its device has figures that cannot be";
+    if (run.hands() > std::size_t(kMaxHands)) return "it has more hands than can be";
     const double begin = beginOf(run);
-    std::string fault =
-        faultIn("haptic step ", run.proxy, begin, [](const ProxyRow& row) { return faultIn(row); });
-    if (!fault.empty()) return fault;
-    std::uint64_t model = 0;
-    return faultIn("servo tick ", run.servo, begin, [&](const ServoRow& row) {
-        return faultIn(row, std::exchange(model, row.model), run.proxy.end());
-    });
+    for (std::size_t i = 0; i < run.hands(); ++i) {
+        const std::string fault = faultIn(run.hand(i), begin);
+        if (!fault.empty()) return i == 0 ? fault : "hand " + std::to_string(i + 1) + ": " + fault;
+        if (!haveTheSameSteps(run, run.hand(i))) return "its hands have not the same haptic steps";
+    }
+    return {};
 }
 
 } // namespace tactum

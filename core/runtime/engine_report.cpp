@@ -80,8 +80,9 @@ template <class Io> void bytes(Io& io, BodiesState& bodies) {
 }
 
 template <class Io> void bytes(Io& io, ProxyTelemetry& proxy) {
-    auto& [output, finger, updates, worldRevision, worldSince, rate, updateMicros, worstUpdateMicros,
-           boundHits, squeezed, passed, time, bodies, coupling, fidelity, stepsDown] = proxy;
+    auto& [output, finger, coupling] = static_cast<TouchTelemetry&>(proxy);
+    auto& [updates, worldRevision, worldSince, rate, updateMicros, worstUpdateMicros, boundHits, squeezed,
+           passed, time, bodies, fidelity, stepsDown] = static_cast<WorldTelemetry&>(proxy);
     bytes(io, output);
     io(finger), io(updates), io(worldRevision), io(worldSince), io(rate), io(updateMicros);
     io(worstUpdateMicros), io(boundHits), io(squeezed), io(passed), io(time), io(stepsDown);

@@ -73,58 +73,89 @@ struct PastScene {
 } // namespace
 
 struct LocalEngine::Impl {
-    std::unique_ptr<HapticDevice> device;
-    DeviceInfo info;
-    std::shared_ptr<Channels> channels; ///< fresh at every start
+    /// A device, its servo, and what the person decided for them.
+    struct Side {
+        explicit Side(std::unique_ptr<HapticDevice> theDevice) { take(std::move(theDevice)); }
+
+        void take(std::unique_ptr<HapticDevice> another) {
+            device = std::move(another);
+            info = device->info();
+            grasped = false;
+            motors = {};
+        }
+
+        std::unique_ptr<HapticDevice> device;
+        DeviceInfo info;
+        DeviceWatchdog watchdog;
+        RealtimeThread thread;
+        LeftHeat motors; ///< of the device; the servo's while it runs
+        Workspace workspace;
+        bool deadMan = false;
+        bool grasped = false;
+        bool stuck = false; ///< its servo did not come back
+        TouchTelemetry touch;
+        ServoTelemetry servo;
+        Beats beats;
+    };
+    std::vector<std::unique_ptr<Side>> sides; ///< one for each hand
+    std::shared_ptr<Channels> channels;       ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
     std::uint64_t publishedAfter = 0; ///< updates
-    DeviceWatchdog watchdog;
-    std::deque<PastScene> past; ///< of the last minute, oldest first
-    RealtimeThread servoThread, proxyThread;
+    std::deque<PastScene> past;       ///< of the last minute, oldest first
+    RealtimeThread proxyThread;
     std::optional<AwakeProcessors> awake; ///< while a real device is used
     /// By the device's name: who pulls a hot device out and puts it back has a hot device.
     std::map<std::string, LeftHeat> heat;
-    LeftHeat motors; ///< of the device; the servo's while it runs
-    Workspace workspace;
-    bool deadMan = false;
-    bool grasped = false;
     double pace = 1;
     bool running = false;
     bool realtime = false;
     std::string priorityNote = "The loops have not been started.";
     ProxyTelemetry proxy;
-    ServoTelemetry servo;
-    Beats proxyBeats, servoBeats;
+    Beats proxyBeats;
 
+    Result<void> openDevices();
+    Result<void> startWatchdogs();
     Result<void> startLoops();
+    Urgency leastUrgency() const;
     bool endLoops();
+    void keepHeat();
     void handOver();
     void release(const World* world);
     void releaseRetired();
     void freshChannels();
     void remember(const World& world);
-    void askForButton();
+    void askForButton(std::size_t hand);
+    void pollHand(std::size_t hand);
+    double fastest() const;
+    bool hasRealDevice() const;
 };
 
 // A device that start() will refuse has nothing to record.
 void LocalEngine::Impl::freshChannels() {
-    const double rate = checkDevice(info) ? info.rate : DeviceInfo{}.rate;
-    channels = std::make_shared<Channels>(rate, kUpdatesPerTick * rate);
-    channels->workspace.write(workspace);
-    motors = heat[info.name];
-    askForButton();
+    std::vector<double> rates;
+    for (const auto& side : sides)
+        rates.push_back(checkDevice(side->info) ? side->info.rate : DeviceInfo{}.rate);
+    channels = std::make_shared<Channels>(rates, kUpdatesPerTick * *std::ranges::max_element(rates));
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        Side& side = *sides[i];
+        channels->hand(i).workspace.write(side.workspace);
+        channels->hand(i).grasped.store(side.grasped, std::memory_order_relaxed);
+        if (side.motors.at == 0) side.motors = heat[side.info.name];
+        side.beats = {};
+        askForButton(i);
+    }
     channels->pace.store(pace, std::memory_order_relaxed);
-    channels->grasped.store(grasped, std::memory_order_relaxed);
-    proxyBeats = servoBeats = {};
+    proxyBeats = {};
     past.clear();
     if (!kept.empty()) remember(*kept.back());
 }
 
-void LocalEngine::Impl::askForButton() {
+void LocalEngine::Impl::askForButton(std::size_t hand) {
     constexpr int kMax = 31;
-    const std::uint32_t all = (std::uint32_t(1) << std::clamp(info.buttons, 0, kMax)) - 1;
-    channels->deadMan.store(deadMan ? all : 0, std::memory_order_relaxed);
+    const Side& side = *sides[hand];
+    const std::uint32_t all = (std::uint32_t(1) << std::clamp(side.info.buttons, 0, kMax)) - 1;
+    channels->hand(hand).deadMan.store(side.deadMan ? all : 0, std::memory_order_relaxed);
 }
 
 void LocalEngine::Impl::remember(const World& world) {
@@ -136,29 +167,99 @@ void LocalEngine::Impl::remember(const World& world) {
         past.pop_front();
 }
 
-Result<void> LocalEngine::Impl::startLoops() {
-    return servoThread
-        .start("tactum-servo", kServoPriority,
-               [this] { servoLoop(*channels, *device, info, motors, watchdog); })
-        .and_then([this] {
-            return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
-                proxyLoop(*channels, kUpdatesPerTick * info.rate, kProxyShare / info.rate);
-            });
-        });
+/// Hz, of the servos.
+double LocalEngine::Impl::fastest() const {
+    double rate = 0;
+    for (const auto& side : sides)
+        rate = std::max(rate, side->info.rate);
+    return rate;
 }
 
-/// False: the servo has not come back, and may use device, channels and device watchdog whenever it does.
-bool LocalEngine::Impl::endLoops() {
-    channels->stop.store(true, std::memory_order_relaxed);
-    proxyThread.join();
-    if (!servoThread.joinWithin(kExchangePatience)) {
-        heat[info.name] = {channels->servoTelemetry.read().heat, monotonicNanoseconds()};
-        return false;
+bool LocalEngine::Impl::hasRealDevice() const {
+    return std::ranges::any_of(sides, [](const auto& side) { return side->info.real; });
+}
+
+/// All of them, or none.
+Result<void> LocalEngine::Impl::openDevices() {
+    const auto closeFirst = [this](std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            sides[i]->device->close();
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        Side& side = *sides[i];
+        if (Result<void> opened = side.device->open(); !opened) {
+            closeFirst(i);
+            return opened;
+        }
+        side.info = side.device->info();
+        if (Result<void> usable = checkDevice(side.info); !usable) {
+            closeFirst(i + 1);
+            return usable;
+        }
     }
-    heat[info.name] = motors;
-    watchdog.stop();
-    device->close();
-    return true;
+    return {};
+}
+
+Result<void> LocalEngine::Impl::startWatchdogs() {
+    for (const auto& side : sides)
+        if (side->info.real)
+            if (Result<void> guarded = side->watchdog.start(*side->device); !guarded) return guarded;
+    return {};
+}
+
+Result<void> LocalEngine::Impl::startLoops() {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        Side& side = *sides[i];
+        const auto loop = [&side, &hand = channels->hand(i)] {
+            servoLoop(hand, *side.device, side.info, side.motors, side.watchdog);
+        };
+        if (Result<void> started = side.thread.start("tactum-servo", kServoPriority, loop); !started)
+            return started;
+    }
+    return proxyThread.start("tactum-proxy", kProxyPriority, [this] {
+        proxyLoop(*channels, kUpdatesPerTick * fastest(), kProxyShare / fastest());
+    });
+}
+
+Urgency LocalEngine::Impl::leastUrgency() const {
+    Urgency least = proxyThread.urgency();
+    for (const auto& side : sides)
+        least = worse(side->thread.urgency(), least);
+    return least;
+}
+
+/// False: a servo has not come back, and may use device, channels and device watchdog whenever it does.
+bool LocalEngine::Impl::endLoops() {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+        channels->hand(i).stop.store(true, std::memory_order_relaxed);
+    proxyThread.join();
+    bool ended = true;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        Side& side = *sides[i];
+        side.stuck = !side.thread.joinWithin(kExchangePatience);
+        if (side.stuck) {
+            ended = false;
+            continue;
+        }
+        side.watchdog.stop();
+        side.device->close();
+    }
+    keepHeat();
+    return ended;
+}
+
+/// Of devices of one name the hottest is remembered: nobody knows which of them will come again.
+void LocalEngine::Impl::keepHeat() {
+    for (const auto& side : sides)
+        heat.erase(side->info.name);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Side& side = *sides[i];
+        const LeftHeat left =
+            side.stuck ? LeftHeat{channels->hand(i).servoTelemetry.read().heat, monotonicNanoseconds()}
+                       : side.motors;
+        LeftHeat& hottest = heat[side.info.name];
+        if (left.heat >= hottest.heat) hottest = left;
+    }
 }
 
 /// Makes the newest World the next that the proxy loop takes. One that it never took is released at once.
@@ -183,8 +284,7 @@ void LocalEngine::Impl::releaseRetired() {
 }
 
 LocalEngine::LocalEngine(std::unique_ptr<HapticDevice> device) : impl_(std::make_unique<Impl>()) {
-    impl_->device = std::move(device);
-    impl_->info = impl_->device->info();
+    impl_->sides.push_back(std::make_unique<Impl::Side>(std::move(device)));
     impl_->freshChannels();
 }
 
@@ -195,14 +295,9 @@ LocalEngine::~LocalEngine() {
 Result<void> LocalEngine::start() {
     assertNotRealtime();
     if (impl_->running) return {};
-    if (Result<void> opened = impl_->device->open(); !opened) return opened;
-    impl_->info = impl_->device->info();
-    if (Result<void> usable = checkDevice(impl_->info); !usable) {
-        impl_->device->close();
-        return usable;
-    }
+    if (Result<void> usable = impl_->openDevices(); !usable) return usable;
     // Before the loops have their memory: of what a fork shares every page is given anew when it is written.
-    const Result<void> guarded = impl_->info.real ? impl_->watchdog.start(*impl_->device) : Result<void>();
+    const Result<void> guarded = impl_->startWatchdogs();
     impl_->freshChannels();
     impl_->handOver();
     if (Result<void> started = guarded.and_then([this] { return impl_->startLoops(); }); !started) {
@@ -212,10 +307,10 @@ Result<void> LocalEngine::start() {
     impl_->running = true;
     // After the threads, so that their stacks are among what is locked.
     const int unlocked = lockPresentMemory();
-    const Urgency& granted = worse(impl_->servoThread.urgency(), impl_->proxyThread.urgency());
+    const Urgency granted = impl_->leastUrgency();
     impl_->realtime = granted.priority > 0 && !unlocked;
     impl_->priorityNote = sentenceOf(granted, unlocked);
-    if (impl_->info.real) impl_->awake.emplace();
+    if (impl_->hasRealDevice()) impl_->awake.emplace();
     return {};
 }
 
@@ -224,28 +319,41 @@ Result<void> LocalEngine::stop() {
     if (!impl_->running) return {};
     impl_->awake.reset();
     const bool ended = impl_->endLoops();
-    if (!ended) abandon();
+    std::string stuck;
+    if (!ended) {
+        abandon();
+        for (const auto& side : impl_->sides)
+            if (side->stuck) stuck = side->device->trouble();
+    }
     impl_->running = false;
     poll();
     // No loop is left to see them; the newest stays for the next start.
     impl_->kept.erase(impl_->kept.begin(),
                       impl_->kept.end() - std::min<std::ptrdiff_t>(1, std::ssize(impl_->kept)));
-    return ended ? Result<void>() : machineError(trouble());
+    return ended ? Result<void>() : machineError(stuck);
 }
 
-/// What the servo may still touch stays as it is until the process ends; what the person decided goes along.
-/// Its device watchdog has stopped the device already, and stays to do so when the program dies.
+/// What the stuck servos may still touch stays as it is until the process ends; what the person decided goes
+/// along, and so do the hands that came back. The device watchdog of a stuck one has stopped the device
+/// already, and stays to do so when the program dies.
 void LocalEngine::abandon() {
-    impl_->device->emergencyStop();
-    impl_->servoThread.abandon();
     auto fresh = std::make_unique<Impl>();
-    fresh->device = std::make_unique<AbandonedDevice>(impl_->info);
-    fresh->info = impl_->info;
+    for (auto& side : impl_->sides) {
+        if (!side->stuck) {
+            fresh->sides.push_back(std::move(side));
+            continue;
+        }
+        side->device->emergencyStop();
+        side->thread.abandon();
+        auto empty = std::make_unique<Impl::Side>(std::make_unique<AbandonedDevice>(side->info));
+        empty->stuck = true;
+        empty->workspace = side->workspace;
+        empty->deadMan = side->deadMan;
+        empty->grasped = side->grasped;
+        fresh->sides.push_back(std::move(empty));
+    }
     if (!impl_->kept.empty()) fresh->kept.push_back(impl_->kept.back());
     fresh->heat = impl_->heat;
-    fresh->workspace = impl_->workspace;
-    fresh->deadMan = impl_->deadMan;
-    fresh->grasped = impl_->grasped;
     fresh->pace = impl_->pace;
     fresh->channels = impl_->channels; // with the last minute
     fresh->past = impl_->past;
@@ -254,32 +362,47 @@ void LocalEngine::abandon() {
 }
 
 Result<void> LocalEngine::setDevice(std::unique_ptr<HapticDevice> device) {
+    return exchangeDevice(0, std::move(device));
+}
+
+Result<void> LocalEngine::exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device) {
     (void)stop(); // whom it concerns stops it first
-    impl_->device = std::move(device);
-    impl_->info = impl_->device->info();
-    impl_->grasped = false;
+    impl_->sides[hand]->take(std::move(device));
     impl_->freshChannels();
     return start();
 }
 
-std::string LocalEngine::trouble() const {
-    return impl_->device->trouble();
+Result<void> LocalEngine::addDevice(std::unique_ptr<HapticDevice> device) {
+    if (impl_->sides.size() >= std::size_t(kMaxHands))
+        return inputError("The engine: it has " + std::to_string(kMaxHands) +
+                          " hands already, as many as there can be; remove a device first.");
+    (void)stop();
+    impl_->sides.push_back(std::make_unique<Impl::Side>(std::move(device)));
+    impl_->freshChannels();
+    return start();
 }
 
-std::string LocalEngine::caution() const {
-    return impl_->device->caution();
+Result<void> LocalEngine::removeDevice(std::size_t hand) {
+    if (impl_->sides.size() == 1)
+        return inputError("The engine: its last device cannot be removed; exchange it for another one.");
+    const bool ran = impl_->running;
+    (void)stop();
+    impl_->sides.erase(impl_->sides.begin() + std::ptrdiff_t(hand));
+    impl_->freshChannels();
+    return ran ? start() : Result<void>();
 }
 
-Result<void> LocalEngine::setWorkspace(const Workspace& workspace) {
-    assertNotRealtime();
-    if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
-    impl_->workspace = workspace;
-    impl_->channels->workspace.write(workspace);
-    return {};
+void LocalEngine::setAllArmed(bool armed) {
+    for (std::size_t i = 0; i < hands(); ++i)
+        hand(i).setArmed(armed);
 }
 
-const Workspace& LocalEngine::workspace() const {
-    return impl_->workspace;
+std::size_t LocalEngine::hands() const {
+    return impl_->sides.size();
+}
+
+LocalEngine::Hand LocalEngine::hand(std::size_t i) {
+    return {*impl_, i};
 }
 
 bool LocalEngine::running() const {
@@ -297,48 +420,6 @@ void LocalEngine::publish(std::shared_ptr<const World> world) {
 
 std::uint64_t LocalEngine::publishedAfter() const {
     return impl_->publishedAfter;
-}
-
-void LocalEngine::fade() {
-    impl_->channels->fading.store(true, std::memory_order_relaxed);
-    impl_->channels->armed.store(false, std::memory_order_release);
-}
-
-void LocalEngine::setArmed(bool armed) {
-    impl_->channels->fading.store(false, std::memory_order_relaxed);
-    impl_->channels->armed.store(armed, std::memory_order_relaxed);
-}
-bool LocalEngine::armed() const {
-    return impl_->channels->armed.load(std::memory_order_relaxed);
-}
-
-void LocalEngine::setDeadMan(bool on) {
-    impl_->deadMan = on;
-    impl_->askForButton();
-}
-bool LocalEngine::deadMan() const {
-    return impl_->channels->deadMan.load(std::memory_order_relaxed) != 0;
-}
-
-void LocalEngine::setOverrideCeiling(bool on) {
-    impl_->channels->overrideCeiling.store(on, std::memory_order_relaxed);
-}
-bool LocalEngine::overridesCeiling() const {
-    return impl_->channels->overrideCeiling.load(std::memory_order_relaxed);
-}
-
-void LocalEngine::push(const Vec3& force) {
-    impl_->channels->outside.write({force, monotonicNanoseconds()});
-}
-
-/// A full queue holds the same order already.
-void LocalEngine::setGrasped(bool on) {
-    impl_->grasped = on;
-    impl_->channels->grasped.store(on, std::memory_order_relaxed);
-}
-
-void LocalEngine::restartProxy() {
-    impl_->channels->commands.push({EngineCommand::Kind::RestartProxy});
 }
 
 void LocalEngine::setPace(double pace) {
@@ -362,49 +443,190 @@ void LocalEngine::poll() {
     assertNotRealtime();
     impl_->releaseRetired();
     impl_->proxy = impl_->channels->proxyTelemetry.read();
-    impl_->servo = impl_->channels->servoTelemetry.read();
-    // What it told last is told for ever by a loop that stands still.
-    if (impl_->servoBeats.stand(impl_->servo.ticks)) impl_->servo.rate = 0;
-    if (servoStandsStill()) {
-        // The device watchdog of a real device has taken it away; from others it is taken when they come
-        // back.
-        if (impl_->servo.gain > 0) impl_->servo.inhibit = InhibitReason::Stall;
-        impl_->servo.gain = 0;
-        impl_->servo.force = Vec3::Zero();
-    }
+    for (std::size_t i = 0; i < impl_->sides.size(); ++i)
+        impl_->pollHand(i);
     if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
 }
 
-bool LocalEngine::servoStandsStill() const {
-    return impl_->running && impl_->servoBeats.still;
+void LocalEngine::Impl::pollHand(std::size_t hand) {
+    Side& side = *sides[hand];
+    side.touch = hand == 0 ? proxy : channels->hand(hand).touchTelemetry.read();
+    side.servo = channels->hand(hand).servoTelemetry.read();
+    // What it told last is told for ever by a loop that stands still.
+    if (side.beats.stand(side.servo.ticks)) side.servo.rate = 0;
+    if (!running || !side.beats.still) return;
+    // The device watchdog of a real device has taken it away; from others it is taken when they come back.
+    if (side.servo.gain > 0) side.servo.inhibit = InhibitReason::Stall;
+    side.servo.gain = 0;
+    side.servo.force = Vec3::Zero();
 }
 
 const ProxyTelemetry& LocalEngine::proxy() const {
     return impl_->proxy;
 }
-const ServoTelemetry& LocalEngine::servo() const {
-    return impl_->servo;
-}
-bool LocalEngine::popTrace(TracePoint& point) {
-    return impl_->channels->trace.pop(point);
-}
 RecordedRun LocalEngine::recorded() const {
     assertNotRealtime();
     RecordedRun run = impl_->channels->recorder.copy();
-    run.device = impl_->info;
+    for (std::size_t i = 1; i < impl_->channels->hands(); ++i)
+        run.others.push_back(impl_->channels->hand(i).recorder.copy());
+    for (std::size_t i = 0; i < run.hands(); ++i)
+        run.hand(i).device = impl_->sides[i]->info;
     for (const PastScene& past : impl_->past)
         if (!run.sceneOf(past.recorded.numbers.revision)) run.scenes.push_back(past.recorded);
     trim(run);
     return run;
-}
-const DeviceInfo& LocalEngine::device() const {
-    return impl_->info;
 }
 bool LocalEngine::hasRealtimePriority() const {
     return impl_->realtime;
 }
 const std::string& LocalEngine::priorityNote() const {
     return impl_->priorityNote;
+}
+
+// What an Engine says of one hand.
+
+const DeviceInfo& LocalEngine::Hand::device() const {
+    return engine_.sides[index_]->info;
+}
+
+std::string LocalEngine::Hand::trouble() const {
+    return engine_.sides[index_]->device->trouble();
+}
+
+std::string LocalEngine::Hand::caution() const {
+    return engine_.sides[index_]->device->caution();
+}
+
+Result<void> LocalEngine::Hand::setWorkspace(const Workspace& workspace) {
+    assertNotRealtime();
+    if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
+    engine_.sides[index_]->workspace = workspace;
+    engine_.channels->hand(index_).workspace.write(workspace);
+    return {};
+}
+
+const Workspace& LocalEngine::Hand::workspace() const {
+    return engine_.sides[index_]->workspace;
+}
+
+void LocalEngine::Hand::fade() {
+    HandChannels& hand = engine_.channels->hand(index_);
+    hand.fading.store(true, std::memory_order_relaxed);
+    hand.armed.store(false, std::memory_order_release);
+}
+
+void LocalEngine::Hand::setArmed(bool armed) {
+    HandChannels& hand = engine_.channels->hand(index_);
+    hand.fading.store(false, std::memory_order_relaxed);
+    hand.armed.store(armed, std::memory_order_relaxed);
+}
+
+bool LocalEngine::Hand::armed() const {
+    return engine_.channels->hand(index_).armed.load(std::memory_order_relaxed);
+}
+
+void LocalEngine::Hand::setDeadMan(bool on) {
+    engine_.sides[index_]->deadMan = on;
+    engine_.askForButton(index_);
+}
+
+bool LocalEngine::Hand::deadMan() const {
+    return engine_.channels->hand(index_).deadMan.load(std::memory_order_relaxed) != 0;
+}
+
+void LocalEngine::Hand::setOverrideCeiling(bool on) {
+    engine_.channels->hand(index_).overrideCeiling.store(on, std::memory_order_relaxed);
+}
+
+bool LocalEngine::Hand::overridesCeiling() const {
+    return engine_.channels->hand(index_).overrideCeiling.load(std::memory_order_relaxed);
+}
+
+void LocalEngine::Hand::push(const Vec3& force) {
+    engine_.channels->hand(index_).outside.write({force, monotonicNanoseconds()});
+}
+
+void LocalEngine::Hand::setGrasped(bool on) {
+    engine_.sides[index_]->grasped = on;
+    engine_.channels->hand(index_).grasped.store(on, std::memory_order_relaxed);
+}
+
+/// A full queue holds the same order already.
+void LocalEngine::Hand::restartProxy() {
+    engine_.channels->commands.push({EngineCommand::Kind::RestartProxy, index_});
+}
+
+const TouchTelemetry& LocalEngine::Hand::touch() const {
+    return engine_.sides[index_]->touch;
+}
+
+const ServoTelemetry& LocalEngine::Hand::servo() const {
+    return engine_.sides[index_]->servo;
+}
+
+bool LocalEngine::Hand::servoStandsStill() const {
+    return engine_.running && engine_.sides[index_]->beats.still;
+}
+
+bool LocalEngine::Hand::popTrace(TracePoint& point) {
+    return engine_.channels->hand(index_).trace.pop(point);
+}
+
+// And of its first one.
+
+const DeviceInfo& LocalEngine::device() const {
+    return Hand(*impl_, 0).device();
+}
+std::string LocalEngine::trouble() const {
+    return Hand(*impl_, 0).trouble();
+}
+std::string LocalEngine::caution() const {
+    return Hand(*impl_, 0).caution();
+}
+Result<void> LocalEngine::setWorkspace(const Workspace& workspace) {
+    return Hand(*impl_, 0).setWorkspace(workspace);
+}
+const Workspace& LocalEngine::workspace() const {
+    return Hand(*impl_, 0).workspace();
+}
+void LocalEngine::fade() {
+    Hand(*impl_, 0).fade();
+}
+void LocalEngine::setArmed(bool armed) {
+    Hand(*impl_, 0).setArmed(armed);
+}
+bool LocalEngine::armed() const {
+    return Hand(*impl_, 0).armed();
+}
+void LocalEngine::setDeadMan(bool on) {
+    Hand(*impl_, 0).setDeadMan(on);
+}
+bool LocalEngine::deadMan() const {
+    return Hand(*impl_, 0).deadMan();
+}
+void LocalEngine::setOverrideCeiling(bool on) {
+    Hand(*impl_, 0).setOverrideCeiling(on);
+}
+bool LocalEngine::overridesCeiling() const {
+    return Hand(*impl_, 0).overridesCeiling();
+}
+void LocalEngine::push(const Vec3& force) {
+    Hand(*impl_, 0).push(force);
+}
+void LocalEngine::setGrasped(bool on) {
+    Hand(*impl_, 0).setGrasped(on);
+}
+void LocalEngine::restartProxy() {
+    Hand(*impl_, 0).restartProxy();
+}
+const ServoTelemetry& LocalEngine::servo() const {
+    return Hand(*impl_, 0).servo();
+}
+bool LocalEngine::servoStandsStill() const {
+    return Hand(*impl_, 0).servoStandsStill();
+}
+bool LocalEngine::popTrace(TracePoint& point) {
+    return Hand(*impl_, 0).popTrace(point);
 }
 
 } // namespace tactum

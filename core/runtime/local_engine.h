@@ -1,14 +1,33 @@
-// Runs a device against a World: owns the servo and the proxy thread and the channels between them.
+// Runs devices against a World: owns a servo thread for each, the proxy thread and the channels between them.
 #pragma once
 
 #include "core/runtime/engine.h"
 
 namespace tactum {
 
+/// As an Engine it speaks of its first hand; hand(i) is each of them. All touch one World, and a haptic step
+/// is one of all. A fault, or forces off, is of one hand: the others go on.
 class LocalEngine final : public Engine {
 public:
     explicit LocalEngine(std::unique_ptr<HapticDevice> device);
     ~LocalEngine() override;
+
+    class Hand;
+    /// From 1 to kMaxHands.
+    std::size_t hands() const;
+    /// i < hands().
+    Hand hand(std::size_t i);
+    /// One more hand, with its device. As setDevice(): all loops stop and start, forces off. Refuses more
+    /// than kMaxHands, and then nothing changes. On another error nothing runs, and start() would try again
+    /// with it.
+    Result<void> addDevice(std::unique_ptr<HapticDevice> device);
+    /// Another device for one hand, below hands(), as setDevice() for the first.
+    Result<void> exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device);
+    /// Without this hand, below hands(), whose device is destroyed; those after it move up. Loops that ran
+    /// start again, forces off. The last one stays.
+    Result<void> removeDevice(std::size_t hand);
+    /// Forces of all hands on or off.
+    void setAllArmed(bool armed);
 
     Result<void> start() override;
     Result<void> stop() override;
@@ -49,6 +68,39 @@ private:
 
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/// One hand: each member as the one of Engine. A view, until the engine's devices change or it
+/// stops. Thread: that of the engine's members.
+class LocalEngine::Hand {
+public:
+    const DeviceInfo& device() const;
+    std::string trouble() const;
+    std::string caution() const;
+    Result<void> setWorkspace(const Workspace& workspace);
+    const Workspace& workspace() const;
+    void setArmed(bool armed);
+    void fade();
+    bool armed() const;
+    void setDeadMan(bool on);
+    bool deadMan() const;
+    void setOverrideCeiling(bool on);
+    bool overridesCeiling() const;
+    void push(const Vec3& force);
+    void setGrasped(bool on);
+    void restartProxy();
+    /// What it touches, as poll() found it.
+    const TouchTelemetry& touch() const;
+    const ServoTelemetry& servo() const;
+    bool servoStandsStill() const;
+    bool popTrace(TracePoint& point);
+
+private:
+    friend class LocalEngine;
+    Hand(Impl& engine, std::size_t index) : engine_(engine), index_(index) {}
+
+    Impl& engine_;
+    std::size_t index_;
 };
 
 } // namespace tactum

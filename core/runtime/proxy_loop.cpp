@@ -1,7 +1,9 @@
 #include "core/runtime/proxy_loop.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "core/base/realtime.h"
 #include "core/loop/metronome.h"
@@ -9,21 +11,27 @@
 namespace tactum {
 namespace {
 
+template <class T> using PerHand = std::array<T, std::size_t(kMaxHands)>;
+
 /// What the proxy loop remembers from step to step.
 struct Proxy {
     Channels& channels;
     const World* world = nullptr;
-    bool restartDue = false;     ///< the next step begins at the finger
-    bool beginDue = false;       ///< the next step begins with the bodies where they began
-    bool stepDue = false;        ///< the bodies go on in the next step
-    std::uint32_t anchoring = 0; ///< of the last finger
+    PerHand<bool> restartDue{};         ///< the next step begins at the finger
+    bool beginDue = false;              ///< the next step begins with the bodies where they began
+    bool stepDue = false;               ///< the bodies go on in the next step
+    PerHand<std::uint32_t> anchoring{}; ///< of the last finger
     DegradationController ladder;
     SimState state{};
-    ProxyState rehearsed{}; ///< thrown away each time
+    std::vector<HandState> others; ///< the second hand and so on
+    ProxyState rehearsed{};        ///< thrown away each time
     HalfSecond updates{};
     ProxyTelemetry telemetry{};
     double begun = 0; ///< s, when the metronome was made, on the recorder's clock
 };
+
+/// Of every hand.
+using Fingers = PerHand<FingerSample>;
 
 /// The load first: an exchange at every tick would take the cache line from the ui thread for nothing.
 void takeWorld(Proxy& proxy) noexcept {
@@ -36,12 +44,22 @@ void takeWorld(Proxy& proxy) noexcept {
     proxy.world = next;
 }
 
+/// False when there is none of any hand.
+bool takeFingers(Channels& channels, Fingers& fingers) noexcept {
+    bool any = false;
+    for (std::size_t i = 0; i < channels.hands(); ++i) {
+        fingers[i] = channels.hand(i).finger.read();
+        any |= fingers[i].valid;
+    }
+    return any;
+}
+
 void obeyCommands(Proxy& proxy) noexcept {
     EngineCommand command;
     while (proxy.channels.commands.pop(command)) {
         switch (command.kind) {
         case EngineCommand::Kind::RestartProxy:
-            proxy.restartDue = true;
+            proxy.restartDue[command.hand] = true;
             break;
         case EngineCommand::Kind::BeginBodies:
             proxy.beginDue = true;
@@ -58,28 +76,68 @@ std::uint32_t flagsOf(bool restart, bool found, Fidelity fidelity) noexcept {
            std::uint32_t(fidelity) << ProxyRow::kFidelity;
 }
 
-HapticOutput step(Proxy& proxy, const FingerSample& finger, const Tick& tick) noexcept {
-    const bool restart = proxy.restartDue, found = !restart && finger.anchoring != proxy.anchoring;
+/// What one hand brings into the step; of what all share only what is in `shared`.
+ProxyRow rowOf(Proxy& proxy, std::size_t hand, const FingerSample& finger, const ProxyRow& shared) noexcept {
+    ProxyRow row = shared;
+    row.anchoring = proxy.anchoring[hand];
+    if (!finger.valid) {
+        row.flags |= ProxyRow::Absent | flagsOf(false, false, proxy.ladder.fidelity());
+        return row;
+    }
+    const bool restart = std::exchange(proxy.restartDue[hand], false);
+    const bool found = !restart && finger.anchoring != proxy.anchoring[hand];
+    proxy.anchoring[hand] = row.anchoring = finger.anchoring;
+    row.coupling = {finger.coupling.stiffness, finger.coupling.force, finger.coupling.delay};
+    row.finger = tripleOf(finger.position);
+    row.velocity = tripleOf(finger.velocity);
+    row.flags |= flagsOf(restart, found, proxy.ladder.fidelity());
+    return row;
+}
+
+PerHand<HapticOutput> step(Proxy& proxy, const Fingers& fingers, const Tick& tick) noexcept {
     const bool begin = std::exchange(proxy.beginDue, false);
     const bool goesOn = std::exchange(proxy.stepDue, false);
-    proxy.restartDue = false;
-    proxy.anchoring = finger.anchoring;
-    ProxyRow row{.time = proxy.begun + tick.time,
-                 .dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep),
-                 .pace = goesOn ? 1 : proxy.channels.pace.load(std::memory_order_relaxed),
-                 .coupling = {finger.coupling.stiffness, finger.coupling.force, finger.coupling.delay},
-                 .finger = tripleOf(finger.position),
-                 .velocity = tripleOf(finger.velocity),
-                 .world = proxy.world->revision,
-                 .anchoring = finger.anchoring,
-                 .flags = flagsOf(restart, found, proxy.ladder.fidelity()) |
-                          (begin ? std::uint32_t(ProxyRow::Begin) : 0)};
-    Recorder& recorder = proxy.channels.recorder;
-    recorder.begin(row, proxy.state);
-    const HapticOutput output = stepFrom(row, *proxy.world, proxy.state);
-    note(row, output);
-    recorder.end(row);
-    return output;
+    const ProxyRow shared{.time = proxy.begun + tick.time,
+                          .dt = std::clamp(tick.elapsed, kShortestStep, kLongestStep),
+                          .pace = goesOn ? 1 : proxy.channels.pace.load(std::memory_order_relaxed),
+                          .world = proxy.world->revision,
+                          .flags = begin ? std::uint32_t(ProxyRow::Begin) : 0};
+    const std::size_t hands = proxy.channels.hands();
+    PerHand<ProxyRow> rows;
+    PerHand<HapticOutput> outputs;
+    for (std::size_t i = 0; i < hands; ++i) {
+        rows[i] = rowOf(proxy, i, fingers[i], shared);
+        Recorder& recorder = proxy.channels.hand(i).recorder;
+        if (i == 0)
+            recorder.begin(rows[i], proxy.state);
+        else
+            recorder.begin(rows[i], proxy.others[i - 1]);
+    }
+    stepFrom({rows.data(), hands}, *proxy.world, proxy.state, proxy.others, outputs);
+    // Before any model is published: no row of a servo names a step that is not there of every hand.
+    for (std::size_t i = 0; i < hands; ++i) {
+        note(rows[i], outputs[i]);
+        proxy.channels.hand(i).recorder.end(rows[i]);
+    }
+    return outputs;
+}
+
+void publishModels(Proxy& proxy) noexcept {
+    for (std::size_t i = 0; i < proxy.channels.hands(); ++i) {
+        HandChannels& hand = proxy.channels.hand(i);
+        const HandState& state = i == 0 ? proxy.state : proxy.others[i - 1];
+        hand.contactModel.write({state.model, hand.recorder.proxyCount()});
+    }
+}
+
+void reportOthers(Proxy& proxy, const PerHand<HapticOutput>& outputs, const Fingers& fingers) noexcept {
+    for (std::size_t i = 1; i < proxy.channels.hands(); ++i) {
+        proxy.channels.hand(i).touchTelemetry.write(
+            {outputs[i], fingers[i].position, proxy.others[i - 1].press.coupling});
+        proxy.telemetry.boundHits += outputs[i].report.boundHit;
+        proxy.telemetry.squeezed += outputs[i].report.squeezed;
+        proxy.telemetry.passed += outputs[i].report.passed;
+    }
 }
 
 void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const Tick& tick,
@@ -109,6 +167,7 @@ void report(Proxy& proxy, const HapticOutput& output, const Vec3& finger, const 
 // Between two steps the caches forget the mesh. Where there is time the next step is gone through beforehand,
 // with the finger where it will be then if it goes on as it does.
 void rehearseNext(Proxy& proxy, const FingerSample& finger, const Tick& tick, double period) noexcept {
+    if (!finger.valid) return;
     const double spent = 1e-9 * double(monotonicNanoseconds() - tick.woke);
     if (spent > kRehearsed * period) return;
     const HapticInput next{.finger = finger.position + period * finger.velocity,
@@ -120,8 +179,11 @@ void rehearseNext(Proxy& proxy, const FingerSample& finger, const Tick& tick, do
 } // namespace
 
 void proxyLoop(Channels& channels, double rate, double budget) noexcept {
-    Proxy proxy{
-        .channels = channels, .ladder = DegradationController(budget), .begun = channels.recorder.now()};
+    Proxy proxy{.channels = channels,
+                .ladder = DegradationController(budget),
+                .others = std::vector<HandState>(channels.others.size()),
+                .begun = channels.recorder.now()};
+    Fingers fingers;
     Metronome metronome(rate, kProxyRest);
     while (!channels.stop.load(std::memory_order_relaxed)) {
         const Tick tick = metronome.wait();
@@ -129,17 +191,17 @@ void proxyLoop(Channels& channels, double rate, double budget) noexcept {
         const RealtimeScope scope;
         takeWorld(proxy);
         obeyCommands(proxy);
-        const FingerSample& finger = channels.finger.read();
-        if (!proxy.world || !finger.valid) {
+        if (!takeFingers(channels, fingers) || !proxy.world) {
             proxy.updates.begin(tick.time);
             continue;
         }
 
         const std::int64_t begun = monotonicNanoseconds();
-        const HapticOutput output = step(proxy, finger, tick);
-        channels.contactModel.write({proxy.state.model, channels.recorder.proxyCount()});
-        report(proxy, output, finger.position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
-        rehearseNext(proxy, finger, tick, metronome.period());
+        const PerHand<HapticOutput> outputs = step(proxy, fingers, tick);
+        publishModels(proxy);
+        reportOthers(proxy, outputs, fingers);
+        report(proxy, outputs[0], fingers[0].position, tick, 1e-3 * double(monotonicNanoseconds() - begun));
+        rehearseNext(proxy, fingers[0], tick, metronome.period());
     }
 }
 

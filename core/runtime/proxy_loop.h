@@ -14,8 +14,9 @@ inline constexpr double kProxyRest = 0.125;
 inline constexpr double kRehearsed = 0.25;
 
 /// Runs until channels.stop, `rate` times a second or as often as its work allows. Steps that take longer
-/// than `budget` seconds in the mean are made at a lower fidelity. Without a World or a finger it waits.
-/// Thread: proxy. The clock lies outside the RealtimeScope, all else inside it.
+/// than `budget` seconds in the mean are made at a lower fidelity. Without a World or any finger it waits; a
+/// step is one of all hands, and a hand whose device gives no reading has no part in it. Thread: proxy. The
+/// clock lies outside the RealtimeScope, all else inside it.
 void proxyLoop(Channels& channels, double rate, double budget) noexcept;
 
 } // namespace tactum

@@ -30,6 +30,43 @@ std::vector<std::uint64_t> beginnings(const NumberedRows<Row>& rows, const std::
     return found;
 }
 
+/// Keeps the steps that are there of every hand: the rings of one are copied after those of another.
+void keepCommonSteps(RecordedRun& run) {
+    std::uint64_t first = 0, end = ~std::uint64_t(0);
+    for (std::size_t i = 0; i < run.hands(); ++i) {
+        first = std::max(first, run.hand(i).proxy.first);
+        end = std::min(end, run.hand(i).proxy.end());
+    }
+    for (std::size_t i = 0; i < run.hands(); ++i) {
+        auto& proxy = run.hand(i).proxy;
+        dropBefore(proxy, std::min(first, end));
+        proxy.rows.resize(std::size_t(end - std::min(end, proxy.first)));
+        auto& ticks = run.hand(i).servo.rows;
+        while (!ticks.empty() && ticks.back().model > end)
+            ticks.pop_back();
+    }
+}
+
+/// The steps that a replay of all hands may begin with.
+std::vector<std::uint64_t> beginningSteps(const RecordedRun& run) {
+    std::vector<std::uint64_t> found = beginnings(run.proxy, run.proxyStates);
+    for (const RecordedHand& other : run.others) {
+        const std::vector<std::uint64_t> its = beginnings(other.proxy, other.proxyStates);
+        std::erase_if(found, [&](std::uint64_t row) { return std::ranges::find(its, row) == its.end(); });
+    }
+    return found;
+}
+
+/// The first tick of a hand's servo whose model a replay from step `from` on comes to.
+std::uint64_t firstTick(const RecordedHand& hand, std::uint64_t from, double oldest) {
+    const bool touched = hand.proxy.end() > 0;
+    for (const std::uint64_t row : beginnings(hand.servo, hand.servoStates)) {
+        const ServoRow& first = hand.servo.rows[std::size_t(row - hand.servo.first)];
+        if (first.model >= from && first.time >= oldest && (!touched || from < hand.proxy.end())) return row;
+    }
+    return hand.servo.end();
+}
+
 /// The number of the first row from which on all scenes are known.
 std::uint64_t firstKnown(const RecordedRun& run) {
     const auto& rows = run.proxy.rows;
@@ -51,42 +88,45 @@ const RecordedScene* RecordedRun::sceneOf(std::uint64_t revision) const {
 double RecordedRun::begin() const {
     double first = end();
     if (!proxy.rows.empty()) first = std::min(first, proxy.rows.front().time);
-    if (!servo.rows.empty()) first = std::min(first, servo.rows.front().time);
+    for (std::size_t i = 0; i < hands(); ++i)
+        if (!hand(i).servo.rows.empty()) first = std::min(first, hand(i).servo.rows.front().time);
     return first;
 }
 
 double RecordedRun::end() const {
-    return std::max(proxy.rows.empty() ? 0 : proxy.rows.back().time,
-                    servo.rows.empty() ? 0 : servo.rows.back().time);
+    double last = proxy.rows.empty() ? 0 : proxy.rows.back().time;
+    for (std::size_t i = 0; i < hands(); ++i)
+        if (!hand(i).servo.rows.empty()) last = std::max(last, hand(i).servo.rows.back().time);
+    return last;
 }
 
 void trim(RecordedRun& run, double seconds) {
-    const bool touched = run.proxy.end() > 0;
+    keepCommonSteps(run);
     const double oldest = run.end() - seconds - kStateEvery;
     const std::uint64_t known = firstKnown(run);
+    const std::vector<std::uint64_t> steps = beginningSteps(run);
     // Where no step is as young, for no reading came any more, the last ones stay, if they are not too old.
     const auto timeOf = [&](std::uint64_t row) {
         return run.proxy.rows[std::size_t(row - run.proxy.first)].time;
     };
     std::uint64_t from = run.proxy.end();
-    for (const std::uint64_t row : beginnings(run.proxy, run.proxyStates)) {
+    for (const std::uint64_t row : steps) {
         if (row < known || timeOf(row) < oldest - seconds + 2 * kStateEvery) continue;
         from = row;
         if (timeOf(row) >= oldest) break;
     }
-    // Before the servo's first row come all rows of the proxy that led to its model.
-    std::uint64_t servoFrom = run.servo.end();
-    for (const std::uint64_t row : beginnings(run.servo, run.servoStates)) {
-        const ServoRow& first = run.servo.rows[std::size_t(row - run.servo.first)];
-        if (first.model >= from && first.time >= oldest && (!touched || from < run.proxy.end())) {
-            servoFrom = row;
-            break;
-        }
+    for (std::size_t i = 0; i < run.hands(); ++i) {
+        RecordedHand& hand = run.hand(i);
+        // Before the servo's first row come all rows of the proxy that led to its model.
+        dropBefore(hand.servo, firstTick(hand, from, oldest));
+        dropBefore(hand.proxy, from);
+        dropStatesOutside(hand.proxyStates, hand.proxy);
+        dropStatesOutside(hand.servoStates, hand.servo);
+        if (run.hands() > 1)
+            std::erase_if(hand.proxyStates, [&](const SimStateBytes& kept) {
+                return !std::ranges::binary_search(steps, kept.row);
+            });
     }
-    dropBefore(run.proxy, from);
-    dropBefore(run.servo, servoFrom);
-    dropStatesOutside(run.proxyStates, run.proxy);
-    dropStatesOutside(run.servoStates, run.servo);
     std::set<std::uint64_t> felt;
     for (const ProxyRow& row : run.proxy.rows)
         felt.insert(row.world);

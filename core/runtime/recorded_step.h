@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/haptics/haptic_step.h"
 #include "core/safety/servo_step.h"
@@ -22,15 +23,18 @@ inline Vec3 vectorOf(const Triple& v) noexcept {
     return {v[0], v[1], v[2]};
 }
 
-/// One hapticStep(). SI, world frame. Its layout is that of the file: no gaps, a multiple of eight bytes.
+/// One hand's part of one hapticStep(). SI, world frame. Of several hands each has a row for every step; what
+/// they share, `dt`, `pace`, `world`, Forget and Begin, is the same in all of them, and that of the first
+/// counts. Its layout is that of the file: no gaps, a multiple of eight bytes.
 struct ProxyRow {
     enum Flag : std::uint32_t {
         Restart = 1,   ///< HapticInput::restart
         Forget = 2,    ///< the sweep memories were emptied: the state before this row was kept
         Found = 4,     ///< HapticInput::found
+        Absent = 8,    ///< the hand had no part in the step: its device gave no reading
         Begin = 16,    ///< BodiesTime::begin
         kFidelity = 8, ///< from this bit on: Fidelity
-        kAllFlags = 23 | 3 << kFidelity
+        kAllFlags = 31 | 3 << kFidelity
     };
 
     double time = 0; ///< s since the recorder was made: when the loop woke
@@ -86,22 +90,13 @@ struct ServoRow {
 
 static_assert(sizeof(ProxyRow) == 168 && sizeof(ServoRow) == 216, "the layout of the file");
 
-/// The step of a row's inputs. Thread: real time.
-inline HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept {
-    if (row.flags & ProxyRow::Forget) {
-        state.proxy.memories = {};
-        if (world.moving) world.moving->forget();
-    }
-    state.model.anchoring = row.anchoring;
-    const HapticInput input{.finger = vectorOf(row.finger),
-                            .fingerVelocity = vectorOf(row.velocity),
-                            .restart = (row.flags & ProxyRow::Restart) != 0,
-                            .fidelity = row.fidelity(),
-                            .found = (row.flags & ProxyRow::Found) != 0,
-                            .coupling = {row.coupling[0], row.coupling[1], row.coupling[2]}};
-    return hapticStep(world, state, input, row.dt,
-                      {.pace = row.pace, .begin = (row.flags & ProxyRow::Begin) != 0});
-}
+/// The step of the rows' inputs, one row of each hand. `first` holds what all
+/// hands share, too, `others` the second hand and so on; as many rows as hands, at most kMaxHands. `outputs`:
+/// of each hand. Thread: real time.
+void stepFrom(std::span<const ProxyRow> rows, const World& world, SimState& first,
+              std::span<HandState> others, std::span<HapticOutput> outputs) noexcept;
+/// The same for one hand.
+HapticOutput stepFrom(const ProxyRow& row, const World& world, SimState& state) noexcept;
 
 /// Writes down what came out. Thread: real time.
 inline void note(ProxyRow& row, const HapticOutput& output) noexcept {

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/loop/metronome.h"
-
 namespace tactum {
 namespace {
 
@@ -18,16 +16,16 @@ constexpr std::size_t kStates = std::size_t(kRoom / kStateEvery) + 1;
 
 } // namespace
 
-Recorder::Recorder(double servoRate, double proxyRate)
-    : start_(monotonicNanoseconds()), proxyRows_(rowsFor(proxyRate)), servoRows_(rowsFor(servoRate)),
-      proxyStates_(kStates), servoStates_(kStates) {}
+Recorder::Recorder(double servoRate, double proxyRate, std::int64_t start)
+    : start_(start), proxyRows_(rowsFor(proxyRate)), servoRows_(rowsFor(servoRate)), proxyStates_(kStates),
+      servoStates_(kStates) {}
 
 double Recorder::now() const noexcept {
     return 1e-9 * double(monotonicNanoseconds() - start_);
 }
 
 // The state is kept without its memories: so the loop, too, goes on without them.
-void Recorder::begin(ProxyRow& row, SimState& state) noexcept {
+template <class State> void Recorder::keep(ProxyRow& row, const State& state) noexcept {
     if (row.time < proxyStateDue_) return;
     proxyStateDue_ = row.time + kStateEvery;
     row.flags |= ProxyRow::Forget;
@@ -36,6 +34,9 @@ void Recorder::begin(ProxyRow& row, SimState& state) noexcept {
     write(state, kept);
     proxyStates_.push(kept);
 }
+
+template void Recorder::keep(ProxyRow& row, const SimState& state) noexcept;
+template void Recorder::keep(ProxyRow& row, const HandState& state) noexcept;
 
 void Recorder::begin(const ServoRow& row, const ServoState& state) noexcept {
     if (row.time < servoStateDue_) return;

@@ -4,16 +4,18 @@
 // takes 30 MB at 1 kHz and 116 MB at 4 kHz; all of it is touched before the loops start.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/base/record_ring.h"
 #include "core/runtime/recorded_run.h"
 
 namespace tactum {
 
-/// The rings. Writers: the two loops, each its own half. Reader: the thread that owns the engine.
+/// The rings of one hand. Writers: the two loops, each its own half. Reader: the thread that owns the engine.
 class Recorder {
 public:
-    /// Rates in Hz. Thread: any but real time.
-    Recorder(double servoRate, double proxyRate);
+    /// Rates in Hz. `start`: ns of monotonicNanoseconds(), the time 0 of its rows; that of all hands in one
+    /// World is the same. Thread: any but real time.
+    Recorder(double servoRate, double proxyRate, std::int64_t start = monotonicNanoseconds());
 
     /// s since the recorder was made. Thread: real time.
     double now() const noexcept;
@@ -21,7 +23,9 @@ public:
     // Of the proxy loop: begin() before the step, which may write to the row and to the state; end() after
     // it and before the model is published, so that no row of the servo names one that is not there.
     // Thread: real time, proxy.
-    void begin(ProxyRow& row, SimState& state) noexcept;
+    void begin(ProxyRow& row, SimState& state) noexcept { keep(row, state); }
+    /// Of a hand beside the first.
+    void begin(ProxyRow& row, HandState& state) noexcept { keep(row, state); }
     void end(const ProxyRow& row) noexcept { proxyRows_.push(row), ++proxyCount_; }
     /// The number of rows so far. Thread: proxy.
     std::uint64_t proxyCount() const noexcept { return proxyCount_; }
@@ -36,6 +40,8 @@ public:
     std::size_t bytes() const;
 
 private:
+    template <class State> void keep(ProxyRow& row, const State& state) noexcept;
+
     std::int64_t start_; ///< ns of the monotonic clock
     RecordRing<ProxyRow> proxyRows_;
     RecordRing<ServoRow> servoRows_;

@@ -13,10 +13,10 @@ namespace {
 
 /// What the servo remembers from tick to tick.
 struct Servo {
-    Servo(Channels& theChannels, const DeviceInfo& device) noexcept
+    Servo(HandChannels& theChannels, const DeviceInfo& device) noexcept
         : channels(theChannels), state(device), workspace(device.workspaceRadius) {}
 
-    Channels& channels;
+    HandChannels& channels;
     ServoState state;
     WorkspaceTracker workspace;
     ReadingClock readings;
@@ -34,7 +34,7 @@ struct Servo {
 /// Everything that this tick depends on.
 ServoRow rowOf(const Servo& servo, const DeviceSample& sample, double apart, const DeviceFrame& frame,
                const Tick& tick, bool fresh) noexcept {
-    const Channels& channels = servo.channels;
+    const HandChannels& channels = servo.channels;
     const auto flag = [](bool on, ServoRow::Flag bit) { return on ? std::uint32_t(bit) : 0; };
     return {.time = servo.begun + tick.time,
             .dt = tick.elapsed,
@@ -110,7 +110,7 @@ void countMisses(Servo& servo, const Tick& tick, double period) noexcept {
 
 } // namespace
 
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
+void servoLoop(HandChannels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
                DeviceWatchdog& watchdog, Clock sinceBoot) noexcept {
     Servo servo(channels, info);
     servo.state.heat.resume(motors.heat, 1e-9 * double(monotonicNanoseconds() - motors.at));

@@ -18,7 +18,7 @@ struct LeftHeat {
 /// device watchdog. A machine that slept stood still: the old force does not go out. `sinceBoot`: as of
 /// Metronome. Motors do not cool because a loop ends: it begins with what is left of `motors`, and leaves its
 /// own there. Thread: servo. Clock and device lie outside the RealtimeScope, all else inside it.
-void servoLoop(Channels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
+void servoLoop(HandChannels& channels, HapticDevice& device, const DeviceInfo& info, LeftHeat& motors,
                DeviceWatchdog& watchdog, Clock sinceBoot = bootNanoseconds) noexcept;
 
 } // namespace tactum

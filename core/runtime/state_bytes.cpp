@@ -61,6 +61,9 @@ void fields(auto& visit, MaybeConst<SimState> auto& state) {
     visit(state.proxy, state.model, state.shapeRevision, state.time, state.restarts, state.bodies.of,
           state.press, state.bodies);
 }
+void fields(auto& visit, MaybeConst<HandState> auto& state) {
+    visit(state.proxy, state.model, state.shapeRevision, state.restarts, state.press);
+}
 void fields(auto& visit, MaybeConst<LoopFigures> auto& loop) {
     visit(loop.period, loop.delay, loop.amplifierLag, loop.damping, loop.dryFriction, loop.resolution,
           loop.makersCeiling, loop.handsCeiling, loop.surfaceDamping);
@@ -124,6 +127,9 @@ bool exists(const World& world, std::uint32_t body, Index triangle) noexcept {
 void write(const SimState& state, SimStateBytes& to) noexcept {
     writeState(state, to);
 }
+void write(const HandState& state, SimStateBytes& to) noexcept {
+    writeState(state, to);
+}
 void write(const ServoState& state, ServoStateBytes& to) noexcept {
     writeState(state, to);
 }
@@ -131,11 +137,15 @@ bool read(std::span<const std::byte> bytes, SimState& state) noexcept {
     state.proxy.memories = {};
     return readState(bytes, state, NotFinite::Refused);
 }
+bool read(std::span<const std::byte> bytes, HandState& state) noexcept {
+    state.proxy.memories = {};
+    return readState(bytes, state, NotFinite::Refused);
+}
 bool read(std::span<const std::byte> bytes, ServoState& state) noexcept {
     return readState(bytes, state, NotFinite::Allowed);
 }
 
-bool belongsTo(const SimState& state, const World& world) noexcept {
+bool belongsTo(const HandState& state, const World& world) noexcept {
     const ProxyState& proxy = state.proxy;
     return std::all_of(proxy.contacts.begin(), proxy.contacts.begin() + proxy.contactCount,
                        [&](const Contact& c) { return exists(world, c.body, c.triangle); }) &&

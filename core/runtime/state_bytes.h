@@ -25,15 +25,18 @@ using ServoStateBytes = StateBytes<4 * 1024>;
 /// All but the sweep memories, which only make the next steps faster.
 /// Thread: real time; some microseconds.
 void write(const SimState& state, SimStateBytes& to) noexcept;
+/// Of a hand beside the first: without what all share.
+void write(const HandState& state, SimStateBytes& to) noexcept;
 void write(const ServoState& state, ServoStateBytes& to) noexcept;
 
 /// False when the bytes cannot be those of a state; `state` is then half read. The servo's state may hold
 /// numbers that are not finite, as after a fault. Thread: real time.
 bool read(std::span<const std::byte> bytes, SimState& state) noexcept;
+bool read(std::span<const std::byte> bytes, HandState& state) noexcept;
 bool read(std::span<const std::byte> bytes, ServoState& state) noexcept;
 
 /// Whether everything that the state names exists in the World, which it must be used with.
 /// Thread: real time.
-bool belongsTo(const SimState& state, const World& world) noexcept;
+bool belongsTo(const HandState& state, const World& world) noexcept;
 
 } // namespace tactum

@@ -284,27 +284,35 @@ private slots:
         QCOMPARE_GT(run.proxyStates.size(), 60); // it went round
     }
 
+    void theRunningEngine_data() {
+        QTest::addColumn<int>("hands");
+        QTest::newRow("of one hand") << 1;
+        QTest::newRow("of two hands") << 2;
+    }
     void theRunningEngine() {
-        const auto target = std::make_shared<HandTarget>();
+        QFETCH(int, hands);
+        const auto target = std::make_shared<HandTarget>(), other = std::make_shared<HandTarget>();
         LocalEngine engine(std::make_unique<SimulatedHand>(target));
         EditedWorlds worlds;
         worlds.edit();
         interposer::reset();
         engine.publish(worlds.share());
         QVERIFY(engine.start().has_value());
-        engine.setArmed(true);
+        if (hands > 1) QVERIFY(engine.addDevice(std::make_unique<SimulatedHand>(other)).has_value());
+        engine.setAllArmed(true);
         std::uint64_t frames = 0, touching = 0, pushed = 0;
         const bool ran = eventually([&] {
             engine.poll();
             target->write({.position = wanderingFinger(4e-3 * double(++frames))});
+            other->write({.position = wanderingFinger(3e-3 * double(frames))});
             if (frames % 10 == 0) {
                 worlds.edit();
                 engine.publish(worlds.share());
             }
             if (frames % 500 == 0) engine.restartProxy();
-            if (frames % 300 == 0) engine.setArmed(frames % 600 == 0);
+            if (frames % 300 == 0) engine.setAllArmed(frames % 600 == 0);
             touching += engine.proxy().output.contacts > 0;
-            pushed += engine.servo().force.norm() > 0;
+            pushed += engine.hand(engine.hands() - 1).servo().force.norm() > 0;
             for (TracePoint point; engine.popTrace(point);)
                 continue;
             return engine.proxy().updates >= 8000 && engine.servo().ticks >= 4000;
