@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/scene/mechanics_bytes.h"
+#include "core/scene/selection_sets.h"
 #include "core/scene/shape_bytes.h"
 
 namespace tactum {
@@ -114,10 +115,16 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known, const 
     }
 }
 
+template <class Io> void setsBytes(Io& io, std::vector<NamedTriangles>& sets) {
+    io.count(sets, 16);
+    for (auto& [name, triangles] : sets)
+        nameBytes(io, name), io.bulk(triangles);
+}
+
 } // namespace
 
 template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& tables) {
-    auto& [id, name, pose, motion, geometry, surfaces, body, visible, kept, keptMesh] = object;
+    auto& [id, name, pose, motion, geometry, surfaces, body, visible, sets, kept, keptMesh] = object;
     io(id), io(pose), io(body), io(visible);
     keptBytes(io, kept), keptBytes(io, keptMesh);
     nameBytes(io, name);
@@ -125,8 +132,11 @@ template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& t
     io.count(surfaces, 64);
     for (Surface& surface : surfaces)
         surfaceBytes(io, surface, tables);
+    setsBytes(io, sets);
     if constexpr (!Io::kReads) return;
     io.demand(geometry != nullptr, "an object has no geometry");
+    io.demand(areSetsOf(sets, geometry->triangles.size()),
+              "a selection set is not of its object's triangles");
     const Index count = Index(surfaces.size());
     const bool known = std::ranges::all_of(geometry->surfaceOf, [&](Index index) { return index < count; });
     io.demand(known, "a triangle is of a surface that there is not");

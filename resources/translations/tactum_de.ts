@@ -184,6 +184,10 @@
             <translation>%1 hat nichts von dem, was Sie malen: Der Pinsel skaliert es. Auf einen Wert über 0 setzen, um es zu fühlen.</translation>
         </message>
         <message>
+            <source>%1 has parts on %2 objects, and triangles are selected on one: on %3. Select another of them first for its part.</source>
+            <translation>%1 hat Teile auf %2 Objekten, und Dreiecke sind auf einem ausgewählt: auf %3. Für den Teil eines anderen erst dieses auswählen.</translation>
+        </message>
+        <message>
             <source>%1 has the shapes that are here already.</source>
             <translation>%1 hat die Formen, die schon hier sind.</translation>
         </message>
@@ -1423,6 +1427,14 @@
             <translation>Modelle hinzufügen</translation>
         </message>
         <message>
+            <source>Add the selection to</source>
+            <translation>Die Auswahl hinzufügen zu</translation>
+        </message>
+        <message>
+            <source>Add to the set %1</source>
+            <translation>Zum Satz %1 hinzufügen</translation>
+        </message>
+        <message>
             <source>Adding</source>
             <translation>Hinzufügen</translation>
         </message>
@@ -1493,6 +1505,10 @@
         <message>
             <source>An estimate from the forces so far; 100 % is what the motors bear for ever. From 70 % on the limit falls to the continuous force.</source>
             <translation>Eine Schätzung aus den bisherigen Kräften; 100 % ist, was die Motoren dauerhaft aushalten. Ab 70 % sinkt die Grenze auf die Dauerkraft.</translation>
+        </message>
+        <message>
+            <source>An object can have %1 sets, and not too many scattered ones; remove one that is not used.</source>
+            <translation>Ein Objekt kann %1 Sätze haben, und nicht zu viele verstreute; bitte einen entfernen, der nicht gebraucht wird.</translation>
         </message>
         <message>
             <source>An oscillation was seen: the stiffness was halved.</source>
@@ -2999,8 +3015,20 @@
             <translation>Gelenkweg</translation>
         </message>
         <message>
+            <source>Kee&amp;p as a set...</source>
+            <translation>Als Satz &amp;behalten...</translation>
+        </message>
+        <message>
             <source>Keep how the active surface feels in the library, under a name</source>
             <translation>Unter einem Namen in der Bibliothek behalten, wie sich die aktive Oberfläche anfühlt</translation>
+        </message>
+        <message>
+            <source>Keep the selection</source>
+            <translation>Die Auswahl behalten</translation>
+        </message>
+        <message>
+            <source>Keep the set %1</source>
+            <translation>Den Satz %1 behalten</translation>
         </message>
         <message>
             <source>Keep this state</source>
@@ -3423,6 +3451,10 @@
             <translation>Name der Ebene</translation>
         </message>
         <message>
+            <source>Name of the set</source>
+            <translation>Name des Satzes</translation>
+        </message>
+        <message>
             <source>Ne&amp;w scene</source>
             <translation>&amp;Neue Szene</translation>
         </message>
@@ -3553,6 +3585,10 @@
         <message>
             <source>No problems found. What is doubtful about a mesh or a value will be listed here.</source>
             <translation>Keine Probleme gefunden. Was an einem Netz oder einem Wert zweifelhaft ist, wird hier aufgeführt.</translation>
+        </message>
+        <message>
+            <source>No selection is kept yet</source>
+            <translation>Noch ist keine Auswahl behalten</translation>
         </message>
         <message>
             <source>No smooth curve goes through these points; move them farther apart.</source>
@@ -4223,12 +4259,24 @@ text | Wie war es?</translation>
             <translation>Ebene %1 entfernen</translation>
         </message>
         <message>
+            <source>Remove the set</source>
+            <translation>Den Satz entfernen</translation>
+        </message>
+        <message>
+            <source>Remove the set %1</source>
+            <translation>Den Satz %1 entfernen</translation>
+        </message>
+        <message>
             <source>Remove triangles that repeat another one of the same surface and front.</source>
             <translation>Dreiecke entfernen, die ein anderes derselben Oberfläche und Vorderseite wiederholen.</translation>
         </message>
         <message>
             <source>Rename layer %1 to %2</source>
             <translation>Ebene %1 in %2 umbenennen</translation>
+        </message>
+        <message>
+            <source>Rename the set</source>
+            <translation>Den Satz umbenennen</translation>
         </message>
         <message>
             <source>Rename to %1</source>
@@ -4263,6 +4311,10 @@ der Grenze rendern</translation>
         <message>
             <source>Replace</source>
             <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>Replace by the selection</source>
+            <translation>Durch die Auswahl ersetzen</translation>
         </message>
         <message>
             <source>Replace the file</source>
@@ -4481,6 +4533,10 @@ der Grenze rendern</translation>
             <translation>Nicht gespeicherte Szenen</translation>
         </message>
         <message>
+            <source>Se&amp;ts</source>
+            <translation>Sä&amp;tze</translation>
+        </message>
+        <message>
             <source>Search for a command</source>
             <translation>Befehl suchen</translation>
         </message>
@@ -4537,6 +4593,10 @@ der Grenze rendern</translation>
             <translation>Ein Objekt auswählen, um es zu verschieben, zu drehen und zu skalieren: hier oder mit dem Werkzeug Verschieben (M).</translation>
         </message>
         <message>
+            <source>Select set %1</source>
+            <translation>Satz %1 auswählen</translation>
+        </message>
+        <message>
             <source>Select surface %1</source>
             <translation>Oberfläche %1 auswählen</translation>
         </message>
@@ -4547,6 +4607,10 @@ der Grenze rendern</translation>
         <message>
             <source>Select two or more surfaces of one object that are not locked, and merge them then.</source>
             <translation>Zwei oder mehr nicht gesperrte Oberflächen eines Objekts auswählen und sie dann vereinigen.</translation>
+        </message>
+        <message>
+            <source>Select what is to be kept first: surfaces, or triangles (Q).</source>
+            <translation>Erst auswählen, was behalten werden soll: Oberflächen oder Dreiecke (Q).</translation>
         </message>
         <message>
             <source>Select: click a surface to see and set how it feels</source>
@@ -4565,6 +4629,10 @@ der Grenze rendern</translation>
             <translation>Gewählte Objekte drehen und skalieren sich um den Ursprung der Welt</translation>
         </message>
         <message>
+            <source>Selections that are kept under names, with the scene</source>
+            <translation>Auswahlen, die unter Namen mit der Szene behalten werden</translation>
+        </message>
+        <message>
             <source>Send mine</source>
             <translation>Meine senden</translation>
         </message>
@@ -4581,6 +4649,10 @@ der Grenze rendern</translation>
             <translation>Setzen</translation>
         </message>
         <message>
+            <source>Set %1</source>
+            <translation>Satz %1</translation>
+        </message>
+        <message>
             <source>Set by hand: no source</source>
             <translation>Von Hand gesetzt: keine Quelle</translation>
         </message>
@@ -4591,6 +4663,10 @@ der Grenze rendern</translation>
         <message>
             <source>Set the axes by moving</source>
             <translation>Achsen durch Bewegen festlegen</translation>
+        </message>
+        <message>
+            <source>Sets</source>
+            <translation>Sätze</translation>
         </message>
         <message>
             <source>Shapes that another program has changed, with the feel that this scene has</source>
@@ -5428,6 +5504,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die gewählten Dreiecke, sonst die gewählten Oberflächen, bekommen ihre Vorderseite auf der anderen Seite</translation>
         </message>
         <message>
+            <source>The selection under a name, saved with the scene, to be selected again</source>
+            <translation>Die Auswahl unter einem Namen, mit der Szene gespeichert, um sie wieder auszuwählen</translation>
+        </message>
+        <message>
             <source>The servo or the device stood still for more than 10 ms.</source>
             <translation>Der Servo oder das Gerät stand länger als 10 ms still.</translation>
         </message>
@@ -5516,6 +5596,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Dreiecke des Modells als Linien</translation>
         </message>
         <message>
+            <source>The triangles that are kept under this name</source>
+            <translation>Die Dreiecke, die unter diesem Namen behalten sind</translation>
+        </message>
+        <message>
             <source>The values of a painted layer, or the image of one that lies on texture coordinates</source>
             <translation>Die Werte einer gemalten Ebene oder das Bild einer, die auf Texturkoordinaten liegt</translation>
         </message>
@@ -5566,6 +5650,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Theme</source>
             <translation>Design</translation>
+        </message>
+        <message>
+            <source>There is a set %1 already; Sets &gt; Replace by the selection makes it another one.</source>
+            <translation>Einen Satz %1 gibt es schon; Sätze &gt; Durch die Auswahl ersetzen macht einen anderen daraus.</translation>
+        </message>
+        <message>
+            <source>There is a set %1 already; choose another name.</source>
+            <translation>Einen Satz %1 gibt es schon; bitte einen anderen Namen wählen.</translation>
         </message>
         <message>
             <source>There is no edit to take back.</source>

@@ -96,6 +96,8 @@ constexpr Command kCommands[] = {
     {"shrink", "Select", "S&hrink", "Ctrl+-", "", "One ring of triangles less"},
     {"invert", "Select", "In&vert", "Ctrl+I", "",
      "The other triangles of the object, or the other surfaces where no triangle is selected"},
+    {"set-keep", "Select", "Kee&p as a set...", "Ctrl+Shift+G", "",
+     "The selection under a name, saved with the scene, to be selected again", false, true},
     {"hide", "Surface", "&Hide", "H", "eye-off",
      "The selected surfaces are neither seen nor felt until they are shown again"},
     {"isolate", "Surface", "Show &alone", "/", "", "Hide everything but the selected surfaces"},

@@ -16,6 +16,7 @@
 
 #include "ui/controllers/compare_controller.h"
 #include "ui/controllers/preset_controller.h"
+#include "ui/controllers/select_controller.h"
 #include "ui/document/journal.h"
 #include "ui/document/layer_edits.h"
 #include "ui/document/recent_files.h"
@@ -41,8 +42,6 @@
 #include "ui/tools/arrange_tool.h"
 #include "ui/tools/hand_link.h"
 #include "ui/tools/paint_tool.h"
-#include "ui/tools/region_select.h"
-#include "ui/tools/select_tool.h"
 #include "ui/tools/touch_hint.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/force_plot.h"
@@ -72,18 +71,17 @@ QString firstFile(const QMimeData& data) {
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
-      view_(new SceneView), selecting_(new SelectTool(document, this)),
-      regions_(new RegionSelect(document, *view_, this)), selectStrip_(new ToolStrip),
-      arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
-      painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
-      centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
-      connection_(new ConnectionBar), importBar_(new ImportBar), status_(new StatusStrip),
-      hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
-      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
-      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      studyDesk_(new StudyDesk(document, this)), study_(new StudySession(publisher_, engine, this)),
-      studyPage_(new StudyPage), sound_(new SoundLink(this)),
+      view_(new SceneView), selectStrip_(new ToolStrip), arranging_(new ArrangeTool(document, *view_, this)),
+      arrangeStrip_(new ToolStrip), painting_(new PaintTool(document, *view_, this)),
+      paintStrip_(new ToolStrip), notice_(new NoticeBar), centre_(new QStackedWidget),
+      start_(new StartPage(samples)), playbackBar_(new PlaybackBar), connection_(new ConnectionBar),
+      importBar_(new ImportBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
+      hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
+      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
+      journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
+      recoveryBar_(new RecoveryBar(*recovery_)), studyDesk_(new StudyDesk(document, this)),
+      study_(new StudySession(publisher_, engine, this)), studyPage_(new StudyPage),
+      sound_(new SoundLink(this)),
       link_(new DeviceLink(engine, this)), bench_{*this,    document_, engine_,  publisher_,
                                                   actions_, *view_,    *notice_, *playback_},
       permission_(new UsbPermission(this)), samples_(samples) {
@@ -185,7 +183,7 @@ void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
     playback_->end(); // whoever edits wants to see it
     endTrial();
-    if (change.what == What::Selection) return showSelection();
+    if (change.what == What::Selection) return selecting_->showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     // The World from before knows other objects by the same numbers.
     if (change.what == What::Everything) view_->setWorld(nullptr);

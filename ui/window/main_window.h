@@ -22,6 +22,7 @@
 #include "ui/engine/device_settings.h"
 #include "ui/engine/device_trial.h"
 #include "ui/engine/world_publisher.h"
+#include "ui/view/scene_picker.h"
 
 class QDialog;
 class QMenu;
@@ -49,8 +50,8 @@ class Presentation;
 class PresetController;
 struct PaletteEntry;
 class RecordingSaver;
-class RegionSelect;
-class SelectTool;
+class SelectController;
+class SelectionSetsMenu;
 class ToolStrip;
 class SharedLink;
 class SharedScene;
@@ -148,11 +149,8 @@ private:
     void frame();
     void showTouched(const World* world, const Scene& scene);
     void selectTouched();
-    // Of selecting: main_window_selecting.cpp.
     void connectSelecting();
-    void fillSelectStrip();
-    void connectRegions(); ///< main_window_regions.cpp
-    void showSelection();
+    void pick(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
     void showHovered();
     // Of moving, turning and scaling: main_window_arranging.cpp.
     void addPlaceDock();
@@ -285,8 +283,6 @@ private:
     WorldPublisher publisher_;
     Actions actions_;
     SceneView* view_;
-    SelectTool* selecting_;
-    RegionSelect* regions_;
     ToolStrip* selectStrip_;
     ArrangeTool* arranging_;
     ToolStrip* arrangeStrip_;
@@ -317,6 +313,8 @@ private:
     Workbench bench_; ///< of the controllers below
     CompareController* compare_ = nullptr;
     PresetController* presets_ = nullptr;
+    SelectController* selecting_ = nullptr;
+    SelectionSetsMenu* sets_ = nullptr;
     VideoRecorder* video_ = nullptr;
     Presentation* presentation_ = nullptr;
     bool panelsWereHidden_ = false; ///< before the presentation

@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/controllers/selection_sets_menu.h"
 #include "ui/document/recent_files.h"
 #include "ui/panels/import_bar.h"
 #include "ui/showing/playback.h"
@@ -104,6 +105,14 @@ void MainWindow::openPalette() {
     }
     addPanels(entries);
     addSurfaces(entries);
+    for (const QString& name : sets_->names())
+        entries.push_back({{},
+                           tr("Select set %1").arg(name),
+                           tr("Select"),
+                           {},
+                           tr("The triangles that are kept under this name"),
+                           playback_->active() ? whyNot({}) : QString(),
+                           [this, name] { sets_->select(name); }});
     for (const QString& file : recentFiles())
         entries.push_back({{},
                            tr("Open recent %1").arg(QFileInfo(file).fileName()),
