@@ -115,12 +115,6 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known, const 
     }
 }
 
-template <class Io> void setsBytes(Io& io, std::vector<NamedTriangles>& sets) {
-    io.count(sets, 16);
-    for (auto& [name, triangles] : sets)
-        nameBytes(io, name), io.bulk(triangles);
-}
-
 } // namespace
 
 template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& tables) {
@@ -132,14 +126,20 @@ template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& t
     io.count(surfaces, 64);
     for (Surface& surface : surfaces)
         surfaceBytes(io, surface, tables);
-    setsBytes(io, sets);
+    static_cast<void>(sets); // setsBytes()
     if constexpr (!Io::kReads) return;
     io.demand(geometry != nullptr, "an object has no geometry");
-    io.demand(areSetsOf(sets, geometry->triangles.size()),
-              "a selection set is not of its object's triangles");
     const Index count = Index(surfaces.size());
     const bool known = std::ranges::all_of(geometry->surfaceOf, [&](Index index) { return index < count; });
     io.demand(known, "a triangle is of a surface that there is not");
+}
+
+template <class Io> void setsBytes(Io& io, SceneObject& object) {
+    io.count(object.sets, 16);
+    for (auto& [name, triangles] : object.sets)
+        nameBytes(io, name), io.bulk(triangles);
+    io.demand(!Io::kReads || areSetsOf(object.sets, object.geometry->triangles.size()),
+              "a selection set is not of its object's triangles");
 }
 
 template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
@@ -155,12 +155,14 @@ template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
     keptBytes(io, kept);
     io.count(objects, 64);
     for (SceneObject& object : objects)
-        objectBytes(io, object, tables);
+        objectBytes(io, object, tables), setsBytes(io, object);
     if constexpr (Io::kReads) demandOneScene(io, scene);
 }
 
 template void objectBytes(StringOut&, SceneObject&, SceneTables&);
 template void objectBytes(ByteIn&, SceneObject&, SceneTables&);
+template void setsBytes(StringOut&, SceneObject&);
+template void setsBytes(ByteIn&, SceneObject&);
 template void sceneBytes(StringOut&, Scene&, SceneTables&);
 template void sceneBytes(ByteIn&, Scene&, SceneTables&);
 
