@@ -551,6 +551,10 @@
             <translation>A&amp;m Kontakt</translation>
         </message>
         <message>
+            <source>&amp;Back sides in line</source>
+            <translation>&amp;Hintere Seiten auf eine Linie</translation>
+        </message>
+        <message>
             <source>&amp;Back to the scene</source>
             <translation>&amp;Zurück zur Szene</translation>
         </message>
@@ -611,6 +615,10 @@
             <translation>&amp;Geräte</translation>
         </message>
         <message>
+            <source>&amp;Down in the list</source>
+            <translation>In der Liste nach &amp;unten</translation>
+        </message>
+        <message>
             <source>&amp;Duplicate</source>
             <translation>&amp;Duplizieren</translation>
         </message>
@@ -621,6 +629,10 @@
         <message>
             <source>&amp;Each about its own</source>
             <translation>&amp;Jedes um seine Mitte</translation>
+        </message>
+        <message>
+            <source>&amp;Even distances along x</source>
+            <translation>&amp;Gleiche Abstände entlang x</translation>
         </message>
         <message>
             <source>&amp;Export a bundle...</source>
@@ -649,6 +661,10 @@
         <message>
             <source>&amp;Frame all</source>
             <translation>&amp;Alles zeigen</translation>
+        </message>
+        <message>
+            <source>&amp;Front sides in line</source>
+            <translation>&amp;Vordere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>&amp;Go on after trial %1, where the last run broke off</source>
@@ -705,6 +721,10 @@
         <message>
             <source>&amp;Lasso</source>
             <translation>La&amp;sso</translation>
+        </message>
+        <message>
+            <source>&amp;Left sides in line</source>
+            <translation>&amp;Linke Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>&amp;Light</source>
@@ -835,6 +855,10 @@
             <translation>&amp;Umbenennen</translation>
         </message>
         <message>
+            <source>&amp;Right sides in line</source>
+            <translation>&amp;Rechte Seiten auf eine Linie</translation>
+        </message>
+        <message>
             <source>&amp;Run</source>
             <translation>&amp;Laufen lassen</translation>
         </message>
@@ -949,6 +973,10 @@
         <message>
             <source>&amp;Undo %1</source>
             <translation>&amp;Rückgängig: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Up in the list</source>
+            <translation>In der Liste nach &amp;oben</translation>
         </message>
         <message>
             <source>&amp;Update geometry from file...</source>
@@ -1527,6 +1555,10 @@
             <translation>Eine andere Zahl ergibt ein anderes Rauschen derselben Art.</translation>
         </message>
         <message>
+            <source>Another order</source>
+            <translation>Andere Reihenfolge</translation>
+        </message>
+        <message>
             <source>Another window has taken that scene.</source>
             <translation>Ein anderes Fenster hat diese Szene übernommen.</translation>
         </message>
@@ -1738,6 +1770,10 @@
         <message>
             <source>Bring %1 back</source>
             <translation>%1 zurückholen</translation>
+        </message>
+        <message>
+            <source>Bring into line</source>
+            <translation>Auf eine Linie bringen</translation>
         </message>
         <message>
             <source>Bring it back</source>
@@ -2246,6 +2282,18 @@
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Even d&amp;istances along z</source>
+            <translation>Gleiche Abs&amp;tände entlang z</translation>
+        </message>
+        <message>
+            <source>Even distances</source>
+            <translation>Gleiche Abstände</translation>
+        </message>
+        <message>
+            <source>Even distances &amp;along y</source>
+            <translation>Gleiche &amp;Abstände entlang y</translation>
         </message>
         <message>
             <source>Every command by a few letters of it</source>
@@ -3016,7 +3064,7 @@
         </message>
         <message>
             <source>Kee&amp;p as a set...</source>
-            <translation>Als Satz &amp;behalten...</translation>
+            <translation>Als Satz be&amp;wahren...</translation>
         </message>
         <message>
             <source>Keep how the active surface feels in the library, under a name</source>
@@ -3049,6 +3097,10 @@
         <message>
             <source>Kind</source>
             <translation>Art</translation>
+        </message>
+        <message>
+            <source>L&amp;ower sides in line</source>
+            <translation>U&amp;ntere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>Language</source>
@@ -3345,6 +3397,18 @@
         <message>
             <source>Middle turns, Shift+middle moves</source>
             <translation>Mitte dreht, Umschalt+Mitte verschiebt</translation>
+        </message>
+        <message>
+            <source>Middles in line along &amp;x</source>
+            <translation>Mitten entlang &amp;x auf eine Linie</translation>
+        </message>
+        <message>
+            <source>Middles in line along &amp;y</source>
+            <translation>Mitten entlang &amp;y auf eine Linie</translation>
+        </message>
+        <message>
+            <source>Middles in line along &amp;z</source>
+            <translation>Mitten entlang &amp;z auf eine Linie</translation>
         </message>
         <message>
             <source>Millimetres</source>
@@ -3897,6 +3961,10 @@
         <message>
             <source>Order</source>
             <translation>Reihenfolge</translation>
+        </message>
+        <message>
+            <source>Order and &amp;lines</source>
+            <translation>Reihenfol&amp;ge und Linien</translation>
         </message>
         <message>
             <source>Origin</source>
@@ -4533,10 +4601,6 @@ der Grenze rendern</translation>
             <translation>Nicht gespeicherte Szenen</translation>
         </message>
         <message>
-            <source>Se&amp;ts</source>
-            <translation>Sä&amp;tze</translation>
-        </message>
-        <message>
             <source>Search for a command</source>
             <translation>Befehl suchen</translation>
         </message>
@@ -4605,6 +4669,14 @@ der Grenze rendern</translation>
             <translation>Die Oberflächen auswählen, die sich wie %1 anfühlen sollen, oder es auf eine ziehen.</translation>
         </message>
         <message>
+            <source>Select three or more objects that move on their own.</source>
+            <translation>Drei oder mehr Objekte auswählen, die sich einzeln bewegen.</translation>
+        </message>
+        <message>
+            <source>Select two or more objects; they come into line with the one selected last.</source>
+            <translation>Zwei oder mehr Objekte auswählen; sie kommen mit dem zuletzt ausgewählten auf eine Linie.</translation>
+        </message>
+        <message>
             <source>Select two or more surfaces of one object that are not locked, and merge them then.</source>
             <translation>Zwei oder mehr nicht gesperrte Oberflächen eines Objekts auswählen und sie dann vereinigen.</translation>
         </message>
@@ -4667,6 +4739,10 @@ der Grenze rendern</translation>
         <message>
             <source>Sets</source>
             <translation>Sätze</translation>
+        </message>
+        <message>
+            <source>Sets b&amp;y name</source>
+            <translation>&amp;Vorhandene Sätze</translation>
         </message>
         <message>
             <source>Shapes that another program has changed, with the feel that this scene has</source>
@@ -5272,6 +5348,18 @@ der Grenze rendern</translation>
             <translation>Die Anfasser liegen entlang der Achsen der Welt</translation>
         </message>
         <message>
+            <source>The highest x of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The highest y of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The highest z of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
             <source>The hull of each part that shares no corner with the others.</source>
             <translation>Die Hülle jedes Teils, das keine Ecke mit den anderen teilt.</translation>
         </message>
@@ -5312,6 +5400,18 @@ der Grenze rendern</translation>
             <translation>Die Protokolle kommen neben %1.</translation>
         </message>
         <message>
+            <source>The lowest x of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The lowest y of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The lowest z of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
             <source>The mesh has no texture coordinates, so it is not felt. Triplanar needs none.</source>
             <translation>Das Netz hat keine Texturkoordinaten, daher wird sie nicht gefühlt. Triplanar braucht keine.</translation>
         </message>
@@ -5326,6 +5426,22 @@ der Grenze rendern</translation>
         <message>
             <source>The middle of the workspace comes to the middle of the model</source>
             <translation>Die Mitte des Arbeitsraums kommt in die Mitte des Modells</translation>
+        </message>
+        <message>
+            <source>The middle x of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middle y of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middle z of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middles of three or more selected objects; the outer two stay</source>
+            <translation>Die Mitten von drei oder mehr ausgewählten Objekten; die beiden äußeren bleiben</translation>
         </message>
         <message>
             <source>The model was %1 across and has been scaled to %2 so that it fits a hand. Undo brings its own size back.</source>
@@ -5474,6 +5590,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The selected object turns about an edge, as its form suggests; the dock Body changes it</source>
             <translation>Das gewählte Objekt dreht sich um eine Kante, wie seine Form es nahelegt; der Bereich Körper ändert es</translation>
+        </message>
+        <message>
+            <source>The selected objects come before the one above them in the list; dragging their rows does the same</source>
+            <translation>Die ausgewählten Objekte kommen in der Liste vor das über ihnen; ihre Zeilen zu ziehen tut dasselbe</translation>
+        </message>
+        <message>
+            <source>The selected objects come behind the one below them in the list</source>
+            <translation>Die ausgewählten Objekte kommen in der Liste hinter das unter ihnen</translation>
         </message>
         <message>
             <source>The selected objects come down onto what is beneath them, or on the ground</source>
@@ -5676,6 +5800,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Sie gehen sonst verloren.</translation>
         </message>
         <message>
+            <source>They are so already.</source>
+            <translation>Das sind sie schon.</translation>
+        </message>
+        <message>
             <source>They feel as before</source>
             <translation>Sie fühlen sich an wie zuvor</translation>
         </message>
@@ -5870,6 +5998,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Type, then Enter.</source>
             <translation>Bitte schreiben Sie und drücken Sie dann Eingabe.</translation>
+        </message>
+        <message>
+            <source>U&amp;pper sides in line</source>
+            <translation>Ob&amp;ere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>UV, in metres</source>

@@ -27,7 +27,7 @@ QString inMenu(QString name) {
 
 SelectionSetsMenu::SelectionSetsMenu(const Workbench& bench, QMenu& place)
     : QObject(&bench.window), bench_(bench) {
-    auto* menu = new QMenu(tr("Se&ts"), &place);
+    auto* menu = new QMenu(tr("Sets b&y name"), &place);
     menu->setObjectName(QStringLiteral("sets"));
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill(*menu); });
     place.insertMenu(&bench_.actions["set-keep"], menu);
