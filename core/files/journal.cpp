@@ -127,7 +127,7 @@ std::string bytesOf(SceneHistory history, const KnownParts& elsewhere) {
     historyBytes(states, history, tables);
     objects.count(tables.objects, 64);
     for (SceneObject& each : tables.objects)
-        objectBytes(objects, each, tables.shared);
+        objectBytes(objects, each, tables.shared), setsBytes(objects, each);
     writeTables(shapes, tables.shared, elsewhere);
     return shapes.bytes + objects.bytes + states.bytes;
 }
@@ -137,7 +137,7 @@ SceneHistory readHistory(ByteIn& in, const Scene& scene) {
     readTables(in, tables.shared, {[&] { return KnownParts(scene); }});
     in.count(tables.objects, 64);
     for (SceneObject& each : tables.objects)
-        objectBytes(in, each, tables.shared);
+        objectBytes(in, each, tables.shared), setsBytes(in, each);
     SceneHistory history;
     historyBytes(in, history, tables);
     return history;

@@ -50,6 +50,7 @@ constexpr LossRule lost(std::string_view sentence) {
 /// A format of bare meshes knows nothing of feel.
 inline constexpr LossRule kNoFeel = lost("the format knows shapes, not how they feel");
 inline constexpr LossRule kNoPhysics = lost("the extension has no place for it");
+inline constexpr LossRule kNoSets = lost("only the glTF of the scene has a place for them");
 inline constexpr LossRule kAtRest = lost("written where it is at the time 0");
 inline constexpr LossRule kNotTouched = lost("the program keeps it for .glb, and does not know it itself");
 inline constexpr LossRule kWorld = degraded("the vertices are written in the world frame");
@@ -168,6 +169,9 @@ inline const std::array kObjectRows{
             {kept(), kept("in the metadata; DEF has its plain letters"), kept(), kept(), kept(),
              lost("all objects are one mesh"), lost("all objects are one mesh"),
              lost("all objects are one mesh")}},
+    LossRow{"selection sets",
+            [](const LossSubject& s) { return !s.object->sets.empty(); },
+            {kept(), kNoSets, kNoSets, kNoSets, kNoSets, kNoSets, kNoSets, kNoSets}},
     LossRow{"surfaces",
             [](const LossSubject& s) { return s.object->surfaces.size() > 1; },
             {kept(), kept("a Shape each"),

@@ -83,6 +83,7 @@ public:
                         "surface " + surface.name + " has no partner; it feels as it did",
                         "give it the name that it had, or set its feel by hand");
             }
+        carrySets(onto);
         sayWhatIsLeft(onto);
         onto.proxyRadius = from_.proxyRadius;
         if (!onto.finger) onto.finger = from_.finger;
@@ -188,6 +189,27 @@ private:
                                                          : " left out, for it was painted on another object"),
                     paint == Paint::OnAnotherShape ? "look whether the paint lies where it should"
                                                    : "paint it again");
+    }
+
+    /// By the names of the objects; triangles that are not those of before are in no set.
+    void carrySets(Scene& onto) {
+        for (const SceneObject& from : from_.objects) {
+            if (from.sets.empty()) continue;
+            const auto named = [&](const SceneObject& object) {
+                return plainName(object.name) == plainName(from.name);
+            };
+            const auto same = oneAlone_ ? onto.objects.begin() : std::ranges::find_if(onto.objects, named);
+            if (same != onto.objects.end() && haveSameCorners(*from.geometry, *same->geometry))
+                same->sets = from.sets;
+            else {
+                std::string names;
+                for (const NamedTriangles& each : from.sets)
+                    names += (names.empty() ? "" : ", ") + each.name;
+                say(Severity::Warning, from.name,
+                    "selection sets left out, for the triangles are others: " + names,
+                    "select their triangles again, and keep them under the same names");
+            }
+        }
     }
 
     void sayWhatIsLeft(const Scene& onto) {

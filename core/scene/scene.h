@@ -9,6 +9,7 @@
 #include "core/base/vec.h"
 #include "core/dynamics/mechanics.h"
 #include "core/geometry/sides.h"
+#include "core/geometry/triangle_ranges.h"
 #include "core/geometry/triangle_soup.h"
 #include "core/motion/motion.h"
 #include "core/scene/finger_path.h"
@@ -48,6 +49,14 @@ struct Surface {
 /// Names an object for its whole life, across undo and reordering. 0 is nobody.
 using ObjectId = std::uint32_t;
 
+/// What a selection set has of one object: see core/scene/selection_sets.h.
+struct NamedTriangles {
+    std::string name;
+    TriangleRanges triangles; ///< of the object's geometry
+
+    bool operator==(const NamedTriangles&) const = default;
+};
+
 struct SceneObject {
     ObjectId id = 0;
     std::string name;
@@ -57,8 +66,9 @@ struct SceneObject {
     std::vector<Surface> surfaces;                ///< geometry->surfaceOf indexes it
     BodyId body = kWorldBody;                     ///< that it moves with; its pose is then that at the time 0
     bool visible = true;
-    Kept kept;     ///< of its glTF node
-    Kept keptMesh; ///< of its glTF mesh
+    std::vector<NamedTriangles> sets; ///< rising by names, each once, none without triangles
+    Kept kept;                        ///< of its glTF node
+    Kept keptMesh;                    ///< of its glTF mesh
 
     bool operator==(const SceneObject&) const = default;
 };

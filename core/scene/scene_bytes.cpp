@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/scene/mechanics_bytes.h"
+#include "core/scene/selection_sets.h"
 #include "core/scene/shape_bytes.h"
 
 namespace tactum {
@@ -117,7 +118,7 @@ void readTable(ByteIn& in, SharedTable<T>& table, Read read, Known known, const 
 } // namespace
 
 template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& tables) {
-    auto& [id, name, pose, motion, geometry, surfaces, body, visible, kept, keptMesh] = object;
+    auto& [id, name, pose, motion, geometry, surfaces, body, visible, sets, kept, keptMesh] = object;
     io(id), io(pose), io(body), io(visible);
     keptBytes(io, kept), keptBytes(io, keptMesh);
     nameBytes(io, name);
@@ -125,11 +126,20 @@ template <class Io> void objectBytes(Io& io, SceneObject& object, SceneTables& t
     io.count(surfaces, 64);
     for (Surface& surface : surfaces)
         surfaceBytes(io, surface, tables);
+    static_cast<void>(sets); // setsBytes()
     if constexpr (!Io::kReads) return;
     io.demand(geometry != nullptr, "an object has no geometry");
     const Index count = Index(surfaces.size());
     const bool known = std::ranges::all_of(geometry->surfaceOf, [&](Index index) { return index < count; });
     io.demand(known, "a triangle is of a surface that there is not");
+}
+
+template <class Io> void setsBytes(Io& io, SceneObject& object) {
+    io.count(object.sets, 16);
+    for (auto& [name, triangles] : object.sets)
+        nameBytes(io, name), io.bulk(triangles);
+    io.demand(!Io::kReads || areSetsOf(object.sets, object.geometry->triangles.size()),
+              "a selection set is not of its object's triangles");
 }
 
 template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
@@ -145,12 +155,14 @@ template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
     keptBytes(io, kept);
     io.count(objects, 64);
     for (SceneObject& object : objects)
-        objectBytes(io, object, tables);
+        objectBytes(io, object, tables), setsBytes(io, object);
     if constexpr (Io::kReads) demandOneScene(io, scene);
 }
 
 template void objectBytes(StringOut&, SceneObject&, SceneTables&);
 template void objectBytes(ByteIn&, SceneObject&, SceneTables&);
+template void setsBytes(StringOut&, SceneObject&);
+template void setsBytes(ByteIn&, SceneObject&);
 template void sceneBytes(StringOut&, Scene&, SceneTables&);
 template void sceneBytes(ByteIn&, Scene&, SceneTables&);
 

@@ -184,6 +184,10 @@
             <translation>%1 hat nichts von dem, was Sie malen: Der Pinsel skaliert es. Auf einen Wert über 0 setzen, um es zu fühlen.</translation>
         </message>
         <message>
+            <source>%1 has parts on %2 objects, and triangles are selected on one: on %3. Select another of them first for its part.</source>
+            <translation>%1 hat Teile auf %2 Objekten, und Dreiecke sind auf einem ausgewählt: auf %3. Für den Teil eines anderen erst dieses auswählen.</translation>
+        </message>
+        <message>
             <source>%1 has the shapes that are here already.</source>
             <translation>%1 hat die Formen, die schon hier sind.</translation>
         </message>
@@ -547,6 +551,10 @@
             <translation>A&amp;m Kontakt</translation>
         </message>
         <message>
+            <source>&amp;Back sides in line</source>
+            <translation>&amp;Hintere Seiten auf eine Linie</translation>
+        </message>
+        <message>
             <source>&amp;Back to the scene</source>
             <translation>&amp;Zurück zur Szene</translation>
         </message>
@@ -607,6 +615,10 @@
             <translation>&amp;Geräte</translation>
         </message>
         <message>
+            <source>&amp;Down in the list</source>
+            <translation>In der Liste nach &amp;unten</translation>
+        </message>
+        <message>
             <source>&amp;Duplicate</source>
             <translation>&amp;Duplizieren</translation>
         </message>
@@ -617,6 +629,10 @@
         <message>
             <source>&amp;Each about its own</source>
             <translation>&amp;Jedes um seine Mitte</translation>
+        </message>
+        <message>
+            <source>&amp;Even distances along x</source>
+            <translation>&amp;Gleiche Abstände entlang x</translation>
         </message>
         <message>
             <source>&amp;Export a bundle...</source>
@@ -645,6 +661,10 @@
         <message>
             <source>&amp;Frame all</source>
             <translation>&amp;Alles zeigen</translation>
+        </message>
+        <message>
+            <source>&amp;Front sides in line</source>
+            <translation>&amp;Vordere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>&amp;Go on after trial %1, where the last run broke off</source>
@@ -701,6 +721,10 @@
         <message>
             <source>&amp;Lasso</source>
             <translation>La&amp;sso</translation>
+        </message>
+        <message>
+            <source>&amp;Left sides in line</source>
+            <translation>&amp;Linke Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>&amp;Light</source>
@@ -831,6 +855,10 @@
             <translation>&amp;Umbenennen</translation>
         </message>
         <message>
+            <source>&amp;Right sides in line</source>
+            <translation>&amp;Rechte Seiten auf eine Linie</translation>
+        </message>
+        <message>
             <source>&amp;Run</source>
             <translation>&amp;Laufen lassen</translation>
         </message>
@@ -945,6 +973,10 @@
         <message>
             <source>&amp;Undo %1</source>
             <translation>&amp;Rückgängig: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Up in the list</source>
+            <translation>In der Liste nach &amp;oben</translation>
         </message>
         <message>
             <source>&amp;Update geometry from file...</source>
@@ -1423,6 +1455,14 @@
             <translation>Modelle hinzufügen</translation>
         </message>
         <message>
+            <source>Add the selection to</source>
+            <translation>Die Auswahl hinzufügen zu</translation>
+        </message>
+        <message>
+            <source>Add to the set %1</source>
+            <translation>Zum Satz %1 hinzufügen</translation>
+        </message>
+        <message>
             <source>Adding</source>
             <translation>Hinzufügen</translation>
         </message>
@@ -1495,6 +1535,10 @@
             <translation>Eine Schätzung aus den bisherigen Kräften; 100 % ist, was die Motoren dauerhaft aushalten. Ab 70 % sinkt die Grenze auf die Dauerkraft.</translation>
         </message>
         <message>
+            <source>An object can have %1 sets, and not too many scattered ones; remove one that is not used.</source>
+            <translation>Ein Objekt kann %1 Sätze haben, und nicht zu viele verstreute; bitte einen entfernen, der nicht gebraucht wird.</translation>
+        </message>
+        <message>
             <source>An oscillation was seen: the stiffness was halved.</source>
             <translation>Eine Schwingung wurde erkannt: Die Steifigkeit wurde halbiert.</translation>
         </message>
@@ -1509,6 +1553,10 @@
         <message>
             <source>Another number gives another noise of the same kind.</source>
             <translation>Eine andere Zahl ergibt ein anderes Rauschen derselben Art.</translation>
+        </message>
+        <message>
+            <source>Another order</source>
+            <translation>Andere Reihenfolge</translation>
         </message>
         <message>
             <source>Another window has taken that scene.</source>
@@ -1722,6 +1770,10 @@
         <message>
             <source>Bring %1 back</source>
             <translation>%1 zurückholen</translation>
+        </message>
+        <message>
+            <source>Bring into line</source>
+            <translation>Auf eine Linie bringen</translation>
         </message>
         <message>
             <source>Bring it back</source>
@@ -2230,6 +2282,18 @@
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
+        </message>
+        <message>
+            <source>Even d&amp;istances along z</source>
+            <translation>Gleiche Abs&amp;tände entlang z</translation>
+        </message>
+        <message>
+            <source>Even distances</source>
+            <translation>Gleiche Abstände</translation>
+        </message>
+        <message>
+            <source>Even distances &amp;along y</source>
+            <translation>Gleiche &amp;Abstände entlang y</translation>
         </message>
         <message>
             <source>Every command by a few letters of it</source>
@@ -2999,8 +3063,20 @@
             <translation>Gelenkweg</translation>
         </message>
         <message>
+            <source>Kee&amp;p as a set...</source>
+            <translation>Als Satz be&amp;wahren...</translation>
+        </message>
+        <message>
             <source>Keep how the active surface feels in the library, under a name</source>
             <translation>Unter einem Namen in der Bibliothek behalten, wie sich die aktive Oberfläche anfühlt</translation>
+        </message>
+        <message>
+            <source>Keep the selection</source>
+            <translation>Die Auswahl behalten</translation>
+        </message>
+        <message>
+            <source>Keep the set %1</source>
+            <translation>Den Satz %1 behalten</translation>
         </message>
         <message>
             <source>Keep this state</source>
@@ -3021,6 +3097,10 @@
         <message>
             <source>Kind</source>
             <translation>Art</translation>
+        </message>
+        <message>
+            <source>L&amp;ower sides in line</source>
+            <translation>U&amp;ntere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>Language</source>
@@ -3319,6 +3399,18 @@
             <translation>Mitte dreht, Umschalt+Mitte verschiebt</translation>
         </message>
         <message>
+            <source>Middles in line along &amp;x</source>
+            <translation>Mitten entlang &amp;x auf eine Linie</translation>
+        </message>
+        <message>
+            <source>Middles in line along &amp;y</source>
+            <translation>Mitten entlang &amp;y auf eine Linie</translation>
+        </message>
+        <message>
+            <source>Middles in line along &amp;z</source>
+            <translation>Mitten entlang &amp;z auf eine Linie</translation>
+        </message>
+        <message>
             <source>Millimetres</source>
             <translation>Millimeter</translation>
         </message>
@@ -3421,6 +3513,10 @@
         <message>
             <source>Name of the layer</source>
             <translation>Name der Ebene</translation>
+        </message>
+        <message>
+            <source>Name of the set</source>
+            <translation>Name des Satzes</translation>
         </message>
         <message>
             <source>Ne&amp;w scene</source>
@@ -3553,6 +3649,10 @@
         <message>
             <source>No problems found. What is doubtful about a mesh or a value will be listed here.</source>
             <translation>Keine Probleme gefunden. Was an einem Netz oder einem Wert zweifelhaft ist, wird hier aufgeführt.</translation>
+        </message>
+        <message>
+            <source>No selection is kept yet</source>
+            <translation>Noch ist keine Auswahl behalten</translation>
         </message>
         <message>
             <source>No smooth curve goes through these points; move them farther apart.</source>
@@ -3861,6 +3961,10 @@
         <message>
             <source>Order</source>
             <translation>Reihenfolge</translation>
+        </message>
+        <message>
+            <source>Order and &amp;lines</source>
+            <translation>Reihenfol&amp;ge und Linien</translation>
         </message>
         <message>
             <source>Origin</source>
@@ -4223,12 +4327,24 @@ text | Wie war es?</translation>
             <translation>Ebene %1 entfernen</translation>
         </message>
         <message>
+            <source>Remove the set</source>
+            <translation>Den Satz entfernen</translation>
+        </message>
+        <message>
+            <source>Remove the set %1</source>
+            <translation>Den Satz %1 entfernen</translation>
+        </message>
+        <message>
             <source>Remove triangles that repeat another one of the same surface and front.</source>
             <translation>Dreiecke entfernen, die ein anderes derselben Oberfläche und Vorderseite wiederholen.</translation>
         </message>
         <message>
             <source>Rename layer %1 to %2</source>
             <translation>Ebene %1 in %2 umbenennen</translation>
+        </message>
+        <message>
+            <source>Rename the set</source>
+            <translation>Den Satz umbenennen</translation>
         </message>
         <message>
             <source>Rename to %1</source>
@@ -4263,6 +4379,10 @@ der Grenze rendern</translation>
         <message>
             <source>Replace</source>
             <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>Replace by the selection</source>
+            <translation>Durch die Auswahl ersetzen</translation>
         </message>
         <message>
             <source>Replace the file</source>
@@ -4537,6 +4657,10 @@ der Grenze rendern</translation>
             <translation>Ein Objekt auswählen, um es zu verschieben, zu drehen und zu skalieren: hier oder mit dem Werkzeug Verschieben (M).</translation>
         </message>
         <message>
+            <source>Select set %1</source>
+            <translation>Satz %1 auswählen</translation>
+        </message>
+        <message>
             <source>Select surface %1</source>
             <translation>Oberfläche %1 auswählen</translation>
         </message>
@@ -4545,8 +4669,20 @@ der Grenze rendern</translation>
             <translation>Die Oberflächen auswählen, die sich wie %1 anfühlen sollen, oder es auf eine ziehen.</translation>
         </message>
         <message>
+            <source>Select three or more objects that move on their own.</source>
+            <translation>Drei oder mehr Objekte auswählen, die sich einzeln bewegen.</translation>
+        </message>
+        <message>
+            <source>Select two or more objects; they come into line with the one selected last.</source>
+            <translation>Zwei oder mehr Objekte auswählen; sie kommen mit dem zuletzt ausgewählten auf eine Linie.</translation>
+        </message>
+        <message>
             <source>Select two or more surfaces of one object that are not locked, and merge them then.</source>
             <translation>Zwei oder mehr nicht gesperrte Oberflächen eines Objekts auswählen und sie dann vereinigen.</translation>
+        </message>
+        <message>
+            <source>Select what is to be kept first: surfaces, or triangles (Q).</source>
+            <translation>Erst auswählen, was behalten werden soll: Oberflächen oder Dreiecke (Q).</translation>
         </message>
         <message>
             <source>Select: click a surface to see and set how it feels</source>
@@ -4565,6 +4701,10 @@ der Grenze rendern</translation>
             <translation>Gewählte Objekte drehen und skalieren sich um den Ursprung der Welt</translation>
         </message>
         <message>
+            <source>Selections that are kept under names, with the scene</source>
+            <translation>Auswahlen, die unter Namen mit der Szene behalten werden</translation>
+        </message>
+        <message>
             <source>Send mine</source>
             <translation>Meine senden</translation>
         </message>
@@ -4581,6 +4721,10 @@ der Grenze rendern</translation>
             <translation>Setzen</translation>
         </message>
         <message>
+            <source>Set %1</source>
+            <translation>Satz %1</translation>
+        </message>
+        <message>
             <source>Set by hand: no source</source>
             <translation>Von Hand gesetzt: keine Quelle</translation>
         </message>
@@ -4591,6 +4735,14 @@ der Grenze rendern</translation>
         <message>
             <source>Set the axes by moving</source>
             <translation>Achsen durch Bewegen festlegen</translation>
+        </message>
+        <message>
+            <source>Sets</source>
+            <translation>Sätze</translation>
+        </message>
+        <message>
+            <source>Sets b&amp;y name</source>
+            <translation>&amp;Vorhandene Sätze</translation>
         </message>
         <message>
             <source>Shapes that another program has changed, with the feel that this scene has</source>
@@ -5196,6 +5348,18 @@ der Grenze rendern</translation>
             <translation>Die Anfasser liegen entlang der Achsen der Welt</translation>
         </message>
         <message>
+            <source>The highest x of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The highest y of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The highest z of the selected objects becomes that of the one selected last</source>
+            <translation>Das größte z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
             <source>The hull of each part that shares no corner with the others.</source>
             <translation>Die Hülle jedes Teils, das keine Ecke mit den anderen teilt.</translation>
         </message>
@@ -5236,6 +5400,18 @@ der Grenze rendern</translation>
             <translation>Die Protokolle kommen neben %1.</translation>
         </message>
         <message>
+            <source>The lowest x of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The lowest y of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The lowest z of the selected objects becomes that of the one selected last</source>
+            <translation>Das kleinste z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
             <source>The mesh has no texture coordinates, so it is not felt. Triplanar needs none.</source>
             <translation>Das Netz hat keine Texturkoordinaten, daher wird sie nicht gefühlt. Triplanar braucht keine.</translation>
         </message>
@@ -5250,6 +5426,22 @@ der Grenze rendern</translation>
         <message>
             <source>The middle of the workspace comes to the middle of the model</source>
             <translation>Die Mitte des Arbeitsraums kommt in die Mitte des Modells</translation>
+        </message>
+        <message>
+            <source>The middle x of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere x der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middle y of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere y der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middle z of the selected objects becomes that of the one selected last</source>
+            <translation>Das mittlere z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The middles of three or more selected objects; the outer two stay</source>
+            <translation>Die Mitten von drei oder mehr ausgewählten Objekten; die beiden äußeren bleiben</translation>
         </message>
         <message>
             <source>The model was %1 across and has been scaled to %2 so that it fits a hand. Undo brings its own size back.</source>
@@ -5400,6 +5592,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Das gewählte Objekt dreht sich um eine Kante, wie seine Form es nahelegt; der Bereich Körper ändert es</translation>
         </message>
         <message>
+            <source>The selected objects come before the one above them in the list; dragging their rows does the same</source>
+            <translation>Die ausgewählten Objekte kommen in der Liste vor das über ihnen; ihre Zeilen zu ziehen tut dasselbe</translation>
+        </message>
+        <message>
+            <source>The selected objects come behind the one below them in the list</source>
+            <translation>Die ausgewählten Objekte kommen in der Liste hinter das unter ihnen</translation>
+        </message>
+        <message>
             <source>The selected objects come down onto what is beneath them, or on the ground</source>
             <translation>Die gewählten Objekte kommen herab auf das, was unter ihnen ist, oder auf den Boden</translation>
         </message>
@@ -5426,6 +5626,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>The selected triangles, else the selected surfaces, get their front on the other side</source>
             <translation>Die gewählten Dreiecke, sonst die gewählten Oberflächen, bekommen ihre Vorderseite auf der anderen Seite</translation>
+        </message>
+        <message>
+            <source>The selection under a name, saved with the scene, to be selected again</source>
+            <translation>Die Auswahl unter einem Namen, mit der Szene gespeichert, um sie wieder auszuwählen</translation>
         </message>
         <message>
             <source>The servo or the device stood still for more than 10 ms.</source>
@@ -5516,6 +5720,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Die Dreiecke des Modells als Linien</translation>
         </message>
         <message>
+            <source>The triangles that are kept under this name</source>
+            <translation>Die Dreiecke, die unter diesem Namen behalten sind</translation>
+        </message>
+        <message>
             <source>The values of a painted layer, or the image of one that lies on texture coordinates</source>
             <translation>Die Werte einer gemalten Ebene oder das Bild einer, die auf Texturkoordinaten liegt</translation>
         </message>
@@ -5568,6 +5776,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Design</translation>
         </message>
         <message>
+            <source>There is a set %1 already; Sets &gt; Replace by the selection makes it another one.</source>
+            <translation>Einen Satz %1 gibt es schon; Sätze &gt; Durch die Auswahl ersetzen macht einen anderen daraus.</translation>
+        </message>
+        <message>
+            <source>There is a set %1 already; choose another name.</source>
+            <translation>Einen Satz %1 gibt es schon; bitte einen anderen Namen wählen.</translation>
+        </message>
+        <message>
             <source>There is no edit to take back.</source>
             <translation>Es gibt keine Änderung, die zurückzunehmen wäre.</translation>
         </message>
@@ -5582,6 +5798,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>They are lost otherwise.</source>
             <translation>Sie gehen sonst verloren.</translation>
+        </message>
+        <message>
+            <source>They are so already.</source>
+            <translation>Das sind sie schon.</translation>
         </message>
         <message>
             <source>They feel as before</source>
@@ -5778,6 +5998,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Type, then Enter.</source>
             <translation>Bitte schreiben Sie und drücken Sie dann Eingabe.</translation>
+        </message>
+        <message>
+            <source>U&amp;pper sides in line</source>
+            <translation>Ob&amp;ere Seiten auf eine Linie</translation>
         </message>
         <message>
             <source>UV, in metres</source>

@@ -50,6 +50,7 @@ std::string difference(const Scene& a, const Scene& b) {
         if (!(x.pose == y.pose)) return at + "pose";
         if (x.body != y.body) return at + "body";
         if (x.visible != y.visible) return at + "visible";
+        if (x.sets != y.sets) return at + "selection sets";
         if (bool(x.motion) != bool(y.motion) || (x.motion && !(*x.motion == *y.motion))) return at + "motion";
         if (x.geometry->positions != y.geometry->positions) return at + "positions";
         if (x.geometry->triangles != y.geometry->triangles) return at + "triangles";

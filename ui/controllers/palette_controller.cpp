@@ -9,6 +9,7 @@
 #include "ui/controllers/command_reasons.h"
 #include "ui/controllers/folds.h"
 #include "ui/controllers/panel_focus.h"
+#include "ui/controllers/selection_sets_menu.h"
 #include "ui/controllers/value_entries.h"
 #include "ui/document/document.h"
 #include "ui/document/recent_files.h"
@@ -36,7 +37,7 @@ QString menuPath(const char* menu) {
 
 PaletteController::PaletteController(const Workbench& bench, Folds& folds, const QStackedWidget& centre,
                                      QWidget& importBar)
-    : QObject(&bench.window), bench_(bench), folds_(folds) {
+    : QObject(&bench.window), bench_(bench), folds_(folds), sets_(sets) {
     bench.on("palette", this, [this] { open(); });
     const auto docks =
         bench.window.findChildren<QDockWidget*>(); // now: who comes to the front comes last later
@@ -73,6 +74,14 @@ void PaletteController::open() {
     }
     addPanels(entries);
     addSurfaces(entries);
+    for (const QString& name : sets_.names())
+        entries.push_back({{},
+                           tr("Select set %1").arg(name),
+                           tr("Select"),
+                           {},
+                           tr("The triangles that are kept under this name"),
+                           bench_.playback.active() ? whyOff({}, true) : QString(),
+                           [this, name] { sets_.select(name); }});
     for (const QString& file : recentFiles())
         entries.push_back({{},
                            tr("Open recent %1").arg(QFileInfo(file).fileName()),

@@ -16,6 +16,7 @@
 #include "core/files/load_scene.h"
 #include "core/scene/compose.h"
 #include "core/scene/scene.h"
+#include "core/scene/selection_sets.h"
 #include "core/scene/surface_ref.h"
 #include "ui/base/background_job.h"
 #include "ui/document/selection.h"
@@ -58,7 +59,8 @@ struct Feel {
     std::shared_ptr<const TriangleSoup> soup;
 };
 
-/// The object with another form of its mesh. What is painted goes along. Thread: any but real time.
+/// The object with another form of its mesh. What is painted, and its selection sets, go along. Thread: any
+/// but real time.
 SceneObject withGeometry(SceneObject object, std::shared_ptr<const TriangleSoup> geometry);
 
 /// A file as it was when it was last read or written.
@@ -154,6 +156,11 @@ public:
     void select(const SurfaceRefs& refs, SelectMode mode = SelectMode::Replace);
     const FaceSelection& selectedFaces() const { return faces_; }
     void selectFaces(FaceSelection faces, SelectMode mode = SelectMode::Replace);
+    /// What is selected as triangles: those of the one object, else all of the selected surfaces.
+    SceneTriangles selectedTriangles() const;
+    /// Whole surfaces become selected as such, else triangles: of several objects those of the active one,
+    /// or where it has none those of the one that has most. How many objects were left out.
+    std::size_t selectTriangles(const SceneTriangles& triangles);
 
     /// The one way to change surfaces: `change` is applied to each, in one step of the history. Locked
     /// surfaces stay as they are. `text` names the step: "%1" in it becomes the surface's name, or their

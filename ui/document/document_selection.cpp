@@ -6,6 +6,7 @@
 
 #include "core/geometry/surfaces.h"
 #include "core/paint/carry.h"
+#include "core/scene/selection_sets.h"
 #include "core/scene/surface_colours.h"
 #include "ui/document/document.h"
 
@@ -146,6 +147,50 @@ void Document::selectFaces(FaceSelection faces, SelectMode mode) {
     emit changed({SceneChange::What::Selection});
 }
 
+SceneTriangles Document::selectedTriangles() const {
+    if (!faces_.empty()) return {{faces_.object, faces_.faces}};
+    SceneTriangles all;
+    const SurfaceSet chosen(selected_);
+    for (const ObjectId id : selectedObjects()) {
+        const auto& surfaceOf = scene_.find(id)->geometry->surfaceOf;
+        TriangleSet triangles;
+        for (Index t = 0; t < surfaceOf.size(); ++t)
+            if (chosen.has({id, surfaceOf[t]})) triangles.push_back(t);
+        if (!triangles.empty()) all[id] = std::move(triangles);
+    }
+    return all;
+}
+
+std::size_t Document::selectTriangles(const SceneTriangles& triangles) {
+    SurfaceRefs touched;
+    bool whole = true;
+    for (const auto& [id, set] : triangles) {
+        const SceneObject& object = *scene_.find(id);
+        const auto all = countTriangles(*object.geometry, object.surfaces.size());
+        std::vector<std::size_t> taken(all.size());
+        for (const Index t : set)
+            ++taken[object.geometry->surfaceOf[t]];
+        for (Index i = 0; i < all.size(); ++i) {
+            if (taken[i] == 0) continue;
+            touched.push_back({id, i});
+            whole = whole && taken[i] == all[i];
+        }
+    }
+    if (whole || triangles.empty()) {
+        selectFaces({});
+        select(touched);
+        return 0;
+    }
+    const auto active = selection();
+    auto chosen = active ? triangles.find(active->object) : triangles.end();
+    if (chosen == triangles.end())
+        chosen = std::ranges::max_element(triangles, {}, [](const auto& part) { return part.second.size(); });
+    std::erase_if(touched, [&](SurfaceRef ref) { return ref.object != chosen->first; });
+    select(touched);
+    selectFaces({chosen->first, chosen->second});
+    return triangles.size() - 1;
+}
+
 // Meshes with other triangles than before have lost what was selected of them. Where triangles went to other
 // surfaces the numbers of all may be others: a surface is known by its name.
 void Document::keepSelection(const SceneChange& change) {
@@ -180,6 +225,7 @@ SceneObject withGeometry(SceneObject object, std::shared_ptr<const TriangleSoup>
             carry(layer.pattern);
             if (layer.mask) carry(*layer.mask);
         }
+    carrySets(*before, object);
     return object;
 }
 

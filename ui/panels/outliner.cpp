@@ -2,16 +2,20 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QScopedValueRollback>
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "core/scene/order.h"
 #include "ui/base/style.h"
 #include "ui/widgets/swatch.h"
 
@@ -185,6 +189,68 @@ void Outliner::renameSelected() {
 
 void Outliner::contextMenuEvent(QContextMenuEvent* event) {
     emit menuAsked(event->globalPos());
+}
+
+// What a press selects is known after it, and what it takes along before it.
+void Outliner::mousePressEvent(QMouseEvent* event) {
+    const std::vector<ObjectId> selected = document_.selectedObjects();
+    pressedAt_ = event->position().toPoint();
+    const QTreeWidgetItem* item = itemAt(pressedAt_);
+    const bool grabs = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier && item &&
+                       isObject(item) && columnAt(pressedAt_.x()) == kName;
+    const ObjectId object = grabs ? refOf(item).object : 0;
+    HintedTree::mousePressEvent(event);
+    held_.clear();
+    if (!grabs) return;
+    held_ = std::ranges::find(selected, object) != selected.end() ? selected : std::vector{object};
+}
+
+void Outliner::mouseMoveEvent(QMouseEvent* event) {
+    if (held_.empty() || !(event->buttons() & Qt::LeftButton)) return HintedTree::mouseMoveEvent(event);
+    const QPoint at = event->position().toPoint();
+    if (!gap_ && (at - pressedAt_).manhattanLength() < QApplication::startDragDistance()) return;
+    gap_ = gapAt(at.y());
+    setCursor(Qt::ClosedHandCursor);
+    viewport()->update();
+}
+
+void Outliner::mouseReleaseEvent(QMouseEvent* event) {
+    const auto held = std::exchange(held_, {});
+    const auto gap = std::exchange(gap_, std::nullopt);
+    HintedTree::mouseReleaseEvent(event);
+    unsetCursor();
+    viewport()->update();
+    if (!held.empty() && gap) bring(held, *gap);
+}
+
+/// The nearest to a height of the view.
+int Outliner::gapAt(int y) const {
+    for (int gap = 0; gap < topLevelItemCount(); ++gap)
+        if (y < (topOf(gap) + topOf(gap + 1)) / 2) return gap;
+    return topLevelItemCount();
+}
+
+/// Below the last object with its surfaces there is one more.
+int Outliner::topOf(int gap) const {
+    if (gap < topLevelItemCount()) return visualItemRect(topLevelItem(gap)).top();
+    const QTreeWidgetItem* last = topLevelItem(topLevelItemCount() - 1);
+    if (last->isExpanded() && last->childCount() > 0) last = last->child(last->childCount() - 1);
+    return visualItemRect(last).bottom();
+}
+
+void Outliner::bring(const std::vector<ObjectId>& objects, int gap) {
+    const auto& all = document_.scene().objects;
+    const ObjectId before = std::size_t(gap) < all.size() ? all[std::size_t(gap)].id : 0;
+    document_.editScene(tr("Another order"), SceneChange::What::Objects,
+                        [&](Scene& scene) { reorder(scene, objects, before); });
+    document_.selectObjects(objects);
+}
+
+void Outliner::paintEvent(QPaintEvent* event) {
+    HintedTree::paintEvent(event);
+    if (!gap_ || topLevelItemCount() == 0) return;
+    QPainter painter(viewport());
+    painter.fillRect(QRect(0, topOf(*gap_) - 1, viewport()->width(), 2), theme().accent);
 }
 
 std::vector<Outliner::Row> Outliner::rowsOf(const SceneObject& object) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@
 namespace tactum {
 
 /// Follows the document and edits it: the eye shows and hides an object or a surface, the lock keeps a
-/// surface from edits, F2 or a double click renames, and the selection goes both ways.
+/// surface from edits, F2 or a double click renames, a drag of an object's row brings it (with the others
+/// that are selected) elsewhere in the list, and the selection goes both ways.
 class Outliner : public HintedTree {
     Q_OBJECT
 public:
@@ -35,6 +37,10 @@ protected:
     bool keepsEditKeys() const override { return false; }
     void changeEvent(QEvent* event) override; ///< another theme
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override; ///< and where a dragged row would come
 
 private:
     void follow(const SceneChange& change);
@@ -63,6 +69,9 @@ private:
     void showLock(QTreeWidgetItem& item, bool locked);
     void rename(QTreeWidgetItem* item);
     void toggle(QTreeWidgetItem* item, int column);
+    int gapAt(int y) const;
+    int topOf(int gap) const;
+    void bring(const std::vector<ObjectId>& objects, int gap);
 
     struct Icons {
         std::array<QIcon, 4> object; ///< by Moves
@@ -79,6 +88,9 @@ private:
     QString words_;              ///< that are searched for
     bool filling_ = false;       ///< our own changes of the tree are no edits
     bool choosing_ = false;      ///< the rows show already what is being selected
+    std::vector<ObjectId> held_; ///< by the mouse
+    QPoint pressedAt_;
+    std::optional<int> gap_; ///< between objects, from 0, where they would come
 };
 
 /// The list below a field that searches in it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/object_bounds.h"
 #include "core/scene/standing.h"
 #include "ui/base/numbers.h"
 #include "ui/view/scene_view.h"
@@ -129,6 +130,13 @@ Arrangement ArrangeTool::bounded(Arrangement by) const {
     return by;
 }
 
+std::vector<GoingAlong> ArrangeTool::partsOf(const std::vector<Group>& groups) {
+    std::vector<GoingAlong> parts;
+    for (const Group& group : groups)
+        parts.push_back(group.along);
+    return parts;
+}
+
 QString ArrangeTool::textOf(const Arrangement& by) const {
     std::size_t count = 0;
     for (const Group& group : held_)
@@ -195,6 +203,36 @@ void ArrangeTool::dropToGround() {
     if (std::ranges::any_of(falling, [](const Group& group) { return !group.along.bodies.empty(); }))
         emit begun();
     put(tr("Drop to the ground"), std::move(next), newGesture());
+    refresh();
+}
+
+void ArrangeTool::alignWithActive(int axis, BoxSide side) {
+    const SceneObject* last = active();
+    std::vector<Group> moved = groups(true);
+    if (!last || moved.empty()) return emit refused(whyNot());
+    // It stays, with all that goes along with it.
+    std::erase_if(moved, [&](const Group& group) { return group.along.has(last->id); });
+    if (moved.empty())
+        return emit refused(
+            tr("Select two or more objects; they come into line with the one selected last."));
+    Scene next = document_.scene();
+    align(next, partsOf(moved), tactum::boundsOf(*last), axis, side);
+    putInLine(tr("Bring into line"), moved, std::move(next));
+}
+
+void ArrangeTool::distributeEvenly(int axis) {
+    const std::vector<Group> moved = groups(true);
+    if (moved.size() < 3) return emit refused(tr("Select three or more objects that move on their own."));
+    Scene next = document_.scene();
+    distribute(next, partsOf(moved), axis);
+    putInLine(tr("Even distances"), moved, std::move(next));
+}
+
+void ArrangeTool::putInLine(const QString& text, const std::vector<Group>& moved, Scene next) {
+    if (next == document_.scene()) return emit refused(tr("They are so already."));
+    if (std::ranges::any_of(moved, [](const Group& group) { return !group.along.bodies.empty(); }))
+        emit begun();
+    put(text, std::move(next), newGesture());
     refresh();
 }
 

@@ -8,7 +8,7 @@
 
 #include <QObject>
 
-#include "core/scene/arrange.h"
+#include "core/scene/order.h"
 #include "ui/document/document.h"
 #include "ui/view/scene_picker.h"
 
@@ -45,6 +45,10 @@ public:
     void place(const Arrangement& by, Gesture gesture);
     /// Lets each fall onto what is beneath it, or on the ground; together what goes along together.
     void dropToGround();
+    /// The other objects come into line with the one selected last, by a side of their boxes.
+    void alignWithActive(int axis, BoxSide side);
+    /// Three or more get even distances between their middles.
+    void distributeEvenly(int axis);
     /// A click of the tool: takes the whole object, with Shift also.
     void choose(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
     /// Why nothing can be arranged; empty when it can.
@@ -67,9 +71,11 @@ private:
     void end();
     void apply(const Arrangement& by, Gesture gesture);
     void put(const QString& text, Scene next, Gesture gesture);
+    void putInLine(const QString& text, const std::vector<Group>& moved, Scene next);
     void refresh();
     bool isFree(const GoingAlong& along) const;
     std::vector<Group> groups(bool each) const;
+    static std::vector<GoingAlong> partsOf(const std::vector<Group>& groups);
     Vec3 pivotOf(const std::vector<ObjectId>& objects) const;
     Arrangement bounded(Arrangement by) const;
     QString textOf(const Arrangement& by) const;

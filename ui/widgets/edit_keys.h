@@ -1,4 +1,4 @@
-// The keys with which the window deletes, renames and doubles objects.
+// The keys with which the window deletes, renames, doubles and reorders objects.
 #pragma once
 
 #include <QKeyEvent>
@@ -8,6 +8,7 @@ namespace tactum {
 /// A list of other things that has the keys keeps the window from that: who presses Del on a preset or on a
 /// step of the history means no object.
 inline bool isEditKey(const QKeyEvent& key) {
+    if (key.key() == Qt::Key_Up || key.key() == Qt::Key_Down) return key.modifiers() == Qt::AltModifier;
     return key.modifiers() == Qt::NoModifier ? key.key() == Qt::Key_Delete || key.key() == Qt::Key_F2
                                              : key.keyCombination() == (Qt::CTRL | Qt::Key_D);
 }

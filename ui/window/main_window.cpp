@@ -34,6 +34,7 @@
 #include "ui/controllers/report_controller.h"
 #include "ui/controllers/room_controller.h"
 #include "ui/controllers/save_controller.h"
+#include "ui/controllers/select_controller.h"
 #include "ui/controllers/stage.h"
 #include "ui/controllers/study_controller.h"
 #include "ui/controllers/trial_controller.h"
@@ -64,8 +65,6 @@
 #include "ui/tools/arrange_tool.h"
 #include "ui/tools/hand_link.h"
 #include "ui/tools/paint_tool.h"
-#include "ui/tools/region_select.h"
-#include "ui/tools/select_tool.h"
 #include "ui/tools/touch_hint.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/force_plot.h"
@@ -94,17 +93,16 @@ QString firstFile(const QMimeData& data) {
 MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandTarget> hand,
                        const QStringList& samples, QWidget* parent)
     : QMainWindow(parent), document_(document), engine_(engine), publisher_(document, engine),
-      view_(new SceneView), selecting_(new SelectTool(document, this)),
-      regions_(new RegionSelect(document, *view_, this)), selectStrip_(new ToolStrip),
-      arranging_(new ArrangeTool(document, *view_, this)), arrangeStrip_(new ToolStrip),
-      painting_(new PaintTool(document, *view_, this)), paintStrip_(new ToolStrip), notice_(new NoticeBar),
-      centre_(new QStackedWidget), start_(new StartPage(samples)), playbackBar_(new PlaybackBar),
-      connection_(new ConnectionBar), importBar_(new ImportBar), status_(new StatusStrip),
-      hint_(new TouchHint(view_)), hand_(new HandLink(*view_, engine, std::move(hand), this)),
-      guard_(new GuardWatch(engine, this)), playback_(new Playback(*playbackBar_, this)),
-      saver_(new RecordingSaver(engine, document, this)), journal_(new Journal(document, this)),
-      recovery_(new Recovery(document, *journal_, this)), recoveryBar_(new RecoveryBar(*recovery_)),
-      studyPage_(new StudyPage), sound_(new SoundLink(this)), link_(new DeviceLink(engine, this)),
+      view_(new SceneView), selectStrip_(new ToolStrip), arranging_(new ArrangeTool(document, *view_, this)),
+      arrangeStrip_(new ToolStrip), painting_(new PaintTool(document, *view_, this)),
+      paintStrip_(new ToolStrip), notice_(new NoticeBar), centre_(new QStackedWidget),
+      start_(new StartPage(samples)), playbackBar_(new PlaybackBar), connection_(new ConnectionBar),
+      importBar_(new ImportBar), status_(new StatusStrip), hint_(new TouchHint(view_)),
+      hand_(new HandLink(*view_, engine, std::move(hand), this)), guard_(new GuardWatch(engine, this)),
+      playback_(new Playback(*playbackBar_, this)), saver_(new RecordingSaver(engine, document, this)),
+      journal_(new Journal(document, this)), recovery_(new Recovery(document, *journal_, this)),
+      recoveryBar_(new RecoveryBar(*recovery_)), studyPage_(new StudyPage), sound_(new SoundLink(this)),
+      link_(new DeviceLink(engine, this)),
       told_(new EditNotice(document, *notice_, this)), bench_{*this,      document_, engine_,
                                                               publisher_, actions_,  *view_,
                                                               *notice_,   *told_,    *playback_},
@@ -271,7 +269,7 @@ void MainWindow::follow(const SceneChange& change) {
     using What = SceneChange::What;
     playback_->end(); // whoever edits wants to see it
     trial_->end();
-    if (change.what == What::Selection) return showSelection();
+    if (change.what == What::Selection) return selecting_->showSelection();
     if (change.what == What::ProxyRadius) return view_->setProxyRadius(document_.scene().proxyRadius);
     // The World from before knows other objects by the same numbers.
     if (change.what == What::Everything) view_->setWorld(nullptr);

@@ -18,6 +18,7 @@
 #include "ui/controllers/workbench.h"
 #include "ui/document/document.h"
 #include "ui/engine/world_publisher.h"
+#include "ui/view/scene_picker.h"
 
 class QMenu;
 class QStackedWidget;
@@ -48,8 +49,8 @@ class PlaybackBar;
 class Presentation;
 class PresetController;
 class RecordingSaver;
-class RegionSelect;
-class SelectTool;
+class SelectController;
+class SelectionSetsMenu;
 class ToolStrip;
 class SharedLink;
 class SharedScene;
@@ -133,11 +134,8 @@ private:
     void sayRecorded(const QString& file, bool afterFault);
     void showTouched(const World* world, const Scene& scene);
     void selectTouched();
-    // Of selecting: main_window_selecting.cpp.
     void connectSelecting();
-    void fillSelectStrip();
-    void connectRegions(); ///< main_window_regions.cpp
-    void showSelection();
+    void pick(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers);
     void showHovered();
     // Of moving, turning and scaling: main_window_arranging.cpp.
     void addPlaceDock();
@@ -170,8 +168,6 @@ private:
     WorldPublisher publisher_;
     Actions actions_;
     SceneView* view_;
-    SelectTool* selecting_;
-    RegionSelect* regions_;
     ToolStrip* selectStrip_;
     ArrangeTool* arranging_;
     ToolStrip* arrangeStrip_;
@@ -209,6 +205,8 @@ private:
     LayerController* layers_ = nullptr;
     CompareController* compare_ = nullptr;
     PresetController* presets_ = nullptr;
+    SelectController* selecting_ = nullptr;
+    SelectionSetsMenu* sets_ = nullptr;
     VideoRecorder* video_ = nullptr;
     Presentation* presentation_ = nullptr;
     bool panelsWereHidden_ = false; ///< before the presentation

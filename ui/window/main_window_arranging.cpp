@@ -18,6 +18,19 @@ constexpr std::pair<const char*, Pivot> kPivots[] = {{"pivot-middle", Pivot::Mid
                                                      {"pivot-each", Pivot::Each},
                                                      {"pivot-last", Pivot::Last},
                                                      {"pivot-world", Pivot::World}};
+struct LineCommand {
+    const char* id;
+    int axis;
+    BoxSide side;
+};
+constexpr LineCommand kLines[] = {
+    {"align-x-low", 0, BoxSide::Low},       {"align-x-middle", 0, BoxSide::Middle},
+    {"align-x-high", 0, BoxSide::High},     {"align-y-low", 1, BoxSide::Low},
+    {"align-y-middle", 1, BoxSide::Middle}, {"align-y-high", 1, BoxSide::High},
+    {"align-z-low", 2, BoxSide::Low},       {"align-z-middle", 2, BoxSide::Middle},
+    {"align-z-high", 2, BoxSide::High}};
+constexpr std::pair<const char*, int> kDistances[] = {
+    {"distribute-x", 0}, {"distribute-y", 1}, {"distribute-z", 2}};
 constexpr std::pair<const char*, bool> kHandleAxes[] = {{"axes-world", false}, {"axes-own", true}};
 
 } // namespace
@@ -38,6 +51,19 @@ void MainWindow::connectArranging() {
     };
     choices(kPivots, [this](Pivot pivot) { arranging_->setPivot(pivot); });
     choices(kHandleAxes, [this](bool own) { arranging_->setOwnAxes(own); });
+    for (const auto& [id, axis, side] : kLines)
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, axis = axis, side = side] { arranging_->alignWithActive(axis, side); });
+    for (const auto& [id, axis] : kDistances)
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, axis = axis] { arranging_->distributeEvenly(axis); });
+    for (const auto& [id, move] : {std::pair{"object-up", &moveUp}, {"object-down", &moveDown}})
+        connect(&actions_[id], &QAction::triggered, this, [this, move = move] {
+            const std::vector<ObjectId> chosen = document_.selectedObjects();
+            if (chosen.empty()) return notice_->showNote(arranging_->whyNot());
+            document_.editScene(tr("Another order"), SceneChange::What::Objects,
+                                [&](Scene& scene) { move(scene, chosen); });
+        });
     connect(&actions_["arrange"], &QAction::toggled, this, [this](bool on) {
         arranging_->setActive(on && !playback_->active());
         arrangeStrip_->setVisible(on);

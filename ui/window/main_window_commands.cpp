@@ -18,11 +18,16 @@
 #include "ui/base/mnemonics.h"
 #include "ui/base/style.h"
 #include "ui/controllers/folds.h"
+#include "ui/controllers/select_controller.h"
+#include "ui/controllers/selection_sets_menu.h"
 #include "ui/document/recent_files.h"
 #include "ui/engine/held_key.h"
+#include "ui/engine/touched.h"
+#include "ui/panels/body_panel.h"
 #include "ui/panels/start_page.h"
 #include "ui/panels/status_strip.h"
 #include "ui/showing/playback.h"
+#include "ui/tools/arrange_tool.h"
 #include "ui/tools/hand_link.h"
 #include "ui/tools/touch_hint.h"
 #include "ui/view/scene_view.h"
@@ -189,6 +194,32 @@ void MainWindow::connectView() {
         grabbed_ = grabbed;
         if (grabbed) hint_->followed();
     });
+}
+
+void MainWindow::connectSelecting() {
+    sets_ = new SelectionSetsMenu(bench_, *menuBar()->findChild<QMenu*>(QStringLiteral("Select")));
+    selecting_ = new SelectController(bench_, *selectStrip_, *sets_);
+    connect(&actions_["select-touched"], &QAction::triggered, this, &MainWindow::selectTouched);
+    connect(view_, &SceneView::picked, this, &MainWindow::pick);
+    // Told by the view when it is another one; a value may be changed while the mouse stays.
+    connect(view_, &SceneView::surfaceHovered, this, [this](const std::optional<SurfaceRef>& surface) {
+        hovered_ = playback_->active() ? std::nullopt : surface;
+        showHovered();
+    });
+    connect(&document_, &Document::changed, this, &MainWindow::showHovered);
+}
+
+void MainWindow::pick(const std::optional<PickHit>& hit, Qt::KeyboardModifiers modifiers) {
+    if (playback_->active()) return; // a recording shows surfaces of another scene
+    if (hit && docks_.body->picksPath()) return docks_.body->addPathPoint(hit->point);
+    if (actions_["select"].isChecked()) return selecting_->take(hit, modifiers);
+    if (actions_["arrange"].isChecked()) return arranging_->choose(hit, modifiers);
+    if (actions_["paint"].isChecked()) return; // beside the model: what is selected stays to be painted
+    document_.select(hit ? std::optional(hit->surface) : std::nullopt);
+}
+
+void MainWindow::showHovered() {
+    status_->setHovered(hovered_ ? feelText(document_.scene(), *hovered_) : QString());
 }
 
 void MainWindow::connectDocument() {

@@ -3,8 +3,10 @@
 #include <cstring>
 #include <optional>
 
+#include "core/base/text.h"
 #include "core/files/gltf/gltf_surface.h"
 #include "core/files/readers.h"
+#include "core/scene/selection_sets.h"
 
 namespace tactum {
 
@@ -104,6 +106,7 @@ RawMesh GltfMeshReader::read(int index) {
     if (!paintsAreRight_)
         raw.complaints.push_back("what is painted on meshes[" + std::to_string(index) +
                                  "] is not a number from 0 to 1 for each vertex");
+    if (exact.ours) raw.sets = setsOf(index, raw.soup.triangles.size(), raw.complaints);
     if (exact.order.empty()) return raw;
     reorder(raw.soup.triangles, exact.order, 1);
     reorder(raw.soup.surfaceOf, exact.order, 1);
@@ -163,6 +166,41 @@ GltfMeshReader::Exact GltfMeshReader::exactOf(int mesh, std::vector<std::string>
     exact.ours = true;
     exact.materials = surfacesIn(*ours, where, complaints);
     return exact;
+}
+
+/// Those that fit; of a mesh that has other triangles now, none.
+std::vector<NamedTriangles> GltfMeshReader::setsOf(int mesh, std::size_t triangles,
+                                                   std::vector<std::string>& complaints) const {
+    const Json* all = extensionOf(file_.json["meshes"][std::size_t(mesh)]);
+    const Json* ours = all ? member(*all, "sets") : nullptr;
+    if (!ours) return {};
+    const Json* parts = member(*ours, "parts");
+    const Json* of = member(*ours, "of");
+    const bool fits = of && *of == triangles && parts && parts->is_array() && parts->size() <= kMaxSets;
+    if (!fits) complaints.push_back(whereIsMesh(mesh) + ".sets is of another mesh");
+    std::map<std::string, TriangleRanges> sets;
+    std::size_t count = 0;
+    const auto take = [&](const Json& part) {
+        const Json* name = part.is_object() ? member(part, "name") : nullptr;
+        if (!name || !name->is_string() || !part.contains("ranges")) return false;
+        bool isWhole = true;
+        auto ranges = rawView<TriangleRange>(part, "ranges", isWhole);
+        const std::string shown = printable(name->get<std::string>(), kLongestName);
+        if (!isWhole || shown.empty() || ranges.empty() || !areTriangleRanges(ranges, triangles))
+            return false;
+        count += ranges.size();
+        return count <= mostRanges(triangles) && sets.emplace(shown, std::move(ranges)).second;
+    };
+    std::size_t wrong = 0;
+    for (const Json& part : fits ? *parts : Json::array())
+        wrong += !take(part);
+    if (wrong > 0)
+        complaints.push_back(whereIsMesh(mesh) + ".sets has " + counted(wrong, "set") +
+                             " without a name of its own or that is no list of triangles");
+    std::vector<NamedTriangles> rising;
+    for (auto& [name, ranges] : sets)
+        rising.push_back({name, std::move(ranges)});
+    return rising;
 }
 
 std::vector<int> GltfMeshReader::surfacesIn(const Json& ours, const std::string& where,

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/files/gltf/gltf_model.h"
 #include "core/geometry/soup_builder.h"
+#include "core/scene/scene.h"
 #include "core/surface/painted_values.h"
 
 namespace tactum {
@@ -17,6 +18,7 @@ namespace tactum {
 struct RawMesh {
     TriangleSoup soup;
     std::vector<int> materials; ///< of each surface; -1 for none
+    std::vector<NamedTriangles> sets;
     /// What is painted on it, by the numbers of the attributes; as many values as positions.
     std::map<int, std::shared_ptr<const PaintedValues>> paints;
     BuildReport report;
@@ -47,6 +49,8 @@ private:
     struct Exact;
 
     Exact exactOf(int mesh, std::vector<std::string>& complaints) const;
+    std::vector<NamedTriangles> setsOf(int mesh, std::size_t triangles,
+                                       std::vector<std::string>& complaints) const;
     std::vector<int> surfacesIn(const Json& ours, const std::string& where,
                                 std::vector<std::string>& complaints) const;
     /// Of a kind that is not T: empty, and `fits` becomes false.

@@ -79,6 +79,7 @@ void visitMesh(Json& mesh, const Visit& visit) {
     for (const char* key : {"positions", "copies", "order", "uvs"})
         visit(ours, key, "bufferViews");
     visit.all(ours, "surfaces", "materials");
+    Visit::each(Visit::in(ours, "sets"), "parts", [&](Json& set) { visit(&set, "ranges", "bufferViews"); });
 }
 
 void visitMaterial(Json& material, const Visit& visit) {

@@ -25,6 +25,7 @@
 #include "core/files/gltf/write_physics.h"
 #include "core/files/images/read_image.h"
 #include "core/files/readers.h"
+#include "core/scene/selection_sets.h"
 
 namespace tactum {
 namespace {
@@ -294,6 +295,7 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
     if (loaded_.scene.objects.size() == before) return;
     SceneObject& object = loaded_.scene.objects.back();
     object.geometry = shelf_.shared(object.geometry);
+    if (areSetsOf(raw.sets, object.geometry->triangles.size())) object.sets = raw.sets;
     object.pose = placed.pose;
     object.motion = placed.motion;
     if (const auto body = bodyOfNode_.find(placed.node); body != bodyOfNode_.end())

@@ -57,6 +57,7 @@ private:
                    Paints& paints);
     int paintAccessor(const std::shared_ptr<const PaintedValues>& painted, Stored& store);
     int addMaterial(const SceneObject& object, Index at, Paints& paints);
+    Json setsJson(const SceneObject& object);
     int addMesh(const SceneObject& object);
     int addShapeMesh(const std::shared_ptr<const ShapeMesh>& mesh);
     int addNode(const SceneObject& object);
@@ -202,6 +203,14 @@ GltfWriter::Stored& GltfWriter::stored(const std::shared_ptr<const TriangleSoup>
     return store;
 }
 
+/// With how many triangles the mesh has, so that a reader finds out when it is another one.
+Json GltfWriter::setsJson(const SceneObject& object) {
+    Json sets = Json::array();
+    for (const NamedTriangles& each : object.sets)
+        sets.push_back({{"name", each.name}, {"ranges", data_.addRawView(each.triangles)}});
+    return {{"of", object.geometry->triangles.size()}, {"parts", std::move(sets)}};
+}
+
 int GltfWriter::addMesh(const SceneObject& object) {
     constexpr int kModes[] = {0, 1, 4};
     Stored& store = stored(object.geometry, object.surfaces.size());
@@ -209,6 +218,7 @@ int GltfWriter::addMesh(const SceneObject& object) {
     Paints paints;
     for (Index i = 0; i < object.surfaces.size(); ++i)
         ours["surfaces"].push_back(addMaterial(object, i, paints));
+    if (!object.sets.empty()) ours["sets"] = setsJson(object);
     Json attributes = store.attributes;
     for (std::size_t i = 0; i < paints.size(); ++i)
         attributes[std::string(kPaintAttribute) + std::to_string(i)] = paintAccessor(paints[i], store);
@@ -223,7 +233,7 @@ int GltfWriter::addMesh(const SceneObject& object) {
     mesh["primitives"] = std::move(primitives);
     if (Json* before =
             objectAt(mesh, "extensions").contains(kExtension) ? &mesh["extensions"][kExtension] : nullptr) {
-        for (const char* key : {"surfaces", "positions", "copies", "order", "uvs"})
+        for (const char* key : {"surfaces", "positions", "copies", "order", "uvs", "sets"})
             before->erase(key); // of the geometry of then
         keepUnknownKeys(*before, ours);
     }

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/path.h"
 #include "core/files/gltf/gltf_surface.h"
+#include "core/scene/selection_sets.h"
 #include "core/scene/world_fields.h"
 
 namespace tactum {
@@ -180,7 +181,16 @@ std::string formatSchema() {
          {"copies",
           view("unsigned 32 bits for each vertex beyond the positions: the position that it repeats.")},
          {"order", view("unsigned 32 bits for each element as drawn: its place in the author's order.")},
-         {"uvs", view("texture coordinates with v upward, two floats for each vertex.")}});
+         {"uvs", view("texture coordinates with v upward, two floats for each vertex.")},
+         {"sets",
+          object(
+              "Selection sets: triangles under names, by their numbers in the author's order.",
+              {{"of", index("How many triangles the mesh has; with another number no set counts.")},
+               {"parts", listOf(object("A set.", {{"name", text("Not empty, each once.")},
+                                                  {"ranges", view("unsigned 32 bits, two for each run of "
+                                                                  "neighbouring triangles: the first, and "
+                                                                  "the first that is not in it; rising.")}}),
+                                0, kMaxSets)}})}});
     const Schema node = object(
         "extensions.TACTUM_haptics of a node.",
         {{"visible", flag("Whether it is seen and felt.")},

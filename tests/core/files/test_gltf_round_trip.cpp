@@ -4,6 +4,7 @@
 #include "core/files/gltf/gltf_file.h"
 #include "core/files/gltf/write_gltf.h"
 #include "core/files/save_scene.h"
+#include "core/scene/selection_sets.h"
 #include "tests/core/files/json_text.h"
 #include "tests/core/files/mesh_files.h"
 #include "tests/support/compare.h"
@@ -112,6 +113,62 @@ private slots:
                 if (!loaded) continue; // refused: as good
                 QVERIFY2(glbOf(loaded->scene), place);
             }
+    }
+
+    void selectionSetsComeBack() {
+        Scene scene = painted();
+        scene.objects[0].sets = {{"nail & rim", {{1, 3}}}, {"skin", {{0, 1}, {2, 3}}}};
+        const std::string glb = saved(scene);
+        const Scene again = load(glb);
+        QCOMPARE(difference(scene, again), std::string());
+        QCOMPARE(saved(again), glb);
+        Scene without = again;
+        without.objects[0].sets.clear();
+        QCOMPARE(load(saved(without)).objects[0].sets.size(), 0u);
+    }
+
+    /// Whatever stands there: the scene is read, and the sets that are whole are kept.
+    void selectionSetsThatDoNotFitAreSaid() {
+        Scene scene = painted();
+        scene.objects[0].sets = {{"a", {{0, 2}}}, {"b", {{2, 3}}}};
+        const auto files = gltfFilesOf(scene, "scene");
+        VERIFY_RESULT(files);
+        const Json whole = Json::parse(files->json);
+        const std::string sets = "/meshes/0/extensions/TACTUM_haptics/sets";
+        const auto readWith = [&](const std::string& place, const Json& value) {
+            Json json = whole;
+            json[Json::json_pointer(sets + place)] = value;
+            folder_.write(files->binaryName, files->binary);
+            return folder_.load("scene.gltf", json.dump());
+        };
+        const Json& parts = whole[Json::json_pointer(sets + "/parts")];
+        const Json many(std::vector<Json>(kMaxSets + 1, parts[0]));
+        const struct {
+            const char* place;
+            Json value;
+            std::size_t kept;
+        } cases[] = {{"/of", 4, 0},
+                     {"/of", "3", 0},
+                     {"/parts", 7, 0},
+                     {"/parts", many, 0},
+                     {"", Json::array(), 0},
+                     {"/parts/0", 7, 1},
+                     {"/parts/0/name", Json(), 1},
+                     {"/parts/0/name", "", 1},
+                     {"/parts/0/name", "b", 1},
+                     {"/parts/0/ranges", -1, 1},
+                     {"/parts/0/ranges", 1e300, 1},
+                     {"/parts/0/ranges", 100'000, 1},
+                     {"/parts/0/ranges", 0, 1}}; // the positions
+        for (const auto& [place, value, kept] : cases) {
+            const auto loaded = readWith(place, value);
+            VERIFY_RESULT(loaded);
+            QCOMPARE(loaded->scene.objects[0].sets.size(), kept);
+            const auto said = std::ranges::find_if(loaded->findings, [](const Finding& finding) {
+                return finding.sentence.find(".sets ") != std::string::npos;
+            });
+            QVERIFY2(said != loaded->findings.end(), place);
+        }
     }
 
     /// tinygltf takes it for none; so do the views that are moved together when they are written.

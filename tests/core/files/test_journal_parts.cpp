@@ -88,6 +88,7 @@ private slots:
         const auto with = [&](double stiffness) {
             Scene scene = now;
             scene.objects[0].surfaces[0].material.stiffness = stiffness;
+            scene.objects[0].sets = {{"rim", {{0, Index(stiffness)}}}};
             return scene;
         };
         const SceneHistory history{{{"cut", sceneOf(100, 50)}, {"softer", with(300)}},
@@ -102,6 +103,8 @@ private slots:
         QCOMPARE(back->done[1].text, "softer");
         QCOMPARE(back->done[1].scene.objects[0].surfaces[0].material.stiffness, 300.0);
         QCOMPARE(back->undone[0].scene.objects[0].surfaces[0].material.stiffness, 900.0);
+        QCOMPARE(back->undone[0].scene.objects[0].sets, with(900).objects[0].sets);
+        QCOMPARE(back->done[0].scene.objects[0].sets.size(), 0u);
         QVERIFY(back->done[1].scene.objects[0].geometry == loaded->scene.objects[0].geometry);
         QCOMPARE(back->done[0].scene.objects[0].geometry->positions.size(), 50u);
     }

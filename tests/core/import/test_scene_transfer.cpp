@@ -62,6 +62,7 @@ LoadedScene richScene() {
     object.geometry = soup;
     object.surfaces = {surface, Surface{}};
     object.visible = false;
+    object.sets = {{"rim", {{0, 1}}}};
     object.kept = {4, std::make_shared<const std::string>("{\"node\":1}")};
     object.keptMesh = {5, nullptr};
     LoadedScene loaded;
@@ -142,6 +143,7 @@ private slots:
         QVERIFY(*got.motion == *sent.motion);
         QCOMPARE_EQ(got.pose.translation, sent.pose.translation);
         QCOMPARE_EQ(got.visible, sent.visible);
+        QCOMPARE(got.sets, sent.sets);
         QVERIFY(got.pose.rotation.coeffs() == sent.pose.rotation.coeffs());
         const TextureImage &picture = *sent.surfaces[0].layers[0].pattern.image,
                            &copy = *got.surfaces[0].layers[0].pattern.image;
@@ -179,6 +181,10 @@ private slots:
             [](LoadedScene& s) { s.scene.objects[0].surfaces[0].layers[0].blend = TextureBlend(9); },
             [](LoadedScene& s) { s.scene.objects[0].geometry = nullptr; },
             [](LoadedScene& s) { s.scene.objects[0].id = 0; },
+            [](LoadedScene& s) { s.scene.objects[0].sets[0].name.clear(); },
+            [](LoadedScene& s) { s.scene.objects[0].sets[0].triangles.clear(); },
+            [](LoadedScene& s) { s.scene.objects[0].sets[0].triangles[0].end = ~Index(0); },
+            [](LoadedScene& s) { s.scene.objects[0].sets.push_back(s.scene.objects[0].sets[0]); },
             [](LoadedScene& s) { s.scene.objects[0].id = s.scene.objects[1].id; },
             [](LoadedScene& s) { s.scene.objects[0].id = ~ObjectId(0); },
         };

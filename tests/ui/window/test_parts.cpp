@@ -545,6 +545,92 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(desk.count(), std::size_t(0), kPatience);
         }
     }
+
+    /// By the mouse in the list, one step; kept in the file.
+    void rowsAreDraggedToAnotherPlace() {
+        Desk desk;
+        addThree(desk);
+        const Scene before = desk.scene();
+        const auto dragTo = [&](int row, QPoint to) {
+            const QPoint from = desk.outliner.visualItemRect(desk.outliner.topLevelItem(row)).center();
+            QWidget& list = *desk.outliner.viewport();
+            QTest::mousePress(&list, Qt::LeftButton, {}, from);
+            QTest::mouseMove(&list, (from + to) / 2);
+            QTest::mouseMove(&list, to);
+            QTest::mouseRelease(&list, Qt::LeftButton, {}, to);
+        };
+        const auto top = [&](int row) {
+            return desk.outliner.visualItemRect(desk.outliner.topLevelItem(row)).topLeft() + QPoint(20, 2);
+        };
+        dragTo(2, top(0));
+        QCOMPARE(desk.names(), (std::vector<std::string>{"c", "a", "b"}));
+        QCOMPARE(desk.outliner.topLevelItem(0)->text(0), QStringLiteral("c"));
+        QCOMPARE(desk.document.selectedObjects(), std::vector{desk.named("c").id});
+        // Two that are selected go together.
+        desk.document.selectObjects({desk.named("c").id, desk.named("a").id});
+        dragTo(0, desk.outliner.visualItemRect(desk.outliner.topLevelItem(2)->child(1)).center());
+        QCOMPARE(desk.names(), (std::vector<std::string>{"b", "c", "a"}));
+        const QString file = folder_.filePath(QStringLiteral("order.glb"));
+        desk.document.save(std::filesystem::path(file.toStdU16String()));
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.document.saving(), kPatience);
+        desk.document.history().undo();
+        desk.document.history().undo();
+        QVERIFY2(desk.scene() == before, "two steps");
+        desk.document.history().redo();
+        desk.document.history().redo(); // or it would ask whether to save
+        desk.document.open(std::filesystem::path(writeCube(folder_).toStdU16String()));
+        QVERIFY(desk.added(1));
+        QVERIFY(desk.program.open(file));
+        QCOMPARE(desk.names(), (std::vector<std::string>{"b", "c", "a"}));
+    }
+
+    void keysMoveObjectsInTheList() {
+        Desk desk;
+        addThree(desk);
+        desk.document.selectObjects({desk.named("b").id});
+        desk.key(Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(desk.names(), (std::vector<std::string>{"b", "a", "c"}));
+        desk.key(Qt::Key_Up, Qt::AltModifier); // it is the first already
+        desk.key(Qt::Key_Down, Qt::AltModifier);
+        desk.key(Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(desk.names(), (std::vector<std::string>{"a", "c", "b"}));
+        QCOMPARE(desk.document.selectedObjects(), std::vector{desk.named("b").id});
+    }
+
+    void objectsComeIntoLine() {
+        Desk desk;
+        addThree(desk);
+        const auto box = [&](const char* name) { return boundsOf(desk.named(name)); };
+        const Bounds last = box("c");
+        desk.document.selectObjects({desk.named("a").id, desk.named("b").id, desk.named("c").id});
+        const int steps = desk.document.history().count();
+        desk.program.command("align-z-high").trigger();
+        COMPARE_NEAR(box("a").high.z(), last.high.z(), 1e-9, "m");
+        COMPARE_NEAR(box("b").high.z(), last.high.z(), 1e-9, "m");
+        QCOMPARE(desk.document.history().count(), steps + 1);
+        desk.program.command("align-z-high").trigger();
+        COMPARE_CONTAINS(desk.notice.text(), QStringLiteral("They are so already."));
+        desk.program.command("distribute-x").trigger();
+        std::vector<double> middles{box("a").centre().x(), box("b").centre().x(), box("c").centre().x()};
+        std::ranges::sort(middles);
+        COMPARE_NEAR(middles[2] - middles[1], middles[1] - middles[0], 1e-9, "m");
+        desk.document.selectObjects({desk.named("c").id});
+        desk.program.command("align-x-low").trigger();
+        COMPARE_CONTAINS(desk.notice.text(), QStringLiteral("Select two or more objects"));
+    }
+
+private:
+    /// a, b and c, of several sizes.
+    void addThree(Desk& desk) {
+        desk.document.begin({});
+        std::size_t count = 0;
+        for (const auto& [name, size] : {std::pair{"a", 0.03}, {"b", 0.05}, {"c", 0.08}}) {
+            desk.document.add(
+                {{std::filesystem::path(writeModel(folder_, name, size).toStdU16String()), {}}});
+            QVERIFY(desk.added(++count));
+        }
+        desk.document.selectObjects({});
+    }
 };
 
 TACTUM_GUI_TEST(TestParts)

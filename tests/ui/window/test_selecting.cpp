@@ -1,16 +1,23 @@
 // Selecting in the view with real events: what a click and a box take, what grows from it, and what is done.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QInputDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 #include <QUndoStack>
 
+#include "core/scene/selection_sets.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
+#include "ui/widgets/notice_bar.h"
 
 namespace test_selecting {
 
@@ -39,6 +46,41 @@ class TestSelecting : public QObject {
         click(program);
         return faces(program).size() == 1;
     }
+    /// Types into the next dialog that asks for a text.
+    static void answerWith(const QString& text) {
+        auto* timer = new QTimer;
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            dialog->setTextValue(text);
+            dialog->accept();
+            timer->deleteLater();
+        });
+        timer->start(20);
+    }
+    static void keepAs(TouchedWindow& program, const QString& name) {
+        answerWith(name);
+        command(program, "set-keep").trigger();
+    }
+    /// Through the menu behind the button in the row, by clicks.
+    static void chooseSet(TouchedWindow& program, std::initializer_list<const char*> path) {
+        auto* button = program.window->findChild<QToolButton*>(QStringLiteral("sets-button"));
+        QMenu* menu = button->menu();
+        menu->popup(button->mapToGlobal(QPoint(0, button->height())));
+        for (const char* words : path) {
+            QAction* found = nullptr;
+            for (QAction* action : menu->actions())
+                if (withoutLetter(action->text()) == QLatin1String(words)) found = action;
+            if (!found || !found->isEnabled()) qFatal("there is no entry %s", words);
+            QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(found).center());
+            if (found->menu()) menu = found->menu();
+        }
+    }
+    /// "rim && &lid" as "rim & lid"
+    static QString withoutLetter(QString text) {
+        const QChar two(1);
+        return text.replace(QStringLiteral("&&"), two).remove(u'&').replace(two, QStringLiteral("&"));
+    }
 
 private slots:
     static void initMain() { prepareProcess(); }
@@ -59,6 +101,10 @@ private slots:
     void theRowShowsWhatAClickTakes();
     void whatIsSelectedKeepsItsName();
     void aWholeSurfaceIsNoPart();
+    void aSelectionIsKeptAsASet();
+    void aSetIsChangedByItsMenu();
+    void aSetOfSurfacesSelectsSurfaces();
+    void thePaletteFindsSets();
 };
 
 void TestSelecting::aClickTakesWhatTheRowSays_data() {
@@ -411,6 +457,104 @@ void TestSelecting::aWholeSurfaceIsNoPart() {
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
     QVERIFY(program.document.scene() == before);
     QCOMPARE_EQ(program.document.history().count(), 0);
+}
+
+/// Triangles, over a split, undo and a file.
+void TestSelecting::aSelectionIsKeptAsASet() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(takeTriangle(program));
+    command(program, "grow").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(4), kPatience);
+    const std::vector<Index> kept = faces(program);
+    const Scene before = program.document.scene();
+    keepAs(program, QStringLiteral("rim & lid"));
+    QCOMPARE(setNames(program.document.scene()), std::vector<std::string>{"rim & lid"});
+    program.document.history().undo();
+    QVERIFY2(program.document.scene() == before, "one step");
+    program.document.history().redo();
+    command(program, "select-none").trigger();
+    chooseSet(program, {"rim & lid"});
+    QCOMPARE(faces(program), kept);
+    program.document.splitSelection();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.editing(), kPatience);
+    const QString file = folder_.filePath(QStringLiteral("kept.glb"));
+    program.document.save(std::filesystem::path(file.toStdU16String()));
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.saving(), kPatience);
+    QVERIFY(program.open(file));
+    command(program, "select-none").trigger();
+    chooseSet(program, {"rim & lid"});
+    QCOMPARE(program.document.selected().size(), 1u); // of the new surface it is the whole
+    QCOMPARE(program.document.selectedTriangles().begin()->second, kept);
+}
+
+void TestSelecting::aSetIsChangedByItsMenu() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const ObjectId cube = program.document.scene().objects[0].id;
+    const auto rim = [&](const char* name) {
+        const SceneTriangles set = trianglesOfSet(program.document.scene(), name);
+        return set.empty() ? TriangleSet() : set.at(cube);
+    };
+    command(program, "select").trigger();
+    program.document.select(SurfaceRef{cube, 0});
+    program.document.selectFaces({cube, {1, 4}});
+    keepAs(program, QStringLiteral("rim"));
+    program.document.selectFaces({cube, {7}});
+    chooseSet(program, {"Add the selection to", "rim"});
+    QCOMPARE(rim("rim"), (TriangleSet{1, 4, 7}));
+    chooseSet(program, {"Replace by the selection", "rim"});
+    QCOMPARE(rim("rim"), TriangleSet{7});
+    answerWith(QStringLiteral("edge"));
+    chooseSet(program, {"Rename the set", "rim"});
+    QCOMPARE(rim("edge"), TriangleSet{7});
+    keepAs(program, QStringLiteral("edge")); // there already: said, and left
+    const auto* notice = program.window->findChild<NoticeBar*>();
+    QVERIFY2(notice->text().contains(QStringLiteral("There is a set edge already")),
+             qPrintable(notice->text()));
+    chooseSet(program, {"Remove the set", "edge"});
+    QCOMPARE(setNames(program.document.scene()), std::vector<std::string>());
+    QCOMPARE(program.document.history().count(), 5);
+}
+
+void TestSelecting::aSetOfSurfacesSelectsSurfaces() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    const ObjectId cube = program.document.scene().objects[0].id;
+    program.document.duplicate({cube});
+    const ObjectId copy = program.document.scene().objects[1].id;
+    command(program, "select").trigger();
+    const SurfaceRefs both{SurfaceRef{cube, 2}, SurfaceRef{copy, 3}};
+    program.document.select(both);
+    keepAs(program, QStringLiteral("two sides"));
+    command(program, "select-none").trigger();
+    chooseSet(program, {"two sides"});
+    QVERIFY2(program.document.selected() == both, "the surfaces that were kept");
+    QVERIFY2(program.document.selectedFaces().empty(), "and no triangles");
+    // Parts of surfaces on two objects: those of the active one, and a line.
+    program.document.select(SurfaceRef{copy, 0});
+    program.document.selectFaces({copy, {0}});
+    chooseSet(program, {"Add the selection to", "two sides"});
+    chooseSet(program, {"two sides"});
+    QCOMPARE(program.document.selectedFaces().object, copy);
+    QCOMPARE(faces(program).size(), 3u);
+    const auto* notice = program.window->findChild<NoticeBar*>();
+    QVERIFY2(notice->text().contains(QStringLiteral("on 2 objects")), qPrintable(notice->text()));
+}
+
+void TestSelecting::thePaletteFindsSets() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    QVERIFY(takeTriangle(program));
+    const std::vector<Index> kept = faces(program);
+    keepAs(program, QStringLiteral("rim"));
+    command(program, "select-none").trigger();
+    command(program, "palette").trigger();
+    auto* line = program.window->findChild<QLineEdit*>(QStringLiteral("palette-line"));
+    QVERIFY2(line, "the palette is open");
+    QTest::keyClicks(line, QStringLiteral("select set rim"));
+    QTest::keyClick(line, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(faces(program), kept, kPatience);
 }
 
 TACTUM_GUI_TEST(TestSelecting)
