@@ -16,6 +16,7 @@
 
 #include "ui/controllers/compare_controller.h"
 #include "ui/controllers/preset_controller.h"
+#include "ui/controllers/section_controller.h"
 #include "ui/document/journal.h"
 #include "ui/document/layer_edits.h"
 #include "ui/document/recent_files.h"
@@ -105,6 +106,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectSaving();
     connectEdit();
     connectView();
+    new SectionController(bench_);
     connectSelecting();
     connectArranging();
     connectSurfaces();
@@ -147,6 +149,7 @@ QWidget* MainWindow::makeCentre() {
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     auto* head = new QVBoxLayout;
+    head->setObjectName(QStringLiteral("strips")); // Workbench::strips() knows it by that
     head->setSpacing(0);
     head->addWidget(recoveryBar_);
     head->addWidget(notice_);
