@@ -18,16 +18,33 @@ constexpr double kDepthNoise = 1e-11;
 /// What is farther outside of the view than this is cut to it: a whole number has no more room.
 constexpr double kFarOutside = 1e6;
 
-/// A triangle as it shows on the screen: cut at the near plane, three or four corners.
+/// The part of a polygon whose product with a plane of clip space is not negative.
+struct Polygon {
+    std::array<Clip, 5> corners;
+    std::size_t count = 0;
+
+    Polygon cut(const Clip& plane) const {
+        Polygon kept;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Clip &a = corners[i], &b = corners[(i + 1) % count];
+            const double heightA = plane.dot(a), heightB = plane.dot(b);
+            if (heightA >= 0) kept.corners[kept.count++] = a;
+            if ((heightA >= 0) != (heightB >= 0))
+                kept.corners[kept.count++] = a + heightA / (heightA - heightB) * (b - a);
+        }
+        return kept;
+    }
+};
+
+/// A triangle as it shows on the screen: cut at the near plane and the section, three to five corners.
 class ScreenFace {
 public:
-    ScreenFace(const std::array<Clip, 3>& corners, int width, int height) : width_(width), height_(height) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Clip &a = corners[i], &b = corners[(i + 1) % 3];
-            const double heightA = a.z() + a.w(), heightB = b.z() + b.w();
-            if (heightA >= 0) add(a);
-            if ((heightA >= 0) != (heightB >= 0)) add(a + heightA / (heightA - heightB) * (b - a));
-        }
+    ScreenFace(const std::array<Clip, 3>& corners, const Clip& kept, int width, int height)
+        : width_(width), height_(height) {
+        const Clip near(0, 0, 1, 1);
+        const Polygon face = Polygon{{corners[0], corners[1], corners[2]}, 3}.cut(near).cut(kept);
+        for (std::size_t i = 0; i < face.count; ++i)
+            add(face.corners[i]);
         if (count_ > 0) layDepth();
     }
 
@@ -130,7 +147,7 @@ bool eachFace(const BodyInView& body, int width, int height, const Progress& pro
         if (!meter.goesOn(t)) return false;
         if (!body.shown[soup.surfaceOf[t]]) continue;
         const auto& c = soup.triangles[t];
-        const ScreenFace face({clip[c[0]], clip[c[1]], clip[c[2]]}, width, height);
+        const ScreenFace face({clip[c[0]], clip[c[1]], clip[c[2]]}, body.kept, width, height);
         if (!face.empty()) f(t, face);
     }
     return true;

@@ -20,6 +20,8 @@ struct BodyInView {
     /// Projection times view times the body's pose, column vectors, clip space as OpenGL has it.
     Eigen::Matrix4d clipFromBody = Eigen::Matrix4d::Identity();
     std::vector<char> shown; ///< of each surface of the soup whether it can be seen
+    /// Clip space: what is there gives no negative product with it. Zeros: all is.
+    Eigen::Vector4d kept = Eigen::Vector4d::Zero();
 
     bool operator==(const BodyInView&) const = default;
 };

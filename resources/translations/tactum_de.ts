@@ -595,6 +595,10 @@
             <translation>Haptik &amp;kopieren</translation>
         </message>
         <message>
+            <source>&amp;Cut the model open</source>
+            <translation>Modell auf&amp;schneiden</translation>
+        </message>
+        <message>
             <source>&amp;Cylinder</source>
             <translation>&amp;Zylinder</translation>
         </message>
@@ -881,6 +885,10 @@
         <message>
             <source>&amp;Save the study as...</source>
             <translation>Studie &amp;speichern unter...</translation>
+        </message>
+        <message>
+            <source>&amp;Section plane</source>
+            <translation>S&amp;chnittebene</translation>
         </message>
         <message>
             <source>&amp;Select</source>
@@ -1295,6 +1303,10 @@
             <translation>Ein Ort auf der Achse des Gelenks, in der Welt.</translation>
         </message>
         <message>
+            <source>A plane with handles cuts the model in the view; what is felt and saved stays whole</source>
+            <translation>Eine Ebene mit Griffen schneidet das Modell in der Ansicht auf; was gefühlt und gespeichert wird, bleibt ganz</translation>
+        </message>
+        <message>
             <source>A plate lies below the middle. Press on it and stroke: it holds, then lets go and slides.</source>
             <translation>Unter der Mitte liegt eine Platte. Darauf drücken und streichen: Sie hält, lässt dann los und gleitet.</translation>
         </message>
@@ -1409,6 +1421,18 @@
         <message>
             <source>Above the layer that lies on it</source>
             <translation>Über die Ebene, die auf ihr liegt</translation>
+        </message>
+        <message>
+            <source>Across &amp;x</source>
+            <translation>Quer zu &amp;x</translation>
+        </message>
+        <message>
+            <source>Across &amp;y</source>
+            <translation>Quer zu &amp;y</translation>
+        </message>
+        <message>
+            <source>Across &amp;z</source>
+            <translation>Quer zu &amp;z</translation>
         </message>
         <message>
             <source>Add</source>
@@ -2014,6 +2038,22 @@
         <message>
             <source>Ctrl snaps, Shift is fine, Esc gives up</source>
             <translation>Strg rastet ein, Umschalt ist fein, Esc bricht ab</translation>
+        </message>
+        <message>
+            <source>Cut across</source>
+            <translation>Schnitt quer zu</translation>
+        </message>
+        <message>
+            <source>Cut across the x axis, in the middle</source>
+            <translation>Schnitt quer zur x-Achse, in der Mitte</translation>
+        </message>
+        <message>
+            <source>Cut across the y axis, in the middle</source>
+            <translation>Schnitt quer zur y-Achse, in der Mitte</translation>
+        </message>
+        <message>
+            <source>Cut across the z axis, in the middle</source>
+            <translation>Schnitt quer zur z-Achse, in der Mitte</translation>
         </message>
         <message>
             <source>Cylinder</source>
@@ -3971,6 +4011,10 @@
             <translation>Ursprung</translation>
         </message>
         <message>
+            <source>Other side</source>
+            <translation>Andere Seite</translation>
+        </message>
+        <message>
             <source>Outliner</source>
             <translation>Szenenliste</translation>
         </message>
@@ -4081,6 +4125,10 @@
         <message>
             <source>Place</source>
             <translation>Lage</translation>
+        </message>
+        <message>
+            <source>Place of the plane along its normal</source>
+            <translation>Ort der Ebene längs ihrer Normalen</translation>
         </message>
         <message>
             <source>Place x</source>
@@ -5164,6 +5212,10 @@ der Grenze rendern</translation>
             <translation>Der &amp;Ursprung</translation>
         </message>
         <message>
+            <source>The &amp;other side</source>
+            <translation>Die &amp;andere Seite</translation>
+        </message>
+        <message>
             <source>The answers are in %1, the touch beside them. The forces are off.</source>
             <translation>Die Antworten sind in %1, die Berührung daneben. Die Kräfte sind aus.</translation>
         </message>
@@ -6224,6 +6276,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Ihre bisherigen Antworten bleiben erhalten, und der Lauf kann fortgesetzt werden.</translation>
         </message>
         <message>
+            <source>What was cut away is there, and what was there is cut away</source>
+            <translation>Was weggeschnitten war, ist da, und was da war, ist weggeschnitten</translation>
+        </message>
+        <message>
             <source>What was edited when the program last stopped cannot be recovered: its journal is damaged. It was kept in %1.</source>
             <translation>Was beim letzten Programmende bearbeitet wurde, kann nicht wiederhergestellt werden: Das Journal ist beschädigt. Es wurde in %1 aufbewahrt.</translation>
         </message>
@@ -6322,6 +6378,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>While this button is held the handle moves and the finger stays</source>
             <translation>Solange diese Taste gehalten wird, bewegt sich der Griff und der Finger bleibt</translation>
+        </message>
+        <message>
+            <source>Whole again</source>
+            <translation>Wieder ganz</translation>
         </message>
         <message>
             <source>Width of one repeat on the surface; for noise, of its coarsest grain. The height of an image follows from its proportions.</source>
@@ -6454,6 +6514,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>as you chose</source>
             <translation>wie von Ihnen gewählt</translation>
+        </message>
+        <message>
+            <source>at</source>
+            <translation>bei</translation>
         </message>
         <message>
             <source>at limit</source>

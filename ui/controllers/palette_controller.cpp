@@ -35,8 +35,8 @@ QString menuPath(const char* menu) {
 
 } // namespace
 
-PaletteController::PaletteController(const Workbench& bench, Folds& folds, const QStackedWidget& centre,
-                                     QWidget& importBar)
+PaletteController::PaletteController(const Workbench& bench, Folds& folds, SelectionSetsMenu& sets,
+                                     const QStackedWidget& centre, QWidget& importBar)
     : QObject(&bench.window), bench_(bench), folds_(folds), sets_(sets) {
     bench.on("palette", this, [this] { open(); });
     const auto docks =

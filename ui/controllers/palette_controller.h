@@ -12,6 +12,7 @@ class QStackedWidget;
 namespace tactum {
 
 class Folds;
+class SelectionSetsMenu;
 struct PaletteEntry;
 
 /// Thread: ui.
@@ -19,7 +20,8 @@ class PaletteController : public QObject {
     Q_OBJECT
 public:
     /// Made when all docks are there. The keys go from what is in the centre over `importBar` to the docks.
-    PaletteController(const Workbench& bench, Folds& folds, const QStackedWidget& centre, QWidget& importBar);
+    PaletteController(const Workbench& bench, Folds& folds, SelectionSetsMenu& sets,
+                      const QStackedWidget& centre, QWidget& importBar);
 
 signals:
     void fileChosen(const QString& file);
@@ -32,6 +34,7 @@ private:
 
     Workbench bench_;
     Folds& folds_;
+    SelectionSetsMenu& sets_;
 };
 
 } // namespace tactum

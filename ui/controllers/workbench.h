@@ -9,6 +9,7 @@
 
 #include "ui/base/shortcuts.h"
 
+class QBoxLayout;
 class QDockWidget;
 
 namespace tactum {
@@ -39,6 +40,8 @@ struct Workbench {
     }
     /// By its object name, "dock-health"; it must be there.
     QDockWidget& dock(const char* name) const;
+    /// Where the rows of tools stand over the upper edge of the view.
+    QBoxLayout& strips() const;
 };
 
 } // namespace tactum

@@ -28,10 +28,24 @@ Eigen::Matrix4d matrixOf(const Pose& pose) {
     return matrix;
 }
 
+/// Clip space: what a section leaves, as BodyInView has it.
+Eigen::Vector4d keptBy(const std::optional<SectionPlane>& section, const Eigen::Matrix4d& clipFromWorld) {
+    if (!section) return Eigen::Vector4d::Zero();
+    Eigen::Vector4d kept_W;
+    kept_W << -section->normal(), section->normal().dot(section->frame.translation);
+    return clipFromWorld.inverse().transpose() * kept_W;
+}
+
 /// Exact, where a mask is as fine as its pixels.
 TriangleSet inBox(const BodyInView& body, const ScreenBox& box) {
     TriangleSet set = trianglesInBox(*body.soup, body.clipFromBody, box);
-    std::erase_if(set, [&](Index face) { return !body.shown[body.soup->surfaceOf[face]]; });
+    const auto isCutAway = [&](Index corner) {
+        return body.kept.dot(body.clipFromBody * body.soup->positions[corner].homogeneous()) < 0;
+    };
+    std::erase_if(set, [&](Index face) {
+        return !body.shown[body.soup->surfaceOf[face]] ||
+               std::ranges::all_of(body.soup->triangles[face], isCutAway);
+    });
     return set;
 }
 
@@ -49,7 +63,7 @@ RegionSelect::Sight RegionSelect::sight() const {
     for (const SceneObject& object : document_.scene().objects) {
         const auto pose = object.visible ? view_.placeOf(object.id) : std::nullopt;
         if (!pose) continue;
-        BodyInView body{object.geometry, clip * matrixOf(*pose), {}};
+        BodyInView body{object.geometry, clip * matrixOf(*pose), {}, keptBy(view_.section(), clip)};
         for (const Surface& surface : object.surfaces)
             body.shown.push_back(surface.visible);
         sight.bodies.push_back(std::move(body));

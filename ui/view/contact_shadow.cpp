@@ -31,10 +31,23 @@ bool forEachTriangle(std::span<const ShadowCaster> casters, const Progress& prog
             std::array<Vec3, 3> corners;
             for (std::size_t k = 0; k < 3; ++k)
                 corners[k] = caster.X_WB.apply(soup.positions[soup.triangles[i][k]]);
-            visit(corners);
+            visit(corners, caster.section);
         }
     }
     return !progress.isCancelled();
+}
+
+/// What a section leaves of a triangle: none, three or four corners, in their order.
+std::vector<Vec3> keptOf(const std::array<Vec3, 3>& corners, const std::optional<SectionPlane>& section) {
+    if (!section) return {corners.begin(), corners.end()};
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+        const double heightA = section->height(a), heightB = section->height(b);
+        if (heightA <= 0) kept.push_back(a);
+        if ((heightA <= 0) != (heightB <= 0)) kept.push_back(a + heightA / (heightA - heightB) * (b - a));
+    }
+    return kept;
 }
 
 /// The height over the ground of the lowest triangle at each texel, m.
@@ -134,7 +147,8 @@ std::vector<std::uint8_t> darknessOf(const Picture& lowest, double side) {
 std::optional<GroundShadow> shadowOf(std::span<const ShadowCaster> casters, bool standing,
                                      const Progress& progress) {
     GroundShadow made;
-    const auto addToBox = [&](const std::array<Vec3, 3>& corners) {
+    // The ground stays where it is for all that is cut away.
+    const auto addToBox = [&](const std::array<Vec3, 3>& corners, const auto&) {
         for (const Vec3& corner : corners)
             made.casters.add(corner);
     };
@@ -147,8 +161,12 @@ std::optional<GroundShadow> shadowOf(std::span<const ShadowCaster> casters, bool
     LowestPicture picture(made);
     std::vector<ShadowCaster> chosen(casters.begin(), casters.end());
     if (standing) std::erase_if(chosen, [](const ShadowCaster& caster) { return caster.moves; });
-    if (!forEachTriangle(chosen, progress, [&](const auto& corners) { picture.add(corners); }))
-        return std::nullopt;
+    const auto draw = [&](const auto& corners, const auto& section) {
+        const std::vector<Vec3> kept = keptOf(corners, section);
+        for (std::size_t i = 2; i < kept.size(); ++i)
+            picture.add({kept[0], kept[i - 1], kept[i]});
+    };
+    if (!forEachTriangle(chosen, progress, draw)) return std::nullopt;
     made.texels = kTexels;
     made.dark = darknessOf(picture.heights(), made.side);
     return made;

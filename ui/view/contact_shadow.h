@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/base/vec.h"
 #include "core/geometry/triangle_soup.h"
+#include "ui/view/section_plane.h"
 
 namespace tactum {
 
@@ -18,7 +19,8 @@ struct ShadowCaster {
     std::shared_ptr<const TriangleSoup> soup;
     std::vector<bool> seen; ///< of each surface
     Pose X_WB;
-    bool moves = false; ///< by itself or by forces
+    bool moves = false;                       ///< by itself or by forces
+    std::optional<SectionPlane> section = {}; ///< what it cuts away casts none
 
     bool operator==(const ShadowCaster&) const = default;
 };

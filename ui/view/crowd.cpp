@@ -134,7 +134,7 @@ void Crowd::showVisible() {
 }
 
 vtkSmartPointer<vtkActor> Crowd::outlineOf(const std::vector<const CrowdPart*>& parts) const {
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<ModelMapper> mapper;
     mapper->SetInputData(cellsOf(parts));
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);

@@ -8,11 +8,11 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
 #include "core/base/vec.h"
 #include "ui/view/display_mesh.h"
+#include "ui/view/model_mapper.h"
 
 class vtkActor;
 class vtkRenderer;
@@ -53,7 +53,7 @@ private:
     std::vector<CrowdPart*> parts_;
     vtkNew<vtkPoints> points_;
     vtkNew<vtkFloatArray> positions_, normals_, colours_, glows_, gloss_; ///< of every vertex
-    vtkNew<vtkPolyDataMapper> mapper_;
+    vtkNew<ModelMapper> mapper_;
     vtkNew<vtkActor> actor_;
 };
 

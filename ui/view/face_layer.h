@@ -7,10 +7,10 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
 
 #include "core/geometry/triangle_soup.h"
 #include "ui/base/theme.h"
+#include "ui/view/model_mapper.h"
 
 class vtkMatrix4x4;
 class vtkRenderer;
@@ -30,7 +30,7 @@ public:
     void setTheme(const Theme& theme);
 
 private:
-    vtkNew<vtkPolyDataMapper> mapper_;
+    vtkNew<ModelMapper> mapper_;
     vtkNew<vtkActor> actor_;
     vtkNew<vtkPoints> points_; ///< of soup_
     std::shared_ptr<const TriangleSoup> soup_;

@@ -2,8 +2,10 @@
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
 
 #include "ui/view/gl_window.h"
 
@@ -23,16 +25,26 @@ void ModelMapper::setCoarse(vtkPolyData* mesh) {
         coarse_ = nullptr;
         return;
     }
-    coarse_ = vtkSmartPointer<vtkOpenGLPolyDataMapper>::New();
-    coarse_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    coarse_ = vtkSmartPointer<ModelMapper>::New();
     coarse_->ScalarVisibilityOff();
     coarse_->SetInputData(mesh);
 }
 
 void ModelMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor) {
     const auto* window = GlWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (coarse_ && window && window->drawsCoarse()) return coarse_->RenderPiece(renderer, actor);
-    Superclass::RenderPiece(renderer, actor);
+    if (!coarse_ || !window || !window->drawsCoarse()) return Superclass::RenderPiece(renderer, actor);
+    coarse_->SetClippingPlanes(GetClippingPlanes());
+    coarse_->RenderPiece(renderer, actor);
+}
+
+void ModelMapper::ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                                    vtkActor* actor) {
+    if (GetNumberOfClippingPlanes() > 0) {
+        std::string text = shaders[vtkShader::Fragment]->GetSource();
+        vtkShaderProgram::Substitute(text, "//VTK::Clip::Dec", "#define modelIsCut\n//VTK::Clip::Dec");
+        shaders[vtkShader::Fragment]->SetSource(text);
+    }
+    Superclass::ReplaceShaderClip(std::move(shaders), renderer, actor);
 }
 
 void ModelMapper::ReleaseGraphicsResources(vtkWindow* window) {

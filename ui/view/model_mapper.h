@@ -1,4 +1,4 @@
-// Draws a mesh, or a coarser one in its place. Private to this folder.
+// Draws a mesh, or a coarser one in its place, whole or cut open. Private to this folder.
 #pragma once
 
 #include <vtkOpenGLPolyDataMapper.h>
@@ -9,7 +9,8 @@ class vtkPolyData;
 namespace tactum {
 
 /// In windows that draw coarsely (GlWindow::setCoarse()) the coarser mesh is drawn where there is one. All
-/// that is asked of the mapper but the picture is of the exact mesh. Thread: ui.
+/// that is asked of the mapper but the picture is of the exact mesh. Where a section cuts it, the studio
+/// light shows its insides in a plain tone. Thread: ui.
 class ModelMapper : public vtkOpenGLPolyDataMapper {
 public:
     static ModelMapper* New();
@@ -23,9 +24,11 @@ public:
 
 protected:
     ModelMapper();
+    void ReplaceShaderClip(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                           vtkActor* actor) override;
 
 private:
-    vtkSmartPointer<vtkOpenGLPolyDataMapper> coarse_;
+    vtkSmartPointer<ModelMapper> coarse_;
 };
 
 } // namespace tactum

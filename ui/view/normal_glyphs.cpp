@@ -12,6 +12,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include "ui/view/model_mapper.h"
 #include "ui/view/poly_arrays.h"
 #include "ui/view/studio_light.h"
 
@@ -49,7 +50,7 @@ bool NormalGlyphs::takeFinished() {
         vtkNew<vtkPolyData> data;
         data->SetPoints(points);
         data->SetLines(cellArray(ends, 2));
-        vtkNew<vtkPolyDataMapper> mapper;
+        vtkNew<ModelMapper> mapper;
         mapper->SetInputData(data);
         auto& actor = actors_[mesh.object];
         actor->SetMapper(mapper);

@@ -8,7 +8,6 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
 
 #include "ui/base/theme.h"
 #include "ui/view/aside.h"

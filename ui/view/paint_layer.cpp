@@ -9,13 +9,13 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "ui/view/colour_map.h"
+#include "ui/view/model_mapper.h"
 #include "ui/view/poly_arrays.h"
 #include "ui/view/studio_light.h"
 
@@ -112,7 +112,7 @@ vtkNew<vtkFloatArray> texelsOf(const FeltMesh& shape, const TriangleSoup& soup, 
 
 struct PaintLayer::Part {
     vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<ModelMapper> mapper;
     vtkNew<vtkActor> actor;
     vtkNew<vtkUnsignedCharArray> colours; ///< of every position
     vtkNew<vtkImageData> picture;

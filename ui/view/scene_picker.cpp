@@ -160,7 +160,7 @@ std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) cons
     std::vector<std::pair<double, const Target*>> met;
     for (const Target& target : targets_) {
         if (!target.visible || target.box.empty()) continue;
-        if (const auto [enter, leave] = spanIn(target.box, ray); enter <= leave)
+        if (const auto [enter, leave] = spanOf(target.box, ray); enter <= leave)
             met.emplace_back(enter, &target);
     }
     std::ranges::stable_sort(met, {}, &std::pair<double, const Target*>::first);
@@ -174,11 +174,21 @@ std::optional<PickHit> ScenePicker::cast(const Ray& ray, Patience patience) cons
     return nearest;
 }
 
+std::pair<double, double> ScenePicker::spanOf(const Bounds& box, const Ray& ray) const {
+    auto [enter, leave] = spanIn(box, ray);
+    if (!section_) return {enter, leave};
+    const double height = section_->height(ray.origin), rise = section_->normal().dot(ray.direction);
+    if (rise > 0) leave = std::min(leave, -height / rise);
+    if (rise < 0) enter = std::max(enter, -height / rise);
+    if (rise == 0 && height > 0) leave = -1; // all along it
+    return {enter, leave};
+}
+
 // The hierarchy is made for the short moves of a proxy: it looks at everything within a move's length. So the
 // ray goes through the body's box in short pieces.
 std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray, double reach) const {
     if (!(bounds_.diagonal() > 0)) return std::nullopt;
-    const auto [enter, leave] = spanIn(target.box, ray);
+    const auto [enter, leave] = spanOf(target.box, ray);
     const double piece = std::max(target.box.diagonal(), kSmallestBox * bounds_.diagonal()) / kPieces,
                  last = std::min(leave, reach);
     const Vec3 motion = piece * target.pose.rotateInverse(ray.direction);
@@ -187,7 +197,7 @@ std::optional<PickHit> ScenePicker::castAt(const Target& target, const Ray& ray,
                               target.sides};
         const SweepHit hit = target.tree.get()->sweep(*target.soup, path, {});
         const double distance = d + hit.t * piece;
-        if (hit.t <= 1 && distance <= reach)
+        if (hit.t <= 1 && distance <= std::min(reach, leave))
             return PickHit{{target.object, target.soup->surfaceOf[hit.triangle]},
                            hit.triangle,
                            ray.at(distance),

@@ -12,6 +12,7 @@
 #include "core/haptics/body_places.h"
 #include "core/scene/scene.h"
 #include "core/scene/surface_ref.h"
+#include "ui/view/section_plane.h"
 #include "ui/view/view_camera.h"
 
 namespace tactum {
@@ -41,6 +42,9 @@ public:
     /// All others are where the scene has them.
     void putNoOthers(std::span<const PlacedObject> places);
 
+    /// What it cuts away is not there for a ray; nothing: all is whole.
+    void setSection(const std::optional<SectionPlane>& plane) { section_ = plane; }
+
     /// The nearest visible surface along the ray.
     std::optional<PickHit> cast(const Ray& ray, Patience patience) const;
     /// The geometry of an object; null when it is not there.
@@ -69,11 +73,14 @@ private:
     Target targetOf(const SceneObject& object, const Known& known) const;
     /// Trees for targets that have none, on another thread.
     void buildTrees(std::vector<Target>& targets);
+    /// From where to where a ray goes through what is there of a box; an empty span: it does not.
+    std::pair<double, double> spanOf(const Bounds& box, const Ray& ray) const;
     std::optional<PickHit> castAt(const Target& target, const Ray& ray, double reach) const;
 
     std::vector<Target> targets_;
     std::vector<std::future<void>> builders_;
     Bounds bounds_;
+    std::optional<SectionPlane> section_;
 };
 
 } // namespace tactum

@@ -498,6 +498,7 @@ void SceneView::paintOver() {
     if (impl_->mass) drawMass(painter, *impl_->mass, impl_->camera, impl_->theme());
     impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->path.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
+    impl_->sectionHandles.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
     impl_->arranging.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt, impl_->arranged);
     impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
     if (impl_->showsTouch())

@@ -26,6 +26,7 @@
 #include "ui/view/painted_picture.h"
 #include "ui/view/path_gizmo.h"
 #include "ui/view/scene_picker.h"
+#include "ui/view/section_gizmo.h"
 #include "ui/view/vtk_widget.h"
 
 class QMimeData;
@@ -113,6 +114,13 @@ public:
     /// The handles that move, turn and scale: X_W of their pivot and axes; nothing: none.
     void setArranging(const std::optional<Pose>& frame);
     const ArrangeGizmo& arranging() const;
+    /// Cuts the model open, with handles to drag; nothing: it is whole. Finger, proxy, handles and the ground
+    /// are never cut. World frame, at any time.
+    void setSection(const std::optional<SectionPlane>& plane);
+    const std::optional<SectionPlane>& section() const;
+    const SectionGizmo& sectionHandles() const;
+    /// The box of the scene at the time 0, world frame; empty: nothing is in it.
+    Bounds bounds() const;
     /// Ends the drag of any handle where it is.
     void dropHandles();
     /// Where an object is shown, X_WB; nothing for one that is hidden or none.
@@ -225,6 +233,8 @@ signals:
     /// Likewise of the handles that arrange; all of what the drag comes to, from where it began.
     void arrangeGrabbed();
     void arrangeDragged(const tactum::Arrangement& by);
+    /// A handle of the section leads it there.
+    void sectionDragged(const tactum::SectionPlane& plane);
     /// The drag of any handle has ended. Given up, nothing of it is to be left.
     void handlesLeft(bool givenUp);
     /// G, R or S without anything that could be arranged.

@@ -19,6 +19,7 @@ void SceneView::Impl::castShadows(bool rest) {
     for (auto& [id, caster] : casters) {
         if (const auto place = model.placeOf(id); place && caster.moves) caster.X_WB = *place;
         now.push_back(caster);
+        now.back().section = sectionHandles.shown();
     }
     ground.setCasters(std::move(now), rest);
     if (ground.pending()) meshTimer.start();

@@ -29,6 +29,8 @@ void SceneView::Impl::leadHandles(QPointF cursor, Qt::KeyboardModifiers modifier
     if (taken == &mapping) emit view.mappingDragged(mapping.dragged(cursor, camera));
     if (taken == &joint) emit view.jointDragged(joint.dragged(cursor, camera));
     if (taken == &path) emit view.pathDragged(path.dragged(cursor, camera, modifiers & Qt::ControlModifier));
+    if (taken == &sectionHandles)
+        emit view.sectionDragged(sectionHandles.dragged(cursor, camera, modifiers & Qt::ControlModifier));
     if (taken != &arranging) return;
     const bool fine = modifiers & Qt::ShiftModifier;
     arranging.lead(cursor - cursorAt, fine);

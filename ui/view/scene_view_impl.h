@@ -94,9 +94,11 @@ struct SceneView::Impl {
     MappingGizmo mapping;
     JointGizmo joint;
     PathGizmo path;
-    std::array<ViewHandles*, 4> handles{&arranging, &mapping, &joint, &path}; ///< in the order they are taken
-    ViewHandles* taken = nullptr;                                             ///< by the drag Handles
-    std::optional<Arrangement> arranged;                                      ///< of the drag
+    SectionGizmo sectionHandles;
+    /// In the order they are taken.
+    std::array<ViewHandles*, 5> handles{&arranging, &mapping, &joint, &path, &sectionHandles};
+    ViewHandles* taken = nullptr;        ///< by the drag Handles
+    std::optional<Arrangement> arranged; ///< of the drag
     std::optional<MassMark> mass;
     std::vector<ColliderMark> colliders;
     TouchOverlay overlay;

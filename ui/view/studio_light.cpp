@@ -48,6 +48,10 @@ constexpr const char* kLight = R"(
     float rim = pow(1.0 - facing, 4.0) * (0.55 + 0.45 * n.y);
     vec3 linear = diffuseColor * light + vec3(mix(0.02, 0.13, gloss) * sharp + 0.45 * gloss * fresnel * boxes)
                 + mix(0.5, 1.0, gloss) * vec3(0.11, 0.12, 0.14) * rim + ambientColor;
+#ifdef modelIsCut
+    if (!gl_FrontFacing)
+        linear = (0.85 + 0.15 * facing) * mix(0.4 * diffuseColor, vec3(0.36, 0.115, 0.06), 0.7) + ambientColor;
+#endif
     vec3 bright = max(linear - 0.8, 0.0);
     linear = min(linear, 0.8) + 0.2 * (1.0 - exp(-5.0 * bright));
     gl_FragData[0] = vec4(pow(max(linear, 0.0), vec3(1.0 / 2.2)), opacity);

@@ -6,10 +6,12 @@
 #include <numbers>
 
 #include <vtkActor.h>
+#include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
 
+#include "ui/view/model_mapper.h"
 #include "ui/view/studio_light.h"
 
 namespace tactum {
@@ -79,7 +81,28 @@ void ViewStage::setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors
     }
 }
 
+// The list of planes has a time of its own, which is the mappers' as well; that of a plane is not.
+void ViewStage::setSection(const std::optional<SectionPlane>& plane) {
+    section_->RemoveAllItems();
+    if (!plane) return;
+    const Vec3 kept = -plane->normal();
+    plane_->SetOrigin(plane->frame.translation.data());
+    plane_->SetNormal(kept.data());
+    section_->AddItem(plane_);
+}
+
+void ViewStage::cutOpen(vtkRenderer& renderer) {
+    vtkActorCollection* actors = renderer.GetActors();
+    vtkCollectionSimpleIterator it;
+    for (actors->InitTraversal(it); vtkActor* actor = actors->GetNextActor(it);)
+        if (auto* mapper = ModelMapper::SafeDownCast(actor->GetMapper()))
+            mapper->SetClippingPlanes(section_.Get());
+}
+
 void ViewStage::look(const ViewCamera& camera, const Bounds& shown) {
+    for (vtkRenderer* renderer :
+         std::initializer_list<vtkRenderer*>{solid, chosen, touch, outline_}) // their layers may be new
+        cutOpen(*renderer);
     vtkCamera& to = *solid->GetActiveCamera();
     to.SetFocalPoint(camera.focus.data());
     to.SetPosition(camera.eye().data());

@@ -1,10 +1,13 @@
 // The layers that every picture of a scene is made of, and the light they stand in. Private to this folder.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -12,6 +15,7 @@
 #include "ui/base/theme.h"
 #include "ui/view/kept_renderer.h"
 #include "ui/view/outline_pass.h"
+#include "ui/view/section_plane.h"
 #include "ui/view/smoothed_renderer.h"
 #include "ui/view/view_camera.h"
 
@@ -37,6 +41,8 @@ public:
     void setOutlineWidth(double devicePixels) { outlinePass_->setWidth(float(devicePixels)); }
     /// The next picture is drawn as a whole.
     void forgetPicture();
+    /// What a ModelMapper draws is cut open there; nothing: it is whole.
+    void setSection(const std::optional<SectionPlane>& plane);
     /// Draws one outline around these actors.
     void setOutlined(const std::vector<vtkSmartPointer<vtkActor>>& actors);
     /// Sets VTK's camera, its clipping planes such that the box is held with as much depth as that allows.
@@ -47,7 +53,11 @@ public:
     vtkNew<SmoothedRenderer> ghost;
 
 private:
+    void cutOpen(vtkRenderer& renderer);
+
     vtkRenderWindow& window_;
+    vtkNew<vtkPlane> plane_;
+    vtkNew<vtkPlaneCollection> section_; ///< empty: there is none
     vtkNew<vtkRenderer> outline_;
     vtkNew<OutlinePass> outlinePass_;
 };

@@ -34,6 +34,7 @@
 #include "ui/controllers/report_controller.h"
 #include "ui/controllers/room_controller.h"
 #include "ui/controllers/save_controller.h"
+#include "ui/controllers/section_controller.h"
 #include "ui/controllers/select_controller.h"
 #include "ui/controllers/stage.h"
 #include "ui/controllers/study_controller.h"
@@ -129,6 +130,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectFile();
     connectEdit();
     connectView();
+    new SectionController(bench_);
     connectSelecting();
     connectArranging();
     connectSurfaces();
@@ -180,8 +182,8 @@ void MainWindow::makeControllers() {
     connect(new RecoveryController(bench_, *recovery_, *recoveryBar_), &RecoveryController::replaces, save_,
             &SaveController::leave);
     recovery_->look();
-    connect(new PaletteController(bench_, *folds_, *centre_, *importBar_), &PaletteController::fileChosen,
-            this, &MainWindow::open);
+    connect(new PaletteController(bench_, *folds_, *sets_, *centre_, *importBar_),
+            &PaletteController::fileChosen, this, &MainWindow::open);
     connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
             refreshStart);
 }
@@ -231,6 +233,7 @@ QWidget* MainWindow::makeCentre() {
     layers->setContentsMargins(0, 0, 0, 0);
     layers->addWidget(centre_, 0, 0);
     auto* head = new QVBoxLayout;
+    head->setObjectName(QStringLiteral("strips")); // Workbench::strips() knows it by that
     head->setSpacing(0);
     head->addWidget(recoveryBar_);
     head->addWidget(notice_);

@@ -78,6 +78,39 @@ class TestSeenTriangles : public QObject {
     Q_OBJECT
 
 private slots:
+
+    // Two plates across the way of the eye; a section takes the left half of the one in front.
+    void whatASectionCutsAwayIsNotSeen() {
+        const auto plate = [](double x0, double x1) {
+            TriangleSoup soup;
+            soup.positions = {{x0, -1, 0}, {x1, -1, 0}, {x1, 1, 0}, {x0, 1, 0}};
+            soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+            soup.surfaceOf = {0, 0};
+            return soup;
+        };
+        BodyInView front = inView(plate(-1, 1), {0, 0, -1}), back = inView(plate(-2, 2), {0, 0, -2});
+        const auto right = [](const BodyInView& body) { // what is right of the middle is kept
+            return Eigen::Vector4d(body.clipFromBody.inverse().transpose() * Eigen::Vector4d(1, 0, 0, 0));
+        };
+        front.kept = right(front);
+        const auto seen = SeenTriangles::look({front, back}, kSide, kSide).value();
+        int wrong = 0;
+        for (int y = 1; y < kSide - 1; ++y)
+            for (int x = 1; x < kSide - 1; ++x) {
+                if (std::abs(x - kSide / 2) < 2) continue;
+                ScreenMask pixel(kSide, kSide);
+                const ScreenMask::Point corners[] = {
+                    {double(x), double(y)}, {x + 1.0, double(y)}, {x + 1.0, y + 1.0}, {double(x), y + 1.0}};
+                pixel.addPolygon(corners);
+                wrong += seenOf(seen, pixel, 0).empty() != (x < kSide / 2);
+            }
+        QCOMPARE(wrong, 0);
+        ScreenMask left(kSide, kSide);
+        const ScreenMask::Point corners[] = {{0, 0}, {kSide / 2 - 2, 0}, {kSide / 2 - 2, kSide}, {0, kSide}};
+        left.addPolygon(corners);
+        QVERIFY(trianglesUnder(front, left).value().empty());
+        QCOMPARE(trianglesUnder(back, left).value().size(), 1U + 1U);
+    }
     void aLineGoesRoundPixels() {
         ScreenMask mask(8, 8);
         QVERIFY(mask.empty());

@@ -91,6 +91,19 @@ public:
     static void initMain() { useViewSurfaceFormat(); }
 
 private slots:
+    // Half the ball is cut away: its half of the ground is bright, and the ground lies where it lay.
+    void whatASectionCutsAwayCastsNoShadow() {
+        ShadowCaster ball = ballAt(0);
+        const GroundShadow whole = shadowBeneath({ball});
+        ball.section = SectionPlane{{Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX()), Vec3::Zero()}};
+        const GroundShadow half = shadowBeneath({ball});
+        QCOMPARE(half.corner, whole.corner);
+        QCOMPARE(half.side, whole.side);
+        COMPARE_NEAR(sumOf(half), 0.5 * sumOf(whole), 0.05 * sumOf(whole), "");
+        COMPARE_NEAR(darkAt(half, -0.02, 0), darkAt(whole, -0.02, 0), 12, "");
+        QCOMPARE_LT(darkAt(half, 0.04, 0), darkAt(whole, 0.04, 0) / 3);
+    }
+
     void isDarkestWhereItIsTouched() {
         const GroundShadow ground = shadowBeneath({ballAt(0)});
         QVERIFY(ground.corner.y() < -kBallRadius); // a plate on it is not cut

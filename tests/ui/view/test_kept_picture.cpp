@@ -242,6 +242,21 @@ const std::vector<Change>& changes() {
         {"the relief again", [](KeptView& v) { v.felt([](FeltOptions& o) { o.relief = true; }); }},
         {"a wireframe", [](KeptView& v) { v.felt([](FeltOptions& o) { o.wireframe = true; }); }},
         {"no wireframe", [](KeptView& v) { v.felt([](FeltOptions& o) { o.wireframe = false; }); }},
+        {"a section",
+         [](KeptView& v) {
+             v.view.setSection(SectionPlane{{Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX())), {0, 0, 0.01}}});
+             v.settle();
+         }},
+        {"another place of it",
+         [](KeptView& v) {
+             v.view.setSection(SectionPlane{{Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX())), {0, 0, -0.01}}});
+             v.settle();
+         }},
+        {"no section",
+         [](KeptView& v) {
+             v.view.setSection(std::nullopt);
+             v.settle();
+         }},
         {"a parallel projection", [](KeptView& v) { v.felt([](FeltOptions& o) { o.parallel = true; }); }},
         {"no lines between surfaces",
          [](KeptView& v) { v.felt([](FeltOptions& o) { o.boundaries = false; }); }},

@@ -62,6 +62,28 @@ private slots:
         QVERIFY(!cast(scene, {0, 0, 1}, -Vec3::UnitZ()));
     }
 
+    // A plane across z at 10 mm: the front of the ball is away, and a ray meets its back from inside.
+    void whatASectionCutsAwayIsNotHit() {
+        ScenePicker picker;
+        picker.setScene(ballScene(256, 128));
+        SectionPlane plane{{Quat::Identity(), {0, 0, 0.01}}};
+        picker.setSection(plane);
+        const auto front = [&](const Vec3& from, const Vec3& toward) {
+            return picker.cast({from, toward}, ScenePicker::Patience::Wait);
+        };
+        const auto inside = front({0, 0.02, 1}, -Vec3::UnitZ());
+        QVERIFY(inside);
+        COMPARE_NEAR(inside->point.z(), -std::sqrt(0.05 * 0.05 - 0.02 * 0.02), 1e-4, "m");
+        COMPARE_NEAR(front({0, 0.02, -1}, Vec3::UnitZ())->point.z(), inside->point.z(), 1e-4, "m");
+        QVERIFY(!front({1, 0.02, 0.03}, -Vec3::UnitX()));
+        COMPARE_NEAR(front({1, 0, -0.03}, -Vec3::UnitX())->point.x(), 0.04, 1e-4, "m");
+        QVERIFY(picker.isFree({0, 0, 0.1}, {0, 0, 0}));
+        plane.frame.rotation = Quat(Eigen::AngleAxisd(EIGEN_PI, Vec3::UnitX())); // the other side
+        picker.setSection(plane);
+        COMPARE_NEAR(front({0, 0.02, 1}, -Vec3::UnitZ())->point.z(), -inside->point.z(), 1e-4, "m");
+        QVERIFY(!front({1, 0, -0.03}, -Vec3::UnitX()));
+    }
+
     void aWayThroughTheModelIsNotFree() {
         ScenePicker picker;
         picker.setScene(ballScene());

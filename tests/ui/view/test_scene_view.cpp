@@ -149,6 +149,57 @@ private slots:
         QCOMPARE_LT(shown.colourAt({320, 300}).red(), 1.3 * shown.colourAt({320, 300}).green());
     }
 
+    // Looked at from the front with the front cut off: a disc of one plain tone, unlike the lit outside. A
+    // click there meets the far side from within, and the finger before it is not cut.
+    void aSectionShowsTheInsideInAPlainTone() {
+        Shown shown;
+        shown.view.setOverlayVisible(false);
+        const auto inDisc = [&](double x, double y) {
+            return shown.colourAt(shown.pixelOf(kBallRadius * Vec3(x, y, 0)));
+        };
+        const Vec3 aside = kBallRadius * Vec3(0.45, 0.4, 0); // beside the handles
+        const QColor outside = inDisc(0.45, 0.4);
+        shown.view.setSection(SectionPlane{});
+        const QColor inside = inDisc(0.45, 0.4);
+        QCOMPARE_GT(difference(inside, outside), 120);
+        QCOMPARE_GT(inside.red(), inside.blue() + 30); // of rust
+        for (const auto& [x, y] : {std::pair{0.5, 0.3}, {-0.7, 0.2}, {0.1, -0.8}})
+            QCOMPARE_LT(difference(inDisc(x, y), inside), 40);
+        shown.view.setTool(ViewTool::Select);
+        QSignalSpy picked(&shown.view, &SceneView::picked);
+        QTest::mouseClick(&shown.view, Qt::LeftButton, {}, shown.pixelOf(aside));
+        QCOMPARE(picked.size(), 1);
+        const auto hit = picked[0][0].value<std::optional<PickHit>>();
+        QVERIFY(hit);
+        QCOMPARE_LT(hit->point.z(), 0);
+        shown.view.setSection(std::nullopt);
+        QCOMPARE_LT(difference(inDisc(0.45, 0.4), outside), 6);
+    }
+
+    void theHandlesOfASectionLeadIt() {
+        Shown shown;
+        shown.view.showStandardView(StandardView::Right); // the normal lies in the picture, to the left
+        shown.view.setSection(SectionPlane{});
+        std::optional<SectionPlane> led;
+        connect(&shown.view, &SceneView::sectionDragged, &shown.view, [&](const SectionPlane& plane) {
+            led = plane;
+            shown.view.setSection(plane);
+        });
+        const auto& handles = shown.view.sectionHandles();
+        const QPointF tip = *handles.placeOf(SectionHandle::Move, shown.view.camera());
+        const double pixel = shown.view.camera().pixelSize(Vec3::Zero());
+        shown.drag(tip.toPoint(), tip.toPoint() - QPoint(60, 0));
+        QVERIFY(led);
+        COMPARE_NEAR(led->frame.translation.z(), 60 * pixel, 2 * pixel, "m");
+        COMPARE_NEAR(led->normal().z(), 1, 1e-12, "");
+        const QPointF turn = *handles.placeOf(SectionHandle::TurnX, shown.view.camera());
+        shown.drag(turn.toPoint(), turn.toPoint() + QPoint(30, -30), Qt::LeftButton, Qt::ControlModifier);
+        const double angle = std::acos(std::clamp(led->normal().z(), -1.0, 1.0));
+        QCOMPARE_GT(angle, 0.2);
+        COMPARE_NEAR(std::remainder(angle, EIGEN_PI / 12), 0, 1e-9, "rad");
+        COMPARE_NEAR(led->normal().x(), 0, 1e-12, "");
+    }
+
     void bodiesThatMoveAreShownWhereTheyAre() {
         Shown shown;
         const Track<Vec3> aside{Interpolation::Linear, {0, 2}, {Vec3::Zero(), {0.12, 0, 0}}, {}, {}};

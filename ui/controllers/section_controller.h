@@ -1,0 +1,37 @@
+// Cutting the model open in the view: the commands, the row over the view, the handles.
+#pragma once
+
+#include <QObject>
+
+#include "ui/controllers/workbench.h"
+
+namespace tactum {
+
+class NumberBox;
+class ToolStrip;
+struct SectionPlane;
+
+/// A section is shown, never felt and never saved; another scene begins whole. Thread: ui.
+class SectionController : public QObject {
+    Q_OBJECT
+public:
+    explicit SectionController(const Workbench& bench);
+
+private:
+    void fillStrip();
+    void cut(bool on);
+    /// Through the middle of the scene, across an axis of the world, 0 to 2.
+    void cutAcross(int axis);
+    void turnOver();
+    void moveTo(double place);
+    void set(const SectionPlane& plane);
+    void show();
+    void useUnit();
+
+    Workbench bench_;
+    ToolStrip* strip_;
+    NumberBox* place_; ///< in the unit of lengths that the person prefers
+    double factor_ = 1;
+};
+
+} // namespace tactum
