@@ -34,7 +34,7 @@ void reorder(Scene& scene, std::span<const ObjectId> objects, ObjectId before) {
     auto at = std::ranges::find(scene.objects, before, &SceneObject::id);
     at = std::find_if_not(at, scene.objects.end(), moves);
     const ObjectId behind = at == scene.objects.end() ? 0 : at->id;
-    const auto moved = std::ranges::stable_partition(scene.objects, std::not_fn(moves)).begin();
+    const auto moved = std::stable_partition(scene.objects.begin(), scene.objects.end(), std::not_fn(moves));
     std::vector<SceneObject> taken(std::make_move_iterator(moved),
                                    std::make_move_iterator(scene.objects.end()));
     scene.objects.erase(moved, scene.objects.end());

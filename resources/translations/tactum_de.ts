@@ -1872,6 +1872,10 @@
             <translation>Zentriert und so skaliert, dass der Arbeitsraum das Modell aufnimmt</translation>
         </message>
         <message>
+            <source>Change</source>
+            <translation>Ändern</translation>
+        </message>
+        <message>
             <source>Changed by %1</source>
             <translation>Geändert von %1</translation>
         </message>
@@ -6174,6 +6178,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>What bodies meet of %1</source>
             <translation>Kollisionskörper von %1</translation>
+        </message>
+        <message>
+            <source>What can be done with what is selected</source>
+            <translation>Was sich mit dem Ausgewählten machen lässt</translation>
         </message>
         <message>
             <source>What do you want to do?</source>

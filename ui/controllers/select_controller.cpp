@@ -150,9 +150,10 @@ void SelectController::fillStrip(ToolStrip& strip, SelectionSetsMenu& sets) {
     strip.addField(sets.makeButton());
     strip.addField(new SelectionCount(bench_.document));
     strip.addStretch();
-    // In a narrow window those with the best-known keys are cut off.
+    QList<QAction*> changes;
     for (const char* id : {"split", "merge", "invert", "grow", "shrink"})
-        strip.addAction(&bench_.actions[id]);
+        changes << &bench_.actions[id];
+    strip.addMenu(tr("Change"), tr("What can be done with what is selected"), changes);
 }
 
 void SelectController::addAngle(ToolStrip& strip, const QList<QAction*>& reaches) {

@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 
 #include "ui/base/style.h"
@@ -90,6 +91,17 @@ void ToolStrip::addChoices(const QString& what, const QList<QAction*>& actions, 
 
 void ToolStrip::addAction(QAction* action, const QString& name) {
     row_->addWidget(buttonOf(action, name.isEmpty() ? action->text().remove(u'&') : name));
+}
+
+void ToolStrip::addMenu(const QString& name, const QString& what, const QList<QAction*>& actions) {
+    auto* button = new QToolButton;
+    button->setText(name);
+    button->setToolTip(what);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    menu->addActions(actions);
+    button->setMenu(menu);
+    row_->addWidget(button);
 }
 
 void ToolStrip::addField(QWidget* field) {

@@ -22,6 +22,8 @@ public:
     void addChoices(const QString& what, const QList<QAction*>& actions, const QStringList& names);
     /// A button with the action's words, or with a shorter name.
     void addAction(QAction* action, const QString& name = {});
+    /// A button that shows several under one name; `what`: its tooltip.
+    void addMenu(const QString& name, const QString& what, const QList<QAction*>& actions);
     void addField(QWidget* field);
     /// What follows stands at the right end.
     void addStretch();

@@ -105,12 +105,12 @@ private slots:
     /// Recordings that lie on disks have these bits.
     void flagsOfRowsStay() {
         std::uint32_t bit = 1;
-        for (const auto flag : {ProxyRow::Restart, ProxyRow::Forget, ProxyRow::Found}) {
+        for (const auto flag : {ProxyRow::Restart, ProxyRow::Forget, ProxyRow::Found, ProxyRow::Absent}) {
             QCOMPARE(std::uint32_t(flag), bit);
             bit *= 2;
         }
         QCOMPARE(std::uint32_t(ProxyRow::kFidelity), 8u);
-        QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x317u);
+        QCOMPARE(std::uint32_t(ProxyRow::kAllFlags), 0x31fu);
         bit = 1;
         for (const auto flag : {ServoRow::Valid, ServoRow::Jumped, ServoRow::Late, ServoRow::Fresh,
                                 ServoRow::Armed, ServoRow::Override, ServoRow::Unguarded, ServoRow::Clutched,

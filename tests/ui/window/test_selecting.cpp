@@ -96,6 +96,7 @@ private slots:
     void whatFacesTheSameWayNeedNotHangTogether();
     void coloursSelect();
     void theRowSaysHowMuch();
+    void theRowHasRoomInASmallWindow();
     void theStatusSaysWhatTheMouseIsOver();
     void splitHideAndUndo();
     void theRowShowsWhatAClickTakes();
@@ -352,6 +353,22 @@ void TestSelecting::theRowSaysHowMuch() {
     QVERIFY2(says("11 triangles, 550 cm\u00b2"), qPrintable(count->text()));
     command(program, "select-none").trigger();
     QVERIFY2(says(""), qPrintable(count->text()));
+}
+
+// It was cut off at its right end: Grow and Shrink could not be seen in a window of 1280 x 800.
+void TestSelecting::theRowHasRoomInASmallWindow() {
+    TouchedWindow program;
+    program.window->resize(1280, 800);
+    QVERIFY(program.open(writeCube(folder_)));
+    command(program, "select").trigger();
+    command(program, "select-all").trigger();
+    const auto* strip = program.window->findChild<QWidget*>(QStringLiteral("tool-strip"));
+    QTRY_COMPARE(strip->isVisible(), true);
+    for (const auto* button : strip->findChildren<QToolButton*>()) {
+        if (!button->isVisible()) continue;
+        const int right = button->mapTo(strip, QPoint(button->width(), 0)).x();
+        QVERIFY2(right <= strip->width(), qPrintable(button->text()));
+    }
 }
 
 void TestSelecting::theStatusSaysWhatTheMouseIsOver() {
