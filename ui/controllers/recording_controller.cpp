@@ -118,6 +118,7 @@ void RecordingController::begin() {
     bench_.notice.endProgress();
     bench_.view.setSelection({});
     stage_.showView();
+    bench_.window.setWindowModified(false); // a recording is never edited
     bench_.window.setWindowTitle(tr("%1 - Tactum").arg(QFileInfo(bench_.playback.file()).fileName()));
     emit shown();
     bench_.view.fit();
@@ -126,8 +127,10 @@ void RecordingController::begin() {
 
 void RecordingController::end() {
     setLive(true);
-    const QString name = QFileInfo(QString::fromStdU16String(bench_.document.path().u16string())).fileName();
-    bench_.window.setWindowTitle(name.isEmpty() ? tr("Tactum") : tr("%1 - Tactum").arg(name));
+    const Document& document = bench_.document;
+    bench_.window.setWindowTitle(document.isOpen() ? tr("%1[*] - Tactum").arg(document.title())
+                                                   : tr("Tactum"));
+    bench_.window.setWindowModified(document.modified());
     bench_.view.clearTrail();
     bench_.view.setWorld(bench_.publisher.world());
     stage_.showOwn();

@@ -17,6 +17,9 @@ class SectionController : public QObject {
 public:
     explicit SectionController(const Workbench& bench);
 
+    /// As another scene begins.
+    void makeWhole() { cut(false); }
+
 private:
     void fillStrip();
     void cut(bool on);

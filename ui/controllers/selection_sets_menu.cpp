@@ -57,7 +57,7 @@ QStringList SelectionSetsMenu::names() const {
 void SelectionSetsMenu::fill(QMenu& menu) {
     menu.clear();
     qDeleteAll(menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
-    const bool live = !bench_.playback.active(), chosen = bench_.document.selection().has_value();
+    const bool live = !bench_.playback.active(), chosen = !bench_.document.selectedTriangles().empty();
     for (const QString& name : names()) {
         QAction* action = menu.addAction(inMenu(name), this, [this, name] { select(name); });
         action->setEnabled(live);
@@ -90,7 +90,7 @@ QString SelectionSetsMenu::askForName(const QString& title, const QString& now) 
 
 void SelectionSetsMenu::keep() {
     if (bench_.playback.active()) return;
-    if (!bench_.document.selection())
+    if (bench_.document.selectedTriangles().empty())
         return bench_.notice.showNote(tr("Select what is to be kept first: surfaces, or triangles (Q)."));
     const QStringList taken = names();
     int number = 1;
@@ -113,9 +113,7 @@ void SelectionSetsMenu::select(const QString& name) {
     const SceneObject& object = *bench_.document.scene().find(bench_.document.selectedFaces().object);
     bench_.notice.showNote(tr("%1 has parts on %2 objects, and triangles are selected on one: on %3. Select "
                               "another of them first for its part.")
-                               .arg(name)
-                               .arg(triangles.size())
-                               .arg(asIs(object.name)));
+                               .arg(name, QString::number(triangles.size()), asIs(object.name)));
 }
 
 void SelectionSetsMenu::add(const QString& name) {

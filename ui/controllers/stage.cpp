@@ -20,6 +20,7 @@ void Stage::showView() {
 }
 
 void Stage::showOther(const Scene& scene) {
+    emit otherShown();
     view_.setSelection({});
     view_.setScene(scene);
     view_.setProxyRadius(scene.proxyRadius);

@@ -33,6 +33,9 @@ public:
     /// The document's scene again, likewise.
     void showOwn();
 
+signals:
+    void otherShown();
+
 private:
     Document& document_;
     SceneView& view_;

@@ -130,7 +130,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectFile();
     connectEdit();
     connectView();
-    new SectionController(bench_);
+    connect(stage_, &Stage::otherShown, new SectionController(bench_), &SectionController::makeWhole);
     connectSelecting();
     connectArranging();
     connectSurfaces();

@@ -222,7 +222,9 @@ void TestPlayback::historyAndHandAreLeftAlone() {
                       Qt::LeftButton);
     QTest::keyClick(program.window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(!(program.document.scene() == scene)); // live again
-    COMPARE_BEGINS(program.window->windowTitle(), QStringLiteral("cube.obj"));
+    COMPARE_BEGINS(program.window->windowTitle(),
+                   QStringLiteral("cube.obj[*]")); // where what is unsaved is marked
+    QCOMPARE(program.window->isWindowModified(), program.document.modified());
 }
 
 void TestPlayback::aFaultIsSavedByItself() {

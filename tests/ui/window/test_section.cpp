@@ -39,7 +39,18 @@ private slots:
     void theNumberIsThePlace();
     void aSectionIsOnlySeen();
     void anotherSceneIsWhole();
+    void aTrialIsWhole();
 };
+
+void TestSection::aTrialIsWhole() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.command("section").trigger();
+    QVERIFY(program.window->view().section());
+    program.command("trial-spring").trigger();
+    QVERIFY(!program.window->view().section());
+    QVERIFY(!strip(program).isVisible());
+}
 
 void TestSection::aKeyCutsAndMakesWhole() {
     TouchedWindow program;

@@ -188,8 +188,12 @@ void TestSelecting::aBoxTakesWhatItTouches() {
     };
     // From the lower left: over the upper one lies the tool's row.
     const QPoint begin(4, size.height() - 4);
+    program.document.select(std::nullopt);
     draw(begin, {size.width() - 4, 4});
     QTRY_COMPARE_WITH_TIMEOUT(faces(program).size(), std::size_t(12), kPatience);
+    // Triangles are enough to be kept, whether a surface is selected or not.
+    keepAs(program, QStringLiteral("all"));
+    QCOMPARE(setNames(program.document.scene()), std::vector<std::string>{"all"});
     draw(begin, begin + QPoint(8, -8));
     QTRY_VERIFY_WITH_TIMEOUT(faces(program).empty(), kPatience);
     command(program, "take-surface").trigger();
