@@ -47,7 +47,14 @@ SectionController::SectionController(const Workbench& bench)
     bench.on("section-flip", this, [this] { turnOver(); });
     connect(place_, &NumberBox::typed, this, [this](double shown) { moveTo(shown / factor_); });
     connect(place_, &NumberBox::stepped, this, [this](double shown) { moveTo(shown / factor_); });
-    connect(&bench_.view, &SceneView::sectionDragged, this, &SectionController::set);
+    connect(&bench_.view, &SceneView::sectionDragged, this, [this](const SectionPlane& plane) {
+        if (!beforeDrag_) beforeDrag_ = bench_.view.section();
+        set(plane);
+    });
+    connect(&bench_.view, &SceneView::handlesLeft, this, [this](bool givenUp) {
+        const auto before = std::exchange(beforeDrag_, std::nullopt);
+        if (before && givenUp) set(*before);
+    });
     connect(&bench_.document, &Document::changed, this, [this](const SceneChange& change) {
         if (change.what == SceneChange::What::Everything) cut(false);
     });

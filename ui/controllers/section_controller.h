@@ -1,15 +1,17 @@
 // Cutting the model open in the view: the commands, the row over the view, the handles.
 #pragma once
 
+#include <optional>
+
 #include <QObject>
 
 #include "ui/controllers/workbench.h"
+#include "ui/view/section_plane.h"
 
 namespace tactum {
 
 class NumberBox;
 class ToolStrip;
-struct SectionPlane;
 
 /// A section is shown, never felt and never saved; another scene begins whole. Thread: ui.
 class SectionController : public QObject {
@@ -35,6 +37,7 @@ private:
     ToolStrip* strip_;
     NumberBox* place_; ///< in the unit of lengths that the person prefers
     double factor_ = 1;
+    std::optional<SectionPlane> beforeDrag_; ///< to come back to while one goes on
 };
 
 } // namespace tactum

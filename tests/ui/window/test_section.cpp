@@ -40,7 +40,28 @@ private slots:
     void aSectionIsOnlySeen();
     void anotherSceneIsWhole();
     void aTrialIsWhole();
+    void escapeGivesUpADrag();
 };
+
+void TestSection::escapeGivesUpADrag() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    program.command("section").trigger();
+    SceneView& view = program.window->view();
+    const auto drag = [&](bool givenUp) {
+        const QPoint tip = view.sectionHandles().placeOf(SectionHandle::Move, view.camera())->toPoint();
+        program.press(tip);
+        program.moveTo(tip + QPoint(20, 0));
+        program.moveTo(tip + QPoint(40, 0));
+        if (givenUp) QTest::keyClick(&view, Qt::Key_Escape);
+        program.release(tip + QPoint(40, 0));
+    };
+    const Vec3 before = view.section()->frame.translation;
+    drag(true);
+    COMPARE_NEAR((view.section()->frame.translation - before).norm(), 0, 1e-12, "m");
+    drag(false);
+    QCOMPARE_GT((view.section()->frame.translation - before).norm(), 1e-4);
+}
 
 void TestSection::aTrialIsWhole() {
     TouchedWindow program;
