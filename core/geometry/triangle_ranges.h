@@ -26,7 +26,7 @@ std::size_t countOf(const TriangleRanges& ranges);
 /// The same triangles in `after`, another form of the mesh `before`: repaired, welded, turned over. Where
 /// each triangle is where the one of its number was, numbers stay; else a triangle is the nearest one of
 /// before within a hundred-thousandth of the diagonal, by their middles. What was not there before, the lid
-/// of a hole or a triangle that was cut anew, is not in the set. A second for a million triangles.
+/// of a hole or a triangle that was cut anew, is not in the set.
 TriangleRanges carriedRanges(const TriangleRanges& ranges, const TriangleSoup& before,
                              const TriangleSoup& after);
 
