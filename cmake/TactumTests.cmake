@@ -93,12 +93,14 @@ function(tactum_tests room)
     tactum_ctest(${test} ROOM ${room} LABELS ${T_LABELS} COMMAND ${T_UNDER} $<TARGET_FILE:${program}> test_${name})
     if(name IN_LIST T_LONG)
       set_property(TEST ${test} APPEND PROPERTY LABELS long)
+      set_property(TEST ${test} PROPERTY COST 100)
     endif()
     if(name IN_LIST T_ALONE)
       set_property(TEST ${test} PROPERTY RUN_SERIAL ON)
     endif()
     if(name IN_LIST T_GUI)
       set_property(TEST ${test} PROPERTY RESOURCE_LOCK display) # one keyboard; other tests run beside it
+      set_property(TEST ${test} PROPERTY COST 200) # first, for the last of them ends the run
       # Settings of their own: a test neither reads nor changes the person's.
       set_property(TEST ${test} APPEND PROPERTY LABELS gui)
       set_property(TEST ${test} APPEND PROPERTY

@@ -95,10 +95,10 @@ Result<TouchTrace> replay(const World& world, const FingerPath& path, const Prog
 
 Result<std::vector<TouchTrace>> replay(const World& world, std::span<const FingerPath> paths,
                                        const Progress& progress) {
-    constexpr std::size_t kLook = 512; // steps between two looks
+    constexpr std::size_t kBetweenLooks = 512; // steps between two looks
     if (std::ranges::any_of(paths, &FingerPath::empty)) return std::vector<TouchTrace>(paths.size());
     HandsOnPaths hands(world, paths, paths[0].front().t - kFirstStep);
-    ProgressMeter meter(progress, paths[0].size(), kLook);
+    ProgressMeter meter(progress, paths[0].size(), kBetweenLooks);
     for (std::size_t i = 0; i < paths[0].size(); ++i) {
         if (!meter.goesOn(i)) return cancelledError();
         hands.step(paths[0][i].t);
