@@ -39,7 +39,8 @@ Vec3 countedAlong(const SectionPlane& plane) {
 } // namespace
 
 SectionController::SectionController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), strip_(new ToolStrip), place_(new NumberBox({})) {
+    : QObject(&bench.window), bench_(bench), strip_(new ToolStrip), place_(new NumberBox({})),
+      unit_(new QLabel) {
     fillStrip();
     bench.on("section", this, [this](bool on) { cut(on); });
     for (std::size_t i = 0; i < kAcross.size(); ++i)
@@ -75,6 +76,8 @@ void SectionController::fillStrip() {
     place_->setToolTip(place_->accessibleName());
     strip_->addLabel(tr("at"));
     strip_->addField(place_);
+    unit_->setProperty("dimmed", true);
+    strip_->addField(unit_);
     strip_->addAction(&bench_.actions["section-flip"], tr("Other side"));
     strip_->addAction(&bench_.actions["section"], tr("Whole again"));
     bench_.strips().addWidget(strip_, 0, Qt::AlignLeft);
@@ -85,7 +88,7 @@ void SectionController::useUnit() {
     const QSignalBlocker quiet(place_);
     factor_ = unit.factor;
     place_->setUnit(unit.name);
-    place_->setSuffix(u' ' + unit.name);
+    unit_->setText(unit.name);
     place_->setDecimals(unit.decimals);
     place_->setRange(factor_ * kSectionPlace.minimum, factor_ * kSectionPlace.maximum);
     place_->setSingleStep(factor_ * kSectionPlace.step);

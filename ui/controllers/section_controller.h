@@ -8,6 +8,8 @@
 #include "ui/controllers/workbench.h"
 #include "ui/view/section_plane.h"
 
+class QLabel;
+
 namespace tactum {
 
 class NumberBox;
@@ -36,6 +38,7 @@ private:
     Workbench bench_;
     ToolStrip* strip_;
     NumberBox* place_; ///< in the unit of lengths that the person prefers
+    QLabel* unit_;
     double factor_ = 1;
     std::optional<SectionPlane> beforeDrag_; ///< to come back to while one goes on
 };

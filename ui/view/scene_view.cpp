@@ -23,8 +23,9 @@ constexpr double kOutlinePixels = 2.6;
 constexpr double kUnseenPixels = 0.1;
 // Diagonals of the scene: what forces have moved farther than this is not drawn.
 constexpr double kFarthestMoved = 10;
-constexpr double kRoomAbout = 0.1; // of the model's diagonal
-constexpr int kMostDoublings = 12; // what is 400 diagonals away may be cut off
+constexpr double kSectionRim = 0.36; // of the scene's diagonal: as wide as most scenes, seen at the home view
+constexpr double kRoomAbout = 0.1;   // of the model's diagonal
+constexpr int kMostDoublings = 12;   // what is 400 diagonals away may be cut off
 
 /// The box with room about it until it holds the other one. In coarse steps, for the planes that clip the
 /// picture follow it, and the model is drawn anew whenever they move.
@@ -162,6 +163,7 @@ void SceneView::setScene(const Scene& scene) {
     setCasters(scene);
     impl_->spanning = spanningPoints(scene);
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());
+    impl_->sectionHandles.setReach(kSectionRim * impl_->picker.bounds().diagonal());
     if (makesMeshes()) impl_->meshTimer.start();
     impl_->refreshSelection();
     setProxyRadius(scene.proxyRadius);
@@ -446,6 +448,13 @@ QImage SceneView::grabPicture() {
     return grabSmooth();
 }
 
+QImage SceneView::grabWithoutHandles() {
+    impl_->handlesDrawn = false;
+    QImage picture = grabSmooth();
+    impl_->handlesDrawn = true;
+    return picture;
+}
+
 void SceneView::prepareFrame() {
     impl_->camera.size = size();
     if (!impl_->fitted && impl_->picker.bounds().diagonal() > 0) {
@@ -481,6 +490,15 @@ void SceneView::Impl::drawRegion(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
 }
 
+void SceneView::Impl::drawHandles(QPainter& painter) const {
+    mapping.draw(painter, camera, theme(), cursorAt);
+    if (mass) drawMass(painter, *mass, camera, theme());
+    joint.draw(painter, camera, theme(), cursorAt);
+    path.draw(painter, camera, theme(), cursorAt);
+    sectionHandles.draw(painter, camera, theme(), cursorAt);
+    arranging.draw(painter, camera, theme(), cursorAt, arranged);
+}
+
 // Into the framebuffer that is bound: a painter on the widget would miss the picture when a window is
 // grabbed.
 void SceneView::paintOver() {
@@ -494,12 +512,7 @@ void SceneView::paintOver() {
     drawColliders(
         painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,
         impl_->theme());
-    impl_->mapping.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
-    if (impl_->mass) drawMass(painter, *impl_->mass, impl_->camera, impl_->theme());
-    impl_->joint.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
-    impl_->path.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
-    impl_->sectionHandles.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt);
-    impl_->arranging.draw(painter, impl_->camera, impl_->theme(), impl_->cursorAt, impl_->arranged);
+    if (impl_->handlesDrawn) impl_->drawHandles(painter);
     impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
     if (impl_->showsTouch())
         drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName);

@@ -195,6 +195,8 @@ public:
 
     /// What is shown now, in device pixels, drawn as well as this machine can.
     QImage grabPicture();
+    /// The same to be kept: without what the tools are dragged by.
+    QImage grabWithoutHandles();
 
 signals:
     /// The surface under the cursor changed.

@@ -63,6 +63,7 @@ struct SceneView::Impl {
     void endRegion(QPointF cursor, Qt::KeyboardModifiers modifiers);
     bool brushes() const { return tool == ViewTool::Select && selectBrush; }
     void drawRegion(QPainter& painter) const;
+    void drawHandles(QPainter& painter) const;
     void dragTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
     /// Everything on the way of the pointer from where it was.
     void strokeTo(QPointF cursor, Qt::KeyboardModifiers modifiers);
@@ -97,7 +98,8 @@ struct SceneView::Impl {
     SectionGizmo sectionHandles;
     /// In the order they are taken.
     std::array<ViewHandles*, 5> handles{&arranging, &mapping, &joint, &path, &sectionHandles};
-    ViewHandles* taken = nullptr;        ///< by the drag Handles
+    ViewHandles* taken = nullptr; ///< by the drag Handles
+    bool handlesDrawn = true;
     std::optional<Arrangement> arranged; ///< of the drag
     std::optional<MassMark> mass;
     std::vector<ColliderMark> colliders;

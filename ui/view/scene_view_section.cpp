@@ -3,13 +3,8 @@
 
 namespace tactum {
 
-namespace {
-constexpr double kRim = 0.36; // of the scene's diagonal: as wide as most scenes, and seen at the home view
-} // namespace
-
 void SceneView::setSection(const std::optional<SectionPlane>& plane) {
     if (section() == plane) return;
-    impl_->sectionHandles.setReach(kRim * impl_->picker.bounds().diagonal());
     impl_->sectionHandles.show(plane);
     impl_->picker.setSection(plane);
     impl_->stage.setSection(plane);

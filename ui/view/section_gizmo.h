@@ -19,6 +19,7 @@ class SectionGizmo : public HandlesOf<SectionHandle, SectionPlane> {
 public:
     /// How far the rim is from the origin of the plane, m.
     void setReach(double metres) { reach_ = metres; }
+    double reach() const { return reach_; }
 
     /// Where on the screen a handle can be grabbed; nothing for one that is not there or behind the eye.
     std::optional<QPointF> placeOf(SectionHandle handle, const ViewCamera& camera) const;

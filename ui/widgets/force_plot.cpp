@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QSettings>
 #include <QSvgGenerator>
+#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -171,9 +172,13 @@ QLayout* ForcePlot::makeBar() {
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(kRhythm, kRhythm / 2, kRhythm, 0);
     bar->setSpacing(kRhythm / 2);
+    auto* switches = new QToolBar;
+    switches->setObjectName(QStringLiteral("plot-switches"));
+    switches->layout()->setContentsMargins(0, 0, 0, 0);
+    switches->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     for (StripChart* chart : charts_)
-        bar->addWidget(addSwitch(*chart));
-    bar->addStretch(1);
+        switches_.push_back(addSwitch(*switches, *chart));
+    bar->addWidget(switches, 1);
     caption_->setObjectName(QStringLiteral("plot-caption"));
     caption_->setProperty("dimmed", true);
     caption_->setFont(figureFont(-1));
@@ -194,30 +199,31 @@ QLayout* ForcePlot::makeBar() {
     return bar;
 }
 
-QToolButton* ForcePlot::addSwitch(StripChart& chart) {
-    auto* button = new QToolButton;
+QAction* ForcePlot::addSwitch(QToolBar& bar, StripChart& chart) {
+    QAction* action = bar.addAction(chart.kind().title);
+    action->setToolTip(tr("Shows or hides this strip; the wheel over it changes the span of time"));
+    action->setCheckable(true);
+    QWidget* button = bar.widgetForAction(action);
     button->setObjectName(QStringLiteral("plot-") + QString::fromLatin1(chart.kind().id));
-    button->setText(chart.kind().title);
     button->setAccessibleName(tr("Show the plot: %1").arg(chart.kind().title));
-    button->setToolTip(tr("Shows or hides this strip; the wheel over it changes the span of time"));
-    button->setCheckable(true);
     const bool first = charts_.front() == &chart;
-    button->setChecked(QSettings().value(keyOf(chart), first).toBool());
+    action->setChecked(QSettings().value(keyOf(chart), first).toBool());
     const bool has = offered_[std::size_t(chart.kind().of)];
-    button->setVisible(has);
-    chart.setVisible(has && button->isChecked());
-    connect(button, &QToolButton::toggled, this, [this, &chart](bool on) {
+    action->setVisible(has);
+    chart.setVisible(has && action->isChecked());
+    connect(action, &QAction::toggled, this, [this, &chart](bool on) {
         QSettings().setValue(keyOf(chart), on);
         chart.setVisible(on && offered_[std::size_t(chart.kind().of)]);
         refresh();
     });
-    switches_.push_back(button);
-    return button;
+    return action;
 }
 
 void ForcePlot::refreshIcons() {
     pause_->setIcon(icon(paused_ ? QStringLiteral("play") : QStringLiteral("pause"), theme().text));
     export_->setIcon(icon(QStringLiteral("export"), theme().text));
+    if (auto* more = findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+        more->setIcon(icon(QStringLiteral("chevron-down"), theme().text));
 }
 
 void ForcePlot::changeEvent(QEvent* event) {

@@ -11,14 +11,17 @@
 #include "ui/widgets/strip_chart.h"
 #include "ui/widgets/touch_history.h"
 
+class QAction;
 class QLabel;
+class QToolBar;
 class QToolButton;
 class QVBoxLayout;
 
 namespace tactum {
 
-/// A button for each strip says whether it is shown; the mouse reads all of them at one time, the wheel
-/// shortens or lengthens the time. Which are shown is remembered. Thread: ui.
+/// A button for each strip says whether it is shown (in a narrow plot the last of them stand in a menu); the
+/// mouse reads all of them at one time, the wheel shortens or lengthens the time. Which are shown is
+/// remembered. Thread: ui.
 class ForcePlot : public QWidget {
     Q_OBJECT
 public:
@@ -57,7 +60,7 @@ protected:
 
 private:
     QLayout* makeBar();
-    QToolButton* addSwitch(StripChart& chart);
+    QAction* addSwitch(QToolBar& bar, StripChart& chart);
     void refresh();
     void refreshIcons();
     void offer(const std::optional<BodyReading>& body);
@@ -70,7 +73,7 @@ private:
     bool paused_ = false;
     std::array<bool, 4> offered_{true}; ///< by StripKind::Of
     std::vector<StripChart*> charts_;
-    std::vector<QToolButton*> switches_; ///< of the charts, in their order
+    std::vector<QAction*> switches_; ///< of the charts, in their order
     QLabel* caption_;
     QToolButton *export_, *pause_;
 };

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QFile>
+#include <QMenu>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -110,6 +111,22 @@ private slots:
         }
         Shown again;
         QVERIFY(again.plot.isShown("lag"));
+    }
+
+    // The window can be no narrower than its panels: with the strips of a joint it was wider than 1280
+    // pixels.
+    void aNarrowPlotKeepsTheLastSwitchesInAMenu() {
+        Shown shown;
+        shown.plot.take(pulled(2, 3), pulledTouch(), 8, 2000, BodyReading{.turns = true, .slides = true});
+        QCOMPARE_LT(shown.plot.minimumSizeHint().width(), 300);
+        shown.plot.resize(300, 600);
+        auto* energy = shown.plot.findChild<QToolButton*>(QStringLiteral("plot-body-energy"));
+        auto* more = shown.plot.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+        QTRY_VERIFY(!energy->isVisible());
+        QVERIFY(more->isVisible());
+        QVERIFY(more->menu()->actions().contains(energy->defaultAction()));
+        energy->defaultAction()->trigger();
+        QVERIFY(shown.plot.isShown("body-energy"));
     }
 
     void pauseHoldsTheTrace() {

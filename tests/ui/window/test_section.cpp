@@ -37,6 +37,8 @@ private slots:
 
     void aKeyCutsAndMakesWhole();
     void theNumberIsThePlace();
+    void thePlaneIsAsLargeAsTheSceneThatComesBack();
+    void aKeptPictureIsWithoutHandles();
     void aSectionIsOnlySeen();
     void anotherSceneIsWhole();
     void aTrialIsWhole();
@@ -113,8 +115,36 @@ void TestSection::theNumberIsThePlace() {
     COMPARE_NEAR(place->value(), 12, 1e-9, "mm");
     type("-2");
     COMPARE_NEAR(view.section()->frame.translation.y(), -0.002, 1e-12, "m");
+    type("-0.1 in"); // in another unit
+    COMPARE_NEAR(view.section()->frame.translation.y(), -0.00254, 1e-12, "m");
     type("1900"); // no farther than the scene is large
     QCOMPARE_LT(std::abs(view.section()->height(view.bounds().centre())), 1.001 * view.bounds().diagonal());
+}
+
+void TestSection::thePlaneIsAsLargeAsTheSceneThatComesBack() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    SceneView& view = program.window->view();
+    program.command("section").trigger();
+    const double reach = view.sectionHandles().reach();
+    COMPARE_NEAR(reach, 0.36 * view.bounds().diagonal(), 1e-12, "m");
+    program.document.select(SurfaceRef{program.document.scene().objects.front().id, 0});
+    program.command("remove").trigger();
+    QVERIFY(program.document.scene().objects.empty());
+    program.command("undo").trigger();
+    COMPARE_NEAR(view.sectionHandles().reach(), reach, 1e-12, "m");
+}
+
+void TestSection::aKeptPictureIsWithoutHandles() {
+    TouchedWindow program;
+    QVERIFY(program.open(writeCube(folder_)));
+    SceneView& view = program.window->view();
+    program.command("section").trigger();
+    const auto at = view.sectionHandles().placeOf(SectionHandle::Move, view.camera());
+    QVERIFY(at);
+    const QPoint place = (*at * view.devicePixelRatioF()).toPoint();
+    QVERIFY(view.grabPicture().pixel(place) != view.grabWithoutHandles().pixel(place));
+    QCOMPARE(view.grabPicture().pixel(place), view.grabPicture().pixel(place));
 }
 
 void TestSection::aSectionIsOnlySeen() {
