@@ -124,9 +124,12 @@ Json objectJson(const ObjectDescription& object) {
               {"bounds_m", boundsJson(object.bounds_B)},
               {"pose", poseJson(object.pose)},
               {"health", healthJson(object.health)},
-              {"surfaces", Json::array()}};
+              {"surfaces", Json::array()},
+              {"sets", Json::array()}};
     for (const SurfaceDescription& surface : object.surfaces)
         json["surfaces"].push_back(surfaceJson(surface));
+    for (const SetDescription& set : object.sets)
+        json["sets"].push_back({{"name", set.name}, {"triangles", set.triangles}});
     return json;
 }
 
@@ -225,6 +228,8 @@ void printInfo(const ObjectDescription& object) {
         for (const LayerDescription& layer : surface.layers)
             printInfo(layer);
     }
+    for (const SetDescription& set : object.sets)
+        std::cout << "  set " << set.name << ": " << counted(set.triangles, "triangle") << '\n';
 }
 
 void printInfo(const BodyDescription& body) {

@@ -58,6 +58,8 @@ ObjectDescription described(const SceneObject& object) {
     result.motion = describeMotion(object);
     for (const Surface& surface : object.surfaces)
         result.surfaces.push_back(described(surface));
+    for (const NamedTriangles& set : object.sets)
+        result.sets.push_back({set.name, countOf(set.triangles)});
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) { // a soup has segments and points too
         if (kindOf(soup.triangles[i]) != Kind::Triangle) continue;
         ++result.triangles;

@@ -50,6 +50,12 @@ struct MotionDescription {
     bool jumps = false;  ///< somewhere, or from its end to its start
 };
 
+/// A selection set, as far as it is of one object.
+struct SetDescription {
+    std::string name;
+    std::size_t triangles = 0;
+};
+
 struct ObjectDescription {
     ObjectId id = 0;
     std::string name;
@@ -61,6 +67,7 @@ struct ObjectDescription {
     std::optional<MotionDescription> motion;
     MeshHealth health;
     std::vector<SurfaceDescription> surfaces;
+    std::vector<SetDescription> sets; ///< rising by names
 };
 
 struct BodyDescription {

@@ -332,6 +332,24 @@ private slots:
         QCOMPARE(layer["strength"].toObject()["unit"].toString(), QString("m"));
     }
 
+    void infoNamesSelectionSets() {
+        const QString scene = write(
+            "sets.gltf",
+            R"({"asset":{"version":"2.0"},"extensionsUsed":["TACTUM_haptics"],"scene":0,"scenes":[{"nodes":[0]}],
+                "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}],
+                "extensions":{"TACTUM_haptics":{"sets":{"of":1,"parts":[{"name":"rim","ranges":1}]}}}}],
+                "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
+                "max":[0.1,0.1,0]}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,
+                "byteLength":8}],"buffers":[{"byteLength":44,"uri":"data:application/octet-stream;base64,)"
+            "AAAAAAAAAAAAAAAAzczMPQAAAAAAAAAAAAAAAM3MzD0AAAAAAAAAAAEAAAA="
+            R"("}]})");
+        COMPARE_CONTAINS(runTactum({"info", scene}).out, "  set rim: 1 triangle\n");
+        const QJsonObject json = QJsonDocument::fromJson(runTactum({"info", scene, "--json"}).out).object();
+        const QJsonObject set = json["objects"].toArray().at(0).toObject()["sets"].toArray().at(0).toObject();
+        QCOMPARE(set["name"].toString(), QString("rim"));
+        QCOMPARE(set["triangles"].toInt(), 1);
+    }
+
     void checkSaysEverythingOnce() {
         for (const QString& scene : {plate(), bumpyPlate()}) {
             const Ended check = runTactum({"check", scene});

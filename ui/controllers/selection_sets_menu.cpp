@@ -19,8 +19,10 @@ namespace tactum {
 namespace {
 
 /// What a person called something, in a menu.
-QString inMenu(QString name) {
-    return name.replace(u'&', QStringLiteral("&&"));
+QString inMenu(const QString& name) {
+    constexpr int kMost = 60; // letters: a menu is no wider than a screen
+    QString shown = name.size() > kMost ? name.left(kMost - 1) + u'\u2026' : name;
+    return shown.replace(u'&', QStringLiteral("&&"));
 }
 
 } // namespace

@@ -176,8 +176,11 @@ std::vector<NamedTriangles> GltfMeshReader::setsOf(int mesh, std::size_t triangl
     if (!ours) return {};
     const Json* parts = member(*ours, "parts");
     const Json* of = member(*ours, "of");
-    const bool fits = of && *of == triangles && parts && parts->is_array() && parts->size() <= kMaxSets;
-    if (!fits) complaints.push_back(whereIsMesh(mesh) + ".sets is of another mesh");
+    const std::string unfit = !of || !of->is_number_integer() || !parts || !parts->is_array() ? " is damaged"
+                              : *of != triangles         ? " is of a mesh of other triangles"
+                              : parts->size() > kMaxSets ? " has more than " + counted(kMaxSets, "set")
+                                                         : "";
+    if (!unfit.empty()) complaints.push_back(whereIsMesh(mesh) + ".sets" + unfit);
     std::map<std::string, TriangleRanges> sets;
     std::size_t count = 0;
     const auto take = [&](const Json& part) {
@@ -186,13 +189,13 @@ std::vector<NamedTriangles> GltfMeshReader::setsOf(int mesh, std::size_t triangl
         bool isWhole = true;
         auto ranges = rawView<TriangleRange>(part, "ranges", isWhole);
         const std::string shown = printable(name->get<std::string>(), kLongestName);
-        if (!isWhole || shown.empty() || ranges.empty() || !areTriangleRanges(ranges, triangles))
+        if (!isWhole || trimmed(shown).empty() || ranges.empty() || !areTriangleRanges(ranges, triangles))
             return false;
         count += ranges.size();
         return count <= mostRanges(triangles) && sets.emplace(shown, std::move(ranges)).second;
     };
     std::size_t wrong = 0;
-    for (const Json& part : fits ? *parts : Json::array())
+    for (const Json& part : unfit.empty() ? *parts : Json::array())
         wrong += !take(part);
     if (wrong > 0)
         complaints.push_back(whereIsMesh(mesh) + ".sets has " + counted(wrong, "set") +

@@ -147,27 +147,29 @@ private slots:
             const char* place;
             Json value;
             std::size_t kept;
-        } cases[] = {{"/of", 4, 0},
-                     {"/of", "3", 0},
-                     {"/parts", 7, 0},
-                     {"/parts", many, 0},
-                     {"", Json::array(), 0},
+            const char* what = ".sets has 1 set without a name";
+        } cases[] = {{"/of", 4, 0, ".sets is of a mesh of other triangles"},
+                     {"/of", "3", 0, ".sets is damaged"},
+                     {"/parts", 7, 0, ".sets is damaged"},
+                     {"/parts", many, 0, ".sets has more than 256 sets"},
+                     {"", Json::array(), 0, ".sets is damaged"},
                      {"/parts/0", 7, 1},
                      {"/parts/0/name", Json(), 1},
                      {"/parts/0/name", "", 1},
+                     {"/parts/0/name", "  ", 1},
                      {"/parts/0/name", "b", 1},
                      {"/parts/0/ranges", -1, 1},
                      {"/parts/0/ranges", 1e300, 1},
                      {"/parts/0/ranges", 100'000, 1},
                      {"/parts/0/ranges", 0, 1}}; // the positions
-        for (const auto& [place, value, kept] : cases) {
+        for (const auto& [place, value, kept, what] : cases) {
             const auto loaded = readWith(place, value);
             VERIFY_RESULT(loaded);
             QCOMPARE(loaded->scene.objects[0].sets.size(), kept);
-            const auto said = std::ranges::find_if(loaded->findings, [](const Finding& finding) {
-                return finding.sentence.find(".sets ") != std::string::npos;
+            const auto said = std::ranges::find_if(loaded->findings, [w = what](const Finding& finding) {
+                return finding.sentence.find(w) != std::string::npos;
             });
-            QVERIFY2(said != loaded->findings.end(), place);
+            QVERIFY2(said != loaded->findings.end(), what);
         }
     }
 
