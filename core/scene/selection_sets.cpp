@@ -88,4 +88,11 @@ void carrySets(const TriangleSoup& from, SceneObject& object) {
     std::erase_if(object.sets, [](const NamedTriangles& each) { return each.triangles.empty(); });
 }
 
+void keepSets(const Scene& of, Scene& scene) {
+    for (SceneObject& object : scene.objects) {
+        const auto same = std::ranges::find(of.objects, object.id, &SceneObject::id);
+        if (same != of.objects.end() && *same->geometry == *object.geometry) object.sets = same->sets;
+    }
+}
+
 } // namespace tactum

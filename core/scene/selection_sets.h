@@ -45,4 +45,8 @@ void renameSet(Scene& scene, const std::string& from, const std::string& to);
 /// The sets of `from`, another form of the object's mesh, for the object: see carriedRanges().
 void carrySets(const TriangleSoup& from, SceneObject& object);
 
+/// Gives a scene the sets of another one, for objects of the same number and mesh: a state of the scene that
+/// is shown again is how it feels, and not which selections were kept then.
+void keepSets(const Scene& of, Scene& scene);
+
 } // namespace tactum

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
+#include "core/scene/selection_sets.h"
 #include "ui/document/document.h"
 
 namespace tactum {
@@ -78,9 +79,10 @@ void StudyDesk::remove(int condition) {
 
 void StudyDesk::show(int condition) {
     const auto index = std::size_t(condition);
+    Scene shown = study_.conditions.at(index);
+    keepSets(document_.scene(), shown);
     document_.replaceScene(
-        tr("Show state %1").arg(QString::fromStdString(study_.design.conditions.at(index))),
-        study_.conditions.at(index));
+        tr("Show state %1").arg(QString::fromStdString(study_.design.conditions.at(index))), shown);
 }
 
 void StudyDesk::open(const QString& file) {

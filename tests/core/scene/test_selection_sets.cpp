@@ -77,6 +77,18 @@ private slots:
         QCOMPARE(trianglesOfSet(pair.scene, "rim"), (SceneTriangles{{copies[0], {0}}}));
     }
 
+    void aStateThatIsShownAgainHasTheSetsOfNow() {
+        Pair pair;
+        putSet(pair.scene, "old", {{pair.left, {0}}});
+        Scene state = pair.scene;
+        putSet(pair.scene, "old", {});
+        putSet(pair.scene, "rim", {{pair.left, {1}}, {pair.right, {2}}});
+        state.objects[1].geometry = std::make_shared<const TriangleSoup>(box({9, 9, 9}));
+        keepSets(pair.scene, state);
+        QCOMPARE(trianglesOfSet(state, "rim"), (SceneTriangles{{pair.left, {1}}})); // right is another mesh
+        QCOMPARE(setNames(state), Names{"rim"});
+    }
+
     void whatIsNoListOfSetsIsRefused() {
         const NamedTriangles good{"a", {{0, 3}}};
         QVERIFY2(areSetsOf({good, {"b", {{2, 12}}}}, 12), "two sets");
