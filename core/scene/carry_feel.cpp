@@ -87,6 +87,10 @@ public:
         sayWhatIsLeft(onto);
         onto.proxyRadius = from_.proxyRadius;
         if (!onto.finger) onto.finger = from_.finger;
+        for (SavedCamera camera : from_.cameras) {
+            camera.kept = camera.keptCamera = {}; // of another file
+            putCamera(onto, std::move(camera));
+        }
         return std::move(carried_);
     }
 

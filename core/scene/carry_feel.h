@@ -28,7 +28,8 @@ struct CarriedFeel {
 /// plainName() is what counts of a name. What is painted comes along where the mesh has as many vertices and
 /// the same triangles, but not to an object of another name at another place; where the shape is not the
 /// same, that is said. Shapes, colours and bodies stay those of `onto`; the proxy's radius becomes that of
-/// `from`, and so does the finger path where `onto` has none. Thread: any but real time.
+/// `from`, its cameras come along in place of those of their names, and the finger path where `onto` has
+/// none. Thread: any but real time.
 CarriedFeel carryFeel(const Scene& from, Scene& onto, const std::vector<SceneObject>* gone = nullptr);
 
 } // namespace tactum

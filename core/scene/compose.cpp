@@ -108,6 +108,8 @@ void forgetKept(Scene& scene) {
         for (Surface& surface : object.surfaces)
             surface.kept = {};
     }
+    for (SavedCamera& camera : scene.cameras)
+        camera.kept = camera.keptCamera = {};
 }
 
 void standInTheWay(Scene& scene, std::span<const ObjectId> objects) {
@@ -161,7 +163,10 @@ std::vector<ObjectId> addScene(Scene& scene, Scene other, ObjectId above) {
                moves = !other.mechanics.bodies.empty();
     if (first) {
         scene.proxyRadius = other.proxyRadius;
+        forgetKept(scene); // of cameras that were there already
         scene.kept = other.kept;
+        for (const SavedCamera& camera : other.cameras)
+            if (!findCamera(scene, camera.name)) putCamera(scene, camera);
     } else
         forgetKept(other);
     if (!scene.finger) scene.finger = other.finger;

@@ -25,8 +25,8 @@ std::vector<ObjectId> addCopies(Scene& scene, const Scene& from, const GoingAlon
 
 /// All of another scene, beside what is there. As soon as something moves by forces, bodies can lie on what
 /// stands still. An empty scene becomes the other one; one with objects keeps its proxy radius, its finger
-/// and, where it has bodies, its gravity, air and scales, and leaves out what other programs had put into the
-/// file of the other one.
+/// and, where it has bodies, its gravity, air and scales, and leaves out the other one's cameras, and what
+/// other programs had put into its file.
 std::vector<ObjectId> addScene(Scene& scene, Scene other, ObjectId above = 0);
 
 /// What went with objects that were removed.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -74,6 +75,13 @@ void scaleScene(Scene& scene, double factor, const Vec3& about) {
         object.geometry = std::move(larger);
         if (object.motion) object.motion = std::make_shared<const Motion>(scaled(*object.motion, factor));
     }
+    for (SavedCamera& camera : scene.cameras) {
+        camera.pose.translation = factor * (camera.pose.translation - about);
+        for (double SavedCamera::*length : {&SavedCamera::ahead, &SavedCamera::near, &SavedCamera::far})
+            camera.*length *= factor;
+        if (camera.parallel) camera.height *= factor;
+    }
+    std::erase_if(scene.cameras, std::not_fn(isCamera)); // that is too far away now
     moveFinger(scene, [&](const Vec3& p) { return Vec3(factor * (p - about)); });
 }
 
@@ -89,6 +97,8 @@ bool turnUpright(Scene& scene) {
         object.pose.rotation = (turn * object.pose.rotation).normalized();
         object.pose.translation = turned(object.pose.translation);
     }
+    for (SavedCamera& camera : scene.cameras)
+        camera.pose = Pose{turn, Vec3::Zero()} * camera.pose;
     moveFinger(scene, turned);
     return true;
 }

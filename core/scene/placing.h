@@ -37,8 +37,8 @@ FileAxes axesLike(const Scene& asMetres, const Scene& like, std::optional<double
 /// Takes a scene that was read as metres with y up for what it is. A scene of bodies stays upright.
 void placeAs(Scene& asMetres, const FileAxes& axes);
 
-/// Scales every object, what moves, and the finger that shows the scene, about a point that becomes the
-/// origin.
+/// Scales every object, what moves, the cameras, and the finger that shows the scene, about a point that
+/// becomes the origin.
 void scaleScene(Scene& scene, double factor, const Vec3& about);
 
 /// Moves everything by so many metres, world frame.

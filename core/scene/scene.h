@@ -14,6 +14,7 @@
 #include "core/motion/motion.h"
 #include "core/scene/finger_path.h"
 #include "core/scene/kept.h"
+#include "core/scene/saved_cameras.h"
 #include "core/surface/material.h"
 #include "core/surface/shading.h"
 #include "core/surface/texture_layer.h"
@@ -79,7 +80,8 @@ struct Scene {
     double proxyRadius = kProxyRadius.initial; ///< m
     /// A stroke that shows what there is to feel; null: none was given. Shared and immutable.
     std::shared_ptr<const std::vector<FingerPoint>> finger;
-    KeptFile kept; ///< of the glTF file
+    std::vector<SavedCamera> cameras; ///< to look from, in the author's order, each name once; never felt
+    KeptFile kept;                    ///< of the glTF file
 
     bool operator==(const Scene&) const = default;
 

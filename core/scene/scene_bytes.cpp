@@ -142,8 +142,15 @@ template <class Io> void setsBytes(Io& io, SceneObject& object) {
               "a selection set is not of its object's triangles");
 }
 
+template <class Io> void cameraBytes(Io& io, SavedCamera& camera) {
+    auto& [name, pose, parallel, angle, height, ahead, near, far, kept, keptCamera] = camera;
+    nameBytes(io, name);
+    io(pose), io(parallel), io(angle), io(height), io(ahead), io(near), io(far);
+    keptBytes(io, kept), keptBytes(io, keptCamera);
+}
+
 template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
-    auto& [objects, mechanics, proxyRadius, finger, kept] = scene;
+    auto& [objects, mechanics, proxyRadius, finger, cameras, kept] = scene;
     io(proxyRadius);
     mechanicsWithNames(io, mechanics);
     sharedBytes(io, finger, [&](std::vector<FingerPoint>& points) {
@@ -152,6 +159,10 @@ template <class Io> void sceneBytes(Io& io, Scene& scene, SceneTables& tables) {
             io(t), io(position);
         io.demand(isFingerPath(points), "its finger path has no rows of rising time");
     });
+    io.count(cameras, 64);
+    for (SavedCamera& camera : cameras)
+        cameraBytes(io, camera);
+    io.demand(!Io::kReads || areCameras(cameras), "a camera sees nothing, or two have one name");
     keptBytes(io, kept);
     io.count(objects, 64);
     for (SceneObject& object : objects)
@@ -211,6 +222,8 @@ SceneObject withoutKept(SceneObject object) {
 Scene withoutKept(Scene scene) {
     for (SceneObject& object : scene.objects)
         object = withoutKept(std::move(object));
+    for (SavedCamera& camera : scene.cameras)
+        camera.kept = camera.keptCamera = {};
     scene.kept = {};
     return scene;
 }

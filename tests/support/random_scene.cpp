@@ -42,6 +42,7 @@ std::string difference(const Scene& a, const Scene& b) {
     if (a.proxyRadius != b.proxyRadius) return "proxy radius";
     if (bool(a.finger) != bool(b.finger) || (a.finger && *a.finger != *b.finger)) return "finger path";
     if (const std::string found = difference(a.mechanics, b.mechanics); !found.empty()) return found;
+    if (a.cameras != b.cameras) return "cameras";
     if (a.objects.size() != b.objects.size()) return "number of objects";
     for (std::size_t i = 0; i < a.objects.size(); ++i) {
         const SceneObject &x = a.objects[i], &y = b.objects[i];

@@ -67,18 +67,20 @@ Json withoutGeometry(Json mesh) {
 
 /// Arrays that our writer never adds to, but for animations, of which eraseMotions() has left the foreign.
 bool isAllForeign(std::string_view array) {
-    for (const char* name : {"animations", "cameras", "samplers", "scenes", "skins"})
+    for (const char* name : {"animations", "samplers", "scenes", "skins"})
         if (array == name) return true;
     return false;
 }
 
 } // namespace
 
-GltfParting::GltfParting(const Json& json, const std::vector<int>& objects, bool mechanics)
+GltfParting::GltfParting(const Json& json, const std::vector<int>& objects, const std::vector<int>& cameras,
+                         bool mechanics)
     : objects_(objects), root_(json) {
     readCounts(json);
     findOwnNodes(json);
     strip(mechanics);
+    stripCameras(cameras);
     markForeign(json);
     number();
     noteLost(json);
@@ -224,6 +226,15 @@ void GltfParting::strip(bool mechanics) {
     for (const WorldField& field : kWorldFields)
         root_["extensions"][kExtension].erase(jsonKey(field.parameter->key));
     if (root_["extensions"][kExtension].empty()) eraseExtension(root_, kExtension);
+}
+
+/// Their nodes stay as places for what is kept beside them, and for what hangs below.
+void GltfParting::stripCameras(const std::vector<int>& cameras) {
+    for (const int each : cameras) {
+        Json& node = root_["nodes"][std::size_t(each)];
+        node.erase("camera");
+        eraseExtension(node, kExtension);
+    }
 }
 
 /// Follows what foreign elements name, and what is kept beside objects. What nothing at all has named is

@@ -15,9 +15,10 @@ namespace tactum {
 /// is what only our objects name; all else was put in by another program, and moves to the foreign beginning.
 class GltfParting {
 public:
-    /// `objects`: the nodes that became objects, in rising order. `mechanics`: bodies and joints were read;
-    /// our writer makes them anew.
-    GltfParting(const Json& json, const std::vector<int>& objects, bool mechanics);
+    /// `objects`: the nodes that became objects, in rising order; `cameras`: those that became saved cameras.
+    /// `mechanics`: bodies and joints were read; our writer makes them anew.
+    GltfParting(const Json& json, const std::vector<int>& objects, const std::vector<int>& cameras,
+                bool mechanics);
 
     /// The root without what our writer makes anew: our extension and copies, the meshes of objects, the
     /// animations that move them. Elements of ours are in it still; settle() takes them out.
@@ -38,6 +39,7 @@ private:
 
     void readCounts(const Json& json);
     void strip(bool mechanics);
+    void stripCameras(const std::vector<int>& cameras);
     void visitMaterials(const Json& node, const auto& visit);
     void findOwnNodes(const Json& json);
     bool isRest(const Json& node) const;

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/files/corner_pool.h"
 #include "core/files/gltf/gltf_animation.h"
+#include "core/files/gltf/gltf_cameras.h"
 #include "core/files/gltf/gltf_foreign.h"
 #include "core/files/gltf/gltf_mesh.h"
 #include "core/files/gltf/gltf_mirror.h"
@@ -65,6 +66,7 @@ private:
     void readMechanics(const GltfMotions& motions);
     bool hasMechanics() const { return !loaded_.scene.mechanics.bodies.empty(); }
     void place(const PlacedMesh& placed, const RawMesh& raw);
+    void keepCameras(const std::vector<PlacedCamera>& cameras);
     void keep(SceneObject& object, const PlacedMesh& placed, const RawMesh& raw);
     void readNode(SceneObject& object, const PlacedMesh& placed, const Json& ours);
     Kept keptOf(const char* array, int index, Json primitives = {}) const;
@@ -181,7 +183,12 @@ LoadedScene GltfReader::read() {
         objectNodes_.push_back(placed.node);
     std::ranges::sort(objectNodes_);
     noteInstances(all.size());
-    parting_.emplace(file_.json, objectNodes_, hasMechanics());
+    const std::vector<PlacedCamera> cameras =
+        placedCameras(source_, model_, file_.json, motions, loaded_.findings);
+    std::vector<int> cameraNodes;
+    for (const PlacedCamera& placed : cameras)
+        cameraNodes.push_back(placed.node);
+    parting_.emplace(file_.json, objectNodes_, cameraNodes, hasMechanics());
     loaded_.findings.insert(loaded_.findings.end(), parting_->findings().begin(), parting_->findings().end());
     for (const PlacedMesh& placed : all) {
         const auto [mesh, isNew] = meshes.try_emplace(placed.mesh);
@@ -195,6 +202,7 @@ LoadedScene GltfReader::read() {
     }
     noteLostAttributes(all);
     sayMirrored();
+    keepCameras(cameras);
     keepForeign();
     return std::move(loaded_);
 }
@@ -308,6 +316,21 @@ void GltfReader::place(const PlacedMesh& placed, const RawMesh& raw) {
          "only its rigid motion is felt; give its ancestors an even scale");
     warn(placed.deforms, "is deformed by a skin or by morph targets",
          "felt in the shape that it has at rest");
+}
+
+/// A camera that does not say what it looks at looks at the middle of the scene.
+void GltfReader::keepCameras(const std::vector<PlacedCamera>& cameras) {
+    const Bounds box = boundsOf(loaded_.scene);
+    const double size = box.diagonal() > 0 ? box.diagonal() : 1;
+    for (const PlacedCamera& placed : cameras) {
+        SavedCamera camera = placed.camera;
+        const Vec3 to = (box.empty() ? Vec3(Vec3::Zero()) : box.centre()) - camera.pose.translation;
+        if (!isCamera(camera)) // nor is anything else of it wrong: see placedCameras()
+            camera.ahead = std::clamp(-camera.pose.rotateInverse(to).z(), 0.1 * size, 10 * size);
+        camera.kept = keptOf("nodes", placed.node);
+        camera.keptCamera = keptOf("cameras", placed.index);
+        loaded_.scene.cameras.push_back(std::move(camera));
+    }
 }
 
 /// What our extension of the node says, and all that nobody here knows.

@@ -7,6 +7,7 @@
 
 #include "core/files/gltf/drawn_mesh.h"
 #include "core/files/gltf/gltf_animation.h"
+#include "core/files/gltf/gltf_cameras.h"
 #include "core/files/gltf/gltf_foreign.h"
 #include "core/files/gltf/gltf_mirror.h"
 #include "core/files/gltf/gltf_standards.h"
@@ -61,9 +62,11 @@ private:
     int addMesh(const SceneObject& object);
     int addShapeMesh(const std::shared_ptr<const ShapeMesh>& mesh);
     int addNode(const SceneObject& object);
+    int addCamera(const SavedCamera& camera);
     std::vector<int> addNodes();
     const RigidBody* bodyOf(BodyId id) const;
-    int place(Json node, const SceneObject& object);
+    int put(const char* array, Json element, const Kept& kept, std::set<int>& claimed);
+    int place(Json node, const Kept& kept, const Pose& pose);
     void finishRoot(const std::vector<int>& roots);
 
     const Scene& scene_;
@@ -80,7 +83,7 @@ private:
     std::set<const TriangleSoup*> bumpy_; ///< with tangents
     std::map<const TriangleSoup*, Stored> soups_;
     std::map<const TriangleSoup*, int> shapes_; ///< their meshes
-    std::set<int> claimedNodes_, claimedMaterials_;
+    std::set<int> claimedNodes_, claimedMaterials_, claimedCameras_;
     std::vector<int> nodes_; ///< of each object
     std::map<BodyId, const RigidBody*> bodies_;
 };
@@ -176,10 +179,16 @@ int GltfWriter::addMaterial(const SceneObject& object, Index at, Paints& paints)
     addMirror(material, ours);
     objectAt(material, "extensions")[kExtension] = std::move(ours);
     copies_.addLook(object, at, material);
-    const int index = surface.kept.index;
-    if (index < 0 || std::size_t(index) >= foreign_["materials"] || !claimedMaterials_.insert(index).second)
-        return data_.add("materials", std::move(material));
-    root_["materials"][std::size_t(index)] = std::move(material);
+    return put("materials", std::move(material), surface.kept, claimedMaterials_);
+}
+
+/// In its foreign place, if it has one that is still free.
+int GltfWriter::put(const char* array, Json element, const Kept& kept, std::set<int>& claimed) {
+    const int index = kept.index;
+    if (index < 0 || std::size_t(index) >= foreign_.value(array, std::size_t(0)) ||
+        !claimed.insert(index).second)
+        return data_.add(array, std::move(element));
+    root_[array][std::size_t(index)] = std::move(element);
     return index;
 }
 
@@ -268,11 +277,11 @@ const RigidBody* GltfWriter::bodyOf(BodyId id) const {
 }
 
 /// Into its foreign place, if it has one, without the part of the tree above it.
-int GltfWriter::place(Json node, const SceneObject& object) {
-    const int index = object.kept.index;
+int GltfWriter::place(Json node, const Kept& kept, const Pose& pose) {
+    const int index = kept.index;
     if (index < 0 || std::size_t(index) >= foreign_["nodes"] || !claimedNodes_.insert(index).second)
         return data_.add("nodes", std::move(node));
-    tree_.uproot(index, object.pose); // of the world: its body stands still when the file is written
+    tree_.uproot(index, pose); // of the world: its body stands still when the file is written
     if (const Json* children = member(root_["nodes"][std::size_t(index)], "children"))
         node["children"] = *children;
     root_["nodes"][std::size_t(index)] = std::move(node);
@@ -292,14 +301,20 @@ int GltfWriter::addNode(const SceneObject& object) {
     if (object.geometry && !object.geometry->triangles.empty()) node["mesh"] = addMesh(object);
     if (!object.motion) {
         node.update(standing);
-        return nodes_.emplace_back(place(std::move(node), object));
+        return nodes_.emplace_back(place(std::move(node), object.kept, object.pose));
     }
-    const int moving = nodes_.emplace_back(place(std::move(node), object));
+    const int moving = nodes_.emplace_back(place(std::move(node), object.kept, object.pose));
     Json rest = standing;
     rest["name"] = object.name + " at rest";
     rest["children"] = {moving};
     addAnimation(data_, *object.motion, moving, object.name);
     return data_.add("nodes", std::move(rest));
+}
+
+int GltfWriter::addCamera(const SavedCamera& camera) {
+    Json node = overlaid(camera.kept, cameraNodeJson(camera));
+    node["camera"] = put("cameras", cameraJson(camera), camera.keptCamera, claimedCameras_);
+    return place(std::move(node), camera.kept, camera.pose);
 }
 
 /// Rows of t, x, y, z.
@@ -377,6 +392,8 @@ std::vector<int> GltfWriter::addNodes() {
                         1);
     addBodiesTo(scene_.mechanics.bodies.end());
     roots.insert(roots.end(), physics_.still().begin(), physics_.still().end());
+    for (const SavedCamera& camera : scene_.cameras)
+        roots.push_back(addCamera(camera));
     return roots;
 }
 

@@ -195,8 +195,13 @@ std::string formatSchema() {
         "extensions.TACTUM_haptics of a node.",
         {{"visible", flag("Whether it is seen and felt.")},
          {"role",
-          {{"enum", {"body", "collider", "joint"}},
-           {"description", "Of a node that Tactum made for KHR_physics_rigid_bodies, and makes anew."}}},
+          {{"enum", {"body", "collider", "joint", "camera"}},
+           {"description", "Of a node that Tactum made for KHR_physics_rigid_bodies or for a camera of its "
+                           "own, and makes anew."}}},
+         {"ahead",
+          {{"type", "number"},
+           {"exclusiveMinimum", 0},
+           {"description", "From a camera to what the view turns about. Unit: m."}}},
          {"pose",
           object(
               "Exactly where it is at the time 0 in the world; the node has it below another node.",

@@ -69,6 +69,15 @@ LoadedScene richScene() {
     loaded.scene.add(object);
     loaded.scene.add(object).name = "its twin";
     loaded.scene.proxyRadius = 0.003;
+    SavedCamera camera;
+    camera.name = "front";
+    camera.pose = {Quat(0, 0, 1, 0), {0.1, 0.2, -3}};
+    camera.ahead = 2.5, camera.near = 0.1, camera.far = 100;
+    camera.kept = {6, std::make_shared<const std::string>("{\"eye\":1}")};
+    camera.keptCamera = {2, std::make_shared<const std::string>("{\"lens\":1}")};
+    loaded.scene.cameras = {camera, camera};
+    loaded.scene.cameras[1].name = "plan";
+    loaded.scene.cameras[1].parallel = true, loaded.scene.cameras[1].height = 0.7;
     loaded.scene.kept.foreign = std::make_shared<const ForeignGltf>(ForeignGltf{"{}", "binary"});
     loaded.findings = {{Finding::Severity::Warning, "body", "is odd", "look at it"}};
     return loaded;
@@ -144,6 +153,9 @@ private slots:
         QCOMPARE_EQ(got.pose.translation, sent.pose.translation);
         QCOMPARE_EQ(got.visible, sent.visible);
         QCOMPARE(got.sets, sent.sets);
+        QVERIFY(back.scene.cameras == loaded.scene.cameras);
+        QCOMPARE(*back.scene.cameras[0].kept.json, *loaded.scene.cameras[0].kept.json);
+        QCOMPARE(back.scene.cameras[0].keptCamera.index, 2);
         QVERIFY(got.pose.rotation.coeffs() == sent.pose.rotation.coeffs());
         const TextureImage &picture = *sent.surfaces[0].layers[0].pattern.image,
                            &copy = *got.surfaces[0].layers[0].pattern.image;
@@ -187,6 +199,13 @@ private slots:
             [](LoadedScene& s) { s.scene.objects[0].sets.push_back(s.scene.objects[0].sets[0]); },
             [](LoadedScene& s) { s.scene.objects[0].id = s.scene.objects[1].id; },
             [](LoadedScene& s) { s.scene.objects[0].id = ~ObjectId(0); },
+            [](LoadedScene& s) { s.scene.cameras[1].name = s.scene.cameras[0].name; },
+            [](LoadedScene& s) { s.scene.cameras[0].name.clear(); },
+            [=](LoadedScene& s) { s.scene.cameras[0].angle = nan; },
+            [=](LoadedScene& s) { s.scene.cameras[0].pose.translation.y() = nan; },
+            [](LoadedScene& s) { s.scene.cameras[1].height = 0; },
+            [](LoadedScene& s) { s.scene.cameras[0].ahead = 1e9; },
+            [](LoadedScene& s) { s.scene.cameras.resize(kMaxCameras + 1, s.scene.cameras[0]); },
         };
         for (std::size_t i = 0; i < lies.size(); ++i)
             QVERIFY2(!refusalOf(lies[i]).empty(), qPrintable(QString::number(i)));
