@@ -1,8 +1,11 @@
 // The update stage on surfaces that feel otherwise than their facets: shaded or textured (sections 3, 4.3).
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 
+#include "core/base/inplace_vector.h"
 #include "core/proxy/proxy.h"
 
 namespace tactum {
@@ -27,19 +30,77 @@ struct FeltContacts {
 /// Whether any of the contacts is on a surface with shading or texture. Thread: real time.
 bool isFelt(std::span<const Obstacle> obstacles, std::span<const Contact> contacts) noexcept;
 
-/// Both passes of section 3. Returns where the proxy would go without friction, relative to where it is: zero
-/// exactly where the finger is held by a force along the felt normals. The multipliers are those of the
-/// contacts' true planes, in their order. Writes them into the contacts, with the materials that are felt,
-/// and lists the felt planes that push. Thread: real time; two minimisations and one sample of the texture
-/// for each contact.
-NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept;
+/// Both passes of section 3, at one place after the other within a step: what all contacts of a proxy feel
+/// like there. Where the proxy goes to where it was looked last, nothing is looked at again. Thread: real
+/// time.
+class FeltPasses {
+public:
+    FeltPasses() noexcept {} // not defaulted, or room that is not used would be filled with zeros
 
-/// How much of `slide` leads on, after `drop`, of what updateFelt wished: the felt normal, the depth and the
-/// friction change on the way, and beyond the place where the wish turns back, or where friction holds what
-/// is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the wish at the
-/// beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther. Thread: real
-/// time; at most eleven updates.
-double feltReach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
-                 double hold, bool mayExtend) noexcept;
+    /// Where the proxy would go without friction, relative to where it is: zero exactly where the finger is
+    /// held by a force along the felt normals. The multipliers are those of the contacts' true planes, in
+    /// their order. Writes them into the contacts, with the materials that are felt, and lists the felt
+    /// planes that push. Two minimisations and one sample of the texture for each contact.
+    NearestPoint update(ProxyState& state, const FeltContacts& on) noexcept;
+
+    /// How much of `slide` leads on, after `drop`, of what update() just wished: the felt normal, the depth
+    /// and the friction change on the way, and beyond the place where the wish turns back, or where friction
+    /// holds what is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the
+    /// wish at the beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther.
+    /// At most ten updates.
+    double reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
+                 double hold, double settled, bool mayExtend) noexcept;
+
+    /// Where the proxy would come to rest from `place`, relative to it: nothing where that is farther than
+    /// `most`, or not known without another look.
+    std::optional<Vec3> restAt(const FeltContacts& on, const Vec3& place, double most) noexcept;
+
+    /// Whether the contacts are those that were looked at last; then they get what was found there, as by
+    /// update().
+    bool settleAsLooked(ProxyState& state, const FeltContacts& on) noexcept;
+
+private:
+    /// Of a contact that was looked at.
+    struct Looked {
+        std::uint32_t body = 0;
+        Index triangle = 0;
+        bool isBeyond = false; ///< on the plane of its face, beside the face itself
+    };
+
+    /// `ahead`: at places that the proxy may go to, where faces that it touches count as going on beyond
+    /// their edges: what comes next there is not yet known, and seldom an end.
+    const NearestPoint& at(const Vec3& centre, bool ahead) noexcept;
+    void clear() noexcept;
+    bool hasLookedAt(std::span<const Contact> contacts) const noexcept;
+    double held(const Vec3& way) const noexcept;
+    void settle(ProxyState& state) const noexcept;
+    double locate(std::size_t i, bool ahead) noexcept;
+    void look(std::size_t i) noexcept;
+    std::optional<Vec3> feltAlone(std::size_t i) const noexcept;
+    void add(std::size_t owner, const Vec3& normal) noexcept;
+    bool isAboveAll(const Vec3& u) noexcept;
+    int theOnlyPlane() const noexcept;
+    bool alongTheFeltNormal(const Vec3& u, int j) noexcept;
+    bool alongBothNormals(const Vec3& u) noexcept;
+    std::array<std::size_t, 2> bothPlanes() const noexcept;
+    bool isFree(const Vec3& x) noexcept;
+    void pushAlongTrueNormals() noexcept;
+    void secondPass(const Vec3& subgoal) noexcept;
+    bool projectBack(const Vec3& subgoal) noexcept;
+
+    const FeltContacts* on_ = nullptr;
+    Vec3 centre_ = Vec3::Zero();
+    double leads_ = 1; ///< how many times its wish leads on from where it was looked last, by the secant
+    InplaceVector<Looked, kMaxPlanes> looked_; ///< all contacts, as at the last look
+    InplaceVector<ConstraintPlane, kMaxPlanes> true_, felt_;
+    InplaceVector<ClosestPoint, kMaxPlanes> foot_; ///< on the triangles, and where they count as going on
+    InplaceVector<Material, kMaxPlanes> material_;
+    InplaceVector<std::uint8_t, kMaxPlanes> owner_; ///< of each felt plane: its contact
+    NearestPoint pushing_;                          ///< of pass 1
+    NearestPoint result_;                           ///< of both: the multipliers are the contacts'
+};
+
+/// FeltPasses::update() alone. Thread: real time.
+NearestPoint updateFelt(ProxyState& state, const FeltContacts& on) noexcept;
 
 } // namespace tactum

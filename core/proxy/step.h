@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/base/inplace_vector.h"
@@ -75,7 +76,9 @@ private:
 
     // step_felt.cpp
     FeltContacts feltContacts() noexcept;
+    NearestPoint updateFelt() noexcept;
     Vec3 alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept;
+    bool addKnownRest(Vec3& motion) noexcept;
     double settled() const noexcept;
     Vec3 seat() noexcept;
     bool isSeated() noexcept;
@@ -112,8 +115,9 @@ private:
     double dt_;
     double timeLeft_;
     Vec3 fingerVelocity_;
-    Vec3 start_;                    ///< where the proxy was, or where what it rides on took it
-    Vec3 lastSlide_ = Vec3::Zero(); ///< the last one on a felt surface
+    Vec3 start_;                       ///< where the proxy was, or where what it rides on took it
+    Vec3 lastSlide_ = Vec3::Zero();    ///< the last one on a felt surface
+    std::optional<FeltPasses> passes_; ///< what was last looked at there
     int mostRounds_;
     const NearBodies* near_; ///< null: look at every obstacle
     bool oneSided_;          ///< something is felt from one side alone

@@ -28,13 +28,20 @@ FeltContacts Step::feltContacts() noexcept {
             radius_,    finger_, std::max(kStepsToAFeature * way, kFinestFeature * radius_)};
 }
 
+// On facets that feel otherwise.
+NearestPoint Step::updateFelt() noexcept {
+    if (!passes_) passes_.emplace();
+    return passes_->update(state_, feltContacts());
+}
+
 // Down onto the surfaces, and along them as far as the felt normal, which changes on the way, still leads
 // on. Between where the drop and where the wish end no plane is crossed.
 Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) noexcept {
     if (slide.norm() <= rest_) return drop;
     // The last round's slide is too short for the felt normal to change on it.
     const bool isLast = slide.norm() <= settled();
-    const double reach = isLast ? 1 : feltReach(state_, feltContacts(), drop, slide, hold, mayExtend);
+    const double reach =
+        isLast ? 1 : passes_->reach(state_, feltContacts(), drop, slide, hold, settled(), mayExtend);
     if (reach <= 1 || isAllowed(drop + reach * slide)) slide *= reach;
     if (slide.dot(lastSlide_) < 0) state_.stride = 0.5 * lastSlide_.norm();
     const double most = std::min(state_.stride, settlingStride());
@@ -42,6 +49,15 @@ Vec3 Step::alongFelt(const Vec3& drop, Vec3 slide, double hold, bool mayExtend) 
     state_.stride *= kStrideGrowth;
     lastSlide_ = slide;
     return drop + slide;
+}
+
+// Where the way ends it may have been looked already, and what is wished there may be what the last round
+// would go: then this one does.
+bool Step::addKnownRest(Vec3& motion) noexcept {
+    const auto rest = passes_->restAt(feltContacts(), state_.position + motion, settled());
+    if (!rest) return false;
+    motion += *rest;
+    return true;
 }
 
 double Step::settled() const noexcept {

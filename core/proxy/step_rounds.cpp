@@ -146,14 +146,15 @@ bool Step::round() noexcept {
     const bool bold = rounds_ < mostRounds_ - 2;
     const bool free = slide == excess && bold;
     const Vec3 allowed = excess > 0 ? Vec3(along * (slide / excess)) : Vec3::Zero();
-    const Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
-                        : free ? alongCurvature(wish, wish.norm())
-                               : Vec3(drop + allowed);
+    Vec3 motion = felt_  ? alongFelt(drop, allowed, excess - slide, bold)
+                  : free ? alongCurvature(wish, wish.norm())
+                         : Vec3(drop + allowed);
     if (motion.norm() <= rest_) return cutShort;
     const bool takesTime = slide < excess && isViscous();
     // A curved step is a guess: where it led onto a flat face it went too far, and the next round says
     // so.
-    guessed_ = felt_ ? motion.norm() > settled() : free && motion != wish;
+    const bool settles = felt_ && free && addKnownRest(motion);
+    guessed_ = felt_ ? !settles && motion.norm() > settled() : free && motion != wish;
     std::uint32_t body = kNoBody;
     const SweepHit hit = sweep(motion, body);
     const double part = std::min(hit.t, 1.0);
@@ -174,6 +175,7 @@ bool Step::round() noexcept {
     }
     // Whatever is met from here on in this step has no time left to be slid on against viscosity.
     if (takesTime) timeLeft_ = 0;
+    if (settles) return !passes_->settleAsLooked(state_, feltContacts());
     if (felt_) return guessed_ || state_.contactCount == 0;
     return planesTurned || guessed_ || cutShort || (rubbing && hovers());
 }
@@ -196,7 +198,7 @@ bool Step::comesOut() noexcept {
 // The update stage: where the proxy would go if nothing but the planes held it, relative to it.
 Vec3 Step::unconstrainedByFriction() noexcept {
     felt_ = isFelt(obstacles_, contacts());
-    const NearestPoint nearest = felt_ ? updateFelt(state_, feltContacts()) : updatePlain();
+    const NearestPoint nearest = felt_ ? updateFelt() : updatePlain();
     squeezed_ |= !nearest.feasible;
     pushing_ = nearest.active;
     return nearest.x;

@@ -22,16 +22,18 @@ double raisedCosineSpectrum(double frequency) noexcept {
     return std::abs(rest) < 1e-9 ? 0.5 : sinc(frequency) / rest;
 }
 
-/// Of a wave so many times as long as the smallest feature: smoothly from nothing to all.
-double keptOf(double ratio) noexcept {
-    if (!(ratio > 1)) return 0;
-    if (ratio >= kWhole) return 1;
-    double octaves = 0;
-    for (; ratio >= 2; ratio /= 2)
-        ++octaves;
+/// Of a wave so many times as long as the smallest feature what is kept of it: smoothly from nothing to all.
+/// Of one number or of four at once, which no processor takes by value.
+template <class T> [[gnu::always_inline]] inline void findKept(const T& ratio, T& kept) noexcept {
+    T octaves{}, rest = ratio; // below kWhole two halvings at most
+    for (int i = 0; i < 2; ++i) {
+        octaves = rest >= 2 ? octaves + 1 : octaves;
+        rest = rest >= 2 ? 0.5 * rest : rest;
+    }
     // log2 within 0.008: a parabola for each octave, with one slope where two of them meet
-    const double x = (octaves + (ratio - 1) * (5 - ratio) * (1.0 / 3)) * (1 / kFadingOctaves);
-    return x * x * (3 - 2 * x);
+    const T x = (octaves + (rest - 1) * (5 - rest) * (1.0 / 3)) * (1 / kFadingOctaves);
+    const T part = x * x * (3 - 2 * x), all = T{} + 1;
+    kept = ratio >= kWhole ? all : ratio > 1 ? part : T{};
 }
 
 struct WaveSample {
@@ -70,12 +72,16 @@ FlatSample sineProduct(double amplitude, const Vector2d& turns, const FlatPoint&
             kTurn * a * Vector2d(turns.x() * std::cos(angle.x()) * sy, turns.y() * sx * std::cos(angle.y()))};
 }
 
-// Four numbers at once, as the compiler has them for every processor: of the corners of a lattice cell, or a
-// value and its derivatives by x and y.
+// Four octaves of noise at once, as the compiler has numbers for every processor.
 using Bits4 [[gnu::vector_size(16)]] = std::uint32_t;
+using Int4 [[gnu::vector_size(16)]] = std::int32_t;
+using Double2 [[gnu::vector_size(16)]] = double;
 using Double4 [[gnu::vector_size(32)]] = double;
 
-/// Which of 16 unit vectors, evenly spread, stands at each corner of a cell, by the bits of the corners.
+constexpr int kLanes = 4;
+constexpr Double4 kCells{1, 2, 4, 8}; ///< each octave has twice as many to a repeat
+
+/// Which of 16 unit vectors, evenly spread, stands at a corner of a cell, by the bits of the corner.
 /// Source: the finaliser of MurmurHash3.
 [[gnu::always_inline]] inline Bits4 mixedBits(Bits4 h) noexcept {
     h = (h ^ (h >> 16)) * 0x85EBCA6Bu;
@@ -83,26 +89,26 @@ using Double4 [[gnu::vector_size(32)]] = double;
     return (h ^ (h >> 16)) & 15u;
 }
 constexpr double kA = 0.9238795325112867, kB = 0.7071067811865476, kC = 0.3826834323650898;
-constexpr std::array<std::array<double, 2>, 16> kGradients{{{1, 0},
-                                                            {kA, kC},
-                                                            {kB, kB},
-                                                            {kC, kA},
-                                                            {0, 1},
-                                                            {-kC, kA},
-                                                            {-kB, kB},
-                                                            {-kA, kC},
-                                                            {-1, 0},
-                                                            {-kA, -kC},
-                                                            {-kB, -kB},
-                                                            {-kC, -kA},
-                                                            {0, -1},
-                                                            {kC, -kA},
-                                                            {kB, -kB},
-                                                            {kA, -kC}}};
+constexpr std::array<Double2, 16> kGradients{{{1, 0},
+                                              {kA, kC},
+                                              {kB, kB},
+                                              {kC, kA},
+                                              {0, 1},
+                                              {-kC, kA},
+                                              {-kB, kB},
+                                              {-kA, kC},
+                                              {-1, 0},
+                                              {-kA, -kC},
+                                              {-kB, -kB},
+                                              {-kC, -kA},
+                                              {0, -1},
+                                              {kC, -kA},
+                                              {kB, -kB},
+                                              {kA, -kC}}};
 
 struct Fade {
-    double value, slope;
-    explicit Fade(double t) noexcept
+    Double4 value, slope;
+    [[gnu::always_inline]] explicit Fade(const Double4& t) noexcept
         : value(t * t * t * (t * (6 * t - 15) + 10)), slope(30 * t * t * (t - 1) * (t - 1)) {}
 };
 
@@ -112,26 +118,58 @@ struct Fade {
     return std::uint32_t(whole - (x < double(whole)));
 }
 
-/// Gradient noise of one octave, from about -1 to 1. Source: Perlin, Improving Noise (2002).
-[[gnu::always_inline]] inline FlatSample latticeNoise(double u, double v, std::uint32_t seed) noexcept {
+/// In which cell of each octave a coordinate lies, and where in it.
+struct Cells {
+    Bits4 number;
+    Double4 part;
+    [[gnu::always_inline]] Cells(double x, std::uint32_t first) noexcept {
+        const Double4 scaled = repeatPart(x) * double(first) * kCells;
+        const Int4 inner = __builtin_convertvector(scaled, Int4);
+        number = wholeRepeats(x) * first * Bits4{1, 2, 4, 8} + Bits4(inner);
+        part = scaled - __builtin_convertvector(inner, Double4);
+    }
+};
+
+/// A value and how it rises along x and y, of four octaves.
+struct Lattice {
+    Double4 value, x, y;
+};
+
+/// The plane that stands at a corner, seen from (x, y) beside it.
+[[gnu::always_inline]] inline Lattice cornerPlane(Bits4 bits, const Double4& x, const Double4& y) noexcept {
+    const Bits4 which = mixedBits(bits);
+    const Double4 even = __builtin_shufflevector(kGradients[which[0]], kGradients[which[2]], 0, 1, 2, 3),
+                  odd = __builtin_shufflevector(kGradients[which[1]], kGradients[which[3]], 0, 1, 2, 3);
+    const Double4 gx = __builtin_shufflevector(even, odd, 0, 4, 2, 6),
+                  gy = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
+    return {gx * x + gy * y, gx, gy};
+}
+
+[[gnu::always_inline]] inline double sumOf(const Double4& x) noexcept {
+    return (x[0] + x[2]) + (x[1] + x[3]);
+}
+
+[[gnu::always_inline]] inline Lattice mixed(const Lattice& a, const Lattice& b, const Double4& t) noexcept {
+    return {a.value + t * (b.value - a.value), a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
+/// Gradient noise, each octave from about -1 to 1 over cells of width 1. Source: Perlin, Improving Noise
+/// (2002).
+[[gnu::always_inline]] inline Lattice latticeNoise(const Cells& u, const Cells& v, Bits4 seed) noexcept {
     constexpr std::uint32_t kX = 0x9E3779B1u, kY = 0x85EBCA77u, kSeed = 0xC2B2AE3Du;
-    const double x = repeatPart(u), y = repeatPart(v);
-    const std::uint32_t left = wholeRepeats(u) * kX, right = left + kX;
-    const std::uint32_t below = wholeRepeats(v) * kY + seed * kSeed, above = below + kY;
-    const Bits4 corner = mixedBits(Bits4{left, right, left, right} ^ Bits4{below, below, above, above});
-    const auto &g00 = kGradients[corner[0]], &g10 = kGradients[corner[1]], &g01 = kGradients[corner[2]],
-               &g11 = kGradients[corner[3]];
-    // of each corner: its plane's height here, and how it rises along x and y
-    const Double4 x0{x, 1, 0, 0}, x1{x - 1, 1, 0, 0}, y0{y, 0, 1, 0}, y1{y - 1, 0, 1, 0};
-    const Double4 n00 = g00[0] * x0 + g00[1] * y0, n10 = g10[0] * x1 + g10[1] * y0,
-                  n01 = g01[0] * x0 + g01[1] * y1, n11 = g11[0] * x1 + g11[1] * y1;
+    const Bits4 left = u.number * kX, right = left + kX, below = v.number * kY + seed * kSeed,
+                above = below + kY;
+    const Double4 x = u.part, y = v.part;
+    const Lattice n00 = cornerPlane(left ^ below, x, y), n10 = cornerPlane(right ^ below, x - 1, y),
+                  n01 = cornerPlane(left ^ above, x, y - 1), n11 = cornerPlane(right ^ above, x - 1, y - 1);
     const Fade fx(x), fy(y);
-    const Double4 alongLower = n10 - n00, alongUpper = n11 - n01;
-    const Double4 lower = n00 + fx.value * alongLower, up = (n01 + fx.value * alongUpper) - lower;
-    const Double4 sum = lower + fy.value * up;
-    const double byX = fx.slope * (alongLower[0] + fy.value * (alongUpper[0] - alongLower[0]));
+    const Lattice lower = mixed(n00, n10, fx.value), upper = mixed(n01, n11, fx.value);
+    const Lattice sum = mixed(lower, upper, fy.value);
+    const Double4 alongLower = n10.value - n00.value, alongUpper = n11.value - n01.value;
+    const Double4 byX = fx.slope * (alongLower + fy.value * (alongUpper - alongLower));
     constexpr double kScale = std::numbers::sqrt2;
-    return {kScale * sum[0], {kScale * (sum[1] + byX), kScale * (sum[2] + fy.slope * up[0])}};
+    return {kScale * sum.value, kScale * (sum.x + byX),
+            kScale * (sum.y + fy.slope * (upper.value - lower.value))};
 }
 
 /// How many repeats a metre has in the direction in which it has most.
@@ -161,7 +199,9 @@ WaveShape waveShape(double fill, double softness) noexcept {
 }
 
 double kept(double wavelength, double smallestFeature) noexcept {
-    return smallestFeature > 0 ? keptOf(wavelength / smallestFeature) : 1;
+    double part = 1;
+    if (smallestFeature > 0) findKept(wavelength / smallestFeature, part);
+    return part;
 }
 
 FlatSample grooves(const WaveShape& wave, const FlatPoint& point, double smallestFeature) noexcept {
@@ -189,20 +229,24 @@ FlatSample weave(const FlatPoint& point, double smallestFeature) noexcept {
             Vector2d(u.slope, v.slope) + over.slope - under.slope};
 }
 
-// A third of a textured step goes here (docs/performance.md).
+// Much of a textured step goes here (docs/performance.md).
 [[gnu::target_clones("avx2", "default")]] FlatSample
 noise(int octaves, std::uint32_t seed, const FlatPoint& point, double smallestFeature) noexcept {
-    double ratio = smallestFeature > 0 ? 1 / (densestOf(point) * smallestFeature) : kWhole * (1 << octaves);
+    const double ratio =
+        smallestFeature > 0 ? 1 / (densestOf(point) * smallestFeature) : kWhole * (1 << octaves);
+    const auto cellsOfLast = double(1 << octaves) / 2;
+    const double height = 0.5 / (2 - 1 / cellsOfLast); // all octaves together reach from 0 to 1
     FlatSample sum{0.5, Vector2d::Zero()};
-    double height = 0.5 / (2 - 2 / double(1 << octaves)); // all octaves together reach from 0 to 1
-    double cells = 1;
-    for (int i = 0; i < octaves; ++i, cells *= 2, height /= 2, ratio /= 2) {
-        const double amplitude = height * keptOf(ratio);
-        if (amplitude == 0) break; // and so are all finer ones
-        const FlatSample octave =
-            latticeNoise(cells * point.at.x(), cells * point.at.y(), seed + std::uint32_t(i));
-        sum.value += amplitude * octave.value;
-        sum.slope += amplitude * cells * octave.slope;
+    for (int first = 0; first < octaves; first += kLanes) {
+        const Double4 cells = double(1 << first) * kCells;
+        Double4 part;
+        findKept<Double4>(ratio / cells, part);
+        if (part[0] == 0) break; // and so are all finer ones
+        const Lattice found = latticeNoise(Cells(point.at.x(), 1u << first), Cells(point.at.y(), 1u << first),
+                                           seed + std::uint32_t(first) + Bits4{0, 1, 2, 3});
+        const Double4 slope = cells <= cellsOfLast ? height * part : Double4{}, amplitude = slope / cells;
+        sum.value += sumOf(amplitude * found.value);
+        sum.slope += Vector2d(sumOf(slope * found.x), sumOf(slope * found.y));
     }
     return sum;
 }

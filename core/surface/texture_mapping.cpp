@@ -9,19 +9,32 @@ namespace {
 using Eigen::Vector2d;
 using Gradient = Eigen::Matrix<double, 2, 3>;
 
-/// A place in metres over the flat pattern, before it is moved, turned and scaled. The gradient is in the
-/// body frame.
+/// A place in metres over the flat pattern, before it is moved, turned and scaled. The gradient is along the
+/// surface, in the body frame.
 struct Place {
-    Vector2d metres = Vector2d::Zero();
-    Gradient gradient = Gradient::Zero();
+    Vector2d metres;
+    Gradient gradient;
 };
 
+/// A point in the frame of a mapping. The rows of `along` are the gradients of its coordinates along the
+/// surface.
+struct Framed {
+    Vec3 p, normal;
+    Mat3 along;
+};
+
+Framed inFrame(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
+    const Vec3 normal = pattern.axes * point.normal;
+    return {pattern.axes * (point.position - pattern.origin), normal,
+            pattern.axes - normal * point.normal.transpose()};
+}
+
 /// Seen along an axis of the frame, upright and never mirrored from either side.
-Place alongAxis(const CompiledPattern& pattern, const Vec3& p, int axis, double side) noexcept {
+Place alongAxis(const Framed& framed, int axis, double side) noexcept {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    Place place{{side * p[u], p[v]}, {}};
-    place.gradient.row(0) = side * pattern.axes.row(u);
-    place.gradient.row(1) = pattern.axes.row(v);
+    Place place{{side * framed.p[u], framed.p[v]}, {}};
+    place.gradient.row(0) = side * framed.along.row(u);
+    place.gradient.row(1) = framed.along.row(v);
     return place;
 }
 
@@ -30,57 +43,61 @@ Vec3 longitudeGradient(const Vec3& p, double pole) noexcept {
     return Vec3(-p.y(), p.x(), 0) / std::max(p.x() * p.x() + p.y() * p.y(), pole * pole);
 }
 
-Place aroundAxis(const CompiledPattern& pattern, const Vec3& p) noexcept {
-    Place place{{pattern.metresPerRadian * std::atan2(p.y(), p.x()), p.z()}, Gradient::Zero()};
-    place.gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, kPole * pattern.radius);
-    place.gradient(1, 2) = 1;
-    place.gradient = (place.gradient * pattern.axes).eval();
-    return place;
+Place aroundAxis(const CompiledPattern& pattern, const Framed& framed) noexcept {
+    const Vec3& p = framed.p;
+    Gradient gradient = Gradient::Zero();
+    gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, kPole * pattern.radius);
+    gradient(1, 2) = 1;
+    return {{pattern.metresPerRadian * std::atan2(p.y(), p.x()), p.z()}, gradient * framed.along};
 }
 
-Place onSphere(const CompiledPattern& pattern, const Vec3& p) noexcept {
+Place onSphere(const CompiledPattern& pattern, const Framed& framed) noexcept {
+    const Vec3& p = framed.p;
     const double pole = kPole * pattern.radius, across = std::hypot(p.x(), p.y());
-    Place place;
-    place.metres = {pattern.metresPerRadian * std::atan2(p.y(), p.x()),
-                    pattern.radius * std::atan2(p.z(), across)};
-    place.gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, pole);
     const double away = std::max(across, 1e-3 * pole); // at the pole itself every direction leads south
-    place.gradient.row(1) = pattern.radius * Vec3(-p.x() * p.z() / away, -p.y() * p.z() / away, across) /
-                            std::max(p.squaredNorm(), pole * pole);
-    place.gradient = (place.gradient * pattern.axes).eval();
-    return place;
+    Gradient gradient;
+    gradient.row(0) = pattern.metresPerRadian * longitudeGradient(p, pole);
+    gradient.row(1) = pattern.radius * Vec3(-p.x() * p.z() / away, -p.y() * p.z() / away, across) /
+                      std::max(p.squaredNorm(), pole * pole);
+    return {{pattern.metresPerRadian * std::atan2(p.y(), p.x()), pattern.radius * std::atan2(p.z(), across)},
+            gradient * framed.along};
+}
+
+Place onCoordinates(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
+    const Gradient gradient = pattern.metresPerUv * point.uvGradient;
+    return {pattern.metresPerUv * point.uv,
+            gradient - (gradient * point.normal).eval() * point.normal.transpose()};
 }
 
 void add(FlatPoints& points, const CompiledPattern& pattern, const Place& place, double weight) noexcept {
     const auto i = std::size_t(points.count++);
-    points.point[i] = {pattern.repeatsPerMetre * (place.metres - pattern.offset),
-                       pattern.repeatsPerMetre * place.gradient};
+    points.point[i].at.noalias() = pattern.repeatsPerMetre * (place.metres - pattern.offset);
+    points.point[i].perMetre.noalias() = pattern.repeatsPerMetre * place.gradient;
     points.weight[i] = weight;
 }
 
 /// The fourth power of the normal's components; a side that counts for less than 1e-4 is spared.
-void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Vec3& p, const Vec3& n) noexcept {
+void addTriplanar(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed) noexcept {
+    const Vec3& n = framed.normal;
     const Vec3 powers = (n.array().square().square() - 1e-4).max(0.0);
     for (int axis = 0; axis < 3; ++axis)
         if (powers[axis] > 0)
-            add(points, pattern, alongAxis(pattern, p, axis, n[axis] < 0 ? -1 : 1),
-                powers[axis] / powers.sum());
+            add(points, pattern, alongAxis(framed, axis, n[axis] < 0 ? -1 : 1), powers[axis] / powers.sum());
 }
 
-void addFramed(FlatPoints& points, const CompiledPattern& pattern, const TexturePoint& point) noexcept {
-    const Vec3 p = pattern.axes * (point.position - pattern.origin);
+void addFramed(FlatPoints& points, const CompiledPattern& pattern, const Framed& framed) noexcept {
     switch (pattern.mapping) {
     case TextureMapping::Triplanar:
-        addTriplanar(points, pattern, p, pattern.axes * point.normal);
+        addTriplanar(points, pattern, framed);
         break;
     case TextureMapping::Cylindrical:
-        add(points, pattern, aroundAxis(pattern, p), 1);
+        add(points, pattern, aroundAxis(pattern, framed), 1);
         break;
     case TextureMapping::Spherical:
-        add(points, pattern, onSphere(pattern, p), 1);
+        add(points, pattern, onSphere(pattern, framed), 1);
         break;
     default:
-        add(points, pattern, alongAxis(pattern, p, 2, 1), 1);
+        add(points, pattern, alongAxis(framed, 2, 1), 1);
     }
 }
 
@@ -99,13 +116,9 @@ Gradient uvGradientOf(const Triangle& triangle, const CornerUvs& uvs) noexcept {
 FlatPoints flatPoints(const CompiledPattern& pattern, const TexturePoint& point) noexcept {
     FlatPoints points;
     if (usesUvs(pattern))
-        add(points, pattern, {pattern.metresPerUv * point.uv, pattern.metresPerUv * point.uvGradient}, 1);
+        add(points, pattern, onCoordinates(pattern, point), 1);
     else
-        addFramed(points, pattern, point);
-    for (int i = 0; i < points.count; ++i) { // along the surface
-        Gradient& gradient = points.point[std::size_t(i)].perMetre;
-        gradient -= (gradient * point.normal).eval() * point.normal.transpose();
-    }
+        addFramed(points, pattern, inFrame(pattern, point));
     return points;
 }
 
