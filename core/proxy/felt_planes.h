@@ -46,8 +46,8 @@ public:
     /// How much of `slide` leads on, after `drop`, of what update() just wished: the felt normal, the depth
     /// and the friction change on the way, and beyond the place where the wish turns back, or where friction
     /// holds what is left of it, the proxy would swing to and fro. `hold`: what friction holds back of the
-    /// wish at the beginning, m. At most 1, or 2 with `mayExtend`, where the wish is seen to reach farther.
-    /// At most ten updates.
+    /// wish at the beginning, m. `settled`: nothing is looked for that is shorter than this, m. At most 1, or
+    /// 2 with `mayExtend`, where the wish is seen to reach farther. At most ten updates.
     double reach(const ProxyState& state, const FeltContacts& on, const Vec3& drop, const Vec3& slide,
                  double hold, double settled, bool mayExtend) noexcept;
 
