@@ -117,6 +117,7 @@ public:
     }
 
     QRectF box(const QFont& font) const {
+        if (dots.isEmpty()) return {}; // all of it is behind the eye
         QRectF all = dots.boundingRect();
         for (const QPolygonF& line : lines)
             all |= line.boundingRect();
