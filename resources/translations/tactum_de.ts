@@ -595,6 +595,10 @@
             <translation>Haptik &amp;kopieren</translation>
         </message>
         <message>
+            <source>&amp;Copy the measure</source>
+            <translation>Maß &amp;kopieren</translation>
+        </message>
+        <message>
             <source>&amp;Cut the model open</source>
             <translation>Modell auf&amp;schneiden</translation>
         </message>
@@ -713,6 +717,10 @@
         <message>
             <source>&amp;Keep this state as...</source>
             <translation>Zustand fest&amp;halten als...</translation>
+        </message>
+        <message>
+            <source>&amp;Keep this view...</source>
+            <translation>Diese &amp;Ansicht behalten...</translation>
         </message>
         <message>
             <source>&amp;Keyboard</source>
@@ -1335,6 +1343,10 @@
             <translation>Eine runde Platte oder ein Stab mit flachen Enden.</translation>
         </message>
         <message>
+            <source>A scene can have %1 cameras; remove one that is not used.</source>
+            <translation>Eine Szene kann %1 Kameras haben; entfernen Sie eine, die nicht gebraucht wird.</translation>
+        </message>
+        <message>
             <source>A simulated hand has no workspace to lay: the mouse leads it in the scene itself. Connect a device.</source>
             <translation>Eine simulierte Hand hat keinen Arbeitsraum, der zu legen wäre: Die Maus führt sie in der Szene selbst. Ein Gerät verbinden.</translation>
         </message>
@@ -1543,6 +1555,10 @@
             <translation>Auch unter Ansicht &gt; Darstellungsweise &gt; Design.</translation>
         </message>
         <message>
+            <source>Alt+1 to Alt+9</source>
+            <translation>Alt+1 bis Alt+9</translation>
+        </message>
+        <message>
             <source>An edit that is not saved is in the recovery journal after this time at the latest. The first edits are after two seconds.</source>
             <translation>Eine Änderung, die nicht gespeichert ist, steht spätestens nach dieser Zeit im Wiederherstellungs-Journal. Die ersten Änderungen schon nach zwei Sekunden.</translation>
         </message>
@@ -1569,6 +1585,10 @@
         <message>
             <source>Angle</source>
             <translation>Winkel</translation>
+        </message>
+        <message>
+            <source>Angle %1</source>
+            <translation>Winkel %1</translation>
         </message>
         <message>
             <source>Another name for the object or surface that was selected last</source>
@@ -1908,6 +1928,14 @@
             <translation>Wählen...</translation>
         </message>
         <message>
+            <source>Clear</source>
+            <translation>Löschen</translation>
+        </message>
+        <message>
+            <source>Clear the m&amp;easure</source>
+            <translation>Maß &amp;löschen</translation>
+        </message>
+        <message>
             <source>Click a step to go back or forth to it; the disk marks what is saved</source>
             <translation>Einen Schritt anklicken, um zu ihm zurück- oder vorzugehen; die Diskette markiert, was gespeichert ist</translation>
         </message>
@@ -2162,6 +2190,10 @@
         <message>
             <source>Disconnect</source>
             <translation>Trennen</translation>
+        </message>
+        <message>
+            <source>Distance %1</source>
+            <translation>Abstand %1</translation>
         </message>
         <message>
             <source>Do the last undone edit again</source>
@@ -3087,6 +3119,10 @@
             <translation>Ihre Bedingungen, ihr Ablauf und ihre Fragen</translation>
         </message>
         <message>
+            <source>Its numbers to the clipboard</source>
+            <translation>Seine Zahlen in die Zwischenablage</translation>
+        </message>
+        <message>
             <source>Joint</source>
             <translation>Gelenk</translation>
         </message>
@@ -3107,6 +3143,10 @@
             <translation>Gelenkweg</translation>
         </message>
         <message>
+            <source>Ke&amp;pt cameras</source>
+            <translation>Gespeicherte &amp;Kameras</translation>
+        </message>
+        <message>
             <source>Kee&amp;p as a set...</source>
             <translation>Als Satz be&amp;wahren...</translation>
         </message>
@@ -3123,12 +3163,20 @@
             <translation>Den Satz %1 behalten</translation>
         </message>
         <message>
+            <source>Keep the view %1</source>
+            <translation>Ansicht %1 behalten</translation>
+        </message>
+        <message>
             <source>Keep this state</source>
             <translation>Zustand festhalten</translation>
         </message>
         <message>
             <source>Keep this state...</source>
             <translation>Zustand festhalten...</translation>
+        </message>
+        <message>
+            <source>Keep this view</source>
+            <translation>Diese Ansicht behalten</translation>
         </message>
         <message>
             <source>Kept for a crash after</source>
@@ -3307,6 +3355,10 @@
             <translation>Kabel und Stromversorgung prüfen, dann Kräfte wieder einschalten.</translation>
         </message>
         <message>
+            <source>Look from %1</source>
+            <translation>Blick von %1</translation>
+        </message>
+        <message>
             <source>Look from above</source>
             <translation>Von oben sehen</translation>
         </message>
@@ -3405,6 +3457,14 @@
         <message>
             <source>Mean friction ratio</source>
             <translation>Mittleres Reibungsverhältnis</translation>
+        </message>
+        <message>
+            <source>Meas&amp;ure</source>
+            <translation>M&amp;essen</translation>
+        </message>
+        <message>
+            <source>Measure: two clicks on the model are a distance, a third gives the angle at the second; Esc ends it</source>
+            <translation>Messen: zwei Klicks auf das Modell sind ein Abstand, ein dritter ergibt den Winkel am zweiten; Esc beendet es</translation>
         </message>
         <message>
             <source>Measured by, taken from; empty: set by hand</source>
@@ -3549,6 +3609,10 @@
         <message>
             <source>Name</source>
             <translation>Name</translation>
+        </message>
+        <message>
+            <source>Name of the camera</source>
+            <translation>Name der Kamera</translation>
         </message>
         <message>
             <source>Name of the condition</source>
@@ -3721,6 +3785,10 @@
         <message>
             <source>No surface selected</source>
             <translation>Keine Oberfläche gewählt</translation>
+        </message>
+        <message>
+            <source>No view is kept yet</source>
+            <translation>Noch ist keine Ansicht gespeichert</translation>
         </message>
         <message>
             <source>Nobody holds a simulated hand.</source>
@@ -4379,6 +4447,10 @@ text | Wie war es?</translation>
             <translation>Ebene %1 entfernen</translation>
         </message>
         <message>
+            <source>Remove the camera</source>
+            <translation>Kamera entfernen</translation>
+        </message>
+        <message>
             <source>Remove the set</source>
             <translation>Den Satz entfernen</translation>
         </message>
@@ -4387,12 +4459,20 @@ text | Wie war es?</translation>
             <translation>Den Satz %1 entfernen</translation>
         </message>
         <message>
+            <source>Remove the view %1</source>
+            <translation>Ansicht %1 entfernen</translation>
+        </message>
+        <message>
             <source>Remove triangles that repeat another one of the same surface and front.</source>
             <translation>Dreiecke entfernen, die ein anderes derselben Oberfläche und Vorderseite wiederholen.</translation>
         </message>
         <message>
             <source>Rename layer %1 to %2</source>
             <translation>Ebene %1 in %2 umbenennen</translation>
+        </message>
+        <message>
+            <source>Rename the camera</source>
+            <translation>Kamera umbenennen</translation>
         </message>
         <message>
             <source>Rename the set</source>
@@ -4437,8 +4517,16 @@ der Grenze rendern</translation>
             <translation>Durch die Auswahl ersetzen</translation>
         </message>
         <message>
+            <source>Replace by this view</source>
+            <translation>Durch diese Ansicht ersetzen</translation>
+        </message>
+        <message>
             <source>Replace the file</source>
             <translation>Datei ersetzen</translation>
+        </message>
+        <message>
+            <source>Replace the view %1</source>
+            <translation>Ansicht %1 ersetzen</translation>
         </message>
         <message>
             <source>Reset %1</source>
@@ -5120,6 +5208,10 @@ der Grenze rendern</translation>
             <translation>Zurücknehmen</translation>
         </message>
         <message>
+            <source>Take its points out of the view</source>
+            <translation>Seine Punkte aus der Ansicht nehmen</translation>
+        </message>
+        <message>
             <source>Take one unit of the file as 1 %1, now and for other files of its format</source>
             <translation>Eine Einheit der Datei als 1 %1 lesen, jetzt und bei anderen Dateien ihres Formats</translation>
         </message>
@@ -5254,6 +5346,10 @@ der Grenze rendern</translation>
         <message>
             <source>The camera goes to a view</source>
             <translation>Kamera zu einer Ansicht</translation>
+        </message>
+        <message>
+            <source>The camera that is kept under this name</source>
+            <translation>Die Kamera, die unter diesem Namen gespeichert ist</translation>
         </message>
         <message>
             <source>The children of the spheres shown</source>
@@ -5466,6 +5562,10 @@ der Grenze rendern</translation>
         <message>
             <source>The lowest z of the selected objects becomes that of the one selected last</source>
             <translation>Das kleinste z der ausgewählten Objekte wird das des zuletzt ausgewählten</translation>
+        </message>
+        <message>
+            <source>The measure is on the clipboard.</source>
+            <translation>Das Maß ist in der Zwischenablage.</translation>
         </message>
         <message>
             <source>The mesh has no texture coordinates, so it is not felt. Triplanar needs none.</source>
@@ -5832,6 +5932,14 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Design</translation>
         </message>
         <message>
+            <source>There is a camera %1 already; View &gt; Kept cameras &gt; Replace by this view makes it another one.</source>
+            <translation>Es gibt schon eine Kamera %1; Ansicht &gt; Gespeicherte Kameras &gt; Durch diese Ansicht ersetzen macht eine andere daraus.</translation>
+        </message>
+        <message>
+            <source>There is a camera %1 already; choose another name.</source>
+            <translation>Es gibt schon eine Kamera %1; wählen Sie einen anderen Namen.</translation>
+        </message>
+        <message>
             <source>There is a set %1 already; Sets &gt; Replace by the selection makes it another one.</source>
             <translation>Einen Satz %1 gibt es schon; Sätze &gt; Durch die Auswahl ersetzen macht einen anderen daraus.</translation>
         </message>
@@ -6044,6 +6152,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Drehpunkt</translation>
         </message>
         <message>
+            <source>Two clicks: distance; a third: angle at the second</source>
+            <translation>Zwei Klicks: Abstand; ein dritter: Winkel am zweiten</translation>
+        </message>
+        <message>
             <source>Two intervals: one has the reference</source>
             <translation>Zwei Intervalle: eines hat die Referenz</translation>
         </message>
@@ -6146,6 +6258,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>View</source>
             <translation>Ansicht</translation>
+        </message>
+        <message>
+            <source>View %1</source>
+            <translation>Ansicht %1</translation>
         </message>
         <message>
             <source>Viscosity</source>
@@ -6342,6 +6458,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Where the spring pulls to; beyond a stop: it presses against it.</source>
             <translation>Wohin die Feder zieht; jenseits eines Anschlags: Sie drückt gegen ihn.</translation>
+        </message>
+        <message>
+            <source>Where the view looks from, under a name, saved with the scene</source>
+            <translation>Von wo die Ansicht blickt, unter einem Namen, mit der Szene gespeichert</translation>
         </message>
         <message>
             <source>Whether the camera is seen on its way to a standard view or a problem.</source>
@@ -6730,6 +6850,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>locked</source>
             <translation>gesperrt</translation>
+        </message>
+        <message>
+            <source>look from a camera that is kept, in the order of View &gt; Kept cameras</source>
+            <translation>durch eine gespeicherte Kamera blicken, in der Reihenfolge von Ansicht &gt; Gespeicherte Kameras</translation>
         </message>
         <message>
             <source>made by the surface, 0 or less is passive</source>

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/controllers/cameras_menu.h"
 #include "ui/controllers/command_reasons.h"
 #include "ui/controllers/folds.h"
 #include "ui/controllers/panel_focus.h"
@@ -36,8 +37,8 @@ QString menuPath(const char* menu) {
 } // namespace
 
 PaletteController::PaletteController(const Workbench& bench, Folds& folds, SelectionSetsMenu& sets,
-                                     const QStackedWidget& centre, QWidget& importBar)
-    : QObject(&bench.window), bench_(bench), folds_(folds), sets_(sets) {
+                                     CamerasMenu& cameras, const QStackedWidget& centre, QWidget& importBar)
+    : QObject(&bench.window), bench_(bench), folds_(folds), sets_(sets), cameras_(cameras) {
     bench.on("palette", this, [this] { open(); });
     const auto docks =
         bench.window.findChildren<QDockWidget*>(); // now: who comes to the front comes last later
@@ -82,6 +83,14 @@ void PaletteController::open() {
                            tr("The triangles that are kept under this name"),
                            bench_.playback.active() ? whyOff({}, true) : QString(),
                            [this, name] { sets_.select(name); }});
+    for (const QString& name : cameras_.names())
+        entries.push_back({{},
+                           tr("Look from %1").arg(name),
+                           tr("View"),
+                           {},
+                           tr("The camera that is kept under this name"),
+                           {},
+                           [this, name] { cameras_.show(name); }});
     for (const QString& file : recentFiles())
         entries.push_back({{},
                            tr("Open recent %1").arg(QFileInfo(file).fileName()),

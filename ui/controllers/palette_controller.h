@@ -11,6 +11,7 @@ class QStackedWidget;
 
 namespace tactum {
 
+class CamerasMenu;
 class Folds;
 class SelectionSetsMenu;
 struct PaletteEntry;
@@ -20,7 +21,7 @@ class PaletteController : public QObject {
     Q_OBJECT
 public:
     /// Made when all docks are there. The keys go from what is in the centre over `importBar` to the docks.
-    PaletteController(const Workbench& bench, Folds& folds, SelectionSetsMenu& sets,
+    PaletteController(const Workbench& bench, Folds& folds, SelectionSetsMenu& sets, CamerasMenu& cameras,
                       const QStackedWidget& centre, QWidget& importBar);
 
 signals:
@@ -35,6 +36,7 @@ private:
     Workbench bench_;
     Folds& folds_;
     SelectionSetsMenu& sets_;
+    CamerasMenu& cameras_;
 };
 
 } // namespace tactum

@@ -31,13 +31,13 @@ constexpr double kKeyStep = 0.01; // s
 
 /// What would change the document, the hand or the forces.
 constexpr const char* kLiveActions[] = {
-    "touch",          "select",         "select-touched", "hide",        "show-all",       "remove",
-    "armed",          "stop",           "restart-proxy",  "undo",        "redo",           "record-stroke",
-    "take-stroke",    "mark-a",         "swap-ab",        "compare-now", "trial-spring",   "trial-wall",
-    "trial-friction", "workspace-axes", "arrange",        "duplicate",   "drop",           "rename",
-    "object-up",      "object-down",    "set-keep",       "align-x-low", "align-x-middle", "align-x-high",
-    "align-y-low",    "align-y-middle", "align-y-high",   "align-z-low", "align-z-middle", "align-z-high",
-    "distribute-x",   "distribute-y",   "distribute-z"};
+    "touch",          "select",         "select-touched", "hide",         "show-all",     "remove",
+    "armed",          "stop",           "restart-proxy",  "undo",         "redo",         "record-stroke",
+    "take-stroke",    "mark-a",         "swap-ab",        "compare-now",  "trial-spring", "trial-wall",
+    "trial-friction", "workspace-axes", "arrange",        "duplicate",    "drop",         "rename",
+    "object-up",      "object-down",    "set-keep",       "camera-keep",  "align-x-low",  "align-x-middle",
+    "align-x-high",   "align-y-low",    "align-y-middle", "align-y-high", "align-z-low",  "align-z-middle",
+    "align-z-high",   "distribute-x",   "distribute-y",   "distribute-z"};
 
 QString ending() {
     return u'.' + asIs(kRecordingEnding);
@@ -102,7 +102,9 @@ void RecordingController::setLive(bool live) {
     if (!live) bench_.view.endTouch(); // or the hand would stay where it presses
     hand_.setSuspended(!live);
     const auto on = [&](const char* tool) { return live && actions[tool].isChecked(); };
-    bench_.view.setTool(on("touch")     ? ViewTool::Touch
+    const bool measures = actions["measure"].isChecked(); // what a recording shows, too
+    bench_.view.setTool(measures        ? ViewTool::Measure
+                        : on("touch")   ? ViewTool::Touch
                         : on("paint")   ? ViewTool::Paint
                         : on("arrange") ? ViewTool::Arrange
                                         : ViewTool::Select);

@@ -2,30 +2,18 @@
 
 #include <algorithm>
 
-#include <QInputDialog>
 #include <QMenu>
 #include <QToolButton>
 
-#include "core/base/text.h"
 #include "core/scene/selection_sets.h"
 #include "ui/base/mnemonics.h"
 #include "ui/base/words.h"
+#include "ui/controllers/kept_names.h"
 #include "ui/document/document.h"
 #include "ui/showing/playback.h"
 #include "ui/widgets/notice_bar.h"
 
 namespace tactum {
-
-namespace {
-
-/// What a person called something, in a menu.
-QString inMenu(const QString& name) {
-    constexpr int kMost = 60; // letters: a menu is no wider than a screen
-    QString shown = name.size() > kMost ? name.left(kMost - 1) + u'\u2026' : name;
-    return shown.replace(u'&', QStringLiteral("&&"));
-}
-
-} // namespace
 
 SelectionSetsMenu::SelectionSetsMenu(const Workbench& bench, QMenu& place)
     : QObject(&bench.window), bench_(bench) {
@@ -75,19 +63,12 @@ void SelectionSetsMenu::fill(QMenu& menu) {
 }
 
 void SelectionSetsMenu::addVerb(QMenu& menu, const QString& verb, const char* id, bool possible, Does does) {
-    auto* which = new QMenu(verb, &menu);
-    which->setObjectName(QString::fromLatin1(id));
-    for (const QString& name : names())
-        which->addAction(inMenu(name), this, [this, does, name] { (this->*does)(name); });
-    menu.addMenu(which)->setEnabled(possible && !which->isEmpty());
+    addNamesMenu(menu, verb, id, names(), possible,
+                 [this, does](const QString& name) { (this->*does)(name); });
 }
 
-/// Empty when the person thinks better of it.
-QString SelectionSetsMenu::askForName(const QString& title, const QString& now) {
-    bool agreed = false;
-    const QString name =
-        QInputDialog::getText(&bench_.window, title, tr("Name of the set"), QLineEdit::Normal, now, &agreed);
-    return agreed ? asIs(printable(name.trimmed().toStdString(), kLongestName)) : QString();
+QString SelectionSetsMenu::askFor(const QString& title, const QString& now) {
+    return askForName(&bench_.window, title, tr("Name of the set"), now);
 }
 
 void SelectionSetsMenu::keep() {
@@ -95,10 +76,7 @@ void SelectionSetsMenu::keep() {
     if (bench_.document.selectedTriangles().empty())
         return bench_.notice.showNote(tr("Select what is to be kept first: surfaces, or triangles (Q)."));
     const QStringList taken = names();
-    int number = 1;
-    while (taken.contains(tr("Set %1").arg(number)))
-        ++number;
-    const QString name = askForName(tr("Keep the selection"), tr("Set %1").arg(number));
+    const QString name = askFor(tr("Keep the selection"), nextName(tr("Set %1"), taken));
     if (name.isEmpty()) return;
     if (taken.contains(name))
         return bench_.notice.showNote(
@@ -129,7 +107,7 @@ void SelectionSetsMenu::replace(const QString& name) {
 }
 
 void SelectionSetsMenu::rename(const QString& name) {
-    const QString other = askForName(tr("Rename the set"), name);
+    const QString other = askFor(tr("Rename the set"), name);
     if (other.isEmpty() || other == name) return;
     if (names().contains(other))
         return bench_.notice.showNote(tr("There is a set %1 already; choose another name.").arg(other));

@@ -160,6 +160,7 @@ void SceneView::setScene(const Scene& scene) {
         impl_->stage.solid->budget().forget();
     impl_->refreshHover();
     impl_->picker.setScene(scene);
+    impl_->weedMeasure();
     setCasters(scene);
     impl_->spanning = spanningPoints(scene);
     impl_->hand.setSceneSize(impl_->picker.bounds().diagonal());
@@ -206,6 +207,7 @@ void SceneView::setTool(ViewTool tool) {
     impl_->letGo();
     impl_->tool = tool;
     impl_->brushAt.reset();
+    impl_->measureNext.reset();
     changed();
 }
 
@@ -246,6 +248,7 @@ void SceneView::setProxyRadius(double metres) {
 void SceneView::fit() {
     impl_->flight.stop();
     impl_->camera.size = size();
+    impl_->camera.fieldOfView = defaultCamera().fieldOfView; // that of a saved camera may be another
     impl_->camera.fit(impl_->spanning);
     impl_->fitted = isVisible() && impl_->picker.bounds().diagonal() > 0; // else again once the size is known
     changed();
@@ -271,6 +274,7 @@ void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
     const double size = std::max(radius, kMin * impl_->picker.bounds().diagonal());
     ViewCamera to = impl_->camera;
     to.size = impl_->camera.size = this->size();
+    to.fieldOfView = defaultCamera().fieldOfView;
     if (const Vec3 from = from_W.stableNormalized(); from != Vec3::Zero()) {
         to.yaw = std::atan2(from.x(), from.z());
         to.pitch = std::asin(std::clamp(from.y(), -1.0, 1.0));
@@ -279,8 +283,13 @@ void SceneView::flyTo(const Vec3& centre_W, double radius, const Vec3& from_W) {
     for (int i = 0; i < 8; ++i)
         corners.push_back(centre_W + size * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
     to.fit(corners);
+    flyTo(to);
+}
+
+void SceneView::flyTo(const ViewCamera& camera) {
     impl_->flownFrom = impl_->camera;
-    impl_->flownTo = to;
+    impl_->flownTo = camera;
+    impl_->flownTo.parallel = impl_->camera.parallel;
     if (impl_->manners.flies) return impl_->flight.start();
     impl_->flight.stop();
     impl_->fly(1);
@@ -293,6 +302,7 @@ void SceneView::Impl::fly(double part) {
     camera.distance = from.distance * std::pow(to.distance / from.distance, part);
     camera.yaw = std::remainder(from.yaw + part * turn, 2 * std::numbers::pi);
     camera.pitch = from.pitch + part * (to.pitch - from.pitch);
+    camera.fieldOfView = from.fieldOfView + part * (to.fieldOfView - from.fieldOfView);
     view.changed();
 }
 
@@ -513,6 +523,7 @@ void SceneView::paintOver() {
         painter, impl_->colliders, [this](ObjectId id) { return impl_->model.placeOf(id); }, impl_->camera,
         impl_->theme());
     if (impl_->handlesDrawn) impl_->drawHandles(painter);
+    impl_->drawMeasured(painter);
     impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
     if (impl_->showsTouch())
         drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName);

@@ -23,6 +23,7 @@
 #include "ui/view/joint_gizmo.h"
 #include "ui/view/mapping_gizmo.h"
 #include "ui/view/mass_mark.h"
+#include "ui/view/measure.h"
 #include "ui/view/painted_picture.h"
 #include "ui/view/path_gizmo.h"
 #include "ui/view/scene_picker.h"
@@ -33,9 +34,9 @@ class QMimeData;
 
 namespace tactum {
 
-/// What the left mouse button does on the model: touch it with the finger, select its surfaces, paint, or
-/// select objects and arrange them by their handles.
-enum class ViewTool { Touch, Select, Paint, Arrange };
+/// What the left mouse button does on the model: touch it with the finger, select its surfaces, paint,
+/// select objects and arrange them by their handles, or measure between places.
+enum class ViewTool { Touch, Select, Paint, Arrange, Measure };
 
 /// What a stroke of the brush does next: the pointer comes down, goes on over the model, leaves it, goes up,
 /// or the stroke is given up.
@@ -60,8 +61,9 @@ enum class StandardView { Front, Right, Top, Isometric };
 /// drag move it along the view; G lets it follow the mouse until a click or Esc. Arrow keys and Page Up and
 /// Page Down nudge it.
 /// Arrange tool: G, R and S take hold of the selected objects, which follow the mouse until a click or Enter;
-/// X, Y and Z keep them to an axis, Ctrl snaps, Shift is fine; Esc and the right button give it up. Thread:
-/// ui.
+/// X, Y and Z keep them to an axis, Ctrl snaps, Shift is fine; Esc and the right button give it up.
+/// Measure tool: two clicks on the model are a distance, a third makes an angle at the second, the next
+/// begins anew; Esc takes the points away. Thread: ui.
 class SceneView : public VtkWidget {
     Q_OBJECT
 public:
@@ -98,6 +100,8 @@ public:
     /// Moves the camera, within a moment, until a ball fills a good part of the view. `from_W`: where to look
     /// from, a direction of any length; zero: from where it looks now. World frame, metre.
     void flyTo(const Vec3& centre_W, double radius, const Vec3& from_W = Vec3::Zero());
+    /// Moves the camera, within a moment, to look as another one does; the projection is that of setFelt().
+    void flyTo(const ViewCamera& camera);
     /// Draws the edges of some triangles of a body in the colour of faults, also through what is before them.
     /// X_WB; no triangles: nothing.
     void setMarked(std::shared_ptr<const TriangleSoup> soup, const TriangleSet& triangles, const Pose& pose);
@@ -119,6 +123,9 @@ public:
     void setSection(const std::optional<SectionPlane>& plane);
     const std::optional<SectionPlane>& section() const;
     const SectionGizmo& sectionHandles() const;
+    /// Where the points of the measure are now, at most three. World frame, metre.
+    std::vector<Vec3> measured() const;
+    void clearMeasure();
     /// The box of the scene at the time 0, world frame; empty: nothing is in it.
     Bounds bounds() const;
     /// Ends the drag of any handle where it is.
@@ -239,6 +246,8 @@ signals:
     void sectionDragged(const tactum::SectionPlane& plane);
     /// The drag of any handle has ended. Given up, nothing of it is to be left.
     void handlesLeft(bool givenUp);
+    /// A point of the measure came or all of them went. `left`: Esc without any, the tool is to be left.
+    void measureChanged(bool left);
     /// G, R or S without anything that could be arranged.
     void arrangeAsked();
     /// G with the select tool: the mapping is to be moved, or has been.

@@ -41,7 +41,7 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     lasso = QPolygonF({cursor});
     if (region || alt || takeHandles(cursor)) return;
     if (brushes()) drag = ViewDrag::Brush;
-    if (tool == ViewTool::Select || tool == ViewTool::Arrange) return;
+    if (tool != ViewTool::Touch && tool != ViewTool::Paint) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     if (tool == ViewTool::Touch && (hit || isNearFinger(cursor))) takeHold(cursor, hit);
     if (tool == ViewTool::Paint && hit) drag = ViewDrag::Paint;
@@ -101,6 +101,7 @@ void SceneView::Impl::release(QPointF cursor, Qt::KeyboardModifiers modifiers) {
     letGo();
     showCursor(cursor);
     if (!clicked) return;
+    if (tool == ViewTool::Measure) return measureFrom(cursor);
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);
     emit view.picked(hit, modifiers);
 }
@@ -126,6 +127,10 @@ void SceneView::Impl::hoverAt(QPointF cursor) {
     setHovered(hit ? std::optional(hit->surface) : std::nullopt);
     if (tool == ViewTool::Paint) {
         brushAt = hit;
+        view.changed();
+    }
+    if (tool == ViewTool::Measure) {
+        measureNext = measureAt(cursor, ScenePicker::Patience::Now);
         view.changed();
     }
     showCursor(cursor);
@@ -191,6 +196,8 @@ bool SceneView::Impl::handKey(int key, QPointF cursor) {
         regionNext.reset();
         letGo();
         view.changed();
+    } else if (key == Qt::Key_Escape && tool == ViewTool::Measure) {
+        giveUpMeasure();
     } else if (key == Qt::Key_Escape && brushes()) {
         emit view.selectBrushLeft();
     } else if (key == Qt::Key_Escape && (hand.grip() != Grip::None || hand.gliding())) {
@@ -318,7 +325,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 void SceneView::leaveEvent(QEvent* event) {
     impl_->brushAt.reset();
     impl_->pointer.reset();
-    if (impl_->brushes()) changed();
+    if (std::exchange(impl_->measureNext, std::nullopt) || impl_->brushes()) changed();
     impl_->setHovered(std::nullopt);
     VtkWidget::leaveEvent(event);
 }

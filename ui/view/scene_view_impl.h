@@ -76,6 +76,12 @@ struct SceneView::Impl {
     bool dragOver(QDropEvent& event);
     void refreshHover();
     void setHovered(std::optional<SurfaceRef> surface);
+    std::optional<MeasurePoint> measureAt(QPointF cursor, ScenePicker::Patience patience) const;
+    void measureFrom(QPointF cursor);
+    void giveUpMeasure();
+    /// Points on what is not there any more, or has another shape, are taken away.
+    void weedMeasure();
+    void drawMeasured(QPainter& painter) const;
     void showCursor(QPointF cursor);
     void zoomAt(QPointF cursor, double notches);
     void goalMoved();
@@ -100,7 +106,9 @@ struct SceneView::Impl {
     std::array<ViewHandles*, 5> handles{&arranging, &mapping, &joint, &path, &sectionHandles};
     ViewHandles* taken = nullptr; ///< by the drag Handles
     bool handlesDrawn = true;
-    std::optional<Arrangement> arranged; ///< of the drag
+    std::optional<Arrangement> arranged;     ///< of the drag
+    std::vector<MeasurePoint> measure;       ///< at most three
+    std::optional<MeasurePoint> measureNext; ///< where the next click would put one
     std::optional<MassMark> mass;
     std::vector<ColliderMark> colliders;
     TouchOverlay overlay;

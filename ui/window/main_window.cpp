@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controllers/arming.h"
+#include "ui/controllers/cameras_menu.h"
 #include "ui/controllers/compare_controller.h"
 #include "ui/controllers/device_controller.h"
 #include "ui/controllers/edit_notice.h"
@@ -23,6 +24,7 @@
 #include "ui/controllers/health_controller.h"
 #include "ui/controllers/import_controller.h"
 #include "ui/controllers/layer_controller.h"
+#include "ui/controllers/measure_controller.h"
 #include "ui/controllers/motion_controller.h"
 #include "ui/controllers/paint_controller.h"
 #include "ui/controllers/palette_controller.h"
@@ -131,6 +133,9 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectEdit();
     connectView();
     connect(stage_, &Stage::otherShown, new SectionController(bench_), &SectionController::makeWhole);
+    new MeasureController(bench_);
+    connect(stage_, &Stage::otherShown, view_, &SceneView::clearMeasure);
+    cameras_ = new CamerasMenu(bench_);
     connectSelecting();
     connectArranging();
     connectSurfaces();
@@ -182,7 +187,7 @@ void MainWindow::makeControllers() {
     connect(new RecoveryController(bench_, *recovery_, *recoveryBar_), &RecoveryController::replaces, save_,
             &SaveController::leave);
     recovery_->look();
-    connect(new PaletteController(bench_, *folds_, *sets_, *centre_, *importBar_),
+    connect(new PaletteController(bench_, *folds_, *sets_, *cameras_, *centre_, *importBar_),
             &PaletteController::fileChosen, this, &MainWindow::open);
     connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
             refreshStart);

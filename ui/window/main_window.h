@@ -27,6 +27,7 @@ namespace tactum {
 
 class Arming;
 class ArrangeTool;
+class CamerasMenu;
 class CompareController;
 class Comparison;
 class ConnectionBar;
@@ -207,6 +208,7 @@ private:
     PresetController* presets_ = nullptr;
     SelectController* selecting_ = nullptr;
     SelectionSetsMenu* sets_ = nullptr;
+    CamerasMenu* cameras_ = nullptr;
     VideoRecorder* video_ = nullptr;
     Presentation* presentation_ = nullptr;
     bool panelsWereHidden_ = false; ///< before the presentation

@@ -156,12 +156,13 @@ void MainWindow::connectEdit() {
 
 void MainWindow::connectView() {
     auto* tools = new QActionGroup(this);
-    for (const char* id : {"touch", "select", "paint", "arrange"})
+    for (const char* id : {"touch", "select", "paint", "arrange", "measure"})
         tools->addAction(&actions_[id]);
     connect(&actions_["touch"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Touch); });
     connect(&actions_["select"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Select); });
     connect(&actions_["paint"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Paint); });
     connect(&actions_["arrange"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Arrange); });
+    connect(&actions_["measure"], &QAction::triggered, this, [this] { view_->setTool(ViewTool::Measure); });
     connect(&actions_["select"], &QAction::toggled, selectStrip_, &QWidget::setVisible);
     connect(&actions_["touch"], &QAction::toggled, this, [this](bool on) {
         hint_->hide();
