@@ -272,6 +272,7 @@ void LocalEngine::abandon() {
     if (!impl_->kept.empty()) fresh->kept.push_back(impl_->kept.back());
     fresh->heat = impl_->heat;
     fresh->pace = impl_->pace;
+    fresh->spoken = impl_->spoken;
     fresh->channels = impl_->channels; // with the last minute
     fresh->past = impl_->past;
     static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
@@ -279,7 +280,7 @@ void LocalEngine::abandon() {
 }
 
 Result<void> LocalEngine::setDevice(std::unique_ptr<HapticDevice> device) {
-    return exchangeDevice(0, std::move(device));
+    return exchangeDevice(impl_->spoken, std::move(device));
 }
 
 Result<void> LocalEngine::exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device) {
@@ -305,6 +306,10 @@ Result<void> LocalEngine::removeDevice(std::size_t hand) {
     const bool ran = impl_->running;
     (void)stop();
     impl_->sides.erase(impl_->sides.begin() + std::ptrdiff_t(hand));
+    if (impl_->spoken == hand)
+        impl_->spoken = 0;
+    else if (impl_->spoken > hand)
+        --impl_->spoken;
     impl_->freshChannels();
     return ran ? start() : Result<void>();
 }
@@ -362,6 +367,7 @@ void LocalEngine::poll() {
     impl_->proxy = impl_->channels->proxyTelemetry.read();
     for (std::size_t i = 0; i < impl_->sides.size(); ++i)
         impl_->pollHand(i);
+    impl_->tellSpoken();
     if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
 }
 
@@ -376,6 +382,11 @@ void LocalEngine::Impl::pollHand(std::size_t hand) {
     if (side.servo.gain > 0) side.servo.inhibit = InhibitReason::Stall;
     side.servo.gain = 0;
     side.servo.force = Vec3::Zero();
+}
+
+/// What all hands share is told with any of them.
+void LocalEngine::Impl::tellSpoken() {
+    static_cast<TouchTelemetry&>(proxy) = sides[spoken]->touch;
 }
 
 const ProxyTelemetry& LocalEngine::proxy() const {

@@ -1,4 +1,4 @@
-// What an engine says of each of its hands, and of the first as an Engine.
+// What an engine says of each of its hands, and as an Engine of the one it speaks of.
 #include <algorithm>
 
 #include "core/base/realtime.h"
@@ -93,61 +93,72 @@ bool LocalEngine::Hand::popTrace(TracePoint& point) {
     return engine_.channels->hand(index_).trace.pop(point);
 }
 
-// And of its first one.
+// And of the one that the engine speaks of.
+
+void LocalEngine::speakOf(std::size_t hand) {
+    impl_->spoken = hand;
+    impl_->tellSpoken();
+    for (TracePoint before; popTrace(before);)
+        continue;
+}
+
+std::size_t LocalEngine::spokenOf() const {
+    return impl_->spoken;
+}
 
 const DeviceInfo& LocalEngine::device() const {
-    return Hand(*impl_, 0).device();
+    return Hand(*impl_, impl_->spoken).device();
 }
 std::string LocalEngine::trouble() const {
-    return Hand(*impl_, 0).trouble();
+    return Hand(*impl_, impl_->spoken).trouble();
 }
 std::string LocalEngine::caution() const {
-    return Hand(*impl_, 0).caution();
+    return Hand(*impl_, impl_->spoken).caution();
 }
 Result<void> LocalEngine::setWorkspace(const Workspace& workspace) {
-    return Hand(*impl_, 0).setWorkspace(workspace);
+    return Hand(*impl_, impl_->spoken).setWorkspace(workspace);
 }
 const Workspace& LocalEngine::workspace() const {
-    return Hand(*impl_, 0).workspace();
+    return Hand(*impl_, impl_->spoken).workspace();
 }
 void LocalEngine::fade() {
-    Hand(*impl_, 0).fade();
+    Hand(*impl_, impl_->spoken).fade();
 }
 void LocalEngine::setArmed(bool armed) {
-    Hand(*impl_, 0).setArmed(armed);
+    Hand(*impl_, impl_->spoken).setArmed(armed);
 }
 bool LocalEngine::armed() const {
-    return Hand(*impl_, 0).armed();
+    return Hand(*impl_, impl_->spoken).armed();
 }
 void LocalEngine::setDeadMan(bool on) {
-    Hand(*impl_, 0).setDeadMan(on);
+    Hand(*impl_, impl_->spoken).setDeadMan(on);
 }
 bool LocalEngine::deadMan() const {
-    return Hand(*impl_, 0).deadMan();
+    return Hand(*impl_, impl_->spoken).deadMan();
 }
 void LocalEngine::setOverrideCeiling(bool on) {
-    Hand(*impl_, 0).setOverrideCeiling(on);
+    Hand(*impl_, impl_->spoken).setOverrideCeiling(on);
 }
 bool LocalEngine::overridesCeiling() const {
-    return Hand(*impl_, 0).overridesCeiling();
+    return Hand(*impl_, impl_->spoken).overridesCeiling();
 }
 void LocalEngine::push(const Vec3& force) {
-    Hand(*impl_, 0).push(force);
+    Hand(*impl_, impl_->spoken).push(force);
 }
 void LocalEngine::setGrasped(bool on) {
-    Hand(*impl_, 0).setGrasped(on);
+    Hand(*impl_, impl_->spoken).setGrasped(on);
 }
 void LocalEngine::restartProxy() {
-    Hand(*impl_, 0).restartProxy();
+    Hand(*impl_, impl_->spoken).restartProxy();
 }
 const ServoTelemetry& LocalEngine::servo() const {
-    return Hand(*impl_, 0).servo();
+    return Hand(*impl_, impl_->spoken).servo();
 }
 bool LocalEngine::servoStandsStill() const {
-    return Hand(*impl_, 0).servoStandsStill();
+    return Hand(*impl_, impl_->spoken).servoStandsStill();
 }
 bool LocalEngine::popTrace(TracePoint& point) {
-    return Hand(*impl_, 0).popTrace(point);
+    return Hand(*impl_, impl_->spoken).popTrace(point);
 }
 
 } // namespace tactum

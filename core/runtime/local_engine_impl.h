@@ -58,6 +58,7 @@ struct LocalEngine::Impl {
         Beats beats;
     };
     std::vector<std::unique_ptr<Side>> sides; ///< one for each hand
+    std::size_t spoken = 0;                   ///< whom the engine speaks of
     std::shared_ptr<Channels> channels;       ///< fresh at every start
     /// Every World that a loop may still see, oldest first; the last is the one to feel.
     std::vector<std::shared_ptr<const World>> kept;
@@ -87,6 +88,7 @@ struct LocalEngine::Impl {
     void remember(const World& world);
     void askForButton(std::size_t hand);
     void pollHand(std::size_t hand);
+    void tellSpoken();
     double fastest() const;
     bool hasRealDevice() const;
 };
