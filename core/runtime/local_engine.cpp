@@ -1,9 +1,5 @@
-#include "core/runtime/local_engine.h"
-
 #include <algorithm>
 #include <cstring>
-#include <deque>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -11,8 +7,8 @@
 #include "core/haptics/compile.h"
 #include "core/loop/realtime_thread.h"
 #include "core/port/device_check.h"
+#include "core/runtime/local_engine_impl.h"
 #include "core/runtime/proxy_loop.h"
-#include "core/runtime/servo_loop.h"
 
 namespace tactum {
 namespace {
@@ -29,21 +25,6 @@ const Urgency& worse(const Urgency& servo, const Urgency& proxy) {
 /// Past scenes are remembered for a minute, but of no more edits than this.
 constexpr std::size_t kMaxScenes = 8192;
 constexpr double kSlowestPublish = 2; ///< s, from publish() to the first step in the World, and some more
-
-/// Whether a counter goes on rising, as far as somebody looks.
-struct Beats {
-    static constexpr std::int64_t kPatience = 500'000'000; ///< ns
-    std::uint64_t seen = 0;
-    std::int64_t since = 0; ///< ns, when it was first seen like that; 0: never
-    bool still = false;
-
-    bool stand(std::uint64_t count) {
-        const std::int64_t now = monotonicNanoseconds();
-        if (count != seen || since == 0) since = now;
-        seen = count;
-        return still = now - since > kPatience;
-    }
-};
 
 constexpr double kExchangePatience = 1; ///< s, for an exchange to come back when the loops shall end
 
@@ -65,71 +46,7 @@ private:
     DeviceInfo info_;
 };
 
-struct PastScene {
-    double until = 0; ///< s on the recorder's clock, when the next one came; 0: it is the present one
-    RecordedScene recorded;
-};
-
 } // namespace
-
-struct LocalEngine::Impl {
-    /// A device, its servo, and what the person decided for them.
-    struct Side {
-        explicit Side(std::unique_ptr<HapticDevice> theDevice) { take(std::move(theDevice)); }
-
-        void take(std::unique_ptr<HapticDevice> another) {
-            device = std::move(another);
-            info = device->info();
-            grasped = false;
-            motors = {};
-        }
-
-        std::unique_ptr<HapticDevice> device;
-        DeviceInfo info;
-        DeviceWatchdog watchdog;
-        RealtimeThread thread;
-        LeftHeat motors; ///< of the device; the servo's while it runs
-        Workspace workspace;
-        bool deadMan = false;
-        bool grasped = false;
-        bool stuck = false; ///< its servo did not come back
-        TouchTelemetry touch;
-        ServoTelemetry servo;
-        Beats beats;
-    };
-    std::vector<std::unique_ptr<Side>> sides; ///< one for each hand
-    std::shared_ptr<Channels> channels;       ///< fresh at every start
-    /// Every World that a loop may still see, oldest first; the last is the one to feel.
-    std::vector<std::shared_ptr<const World>> kept;
-    std::uint64_t publishedAfter = 0; ///< updates
-    std::deque<PastScene> past;       ///< of the last minute, oldest first
-    RealtimeThread proxyThread;
-    std::optional<AwakeProcessors> awake; ///< while a real device is used
-    /// By the device's name: who pulls a hot device out and puts it back has a hot device.
-    std::map<std::string, LeftHeat> heat;
-    double pace = 1;
-    bool running = false;
-    bool realtime = false;
-    std::string priorityNote = "The loops have not been started.";
-    ProxyTelemetry proxy;
-    Beats proxyBeats;
-
-    Result<void> openDevices();
-    Result<void> startWatchdogs();
-    Result<void> startLoops();
-    Urgency leastUrgency() const;
-    bool endLoops();
-    void keepHeat();
-    void handOver();
-    void release(const World* world);
-    void releaseRetired();
-    void freshChannels();
-    void remember(const World& world);
-    void askForButton(std::size_t hand);
-    void pollHand(std::size_t hand);
-    double fastest() const;
-    bool hasRealDevice() const;
-};
 
 // A device that start() will refuse has nothing to record.
 void LocalEngine::Impl::freshChannels() {
@@ -355,6 +272,7 @@ void LocalEngine::abandon() {
     if (!impl_->kept.empty()) fresh->kept.push_back(impl_->kept.back());
     fresh->heat = impl_->heat;
     fresh->pace = impl_->pace;
+    fresh->spoken = impl_->spoken;
     fresh->channels = impl_->channels; // with the last minute
     fresh->past = impl_->past;
     static auto& abandoned = *new std::vector<std::unique_ptr<Impl>>; // never destroyed
@@ -362,7 +280,7 @@ void LocalEngine::abandon() {
 }
 
 Result<void> LocalEngine::setDevice(std::unique_ptr<HapticDevice> device) {
-    return exchangeDevice(0, std::move(device));
+    return exchangeDevice(impl_->spoken, std::move(device));
 }
 
 Result<void> LocalEngine::exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device) {
@@ -388,6 +306,10 @@ Result<void> LocalEngine::removeDevice(std::size_t hand) {
     const bool ran = impl_->running;
     (void)stop();
     impl_->sides.erase(impl_->sides.begin() + std::ptrdiff_t(hand));
+    if (impl_->spoken == hand)
+        impl_->spoken = 0;
+    else if (impl_->spoken > hand)
+        --impl_->spoken;
     impl_->freshChannels();
     return ran ? start() : Result<void>();
 }
@@ -445,6 +367,7 @@ void LocalEngine::poll() {
     impl_->proxy = impl_->channels->proxyTelemetry.read();
     for (std::size_t i = 0; i < impl_->sides.size(); ++i)
         impl_->pollHand(i);
+    impl_->tellSpoken();
     if (impl_->proxyBeats.stand(impl_->proxy.updates)) impl_->proxy.rate = 0;
 }
 
@@ -461,6 +384,11 @@ void LocalEngine::Impl::pollHand(std::size_t hand) {
     side.servo.force = Vec3::Zero();
 }
 
+/// What all hands share is told with any of them.
+void LocalEngine::Impl::tellSpoken() {
+    static_cast<TouchTelemetry&>(proxy) = sides[spoken]->touch;
+}
+
 const ProxyTelemetry& LocalEngine::proxy() const {
     return impl_->proxy;
 }
@@ -471,7 +399,7 @@ RecordedRun LocalEngine::recorded() const {
         run.others.push_back(impl_->channels->hand(i).recorder.copy());
     for (std::size_t i = 0; i < run.hands(); ++i)
         run.hand(i).device = impl_->sides[i]->info;
-    for (const PastScene& past : impl_->past)
+    for (const auto& past : impl_->past)
         if (!run.sceneOf(past.recorded.numbers.revision)) run.scenes.push_back(past.recorded);
     trim(run);
     return run;
@@ -481,152 +409,6 @@ bool LocalEngine::hasRealtimePriority() const {
 }
 const std::string& LocalEngine::priorityNote() const {
     return impl_->priorityNote;
-}
-
-// What an Engine says of one hand.
-
-const DeviceInfo& LocalEngine::Hand::device() const {
-    return engine_.sides[index_]->info;
-}
-
-std::string LocalEngine::Hand::trouble() const {
-    return engine_.sides[index_]->device->trouble();
-}
-
-std::string LocalEngine::Hand::caution() const {
-    return engine_.sides[index_]->device->caution();
-}
-
-Result<void> LocalEngine::Hand::setWorkspace(const Workspace& workspace) {
-    assertNotRealtime();
-    if (Result<void> possible = checkWorkspace(workspace); !possible) return possible;
-    engine_.sides[index_]->workspace = workspace;
-    engine_.channels->hand(index_).workspace.write(workspace);
-    return {};
-}
-
-const Workspace& LocalEngine::Hand::workspace() const {
-    return engine_.sides[index_]->workspace;
-}
-
-void LocalEngine::Hand::fade() {
-    HandChannels& hand = engine_.channels->hand(index_);
-    hand.fading.store(true, std::memory_order_relaxed);
-    hand.armed.store(false, std::memory_order_release);
-}
-
-void LocalEngine::Hand::setArmed(bool armed) {
-    HandChannels& hand = engine_.channels->hand(index_);
-    hand.fading.store(false, std::memory_order_relaxed);
-    hand.armed.store(armed, std::memory_order_relaxed);
-}
-
-bool LocalEngine::Hand::armed() const {
-    return engine_.channels->hand(index_).armed.load(std::memory_order_relaxed);
-}
-
-void LocalEngine::Hand::setDeadMan(bool on) {
-    engine_.sides[index_]->deadMan = on;
-    engine_.askForButton(index_);
-}
-
-bool LocalEngine::Hand::deadMan() const {
-    return engine_.channels->hand(index_).deadMan.load(std::memory_order_relaxed) != 0;
-}
-
-void LocalEngine::Hand::setOverrideCeiling(bool on) {
-    engine_.channels->hand(index_).overrideCeiling.store(on, std::memory_order_relaxed);
-}
-
-bool LocalEngine::Hand::overridesCeiling() const {
-    return engine_.channels->hand(index_).overrideCeiling.load(std::memory_order_relaxed);
-}
-
-void LocalEngine::Hand::push(const Vec3& force) {
-    engine_.channels->hand(index_).outside.write({force, monotonicNanoseconds()});
-}
-
-void LocalEngine::Hand::setGrasped(bool on) {
-    engine_.sides[index_]->grasped = on;
-    engine_.channels->hand(index_).grasped.store(on, std::memory_order_relaxed);
-}
-
-/// A full queue holds the same order already.
-void LocalEngine::Hand::restartProxy() {
-    engine_.channels->commands.push({EngineCommand::Kind::RestartProxy, index_});
-}
-
-const TouchTelemetry& LocalEngine::Hand::touch() const {
-    return engine_.sides[index_]->touch;
-}
-
-const ServoTelemetry& LocalEngine::Hand::servo() const {
-    return engine_.sides[index_]->servo;
-}
-
-bool LocalEngine::Hand::servoStandsStill() const {
-    return engine_.running && engine_.sides[index_]->beats.still;
-}
-
-bool LocalEngine::Hand::popTrace(TracePoint& point) {
-    return engine_.channels->hand(index_).trace.pop(point);
-}
-
-// And of its first one.
-
-const DeviceInfo& LocalEngine::device() const {
-    return Hand(*impl_, 0).device();
-}
-std::string LocalEngine::trouble() const {
-    return Hand(*impl_, 0).trouble();
-}
-std::string LocalEngine::caution() const {
-    return Hand(*impl_, 0).caution();
-}
-Result<void> LocalEngine::setWorkspace(const Workspace& workspace) {
-    return Hand(*impl_, 0).setWorkspace(workspace);
-}
-const Workspace& LocalEngine::workspace() const {
-    return Hand(*impl_, 0).workspace();
-}
-void LocalEngine::fade() {
-    Hand(*impl_, 0).fade();
-}
-void LocalEngine::setArmed(bool armed) {
-    Hand(*impl_, 0).setArmed(armed);
-}
-bool LocalEngine::armed() const {
-    return Hand(*impl_, 0).armed();
-}
-void LocalEngine::setDeadMan(bool on) {
-    Hand(*impl_, 0).setDeadMan(on);
-}
-bool LocalEngine::deadMan() const {
-    return Hand(*impl_, 0).deadMan();
-}
-void LocalEngine::setOverrideCeiling(bool on) {
-    Hand(*impl_, 0).setOverrideCeiling(on);
-}
-bool LocalEngine::overridesCeiling() const {
-    return Hand(*impl_, 0).overridesCeiling();
-}
-void LocalEngine::push(const Vec3& force) {
-    Hand(*impl_, 0).push(force);
-}
-void LocalEngine::setGrasped(bool on) {
-    Hand(*impl_, 0).setGrasped(on);
-}
-void LocalEngine::restartProxy() {
-    Hand(*impl_, 0).restartProxy();
-}
-const ServoTelemetry& LocalEngine::servo() const {
-    return Hand(*impl_, 0).servo();
-}
-bool LocalEngine::servoStandsStill() const {
-    return Hand(*impl_, 0).servoStandsStill();
-}
-bool LocalEngine::popTrace(TracePoint& point) {
-    return Hand(*impl_, 0).popTrace(point);
 }
 
 } // namespace tactum

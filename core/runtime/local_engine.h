@@ -5,8 +5,8 @@
 
 namespace tactum {
 
-/// As an Engine it speaks of its first hand; hand(i) is each of them. All touch one World, and a haptic step
-/// is one of all. A fault, or forces off, is of one hand: the others go on.
+/// As an Engine it speaks of one of its hands, the first until speakOf(); hand(i) is each of them. All touch
+/// one World, and a haptic step is one of all. A fault, or forces off, is of one hand: the others go on.
 class LocalEngine final : public Engine {
 public:
     explicit LocalEngine(std::unique_ptr<HapticDevice> device);
@@ -17,11 +17,15 @@ public:
     std::size_t hands() const;
     /// i < hands().
     Hand hand(std::size_t i);
+    /// The hand, below hands(), that the members of Engine are about from now on; the first again when it is
+    /// removed. What it traced before is dropped.
+    void speakOf(std::size_t hand);
+    std::size_t spokenOf() const;
     /// One more hand, with its device. As setDevice(): all loops stop and start, forces off. Refuses more
     /// than kMaxHands, and then nothing changes. On another error nothing runs, and start() would try again
     /// with it.
     Result<void> addDevice(std::unique_ptr<HapticDevice> device);
-    /// Another device for one hand, below hands(), as setDevice() for the first.
+    /// Another device for one hand, below hands(), as setDevice() for the one it speaks of.
     Result<void> exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device);
     /// Without this hand, below hands(), whose device is destroyed; those after it move up. Loops that ran
     /// start again, forces off. The last one stays.

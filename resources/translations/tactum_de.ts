@@ -236,8 +236,20 @@
             <translation>%1 wird in %2 gemessen.</translation>
         </message>
         <message>
-            <source>%1 is not there any more; the forces are off. Plug it in: it is made ready again by itself. Until then the mouse leads a simulated hand. %2</source>
-            <translation>%1 ist nicht mehr da; die Kräfte sind aus. Wieder anschließen: Es wird von selbst bereit gemacht. Bis dahin führt die Maus eine simulierte Hand. %2</translation>
+            <source>%1 is not there any more and gets no force; the other hand goes on. Its own goes when you switch the forces off: plug it in and add it again.</source>
+            <translation>%1 ist nicht mehr da und bekommt keine Kraft; die andere Hand macht weiter. Seine eigene verschwindet, wenn Sie die Kräfte ausschalten: wieder anschließen und neu hinzufügen.</translation>
+        </message>
+        <message>
+            <source>%1 is not there any more and gets no force; the other hand goes on. When you switch the forces off, the mouse leads a simulated hand in its place.</source>
+            <translation>%1 ist nicht mehr da und bekommt keine Kraft; die andere Hand macht weiter. Wenn Sie die Kräfte ausschalten, führt die Maus an seiner Stelle eine simulierte Hand.</translation>
+        </message>
+        <message>
+            <source>%1 is not there any more, and its hand went with it. Plug it in and add it again.</source>
+            <translation>%1 ist nicht mehr da und seine Hand mit ihm. Wieder anschließen und neu hinzufügen.</translation>
+        </message>
+        <message>
+            <source>%1 is not there any more; the forces are off. Plug it in: it is made ready again by itself. Until then the mouse leads a simulated hand.</source>
+            <translation>%1 ist nicht mehr da; die Kräfte sind aus. Wieder anschließen: Es wird von selbst bereit gemacht. Bis dahin führt die Maus eine simulierte Hand.</translation>
         </message>
         <message>
             <source>%1 is ready. The forces are off: hold the handle, then arm.</source>
@@ -1469,6 +1481,10 @@
         <message>
             <source>Add &amp;weave</source>
             <translation>&amp;Gewebe hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add a device</source>
+            <translation>Gerät hinzufügen</translation>
         </message>
         <message>
             <source>Add a layer</source>
@@ -2728,6 +2744,10 @@
             <translation>Die Tastatur dem vorigen Bereich geben</translation>
         </message>
         <message>
+            <source>Give this device back. The forces of all hands are off then</source>
+            <translation>Dieses Gerät zurückgeben. Die Kräfte aller Hände sind dann aus</translation>
+        </message>
+        <message>
             <source>Give up</source>
             <translation>Aufgeben</translation>
         </message>
@@ -3409,6 +3429,10 @@
         <message>
             <source>Lower stop</source>
             <translation>Unterer Anschlag</translation>
+        </message>
+        <message>
+            <source>Make the chosen device ready as one more hand; those that there are stay</source>
+            <translation>Das gewählte Gerät als weitere Hand bereit machen; die vorhandenen bleiben</translation>
         </message>
         <message>
             <source>Make the chosen device ready, step by step</source>
@@ -4403,6 +4427,10 @@ text | Wie war es?</translation>
             <translation>Ansicht aufnehmen</translation>
         </message>
         <message>
+            <source>Recording of several hands; plots, trail and status are those of %1</source>
+            <translation>Aufnahme mehrerer Hände; Diagramme, Spur und Status sind die von %1</translation>
+        </message>
+        <message>
             <source>Recording: finger, proxy and forces are those of then</source>
             <translation>Aufnahme: Finger, Proxy und Kräfte sind die von damals</translation>
         </message>
@@ -4441,6 +4469,10 @@ text | Wie war es?</translation>
         <message>
             <source>Remove %1</source>
             <translation>%1 entfernen</translation>
+        </message>
+        <message>
+            <source>Remove hand %1</source>
+            <translation>Hand %1 entfernen</translation>
         </message>
         <message>
             <source>Remove layer %1</source>
@@ -4937,6 +4969,10 @@ der Grenze rendern</translation>
             <translation>Das Diagramm zeigen: %1</translation>
         </message>
         <message>
+            <source>Show the status, health, plots and trail of this hand</source>
+            <translation>Status, Zustand, Diagramme und Spur dieser Hand zeigen</translation>
+        </message>
+        <message>
             <source>Show the whole scene</source>
             <translation>Ganze Szene zeigen</translation>
         </message>
@@ -5070,6 +5106,10 @@ der Grenze rendern</translation>
         <message>
             <source>Static friction</source>
             <translation>Haftreibung</translation>
+        </message>
+        <message>
+            <source>Status, health, plots and trail are those of the chosen hand.</source>
+            <translation>Status, Zustand, Diagramme und Spur sind die der gewählten Hand.</translation>
         </message>
         <message>
             <source>Steps multiply and divide</source>
@@ -6918,6 +6958,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>not running</source>
             <translation>läuft nicht</translation>
+        </message>
+        <message>
+            <source>not there any more</source>
+            <translation>nicht mehr da</translation>
         </message>
         <message>
             <source>nothing</source>

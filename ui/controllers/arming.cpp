@@ -22,7 +22,7 @@ QString armAgain() {
 
 Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& notice, GuardWatch& guard,
                DeviceLink& link, QObject* parent)
-    : QObject(parent), engine_(engine), actions_(actions), view_(view), notice_(notice), guard_(guard),
+    : QObject(parent), hands_(engine), actions_(actions), view_(view), notice_(notice), guard_(guard),
       link_(link) {
     connect(&actions["armed"], &QAction::triggered, this, &Arming::set);
     connect(&actions["stop"], &QAction::triggered, this, [this] { set(false); });
@@ -31,7 +31,7 @@ Arming::Arming(Engine& engine, Actions& actions, SceneView& view, NoticeBar& not
         offer();
         if (why == InhibitReason::DeviceLost) link_.look(); // whether it is there at all
     });
-    show(engine.armed());
+    show();
 }
 
 bool Arming::faulty() const {
@@ -40,10 +40,13 @@ bool Arming::faulty() const {
 
 void Arming::set(bool armed) {
     const bool wasFaulty = faulty();
-    if (armed) link_.stop().pressed = false; // held still, it stops again at once
+    if (armed) link_.letGoOfLost(); // what is not there would only be a fault again
+    if (armed)
+        for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+            link_.stop(hand).pressed = false; // held still, it stops again at once
     if (!armed) view_.endTouch();
     guard_.setArmed(armed);
-    show(armed);
+    show();
     if (!armed && !wasFaulty)
         notice_.showNote(tr("Stopped: the device gets no force. Device > Forces on goes on."));
     else if (armed && (wasFaulty || notice_.property("severity") == QLatin1String("note")))
@@ -52,27 +55,28 @@ void Arming::set(bool armed) {
 
 void Arming::switchOff() {
     guard_.setArmed(false);
-    show(false);
+    show();
 }
 
 void Arming::switchOn() {
     guard_.setArmed(true);
-    show(true);
+    show();
 }
 
-void Arming::show(bool armed) {
+void Arming::show() {
+    const bool armed = hands_.anyArmed();
     actions_["armed"].setChecked(armed);
     actions_["stop"].setEnabled(armed);
 }
 
 void Arming::offer(const QString& more) {
-    show(false);
+    show();
+    const std::size_t hand = *guard_.faultyHand();
     const bool lost = *guard_.fault() == InhibitReason::DeviceLost;
-    const QString trouble = lost ? QString::fromStdString(engine_.trouble()) : QString();
-    const QString text =
-        QStringLiteral("%1 %2 %3").arg(guardSentences(*guard_.fault()), trouble, more).simplified();
+    const QString trouble = lost ? QString::fromStdString(hands_.trouble(hand)) : QString();
+    const QString text = QStringLiteral("%1 %2 %3").arg(guard_.faultSentences(), trouble, more).simplified();
     // What its driver cannot get over by itself no arming brings back.
-    if (!trouble.isEmpty() && link_.connected())
+    if (!trouble.isEmpty() && hand == 0 && link_.connected())
         notice_.offer(text, QStringLiteral("error"), tr("Open again"),
                       [this] { link_.choose(link_.current()); });
     else
@@ -83,7 +87,7 @@ void Arming::adoptDevice() {
     for (const QString& button : {armAgain(), tr("Open again"), tr("Arm")})
         notice_.withdraw(button);
     guard_.forget();
-    show(false);
+    show();
 }
 
 } // namespace tactum

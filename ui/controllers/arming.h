@@ -1,9 +1,10 @@
-// Forces on and off: the one way there, and what is said and offered about it.
+// Forces on and off, of all hands at once: the one way there, and what is said and offered about it.
 #pragma once
 
 #include <QObject>
 #include <QString>
 
+#include "core/runtime/hands.h"
 #include "ui/base/shortcuts.h"
 
 namespace tactum {
@@ -28,15 +29,15 @@ public:
     void switchOff();
     /// Likewise.
     void switchOn();
-    /// Brings the commands to what the engine does.
-    void show(bool armed);
+    /// Brings the commands to what the engine does: on while any hand has force.
+    void show();
     /// After a fault; `more`: what else is to be told about it.
     void offer(const QString& more = {});
     /// Another device is in the engine, without force: nothing is left of the one before.
     void adoptDevice();
 
 private:
-    Engine& engine_;
+    Hands hands_;
     Actions& actions_;
     SceneView& view_;
     NoticeBar& notice_;

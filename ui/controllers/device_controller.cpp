@@ -14,6 +14,7 @@
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
 #include "ui/panels/device_panel.h"
+#include "ui/panels/hand_list.h"
 #include "ui/panels/workspace_fields.h"
 #include "ui/showing/playback.h"
 #include "ui/tools/hand_link.h"
@@ -26,9 +27,10 @@ namespace tactum {
 DeviceController::DeviceController(const Workbench& bench, Arming& arming, DeviceLink& link, HandLink& hand,
                                    TouchHint& hint, Folds& folds, DevicePanel& panel)
     : QObject(&bench.window), bench_(bench), arming_(arming), link_(link), hand_(hand), hint_(hint),
-      folds_(folds), panel_(panel), permission_(new UsbPermission(this)) {
+      folds_(folds), panel_(panel), permission_(new UsbPermission(this)), settings_(link.hands().count()) {
     connectCommands();
     connectLink();
+    connectHands();
     connectConnecting();
     connectLive();
     connectWorkspace();
@@ -59,9 +61,55 @@ void DeviceController::connectLink() {
     connect(&link_, &DeviceLink::ready, this, &DeviceController::offerReady);
     connect(&link_, &DeviceLink::failed, &bench_.notice, &NoticeBar::showError);
     connect(&link_, &DeviceLink::supplied, &bench_.notice, &NoticeBar::showNote);
-    connect(&link_, &DeviceLink::wentAway, this, [this](const QString& name) { sayAway(name); });
     connect(&link_, &DeviceLink::preparationChanged, this, &DeviceController::showCommands);
     connect(&link_, &DeviceLink::preparationChanged, this, &DeviceController::sayRequest);
+}
+
+void DeviceController::connectHands() {
+    connect(&panel_.hands(), &HandList::handChosen, this, &DeviceController::chooseHand);
+    connect(&panel_.hands(), &HandList::removePressed, &link_, &DeviceLink::remove);
+    connect(&panel_.connecting(), &DeviceConnect::addPressed, this, [this] {
+        arming_.switchOff(); // nothing pushes while the person is busy with another device
+        link_.add(panel_.connecting().chosen());
+    });
+    connect(&link_, &DeviceLink::wentAway, this, [this](const QString& name, bool others) {
+        away_ = (others ? tr("%1 is not there any more and gets no force; the other hand goes on. When you "
+                             "switch the forces off, the mouse leads a simulated hand in its place.")
+                        : tr("%1 is not there any more; the forces are off. Plug it in: it is made ready "
+                             "again by itself. Until then the mouse leads a simulated hand."))
+                    .arg(name);
+        sayAway();
+    });
+    connect(&link_, &DeviceLink::besideWentAway, this, [this](const QString& name, bool others) {
+        away_ = (others ? tr("%1 is not there any more and gets no force; the other hand goes on. Its own "
+                             "goes when you switch the forces off: plug it in and add it again.")
+                        : tr("%1 is not there any more, and its hand went with it. Plug it in and add it "
+                             "again."))
+                    .arg(name);
+        sayAway();
+    });
+}
+
+void DeviceController::chooseHand(std::size_t hand) {
+    link_.hands().choose(hand);
+    showSettings();
+    showCommands();
+    emit handChosen();
+}
+
+void DeviceController::showHands() {
+    Hands& hands = link_.hands();
+    const auto markOf = [&](std::size_t hand) {
+        return HandMark{.number = hand,
+                        .name = QString::fromStdString(hands.device(hand).name),
+                        .led = link_.simulatedHand() == hand || hands.count() == 1};
+    };
+    std::vector<HandBeside> beside;
+    for (std::size_t hand = 0; hand < hands.count(); ++hand)
+        if (hand != hands.chosen() && !link_.gone(hand))
+            beside.push_back({markOf(hand), hands.touch(hand), hands.servo(hand), hands.device(hand).maxForce,
+                              hands.armed(hand)});
+    bench_.view.setHands(markOf(hands.chosen()), beside);
 }
 
 void DeviceController::connectConnecting() {
@@ -83,13 +131,13 @@ void DeviceController::connectConnecting() {
 
 void DeviceController::connectLive() {
     connect(&panel_.live(), &DeviceLive::stopButtonChosen, this, [this](std::uint32_t button) {
-        DeviceSettings next = settings_;
+        DeviceSettings next = settings();
         next.stopButton = button;
         next.workspace.clutch &= ~button; // a button does one thing
         setSettings(next);
     });
     connect(&panel_.live(), &DeviceLive::graspChosen, this, [this](bool grasped) {
-        DeviceSettings next = settings_;
+        DeviceSettings next = settings();
         next.grasped = grasped;
         setSettings(next);
     });
@@ -112,43 +160,57 @@ void DeviceController::showPage(int page) {
 /// Another device is in the engine, without force.
 void DeviceController::adopt() {
     arming_.adoptDevice();
-    hand_.setIdle(link_.connected());
-    if (link_.connected()) hint_.hide(); // the mouse leads nothing
-    setSettings(link_.connected() ? rememberedSettings(link_.current()) : DeviceSettings{});
+    const auto led = link_.simulatedHand();
+    hand_.setIdle(!led);
+    hand_.setHand(led.value_or(0));
+    if (!led) hint_.hide(); // the mouse leads nothing
+    settings_.resize(link_.hands().count());
+    for (std::size_t hand = 0; hand < settings_.size(); ++hand)
+        apply(hand, link_.leadsItself(hand) ? rememberedSettings(link_.idOf(hand)) : DeviceSettings{});
+    showSettings();
     showCommands();
     emit adopted();
 }
 
 // How a person's device lies in the scene, and what its buttons do, belongs to neither the scene nor its
 // history: the same scene is felt with other devices, and undoing an edit must not move somebody's hand.
-void DeviceController::setSettings(const DeviceSettings& settings) {
-    settings_ = settings;
-    if (const auto possible = bench_.engine.setWorkspace(settings.workspace); !possible)
+void DeviceController::apply(std::size_t hand, const DeviceSettings& settings) {
+    settings_[hand] = settings;
+    if (const auto possible = link_.hands().setWorkspace(hand, settings.workspace); !possible)
         bench_.notice.showError(QString::fromStdString(possible.error().text));
-    link_.stop().buttons = settings.stopButton;
-    bench_.engine.setGrasped(settings.grasped);
-    if (link_.connected()) rememberSettings(link_.current(), settings);
+    link_.stop(hand).buttons = settings.stopButton;
+    link_.hands().setGrasped(hand, settings.grasped);
+    if (link_.leadsItself(hand)) rememberSettings(link_.idOf(hand), settings);
+}
+
+const DeviceSettings& DeviceController::settings() const {
+    return settings_[link_.hands().chosen()];
+}
+
+void DeviceController::setSettings(const DeviceSettings& settings) {
+    apply(link_.hands().chosen(), settings);
     showSettings();
 }
 
 void DeviceController::showSettings() {
     const DeviceInfo& device = bench_.engine.device();
-    panel_.live().setGrasped(settings_.grasped, link_.connected());
-    panel_.live().setStopButton(settings_.stopButton, device.buttons, link_.connected());
-    panel_.workspace().show(settings_.workspace, device.buttons, device.workspaceRadius, link_.connected());
+    const bool real = link_.leadsItself(link_.hands().chosen());
+    panel_.live().setGrasped(settings().grasped, real);
+    panel_.live().setStopButton(settings().stopButton, device.buttons, real);
+    panel_.workspace().show(settings().workspace, device.buttons, device.workspaceRadius, real);
 }
 
 void DeviceController::setWorkspace(const Workspace& workspace) {
-    DeviceSettings next = settings_;
+    DeviceSettings next = settings();
     next.workspace = workspace;
     next.stopButton &= ~workspace.clutch; // a button does one thing
     setSettings(next);
 }
 
 void DeviceController::centreWorkspace(bool fit) {
-    if (!link_.connected()) return;
+    if (!link_.leadsItself(link_.hands().chosen())) return;
     const Bounds model = boundsOf(bench_.document.scene());
-    Workspace next = settings_.workspace;
+    Workspace next = settings().workspace;
     next.offset = model.empty() ? Vec3(Vec3::Zero()) : model.centre();
     if (fit && model.diagonal() > 0)
         next.scale = kWorkspaceScale.clamped(0.5 * model.diagonal() / usualRadius(bench_.engine.device()));
@@ -161,7 +223,11 @@ void DeviceController::frame() {
     link_.frame();
     panel_.display(bench_.engine);
     // The device itself has been without force since the tick that read the button.
-    if (!link_.stop().pressed || !bench_.engine.armed()) return;
+    Hands& hands = link_.hands();
+    bool pressed = false;
+    for (std::size_t hand = 0; hand < hands.count(); ++hand)
+        pressed = pressed || (link_.stop(hand).pressed && hands.armed(hand));
+    if (!pressed) return;
     arming_.set(false);
     bench_.notice.showNote(tr("Stopped by the button of the device. Device > Forces on goes on."));
 }
@@ -183,20 +249,16 @@ void DeviceController::sayRequest() {
                         [this] { showPage(int(DevicePanel::Page::Connect)); });
 }
 
-void DeviceController::sayAway(const QString& name, const QString& more) {
-    bench_.notice.showError(
-        tr("%1 is not there any more; the forces are off. Plug it in: it is made ready again by "
-           "itself. Until then the mouse leads a simulated hand. %2")
-            .arg(name, more)
-            .trimmed());
+void DeviceController::sayAway(const QString& more) {
+    bench_.notice.showError(QStringLiteral("%1 %2").arg(away_, more).trimmed());
 }
 
 void DeviceController::showCommands() {
-    const bool connected = link_.connected();
+    const bool leadsItself = link_.leadsItself(link_.hands().chosen());
     bench_.actions["device-connect"].setEnabled(link_.mayBegin(panel_.connecting().chosen()));
     bench_.actions["device-disconnect"].setEnabled(link_.mayLetGo());
     for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
-        bench_.actions[id].setEnabled(connected && !bench_.playback.active());
+        bench_.actions[id].setEnabled(leadsItself && !bench_.playback.active());
 }
 
 } // namespace tactum

@@ -1,6 +1,8 @@
 // Devices in the window: what happens when one comes or goes, its buttons, its workspace.
 #pragma once
 
+#include <vector>
+
 #include <QObject>
 
 #include "ui/controllers/workbench.h"
@@ -29,22 +31,31 @@ public:
     void showPage(int page);
     /// Brings the commands to what can be done now.
     void showCommands();
-    /// A device went away; `more`: what else is to be told about it.
-    void sayAway(const QString& name, const QString& more = {});
+    /// Once more that a device went away; `more`: what else is to be told about it.
+    void sayAway(const QString& more = {});
+    /// Tells the view whose the touch is that it gets next, and where the other hands are.
+    void showHands();
 
 signals:
-    /// Another device is in the engine, without force, with the settings that are remembered of it.
+    /// Other devices are in the engine, without force, with the settings that are remembered of them.
     void adopted();
+    /// The engine speaks of another hand.
+    void handChosen();
 
 private:
     void connectCommands();
     void connectLink();
+    void connectHands();
     void connectConnecting();
     void connectLive();
     void connectWorkspace();
     void choose();
     void adopt();
+    void chooseHand(std::size_t hand);
+    // Of the chosen hand.
+    const DeviceSettings& settings() const;
     void setSettings(const DeviceSettings& settings);
+    void apply(std::size_t hand, const DeviceSettings& settings);
     void showSettings();
     void setWorkspace(const Workspace& workspace);
     void centreWorkspace(bool fit);
@@ -59,7 +70,8 @@ private:
     Folds& folds_;
     DevicePanel& panel_;
     UsbPermission* permission_;
-    DeviceSettings settings_; ///< of the device in the engine
+    std::vector<DeviceSettings> settings_; ///< of the device of each hand
+    QString away_;                         ///< what was said when a device went away last
 };
 
 } // namespace tactum

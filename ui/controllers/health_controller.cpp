@@ -2,6 +2,7 @@
 
 #include <QSettings>
 
+#include "core/runtime/hands.h"
 #include "ui/controllers/arming.h"
 #include "ui/document/document.h"
 #include "ui/engine/guard_watch.h"
@@ -48,7 +49,7 @@ void HealthController::frame() {
     guard_.frame();
     // Nobody arms while a recording is shown.
     const auto fault = bench_.playback.active() ? std::nullopt : guard_.fault();
-    status_.setFault(fault ? guardSentences(*fault) : QString());
+    status_.setFault(fault ? guard_.faultSentences() : QString());
     status_.setQuietNote(guard_.quietNote());
     if (++frames_ < kFramesPerDisplay) return;
     frames_ = 0;
@@ -89,7 +90,11 @@ void HealthController::showOf(bool recording) {
 // How a person wants to hold the device belongs to neither the scene nor its history.
 void HealthController::restoreDeadMan() {
     QAction& action = bench_.actions["dead-man"];
-    if (bench_.engine.device().buttons == 0) {
+    Hands hands(bench_.engine);
+    int buttons = 0;
+    for (std::size_t hand = 0; hand < hands.count(); ++hand)
+        buttons += hands.device(hand).buttons;
+    if (buttons == 0) {
         action.setEnabled(false);
         action.setToolTip(tr("This device has no button that could be held"));
         return;
@@ -99,11 +104,11 @@ void HealthController::restoreDeadMan() {
         tr("Force only while a button of the device is held. Of the simulated hand: while the mouse "
            "holds the finger"));
     action.setChecked(QSettings().value(deadManKey()).toBool());
-    bench_.engine.setDeadMan(action.isChecked());
+    hands.setDeadMan(action.isChecked());
 }
 
 void HealthController::setDeadMan(bool on) {
-    bench_.engine.setDeadMan(on);
+    Hands(bench_.engine).setDeadMan(on);
     QSettings().setValue(deadManKey(), on);
 }
 

@@ -94,7 +94,7 @@ void RecordingController::setLive(bool live) {
     if (live) {
         actions["undo"].setEnabled(bench_.document.history().canUndo());
         actions["redo"].setEnabled(bench_.document.history().canRedo());
-        actions["stop"].setEnabled(bench_.engine.armed());
+        actions["stop"].setEnabled(Hands(bench_.engine).anyArmed());
     }
     for (const char* name : {"dock-outliner", "dock-problems", "dock-inspector", "dock-history",
                              "dock-compare", "dock-device", "dock-place", "dock-study"})

@@ -60,6 +60,7 @@ void showBlind(SceneView& view, const Engine& engine) {
     servo.finger = proxy.output.proxy;
     servo.force = proxy.output.force = Vec3::Zero();
     proxy.output.contacts = 0;
+    view.setHands({}, {});
     view.setHaptics(proxy, servo, engine.device().maxForce, engine.armed());
 }
 

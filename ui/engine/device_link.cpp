@@ -40,9 +40,10 @@ private:
     std::shared_ptr<Attempt> attempt_;
 };
 
-DeviceLink::DeviceLink(Engine& engine, QObject* parent)
-    : QObject(parent), engine_(engine), current_(engine.device().real ? QString() : kSimulatedDevice),
-      wanted_(current_), stop_(std::make_shared<StopSwitch>()) {
+DeviceLink::DeviceLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine), hands_(engine) {
+    for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+        used_.push_back({.id = hands_.device(hand).real ? QString() : kSimulatedDevice});
+    wanted_ = current();
     pool_.setMaxThreadCount(2);
     timer_.setSingleShot(true);
     timer_.setInterval(kLook);
@@ -57,7 +58,7 @@ DeviceLink::~DeviceLink() {
 
 void DeviceLink::setCatalogue(DeviceCatalogue& catalogue) {
     catalogue_ = &catalogue;
-    wanted_ = QSettings().value(chosenKey(), current_).toString();
+    wanted_ = QSettings().value(chosenKey(), current()).toString();
     look();
 }
 
@@ -88,12 +89,14 @@ void DeviceLink::look() {
 void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
     listing_ = false;
     if (spare) spare_ = spare;
-    const bool troubled = connected() && !engine_.trouble().empty();
-    const bool changed = found != devices_ || troubled != troubled_;
+    const bool troubled = connected() && !hands_.trouble(0).empty();
+    const bool changed = found != devices_ || spare || troubled != troubled_;
     troubled_ = troubled;
     devices_ = std::move(found);
-    if (connected() && !current_.isEmpty() && !find(current_) && unread()) lose();
-    seenUnread_ = engine_.servo().invalidSamples;
+    for (std::size_t hand = used_.size(); hand-- > 0;)
+        if (isLost(hand)) lose(hand);
+    for (std::size_t hand = 0; hand < used_.size(); ++hand)
+        used_[hand].seenUnread = hands_.servo(hand).invalidSamples;
     bringBack();
     if (changed) emit listChanged();
     if (std::exchange(again_, false)) return look();
@@ -102,52 +105,116 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
 
 // A device that is open may be hidden from a list, by its maker's library for instance: it is lost when its
 // readings do not come either, or its driver does not come back at all.
-bool DeviceLink::unread() {
+bool DeviceLink::unread(std::size_t hand) {
     constexpr std::uint64_t kHiccup = 100; // readings
-    return !engine_.running() || engine_.servoStandsStill() ||
-           engine_.servo().inhibit == InhibitReason::DeviceLost ||
-           engine_.servo().invalidSamples > seenUnread_ + kHiccup;
+    const ServoTelemetry& servo = hands_.servo(hand);
+    return !engine_.running() || hands_.servoStandsStill(hand) ||
+           servo.inhibit == InhibitReason::DeviceLost ||
+           servo.invalidSamples > used_[hand].seenUnread + kHiccup;
 }
 
-void DeviceLink::lose() {
-    const QString name = lostName_ = QString::fromStdString(engine_.device().name);
-    wantedThere_ = false;
-    park();
-    emit wentAway(name);
+bool DeviceLink::isLost(std::size_t hand) {
+    const Used& used = used_[hand];
+    return leadsItself(hand) && !used.id.isEmpty() && !used.gone && !find(used.id) && unread(hand);
+}
+
+void DeviceLink::lose(std::size_t hand) {
+    const QString name = QString::fromStdString(hands_.device(hand).name);
+    used_[hand].gone = true;
+    if (hand == 0) {
+        lostName_ = name;
+        wantedThere_ = false;
+    }
+    hands_.setArmed(hand, false);
+    const bool others = hands_.anyArmed();
+    if (!others) letGoOfLost();
+    if (hand == 0)
+        emit wentAway(name, others);
+    else
+        emit besideWentAway(name, others);
+}
+
+void DeviceLink::letGoOfLost() {
+    for (std::size_t hand = used_.size(); hand-- > 1;)
+        if (used_[hand].gone) remove(hand);
+    if (used_[0].gone) park();
 }
 
 /// Once for each time that the wanted device appears: what failed is not tried without end.
 void DeviceLink::bringBack() {
     const DeviceListing* wanted = find(wanted_);
     const bool there = wanted && wanted->usable;
-    if (there && !wantedThere_ && wanted_ != current_ && !attempt_) begin(wanted_, true);
+    if (there && !wantedThere_ && !uses(wanted_) && !attempt_)
+        begin(std::make_shared<Attempt>(wanted_, true));
     wantedThere_ = there;
+}
+
+std::optional<std::size_t> DeviceLink::simulatedHand() const {
+    const auto found = std::ranges::find(used_, kSimulatedDevice, &Used::id);
+    if (found == used_.end()) return std::nullopt;
+    return std::size_t(found - used_.begin());
+}
+
+bool DeviceLink::uses(const QString& id) const {
+    return std::ranges::find(used_, id, &Used::id) != used_.end();
+}
+
+bool DeviceLink::mayAdd(const QString& id) const {
+    const bool ready = id != kSimulatedDevice || (connected() && spare_);
+    return catalogue_ && !id.isEmpty() && !preparing() && !uses(id) && hands_.mayAdd() && ready;
+}
+
+void DeviceLink::add(const QString& id) {
+    if (!mayAdd(id)) return;
+    if (id != kSimulatedDevice) return begin(std::make_shared<Attempt>(id, false, true));
+    const Made spare = std::exchange(spare_, nullptr);
+    if (const Result<void> added = adoptBeside(id, std::move(*spare)); !added)
+        emit failed(QString::fromStdString(added.error().text));
+    look();
+}
+
+void DeviceLink::remove(std::size_t hand) {
+    emit letsGo();
+    takeOut(hand);
+    emit exchanged();
+}
+
+void DeviceLink::takeOut(std::size_t hand) {
+    used_.erase(used_.begin() + std::ptrdiff_t(hand));
+    if (const Result<void> removed = hands_.remove(hand); !removed)
+        emit failed(QString::fromStdString(removed.error().text));
 }
 
 // By value: it may be the name of the current device, which changes on the way.
 void DeviceLink::choose(QString id) {
     if (!catalogue_ || id.isEmpty()) return;
+    if (id != kSimulatedDevice && id != current() && uses(id)) return; // another hand has it
     wanted_ = id;
     QSettings().setValue(chosenKey(), id);
     const DeviceListing* listing = find(id);
     wantedThere_ = listing && listing->usable;
     if (id != kSimulatedDevice) {
-        if (mayBegin(id) || id != current_) begin(id, false);
+        if (mayBegin(id) || id != current()) begin(std::make_shared<Attempt>(id));
         return;
     }
     giveUp();
-    next_.clear();
+    next_.reset();
     lostName_.clear();
     if (!attempt_) finish(Preparation::State::None);
     if (connected() || !engine_.running()) park();
 }
 
 bool DeviceLink::mayBegin(const QString& id) const {
-    return !id.isEmpty() && !preparing() && (id != current_ || (connected() && !engine_.trouble().empty()));
+    if (id.isEmpty() || preparing()) return false;
+    return id == current() ? connected() && !hands_.trouble(0).empty() : !uses(id) || id == kSimulatedDevice;
 }
 
 void DeviceLink::tryAgain() {
-    if (!preparing() && !preparation_.id.isEmpty()) choose(preparation_.id);
+    if (preparing() || preparation_.id.isEmpty()) return;
+    if (preparation_.beside)
+        add(preparation_.id);
+    else
+        choose(preparation_.id);
 }
 
 void DeviceLink::supply(const QString& id, const QString& file) {
@@ -171,33 +238,31 @@ void DeviceLink::supply(const QString& id, const QString& file) {
 void DeviceLink::giveUp() {
     if (!attempt_) return;
     attempt_->cancelled = true;
-    next_.clear();
+    next_.reset();
     preparation_.givingUp = true;
     emit preparationChanged();
 }
 
-void DeviceLink::begin(QString id, bool back) {
+void DeviceLink::begin(const std::shared_ptr<Attempt>& attempt) {
     if (attempt_) {
         attempt_->cancelled = true;
-        next_ = id;
-        nextBack_ = back;
+        next_ = attempt;
         return;
     }
     // Nothing pushes while the person is busy with another device, and the same one is free to be opened.
-    if (connected()) park();
-    const DeviceListing* listing = find(id);
+    if (connected() && !attempt->beside) park();
+    const DeviceListing* listing = find(attempt->id);
     preparation_ = {.state = Preparation::State::Running,
-                    .id = id,
-                    .name = listing ? QString::fromStdString(listing->name) : id,
+                    .beside = attempt->beside,
+                    .id = attempt->id,
+                    .name = listing ? QString::fromStdString(listing->name) : attempt->id,
                     .steps = {},
                     .request = {},
                     .progress = 0,
                     .givingUp = false,
                     .failure = {}};
-    attempt_ = std::make_shared<Attempt>();
-    attempt_->id = id;
-    attempt_->back = back;
-    pool_.start([this, attempt = attempt_] { prepare(attempt); });
+    attempt_ = attempt;
+    pool_.start([this, attempt] { prepare(attempt); });
     emit preparationChanged();
 }
 
@@ -248,6 +313,7 @@ void DeviceLink::beginStep(const QString& step, const QString& request) {
 }
 
 void DeviceLink::frame() {
+    if (std::ranges::any_of(used_, &Used::gone) && !hands_.anyArmed()) letGoOfLost();
     if (!attempt_ || preparation_.progress == attempt_->progress) return;
     preparation_.progress = attempt_->progress;
     emit preparationChanged();
@@ -255,33 +321,55 @@ void DeviceLink::frame() {
 
 void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure) {
     attempt_.reset();
-    if (attempt->cancelled || attempt->id != wanted_) // the person may want another one by now
+    // The person may want another one by now.
+    if (attempt->cancelled || (attempt->id != wanted_ && !attempt->beside))
         finish(wanted_ == kSimulatedDevice ? Preparation::State::None : Preparation::State::GivenUp);
     else if (device)
         adopt(*attempt, std::move(*device));
     else
         fail(failure);
-    if (!next_.isEmpty() && !attempt_) begin(std::exchange(next_, {}), nextBack_);
+    if (next_ && !attempt_) begin(std::exchange(next_, nullptr));
 }
 
 void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device) {
-    emit letsGo();
-    auto stop = std::make_shared<StopSwitch>();
-    const Result<void> started = engine_.setDevice(std::make_unique<StopButton>(std::move(device), stop));
-    if (!started) {
-        park();
-        return fail(QString::fromStdString(started.error().text));
+    if (attempt.beside) {
+        if (const Result<void> added = adoptBeside(attempt.id, std::move(device)); !added)
+            return fail(QString::fromStdString(added.error().text));
+    } else {
+        emit letsGo();
+        Used used{.id = attempt.id};
+        const Result<void> started =
+            hands_.exchange(0, std::make_unique<StopButton>(std::move(device), used.stop));
+        if (!started) {
+            park();
+            return fail(QString::fromStdString(started.error().text));
+        }
+        used_[0] = std::move(used);
+        lostName_.clear();
     }
-    stop_ = std::move(stop);
-    current_ = attempt.id;
-    lostName_.clear();
-    seenUnread_ = 0;
     for (Preparation::Step& step : preparation_.steps)
         step.state = StepState::Done;
-    preparation_.name = QString::fromStdString(engine_.device().name); // which it knows only now
+    // Which it knows only now.
+    preparation_.name = QString::fromStdString(hands_.device(attempt.beside ? hands_.count() - 1 : 0).name);
     finish(Preparation::State::Done);
-    emit exchanged();
+    if (!attempt.beside) emit exchanged();
     emit ready(preparation_.name, attempt.back);
+}
+
+/// One that does not start leaves the others as they were.
+Result<void> DeviceLink::adoptBeside(const QString& id, std::unique_ptr<HapticDevice> device) {
+    emit letsGo();
+    Used used{.id = id};
+    const std::size_t before = hands_.count();
+    Result<void> added = hands_.add(std::make_unique<StopButton>(std::move(device), used.stop));
+    if (added) {
+        used_.push_back(std::move(used));
+    } else if (hands_.count() > before) {
+        (void)hands_.remove(before);
+        (void)engine_.start(); // which says by running() that it could not
+    }
+    emit exchanged();
+    return added;
 }
 
 void DeviceLink::fail(const QString& sentence) {
@@ -310,11 +398,12 @@ void DeviceLink::finish(Preparation::State state) {
 /// loops rest.
 void DeviceLink::park() {
     emit letsGo();
-    current_ = kSimulatedDevice;
-    stop_ = std::make_shared<StopSwitch>();
+    if (const auto simulated = simulatedHand(); simulated && *simulated > 0)
+        takeOut(*simulated); // the mouse leads one hand
+    used_[0] = {.id = kSimulatedDevice};
     const Result<void> stopped = engine_.stop();
     if (const Made spare = std::exchange(spare_, nullptr))
-        (void)engine_.setDevice(std::move(*spare)); // it opens nothing that could fail
+        (void)hands_.exchange(0, std::move(*spare)); // it opens nothing that could fail
     look();
     emit exchanged();
     if (!stopped) emit failed(QString::fromStdString(stopped.error().text));

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -13,7 +14,7 @@
 
 #include "core/port/device_catalogue.h"
 #include "core/port/stop_button.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/hands.h"
 
 namespace tactum {
 
@@ -30,6 +31,7 @@ struct Preparation {
         StepState state = StepState::Waiting;
     };
     State state = State::None;
+    bool beside = false; ///< as one more hand, and not in the place of the first
     QString id, name;
     std::vector<Step> steps;
     QString request;       ///< what the person has to do now
@@ -41,7 +43,10 @@ struct Preparation {
 /// The engine always has a device that works: a simulated one stands in while the chosen one is made ready,
 /// cannot be started or was lost. The choice is remembered. A chosen device that comes back, or is there
 /// when the program starts, is made ready by itself; the forces are off then, and a person switches them on.
-/// Without a catalogue it does nothing. Thread: ui.
+/// Without a catalogue it does nothing.
+/// That is the first hand. Others are added beside it, each with its device, and are not remembered. One
+/// whose device is lost goes; as long as another hand has force it stays without a device, because to take it
+/// out of the engine would take the force from all. Thread: ui.
 class DeviceLink : public QObject {
     Q_OBJECT
 public:
@@ -54,15 +59,25 @@ public:
     bool hasCatalogue() const { return catalogue_ != nullptr; }
     const std::vector<DeviceListing>& devices() const { return devices_; }
     const DeviceListing* find(const QString& id) const;
-    /// Of the device that the engine has.
-    const QString& current() const { return current_; }
+    /// Of the device that the first hand has.
+    const QString& current() const { return used_[0].id; }
     /// Whether that is another one than the simulated device.
-    bool connected() const { return current_ != kSimulatedDevice; }
+    bool connected() const { return leadsItself(0); }
+    /// Each hand that there is; below: `hand` < hands().count().
+    Hands& hands() { return hands_; }
+    const QString& idOf(std::size_t hand) const { return used_[hand].id; }
+    /// Whether its device is another one than the simulated.
+    bool leadsItself(std::size_t hand) const { return used_[hand].id != kSimulatedDevice; }
+    /// The device was lost, and the hand goes when no other has force.
+    bool gone(std::size_t hand) const { return used_[hand].gone; }
+    /// Which of them the mouse leads, if any.
+    std::optional<std::size_t> simulatedHand() const;
+    /// Whether a hand has this device.
+    bool uses(const QString& id) const;
     /// What the person wants; another one than the current while it is not there.
     const QString& wanted() const { return wanted_; }
     /// The chosen device went away, and has not come back.
     bool lost() const { return !lostName_.isEmpty(); }
-    const QString& lostName() const { return lostName_; }
     bool preparing() const { return preparation_.state == Preparation::State::Running; }
     const Preparation& preparation() const { return preparation_; }
 
@@ -73,6 +88,15 @@ public:
     bool mayLetGo() const {
         return catalogue_ && (connected() || preparing() || wanted_ != kSimulatedDevice);
     }
+    /// Whether add() would make it ready: no hand has it, and there is room for one more. The simulated one
+    /// only beside a device that leads itself.
+    bool mayAdd(const QString& id) const;
+    /// Makes it ready as one more hand; the simulated one at once. Whoever asks has switched the forces off.
+    void add(const QString& id);
+    /// Without this hand, one beside the first. Forces of all are off then.
+    void remove(std::size_t hand);
+    /// Takes out what is gone() although others have force, which is off then.
+    void letGoOfLost();
     /// Makes it ready and gives it to the engine; the simulated one at once.
     void choose(QString id);
     /// The same once more, after it failed or was given up.
@@ -85,8 +109,8 @@ public:
     void look();
     /// Once a frame.
     void frame();
-    /// Of the device in the engine, if this link put it there.
-    StopSwitch& stop() { return *stop_; }
+    /// Of the hand's device, if this link put it there.
+    StopSwitch& stop(std::size_t hand = 0) { return *used_[hand].stop; }
 
 signals:
     void listChanged();
@@ -94,54 +118,70 @@ signals:
     void preparationChanged();
     /// The engine's device is about to go, and its recorder with it.
     void letsGo();
-    /// The engine has another device: its forces are off and it knows nothing of the person's settings.
+    /// The engine has other devices: the forces are off and it knows nothing of the person's settings.
     void exchanged();
     /// The chosen device runs. `back`: nobody asked for it just now.
     void ready(const QString& name, bool back);
     void failed(const QString& sentence);
     void supplied(const QString& sentence);
-    void wentAway(const QString& name);
+    /// Of the first hand. `others`: another goes on with its force.
+    void wentAway(const QString& name, bool others);
+    /// Of a hand beside it.
+    void besideWentAway(const QString& name, bool others);
 
 private:
     struct Attempt {
+        explicit Attempt(QString theId, bool isBack = false, bool isBeside = false)
+            : id(std::move(theId)), back(isBack), beside(isBeside) {}
+
         QString id;
-        bool back = false;
+        bool back, beside;
         std::atomic<bool> cancelled{false};
         std::atomic<double> progress{0};
+    };
+    /// The device of a hand.
+    struct Used {
+        QString id;
+        std::shared_ptr<StopSwitch> stop = std::make_shared<StopSwitch>();
+        std::uint64_t seenUnread = 0; ///< readings, when it was last looked at
+        bool gone = false;
     };
     class Watch;
     using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
 
     void list();
     void listed(std::vector<DeviceListing> found, const Made& spare);
-    bool unread();
-    void lose();
+    bool isLost(std::size_t hand);
+    bool unread(std::size_t hand);
+    void lose(std::size_t hand);
+    void takeOut(std::size_t hand);
     void bringBack();
-    void begin(QString id, bool back);
+    void begin(const std::shared_ptr<Attempt>& attempt);
     void prepare(const std::shared_ptr<Attempt>& attempt);
     void knowSteps(const QString& name, const std::vector<std::string>& steps);
     void beginStep(const QString& step, const QString& request);
     void ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure);
     void adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> device);
+    Result<void> adoptBeside(const QString& id, std::unique_ptr<HapticDevice> device);
     void fail(const QString& sentence);
     void park();
     void finish(Preparation::State state);
 
     Engine& engine_;
+    Hands hands_;
     DeviceCatalogue* catalogue_ = nullptr;
     std::mutex asking_; ///< the catalogue answers one at a time
     std::vector<DeviceListing> devices_;
-    Made spare_; ///< a simulated device at hand
-    QString current_, wanted_, next_;
+    Made spare_;             ///< a simulated device at hand
+    std::vector<Used> used_; ///< of each hand
+    QString wanted_;
     QString lostName_;
-    bool nextBack_ = false;
-    bool wantedThere_ = false; ///< when it was last looked for
+    std::shared_ptr<Attempt> next_; ///< when the one that is given up has ended
+    bool wantedThere_ = false;      ///< when it was last looked for
     bool listing_ = false, again_ = false;
     bool troubled_ = false; ///< the current device, when it was last looked at
-    std::uint64_t seenUnread_ = 0;
     Preparation preparation_;
     std::shared_ptr<Attempt> attempt_;
-    std::shared_ptr<StopSwitch> stop_;
     QTimer timer_;
     QThreadPool pool_; ///< one thread lists, one prepares
 };

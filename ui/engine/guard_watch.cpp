@@ -1,5 +1,6 @@
 #include "ui/engine/guard_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/safety/inhibit_words.h"
@@ -34,32 +35,74 @@ QString warmWords() {
 } // namespace
 
 GuardWatch::GuardWatch(Engine& engine, QObject* parent)
-    : QObject(parent), engine_(engine), unread_(engine.servo().invalidSamples),
-      pauses_(engine.servo().pauses), oscillations_(engine.servo().oscillations),
+    : QObject(parent), engine_(engine), hands_(engine), faults_(hands_.count()),
       stepsDown_(engine.proxy().stepsDown) {
     clock_.start();
+    begin();
     watchCeiling();
 }
 
+/// With the hand that the engine speaks of now.
+void GuardWatch::begin() {
+    const ServoTelemetry& servo = engine_.servo();
+    watched_ = hands_.chosen();
+    unread_ = servo.invalidSamples;
+    pauses_ = servo.pauses;
+    oscillations_ = servo.oscillations;
+}
+
+void GuardWatch::forget() {
+    faults_.assign(hands_.count(), std::nullopt);
+    watched_ = hands_.chosen();
+    ceiling_.forget();
+}
+
 void GuardWatch::frame() {
-    watchFault();
+    faults_.resize(hands_.count());
+    if (watched_ != hands_.chosen()) {
+        begin();
+        ceiling_.forget();
+    }
+    for (std::size_t hand = 0; hand < faults_.size(); ++hand)
+        watchFault(hand);
     watchPauses();
     watchProxy();
     watchCeiling();
 }
 
 void GuardWatch::setArmed(bool armed) {
-    if (armed) fault_.reset();
-    engine_.setArmed(armed);
+    if (armed) faults_.assign(hands_.count(), std::nullopt);
+    hands_.setAllArmed(armed);
+}
+
+std::optional<std::size_t> GuardWatch::faultyHand() const {
+    const auto found = std::ranges::find_if(faults_, [](const auto& fault) { return fault.has_value(); });
+    if (found == faults_.end()) return std::nullopt;
+    return std::size_t(found - faults_.begin());
+}
+
+std::optional<InhibitReason> GuardWatch::fault() const {
+    const auto hand = faultyHand();
+    return hand ? faults_[*hand] : std::nullopt;
+}
+
+QString GuardWatch::faultSentences() const {
+    const auto hand = faultyHand();
+    return hand ? namedOf(*hand, guardSentences(*faults_[*hand])) : QString();
+}
+
+QString GuardWatch::namedOf(std::size_t hand, const QString& words) const {
+    if (hands_.count() == 1) return words;
+    return QStringLiteral("%1: %2").arg(QString::fromStdString(hands_.device(hand).name), words);
 }
 
 // The guard itself keeps a fault until it is disarmed, so none passes between two frames.
-void GuardWatch::watchFault() {
-    const InhibitReason why = engine_.servo().inhibit;
-    if (!isFault(why) || fault_) return;
-    engine_.setArmed(false);
-    fault_ = why;
-    add(true, tr(inhibitWords(why).what), guardSentences(why));
+void GuardWatch::watchFault(std::size_t hand) {
+    const InhibitReason why = hands_.servo(hand).inhibit;
+    if (!isFault(why) || faults_[hand]) return;
+    hands_.setArmed(hand, false);
+    faults_[hand] = why;
+    add(true, namedOf(hand, tr(inhibitWords(why).what)), namedOf(hand, guardSentences(why)));
     emit faulted(why);
 }
 
@@ -114,7 +157,7 @@ QString GuardWatch::quietNote() const {
     const auto lately = [](const QElapsedTimer& since) {
         return since.isValid() && since.elapsed() < kShown;
     };
-    if (!engine_.running() || fault_) return {};
+    if (!engine_.running() || fault()) return {};
     if (engine_.servoStandsStill()) return standstillWords();
     if (!engine_.armed())
         return lately(sinceUnread_) ? tr("The device does not answer. Look at its cable and its power.")

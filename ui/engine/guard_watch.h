@@ -3,12 +3,13 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTime>
 
-#include "core/runtime/engine.h"
+#include "core/runtime/hands.h"
 #include "ui/engine/steady_ceiling.h"
 
 namespace tactum {
@@ -21,8 +22,8 @@ struct HealthEvent {
     QString sentences; ///< with what was done about it and how to go on
 };
 
-/// Switches the forces off with every fault, so that they come back only when a person arms anew.
-/// Thread: ui.
+/// Switches the forces of a hand off with every fault of it, so that they come back only when a person arms
+/// anew. What else it follows is of the hand that the engine speaks of. Thread: ui.
 class GuardWatch : public QObject {
     Q_OBJECT
 public:
@@ -30,17 +31,17 @@ public:
 
     /// Once a frame, after Engine::poll().
     void frame();
-    /// Forces on or off, by a person. On ends the fault.
+    /// Forces of all hands on or off, by a person. On ends the faults.
     void setArmed(bool armed);
-    /// The device that had the fault is not the engine's any more.
-    void forget() {
-        fault_.reset();
-        ceiling_.forget();
-    }
+    /// The engine has other devices.
+    void forget();
     /// The stiffness ceiling, without the machine's jitter.
     const CeilingNow& ceiling() const { return ceiling_.shown(); }
-    /// Until the person arms anew.
-    std::optional<InhibitReason> fault() const { return fault_; }
+    /// Whose fault it is, of several the first; nothing when all is well. Until the person arms anew.
+    std::optional<std::size_t> faultyHand() const;
+    std::optional<InhibitReason> fault() const;
+    /// What is said of it; of several hands with the name of the device.
+    QString faultSentences() const;
     /// Why there is less force than usual, or less fidelity; empty when all is well.
     QString quietNote() const;
     /// Newest first.
@@ -51,7 +52,9 @@ signals:
     void happened();
 
 private:
-    void watchFault();
+    void begin();
+    QString namedOf(std::size_t hand, const QString& words) const;
+    void watchFault(std::size_t hand);
     void watchPauses();
     void watchHeat(const ServoTelemetry& servo);
     void watchProxy();
@@ -59,7 +62,9 @@ private:
     void add(bool fault, const QString& what, const QString& sentences);
 
     Engine& engine_;
-    std::optional<InhibitReason> fault_;
+    Hands hands_;
+    std::vector<std::optional<InhibitReason>> faults_; ///< of each hand
+    std::size_t watched_ = 0;                          ///< the hand that the counters are of
     std::uint64_t unread_ = 0, pauses_ = 0, oscillations_ = 0, stepsDown_ = 0;
     bool standsStill_ = false;
     bool warned_ = false; ///< that the motors are getting warm

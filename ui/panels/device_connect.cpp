@@ -55,15 +55,14 @@ QString deviceLineOf(const DeviceLink& link, const DeviceListing& listing) {
     const QString id = QString::fromStdString(listing.id);
     const QString name = QString::fromStdString(listing.name);
     const QString sentence = QString::fromStdString(listing.sentence);
-    if (!id.isEmpty() && id == link.current())
-        return DeviceConnect::tr("%1 \u00b7 in use\n%2").arg(name, sentence);
+    if (!id.isEmpty() && link.uses(id)) return DeviceConnect::tr("%1 \u00b7 in use\n%2").arg(name, sentence);
     if (!listing.usable && !id.isEmpty())
         return DeviceConnect::tr("%1 \u00b7 not usable\n%2").arg(name, sentence);
     return QStringLiteral("%1\n%2").arg(name, sentence);
 }
 
 QIcon deviceIconOf(const DeviceLink& link, const DeviceListing& listing) {
-    if (!listing.id.empty() && QString::fromStdString(listing.id) == link.current())
+    if (!listing.id.empty() && link.uses(QString::fromStdString(listing.id)))
         return icon(QStringLiteral("check"), theme().contact);
     if (listing.id.empty()) return icon(QStringLiteral("note"), theme().textDimmed);
     return listing.usable ? icon(QStringLiteral("touch"), theme().text)
@@ -90,13 +89,15 @@ bool wantsPermission(const DeviceLink& link) {
 
 DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     : QWidget(parent), link_(link), list_(new DeviceList), connect_(new QPushButton(tr("Connect"))),
-      disconnect_(new QPushButton(tr("Disconnect"))), permit_(new QPushButton(tr("Let me use devices"))),
-      supply_(new QPushButton), sentence_(new QLabel), command_(new QLineEdit),
-      copy_(new QPushButton(tr("Copy"))), steps_(new DeviceSteps) {
+      disconnect_(new QPushButton(tr("Disconnect"))), add_(new QPushButton(tr("Add a device"))),
+      permit_(new QPushButton(tr("Let me use devices"))), supply_(new QPushButton), sentence_(new QLabel),
+      command_(new QLineEdit), copy_(new QPushButton(tr("Copy"))), steps_(new DeviceSteps) {
     connect_->setObjectName(QStringLiteral("device-connect-button"));
     connect_->setToolTip(tr("Make the chosen device ready, step by step"));
     disconnect_->setObjectName(QStringLiteral("device-disconnect-button"));
     disconnect_->setToolTip(tr("Give the device back; the mouse leads a simulated hand"));
+    add_->setObjectName(QStringLiteral("device-add-button"));
+    add_->setToolTip(tr("Make the chosen device ready as one more hand; those that there are stay"));
     permit_->setObjectName(QStringLiteral("device-permit"));
     permit_->setToolTip(
         tr("Puts a rule for USB devices and limits for real time where the system looks for them, "
@@ -114,6 +115,7 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     buttons->addWidget(connect_, 1);
     buttons->addWidget(disconnect_, 1);
     column->addLayout(buttons);
+    column->addWidget(add_);
     column->addWidget(permit_);
     column->addWidget(supply_);
     column->addWidget(sentence_);
@@ -126,6 +128,7 @@ DeviceConnect::DeviceConnect(DeviceLink& link, QWidget* parent)
     showCommand({}, {});
     connect(connect_, &QPushButton::clicked, this, &DeviceConnect::connectPressed);
     connect(disconnect_, &QPushButton::clicked, this, &DeviceConnect::disconnectPressed);
+    connect(add_, &QPushButton::clicked, this, &DeviceConnect::addPressed);
     connect(permit_, &QPushButton::clicked, this, &DeviceConnect::permissionPressed);
     connect(supply_, &QPushButton::clicked, this, &DeviceConnect::askForFile);
     connect(copy_, &QPushButton::clicked, this,
@@ -201,6 +204,7 @@ void DeviceConnect::follow() {
     }
     connect_->setEnabled(link_.mayBegin(chosen()));
     disconnect_->setEnabled(link_.mayLetGo());
+    add_->setEnabled(link_.mayAdd(chosen()));
     emit chosenChanged();
 }
 

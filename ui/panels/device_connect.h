@@ -29,6 +29,7 @@ public:
 signals:
     void connectPressed();
     void disconnectPressed();
+    void addPressed();
     void permissionPressed();
     /// Another row, or another state of it.
     void chosenChanged();
@@ -43,7 +44,7 @@ private:
 
     DeviceLink& link_;
     QTreeWidget* list_;
-    QPushButton *connect_, *disconnect_, *permit_, *supply_;
+    QPushButton *connect_, *disconnect_, *add_, *permit_, *supply_;
     QLabel* sentence_;
     QLineEdit* command_;
     QPushButton* copy_;

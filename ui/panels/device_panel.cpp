@@ -14,6 +14,7 @@
 #include "ui/panels/device_connect.h"
 #include "ui/panels/device_live.h"
 #include "ui/panels/device_trial_page.h"
+#include "ui/panels/hand_list.h"
 #include "ui/panels/workspace_fields.h"
 #include "ui/widgets/columns.h"
 
@@ -33,12 +34,13 @@ QWidget* paged(QWidget* page) {
 
 DevicePanel::DevicePanel(DeviceLink& link, QWidget* parent)
     : QWidget(parent), link_(link), name_(new QLabel), state_(new QLabel), arm_(new QPushButton(tr("Arm"))),
-      pages_(new QStackedWidget), connect_(new DeviceConnect(link)), live_(new DeviceLive),
-      workspace_(new WorkspaceFields), trial_(new DeviceTrialPage) {
+      hands_(new HandList(link)), pages_(new QStackedWidget), connect_(new DeviceConnect(link)),
+      live_(new DeviceLive), workspace_(new WorkspaceFields), trial_(new DeviceTrialPage) {
     setObjectName(QStringLiteral("device-panel"));
     setAttribute(Qt::WA_StyledBackground);
     auto* column = columnIn(this, kRhythm);
     column->addWidget(makeHead());
+    column->addWidget(hands_);
     column->addWidget(makePages());
     column->addWidget(pages_, 1);
     for (QWidget* page : std::initializer_list<QWidget*>{connect_, live_, workspace_, trial_})
@@ -100,12 +102,13 @@ void DevicePanel::display(const Engine& engine) {
     workspace_->follow(engine.servo().handle_D);
     if (visibleRegion().isEmpty()) return; // behind another tab, for instance
     showState(engine);
+    hands_->display();
     if (live_->isVisible()) live_->display(engine);
     if (trial_->isVisible()) trial_->display(engine);
 }
 
 void DevicePanel::showState(const Engine& engine) {
-    armed_ = engine.armed();
+    armed_ = link_.hands().anyArmed();
     name_->setText(QString::fromStdString(engine.device().name));
     const QString stop = tr("STOP: hold Esc");
     state_->setText(!engine.running() ? tr("it does not run")

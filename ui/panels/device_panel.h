@@ -17,10 +17,12 @@ class DeviceLink;
 class DeviceLive;
 class DeviceTrialPage;
 class Engine;
+class HandList;
 class WorkspaceFields;
 
 /// Four pages under one line that always says which device it is, whether it may push, and lets the person
-/// decide that. Thread: ui.
+/// decide that, for all hands at once. Where there are several they are listed, and the pages are about the
+/// chosen one. Thread: ui.
 class DevicePanel : public QWidget {
     Q_OBJECT
 public:
@@ -28,6 +30,7 @@ public:
 
     explicit DevicePanel(DeviceLink& link, QWidget* parent = nullptr);
 
+    HandList& hands() { return *hands_; }
     DeviceConnect& connecting() { return *connect_; }
     DeviceLive& live() { return *live_; }
     WorkspaceFields& workspace() { return *workspace_; }
@@ -47,6 +50,7 @@ private:
     DeviceLink& link_;
     QLabel *name_, *state_;
     QPushButton* arm_;
+    HandList* hands_;
     std::array<QToolButton*, 4> tabs_{};
     QStackedWidget* pages_;
     DeviceConnect* connect_;

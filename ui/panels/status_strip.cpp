@@ -96,7 +96,7 @@ void StatusStrip::display(const Engine& engine) {
                                                                                 ? tr("not running")
                                                                             : on ? tr("forces on")
                                                                                  : tr("forces off")));
-    stop_->setEnabled(on);
+    stop_->setEnabled(on || othersPush_);
     const ServoTelemetry& servo = engine.servo();
     const ProxyTelemetry& proxy = engine.proxy();
     servo_->setText(

@@ -23,6 +23,8 @@ public:
     void display(const Engine& engine);
     /// A moment of a recording, made with that device.
     void display(const ProxyTelemetry& proxy, const ServoTelemetry& servo, const DeviceInfo& device);
+    /// Whether another hand than the one displayed may push: STOP is for it, too.
+    void setOthersPush(bool push) { othersPush_ = push; }
     /// The name of the surface that is touched, instead of how many push; empty for none.
     void setTouched(const QString& name) { touched_ = name; }
     /// Instead of the priority note while nothing is touched: what the mouse is over. May be empty.
@@ -51,6 +53,7 @@ private:
     QPushButton* arm_;
     QPushButton* stop_;
     QString fault_, quiet_, touched_, hovered_;
+    bool othersPush_ = false;
 };
 
 } // namespace tactum

@@ -40,6 +40,7 @@ void Playback::adopt(Player player, const QString& file) {
     const RecordedRun& run = player.run();
     events_ = eventsOf(run);
     bar_.setRecording(run.end() - run.begin(), events_, run.begin());
+    bar_.setShownHand(run.hands() > 1 ? QString::fromStdString(run.device.name) : QString());
     player_.emplace(std::move(player));
     file_ = file;
     setPlaying(false);

@@ -111,7 +111,10 @@ void PlaybackBar::changeSpeed(int by) {
 // What happened last: beside the picture of the moment it says how it came to it.
 void PlaybackBar::tellEvent(double time) {
     const auto next = std::ranges::upper_bound(marks_, time, {}, &ScrubberMark::time);
-    QString text = tr("Recording: finger, proxy and forces are those of then");
+    QString text =
+        shownHand_.isEmpty()
+            ? tr("Recording: finger, proxy and forces are those of then")
+            : tr("Recording of several hands; plots, trail and status are those of %1").arg(shownHand_);
     if (next != marks_.begin()) {
         const ScrubberMark& last = *std::prev(next);
         text = tr("%1 s: %2").arg(numberText(last.time, 2), last.text);

@@ -22,6 +22,8 @@ public:
 
     /// Times in s since the beginning.
     void setRecording(double length, const std::vector<RecordedEvent>& events, double begin);
+    /// Whose plot, trail and status are shown of a recording of several hands; empty: there is one.
+    void setShownHand(const QString& name) { shownHand_ = name; }
     void display(double time, bool playing, const ReplayCheck& check);
     bool isHeld() const { return scrubber_->isHeld(); }
     double speed() const;
@@ -49,6 +51,7 @@ private:
     QLabel* verdict_;
     QPushButton* back_;
     std::vector<ScrubberMark> marks_;
+    QString shownHand_;
     double length_ = 0;
     bool playing_ = false;
 };

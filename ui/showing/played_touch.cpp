@@ -28,4 +28,16 @@ std::vector<TracePoint> showPlayed(Player& player, ForcePlot& plot, SceneView& v
     return ticks;
 }
 
+void showPlayedHands(const Player& player, SceneView& view) {
+    const RecordedRun& run = player.run();
+    const auto markOf = [&](std::size_t hand) {
+        return HandMark{.number = hand, .name = QString::fromStdString(run.hand(hand).device.name)};
+    };
+    std::vector<HandBeside> beside;
+    for (std::size_t hand = 1; hand < run.hands(); ++hand)
+        beside.push_back(
+            {markOf(hand), player.touch(hand), player.servo(hand), run.hand(hand).device.maxForce, true});
+    view.setHands(markOf(0), beside);
+}
+
 } // namespace tactum

@@ -16,4 +16,8 @@ class SceneView;
 /// the player. `touched`: the name of the surface that is touched. Gives the ticks back. Thread: ui.
 std::vector<TracePoint> showPlayed(Player& player, ForcePlot& plot, SceneView& view, const QString& touched);
 
+/// Draws the other hands of the recording beside the first, with the names of their devices. Before
+/// setHaptics(). Thread: ui.
+void showPlayedHands(const Player& player, SceneView& view);
+
 } // namespace tactum

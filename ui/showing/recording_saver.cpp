@@ -32,8 +32,10 @@ bool isRecording(const QString& file) {
     return file.endsWith(pattern().mid(1), Qt::CaseInsensitive);
 }
 
-RecordingSaver::RecordingSaver(const Engine& engine, const Document& document, QObject* parent)
-    : QObject(parent), engine_(engine), document_(document), faults_(engine.servo().faults) {
+RecordingSaver::RecordingSaver(Engine& engine, const Document& document, QObject* parent)
+    : QObject(parent), engine_(engine), hands_(engine), document_(document) {
+    for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+        faults_.push_back(hands_.servo(hand).faults);
     due_.setSingleShot(true);
     due_.setInterval(kAftermath);
     connect(&due_, &QTimer::timeout, this, &RecordingSaver::saveFault);
@@ -50,17 +52,22 @@ QString RecordingSaver::folder() {
 }
 
 void RecordingSaver::watch() {
-    const ServoTelemetry& servo = engine_.servo();
-    if (servo.faults > faults_) {
-        if (isFault(servo.inhibit)) reason_ = wordsOf(inhibitWords(servo.inhibit).brief);
-        if (!due_.isActive()) due_.start();
+    faults_.resize(hands_.count());
+    for (std::size_t hand = 0; hand < faults_.size(); ++hand) {
+        const ServoTelemetry& servo = hands_.servo(hand);
+        if (servo.faults > faults_[hand]) {
+            if (isFault(servo.inhibit)) reason_ = wordsOf(inhibitWords(servo.inhibit).brief);
+            if (!due_.isActive()) due_.start();
+        }
+        faults_[hand] = servo.faults;
     }
-    faults_ = servo.faults;
 }
 
 void RecordingSaver::flush() {
-    const bool hangs =
-        engine_.servoStandsStill() || (engine_.running() && engine_.servo().inhibit == InhibitReason::Stall);
+    bool hangs = false;
+    for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+        hangs = hangs || hands_.servoStandsStill(hand) ||
+                (engine_.running() && hands_.servo(hand).inhibit == InhibitReason::Stall);
     if (hangs) reason_ = wordsOf(inhibitWords(InhibitReason::Stall).brief);
     if (!due_.isActive() && !hangs) return;
     due_.stop();

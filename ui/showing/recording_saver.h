@@ -2,12 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include <QObject>
 #include <QTimer>
 
 #include "core/recording/recording_file.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/hands.h"
 #include "ui/base/background_job.h"
 #include "ui/document/document.h"
 
@@ -21,7 +22,7 @@ bool isRecording(const QString& file);
 class RecordingSaver : public QObject {
     Q_OBJECT
 public:
-    RecordingSaver(const Engine& engine, const Document& document, QObject* parent = nullptr);
+    RecordingSaver(Engine& engine, const Document& document, QObject* parent = nullptr);
     /// Writes what still waits for its turn.
     ~RecordingSaver() override;
 
@@ -55,10 +56,11 @@ private:
     void write(const Order& order);
     static Result<void> put(const Order& order);
 
-    const Engine& engine_;
+    Engine& engine_;
+    Hands hands_;
     const Document& document_;
-    std::uint64_t faults_ = 0;
-    QString reason_; ///< of the newest fault
+    std::vector<std::uint64_t> faults_; ///< of each hand
+    QString reason_;                    ///< of the newest fault
     QTimer due_;
     std::deque<Order> waiting_;
     BackgroundJob job_;

@@ -49,6 +49,7 @@ void PlayedView::followScene() {
 VideoPicture PlayedView::pictureAt(double time) {
     player_.advanceTo(time);
     followScene();
+    showPlayedHands(player_, view_);
     view_.setHaptics(player_.proxy(), player_.servo(), player_.run().device.maxForce, true);
     view_.setWorld(player_.sharedWorld());
     showPlayed(player_, plot_, view_, {});

@@ -10,7 +10,7 @@ constexpr double kWithin = 0.95;       // of the workspace: at its wall it could
 } // namespace
 
 HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> target, QObject* parent)
-    : QObject(parent), view_(view), engine_(engine), target_(std::move(target)) {
+    : QObject(parent), view_(view), hands_(engine), target_(std::move(target)) {
     connect(&view_, &SceneView::handGoalMoved, this, [this](const Vec3& goal_W, double time) {
         if (suspended_) return;
         goal_.position = goal_W;
@@ -24,28 +24,35 @@ HandLink::HandLink(SceneView& view, Engine& engine, std::shared_ptr<HandTarget> 
 }
 
 void HandLink::placeBeside() {
-    if (const auto place = view_.placeBeside(kWithin * engine_.device().workspaceRadius)) placeAt(*place);
+    if (const auto place = view_.placeBeside(kWithin * hands_.device(led_).workspaceRadius)) placeAt(*place);
+}
+
+/// Their fingers are where they are.
+void HandLink::restartOthers() {
+    for (std::size_t hand = 0; hand < hands_.count(); ++hand)
+        if (idle_ || hand != led_) hands_.restartProxy(hand);
 }
 
 void HandLink::placeAt(const Vec3& p_W) {
-    if (idle_) return engine_.restartProxy(); // the finger is where it is
+    restartOthers();
+    if (idle_) return;
     if (!target_) return;
     goal_.position = p_W;
     // The mark stays on in every later goal with the same number, so that a goal written before the hand has
     // read this one does not swallow the jump.
     goal_.teleport = true;
     ++goal_.sequence;
-    arrival_ = engine_.servo().ticks + kArrival;
+    arrival_ = hands_.servo(led_).ticks + kArrival;
     view_.setHandGoal(goal_.position);
     send();
 }
 
 void HandLink::follow() {
     if (idle_) arrival_ = 0;
-    if (arrival_ == 0 || engine_.servo().ticks < arrival_) return;
+    if (arrival_ == 0 || hands_.servo(led_).ticks < arrival_) return;
     // Only now: a proxy put onto the finger before the jump would be dragged through the new model.
     arrival_ = 0;
-    engine_.restartProxy();
+    hands_.restartProxy(led_);
 }
 
 void HandLink::send() {

@@ -6,7 +6,7 @@
 #include <QObject>
 
 #include "core/port/hand_target.h"
-#include "core/runtime/engine.h"
+#include "core/runtime/hands.h"
 
 namespace tactum {
 
@@ -27,14 +27,18 @@ public:
     /// While idle a device leads itself, and the mouse has no hand to lead.
     void setIdle(bool idle) { idle_ = idle; }
     bool idle() const { return idle_; }
+    /// Which hand of the engine it is that the mouse leads; the first to begin with.
+    void setHand(std::size_t hand) { led_ = hand; }
     /// While suspended the hand stays where it is.
     void setSuspended(bool suspended) { suspended_ = suspended; }
 
 private:
     void send();
+    void restartOthers();
 
     SceneView& view_;
-    Engine& engine_;
+    Hands hands_;
+    std::size_t led_ = 0;
     std::shared_ptr<HandTarget> target_;
     HandGoal goal_;
     bool suspended_ = false;

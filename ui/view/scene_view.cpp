@@ -19,8 +19,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kOutlinePixels = 2.6;
-// A hand that holds still trembles by less than this.
-constexpr double kUnseenPixels = 0.1;
 // Diagonals of the scene: what forces have moved farther than this is not drawn.
 constexpr double kFarthestMoved = 10;
 constexpr double kSectionRim = 0.36; // of the scene's diagonal: as wide as most scenes, seen at the home view
@@ -61,7 +59,9 @@ void SceneView::Impl::applyTheme() {
     stage.setBackground(theme());
     ground.setTheme(theme());
     boundaries.setTheme(theme());
-    overlay.setTheme(theme());
+    overlay.setTheme(theme(), mark.number);
+    for (Beside& other : beside)
+        other.overlay->setTheme(theme(), other.mark.number);
     faces.setTheme(theme());
     brushed.setTheme(theme());
     marks.setColour(theme().fault);
@@ -115,10 +115,15 @@ Bounds SceneView::Impl::shown() const {
     if (!touch) return box;
     Bounds about;
     const Vec3 reach = Vec3::Constant(4 * proxyRadius);
-    for (const Vec3& p : {touch->finger, touch->proxy}) {
-        about.add(p - reach);
-        about.add(p + reach);
-    }
+    const auto addTouch = [&](const TouchState& state) {
+        for (const Vec3& p : {state.finger, state.proxy}) {
+            about.add(p - reach);
+            about.add(p + reach);
+        }
+    };
+    addTouch(*touch);
+    for (const Beside& other : beside)
+        addTouch(other.touch);
     return box.empty() ? about : grownAround(box, about);
 }
 
@@ -411,11 +416,16 @@ const ViewCamera& SceneView::camera() const {
 void SceneView::setOverlayVisible(bool visible) {
     impl_->overlayVisible = visible;
     impl_->overlay.setVisible(impl_->showsTouch());
+    for (auto& other : impl_->beside)
+        other.overlay->setVisible(visible);
     changed();
 }
 
 void SceneView::setTouchScale(double scale) {
+    impl_->touchScale = scale;
     impl_->overlay.setScale(scale);
+    for (auto& other : impl_->beside)
+        other.overlay->setScale(scale);
     changed();
 }
 
@@ -482,6 +492,7 @@ void SceneView::prepareFrame() {
     impl_->paint.lieOn([&](Index i) { return impl_->felt.shapeOf(painted.object, painted.soup.get(), i); });
     impl_->paint.place(impl_->model.matrixOf(painted.object));
     if (impl_->touch) impl_->overlay.update(*impl_->touch, impl_->camera, impl_->proxyRadius);
+    impl_->placeBeside();
     impl_->felt.update(impl_->showsTouch() ? &*impl_->touch : nullptr, impl_->camera, devicePixelRatioF());
 }
 
@@ -526,7 +537,9 @@ void SceneView::paintOver() {
     impl_->drawMeasured(painter);
     impl_->felt.drawLegends(painter, size() - QSize(0, impl_->foot), impl_->theme());
     if (impl_->showsTouch())
-        drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName);
+        drawTouchLabels(painter, *impl_->touch, impl_->camera, impl_->theme(), impl_->touchedName,
+                        {impl_->mark.number, impl_->beside.empty() ? QString() : impl_->mark.name});
+    impl_->drawBeside(painter);
 }
 
 } // namespace tactum

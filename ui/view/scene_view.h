@@ -54,6 +54,22 @@ enum class RegionShape { Box, Lasso };
 /// Looking along -Z, -X, -Y, or from the corner between them. Y is up.
 enum class StandardView { Front, Right, Top, Isometric };
 
+/// Whose a touch is.
+struct HandMark {
+    std::size_t number = 0; ///< of the hand: its colours
+    QString name;           ///< written at the finger where there are several
+    bool led = true;        ///< the mouse leads it
+};
+
+/// A hand beside the one that setHaptics() tells of.
+struct HandBeside {
+    HandMark mark;
+    TouchTelemetry touch;
+    ServoTelemetry servo;
+    double forceLimit = 0; ///< N
+    bool armed = false;
+};
+
 /// Camera: left drag on empty space or Alt + left drag orbits, other buttons and the wheel as CameraManners
 /// say; Home fits, 1, 3 and 7 of the number pad are the standard views.
 /// Touch tool: a press on the model brings the finger there and into the surface a little, and dragging
@@ -92,6 +108,9 @@ public:
     /// What the loops reported, once a frame: bodies that move by themselves are shown at its time, while
     /// picking sees them at the time 0. forceLimit in N, > 0.
     void setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit, bool armed);
+    /// Before setHaptics(): whose its touch is, and the others, none by default. They have finger, proxy,
+    /// spring, force and contacts; the trail and the cone are of the one.
+    void setHands(const HandMark& mark, const std::vector<HandBeside>& beside);
     void setProxyRadius(double metres);
 
     /// Shows the whole scene from where the camera looks now.

@@ -23,15 +23,16 @@ constexpr double kLeastSlant = 0.3, kGapReserve = 1.1;
 } // namespace
 
 bool SceneView::Impl::isNearFinger(QPointF cursor) const {
-    if (!showsTouch()) return false;
-    const auto seen = camera.project(touch->finger);
+    const TouchState* led = ledTouch();
+    if (!overlayVisible || !led) return false;
+    const auto seen = camera.project(led->finger);
     return seen && lengthOf(*seen - cursor) <= kGrabPixels;
 }
 
 bool SceneView::Impl::takesFinger(QPointF cursor, const std::optional<PickHit>& hit) const {
     if (!isNearFinger(cursor)) return false;
     const double over = kOverPlace * HandTool::kHoverHeight * picker.bounds().diagonal();
-    return !hit || (hit->point - touch->finger).norm() > over;
+    return !hit || (hit->point - ledTouch()->finger).norm() > over;
 }
 
 void SceneView::Impl::takeHold(QPointF cursor, const std::optional<PickHit>& hit) {
@@ -75,16 +76,17 @@ void SceneView::Impl::liftHand() {
 /// everything.
 Vec3 SceneView::Impl::clearPlace() const {
     Vec3 normal = Vec3::Zero();
-    for (int i = 0; touch && i < touch->contacts; ++i)
-        normal += touch->contact[std::size_t(i)].normal;
+    const TouchState* led = ledTouch();
+    for (int i = 0; led && i < led->contacts; ++i)
+        normal += led->contact[std::size_t(i)].normal;
     const std::optional<Vec3>& off = hand.offSurface();
     if (normal.norm() < 1e-6) return off.value_or(hand.goal());
     normal.normalize();
     // What has given way, a key on its spring, comes back to where it was pressed.
     const double hover = HandTool::kHoverHeight * picker.bounds().diagonal();
-    const double back = off ? (*off - touch->proxy).dot(normal) : 0;
-    const Vec3 over = touch->proxy + std::clamp(back, hover, kFarthestBack * hover) * normal;
-    return picker.isFree(touch->proxy, over) ? over : off.value_or(touch->proxy);
+    const double back = off ? (*off - led->proxy).dot(normal) : 0;
+    const Vec3 over = led->proxy + std::clamp(back, hover, kFarthestBack * hover) * normal;
+    return picker.isFree(led->proxy, over) ? over : off.value_or(led->proxy);
 }
 
 /// Goes on by itself while the hand has a way to go.

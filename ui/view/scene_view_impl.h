@@ -20,6 +20,9 @@
 
 namespace tactum {
 
+/// A hand that holds still trembles by less than this.
+inline constexpr double kUnseenPixels = 0.1;
+
 /// What a mouse button that is down does.
 enum class ViewDrag { None, Orbit, Pan, Hand, Box, Lasso, Brush, Paint, Handles };
 
@@ -39,6 +42,11 @@ struct SceneView::Impl {
     /// `part` of the way of a flight, 0 to 1.
     void fly(double part);
     void applyTheme();
+
+    /// The touch that the mouse leads; null: none is known.
+    const TouchState* ledTouch() const;
+    void placeBeside();
+    void drawBeside(QPainter& painter) const;
 
     bool isNearFinger(QPointF cursor) const;
     /// Whether a press there takes the finger itself, and not the place.
@@ -112,6 +120,13 @@ struct SceneView::Impl {
     std::optional<MassMark> mass;
     std::vector<ColliderMark> colliders;
     TouchOverlay overlay;
+    struct Beside {
+        HandMark mark;
+        TouchState touch;
+        std::unique_ptr<TouchOverlay> overlay;
+    };
+    HandMark mark;              ///< of the touch
+    std::vector<Beside> beside; ///< the other hands
     FeltView felt;
     std::shared_ptr<const World> world; ///< that the bodies below are of
     BodyPlaces bodies;
@@ -126,7 +141,7 @@ struct SceneView::Impl {
 
     std::optional<TouchState> touch;
     QString touchedName;
-    double proxyRadius = kProxyRadius.initial;
+    double proxyRadius = kProxyRadius.initial, touchScale = 1;
     bool overlayVisible = true;
     bool dark = true;
     int foot = 0; ///< logical pixels

@@ -15,6 +15,7 @@
 #include <vtkTrivialProducer.h>
 #include <vtkTubeFilter.h>
 
+#include "ui/base/hand_colours.h"
 #include "ui/view/touch_shape.h"
 
 namespace tactum {
@@ -92,14 +93,21 @@ void coil(vtkPolyData& line, const Vec3& from, const Vec3& to, double radius, do
 
 TouchState touchState(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
                       bool armed) {
+    TouchState state = touchState(static_cast<const TouchTelemetry&>(proxy), servo, forceLimit, armed);
+    if (proxy.updates == 0) state.proxy = state.finger;
+    return state;
+}
+
+TouchState touchState(const TouchTelemetry& touch, const ServoTelemetry& servo, double forceLimit,
+                      bool armed) {
     TouchState state;
-    state.finger = servo.ticks > 0 ? servo.finger : proxy.finger;
-    state.proxy = proxy.updates > 0 ? proxy.output.proxy : state.finger;
-    state.force = armed && servo.ticks > 0 ? servo.force : proxy.output.force;
+    state.finger = servo.ticks > 0 ? servo.finger : touch.finger;
+    state.proxy = touch.output.proxy;
+    state.force = armed && servo.ticks > 0 ? servo.force : touch.output.force;
     state.forceLimit = forceLimit > 0 ? forceLimit : 1;
     state.armed = armed;
-    state.contacts = std::clamp(proxy.output.contacts, 0, kMaxModelPlanes);
-    state.contact = proxy.output.contact;
+    state.contacts = std::clamp(touch.output.contacts, 0, kMaxModelPlanes);
+    state.contact = touch.output.contact;
     return state;
 }
 
@@ -140,6 +148,7 @@ struct TouchOverlay::Impl {
     void placeContact(ContactMark& mark, const ContactReport& contact, double pixel, double proxyRadius);
 
     const Theme* theme = &kDarkTheme;
+    QColor force; ///< the proxy's
     double scale = 1;
     bool visible = true, normals = true, planes = true;
     vtkNew<vtkPolyData> line;
@@ -157,11 +166,13 @@ TouchOverlay::TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost)
 
 TouchOverlay::~TouchOverlay() = default;
 
-void TouchOverlay::setTheme(const Theme& theme) {
+void TouchOverlay::setTheme(const Theme& theme, std::size_t hand) {
+    const HandColours colours = handColours(theme, hand);
     impl_->theme = &theme;
-    impl_->finger.setColour(theme.finger);
-    impl_->halo.setColour(theme.finger, 0.55);
-    impl_->proxy.setColour(theme.proxy);
+    impl_->force = colours.proxy;
+    impl_->finger.setColour(colours.finger);
+    impl_->halo.setColour(colours.finger, 0.55);
+    impl_->proxy.setColour(colours.proxy);
     impl_->spring.setColour(theme.dark ? QColor(0xd6, 0xda, 0xe0) : QColor(0x5a, 0x62, 0x6d));
 }
 
@@ -214,7 +225,7 @@ void TouchOverlay::Impl::placeSpring(const TouchState& state, double pixel) {
 void TouchOverlay::Impl::placeArrow(const TouchState& state, const ViewCamera& camera, double pixel) {
     arrow.setVisible(state.pushes());
     if (!state.pushes()) return;
-    arrow.setColour(state.atLimit() ? theme->fault : theme->proxy, state.armed ? 1 : 0.35);
+    arrow.setColour(state.atLimit() ? theme->fault : force, state.armed ? 1 : 0.35);
     arrow.place(state.proxy, arrowTip(state, camera), kShaft * pixel, kHead * pixel, kArrowHead * pixel);
 }
 

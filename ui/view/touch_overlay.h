@@ -37,6 +37,10 @@ struct TouchState {
 TouchState touchState(const ProxyTelemetry& proxy, const ServoTelemetry& servo, double forceLimit,
                       bool armed);
 
+/// Of a hand beside the first.
+TouchState touchState(const TouchTelemetry& touch, const ServoTelemetry& servo, double forceLimit,
+                      bool armed);
+
 /// Where the arrow of the force ends. Its length on the screen is proportional to the force.
 Vec3 arrowTip(const TouchState& state, const ViewCamera& camera);
 
@@ -48,7 +52,8 @@ public:
     TouchOverlay(vtkRenderer& solid, vtkRenderer& ghost);
     ~TouchOverlay();
 
-    void setTheme(const Theme& theme);
+    /// `hand`: whose colours finger and proxy have.
+    void setTheme(const Theme& theme, std::size_t hand = 0);
     void setVisible(bool visible);
     /// Which of the marks of contacts are shown: their normals, their planes.
     void setMarks(bool normals, bool planes);

@@ -40,7 +40,8 @@ vtkNew<vtkConeSource> cone() {
 
 } // namespace
 
-TouchShape::TouchShape(vtkRenderer& solid, vtkRenderer& ghost, vtkAlgorithm& source) {
+TouchShape::TouchShape(vtkRenderer& solid, vtkRenderer& ghost, vtkAlgorithm& source)
+    : inSolid_(solid), inGhost_(ghost) {
     mapper_->SetInputConnection(source.GetOutputPort());
     for (vtkActor* actor : {solid_.Get(), ghost_.Get()}) {
         actor->SetMapper(mapper_);
@@ -50,6 +51,11 @@ TouchShape::TouchShape(vtkRenderer& solid, vtkRenderer& ghost, vtkAlgorithm& sou
     }
     solid.AddActor(solid_);
     ghost.AddActor(ghost_);
+}
+
+TouchShape::~TouchShape() {
+    inSolid_.RemoveActor(solid_);
+    inGhost_.RemoveActor(ghost_);
 }
 
 void TouchShape::setColour(const QColor& colour, double opacity) {

@@ -18,6 +18,7 @@ namespace tactum {
 class TouchShape {
 public:
     TouchShape(vtkRenderer& solid, vtkRenderer& ghost, vtkAlgorithm& source);
+    ~TouchShape();
 
     void setColour(const QColor& colour, double opacity = 1);
     void setVisible(bool visible);
@@ -25,6 +26,7 @@ public:
     void place(const Vec3& p, const Vec3& axis, double across, double along);
 
 private:
+    vtkRenderer &inSolid_, &inGhost_;
     vtkNew<vtkPolyDataMapper> mapper_;
     vtkNew<vtkActor> solid_, ghost_;
 };

@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "ui/base/hand_colours.h"
+
 namespace tactum {
 
 namespace {
@@ -90,19 +92,24 @@ private:
     std::vector<QRectF> taken_;
 };
 
+void putForce(LabelBoard& board, const TouchState& state, QPointF proxy, const ViewCamera& camera,
+              const Theme& theme, const HandColours& colours) {
+    if (!state.pushes()) return;
+    if (const auto tip = camera.project(arrowTip(state, camera)))
+        board.put(*tip, *tip - proxy, forceText(state), Badge::Dot,
+                  state.atLimit() ? theme.fault : colours.proxy);
+}
+
 } // namespace
 
 void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
-                     const QString& touched) {
+                     const QString& touched, const HandName& hand) {
     const auto proxy = camera.project(state.proxy), finger = camera.project(state.finger);
     if (!proxy || !finger) return;
     LabelBoard board(painter, theme, camera.size);
     const QPointF apart = *finger - *proxy;
-    if (state.pushes()) {
-        if (const auto tip = camera.project(arrowTip(state, camera)))
-            board.put(*tip, *tip - *proxy, forceText(state), Badge::Dot,
-                      state.atLimit() ? theme.fault : theme.proxy);
-    }
+    const HandColours colours = handColours(theme, hand.number);
+    putForce(board, state, *proxy, camera, theme, colours);
     const QPointF beside = *proxy - QPointF(26, 0), left(-1, 0);
     if (state.contacts > 0 && !state.contact[0].frictionless) {
         const bool slips = state.contact[0].slipping;
@@ -112,7 +119,20 @@ void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamer
     } else if (state.contacts > 0 && !touched.isEmpty()) {
         board.put(beside, left, touched, Badge::Dot, theme.contact);
     }
-    if (std::hypot(apart.x(), apart.y()) > 26) board.put(*finger, apart, "finger", Badge::Ring, theme.finger);
+    if (!hand.name.isEmpty())
+        board.put(*finger, apart, hand.name, Badge::Ring, colours.finger);
+    else if (std::hypot(apart.x(), apart.y()) > 26)
+        board.put(*finger, apart, "finger", Badge::Ring, colours.finger);
+}
+
+void drawHandLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
+                    const HandName& hand) {
+    const auto proxy = camera.project(state.proxy), finger = camera.project(state.finger);
+    if (!proxy || !finger) return;
+    LabelBoard board(painter, theme, camera.size);
+    const HandColours colours = handColours(theme, hand.number);
+    putForce(board, state, *proxy, camera, theme, colours);
+    board.put(*finger, *finger - *proxy, hand.name, Badge::Ring, colours.finger);
 }
 
 } // namespace tactum

@@ -11,9 +11,18 @@ class QPainter;
 
 namespace tactum {
 
+/// Which hand it is of several.
+struct HandName {
+    std::size_t number = 0;
+    QString name; ///< empty: it is the only one
+};
+
 /// Draws the labels of a touch beside what they name, in logical pixels. `touched`: the name of the surface;
 /// may be empty.
 void drawTouchLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
-                     const QString& touched = {});
+                     const QString& touched = {}, const HandName& hand = {});
+/// Of a hand beside that one: its name and its force.
+void drawHandLabels(QPainter& painter, const TouchState& state, const ViewCamera& camera, const Theme& theme,
+                    const HandName& hand);
 
 } // namespace tactum

@@ -202,6 +202,10 @@ void MainWindow::makeLive() {
     devices_ = new DeviceController(bench_, *arming_, *link_, *hand_, *hint_, *folds_, *devicePanel_);
     health_ = new HealthController(bench_, *arming_, *guard_, *docks_.health, *docks_.inspector, *status_);
     connect(devices_, &DeviceController::adopted, health_, &HealthController::adoptDevice);
+    connect(devices_, &DeviceController::handChosen, this, [this] {
+        view_->clearTrail();
+        docks_.plot->clear();
+    });
     connect(trial_, &TrialController::asked, devices_,
             [this] { devices_->showPage(int(DevicePanel::Page::Trial)); });
     connect(link_, &DeviceLink::letsGo, saver_, &RecordingSaver::flush);
@@ -312,12 +316,14 @@ void MainWindow::frame() {
     room_->frame();
     if (playback_->active()) return playFrame();
     hand_->follow();
+    if (view_->isVisible()) devices_->showHands();
     if (view_->isVisible())
         view_->setHaptics(engine_.proxy(), engine_.servo(), engine_.device().maxForce, engine_.armed());
     const World* world = publisher_.world().get();
     const bool known = world && engine_.proxy().worldRevision == world->revision;
     showTouched(known ? world : nullptr, trial_->running() && world ? *world->scene : document_.scene());
     drawTrace();
+    status_->setOthersPush(link_->hands().anyArmed());
     status_->display(engine_);
 }
 
@@ -329,6 +335,7 @@ void MainWindow::playFrame() {
         shownShape_ = world->shapeRevision;
         view_->setScene(*world->scene);
     }
+    showPlayedHands(player, *view_);
     if (view_->isVisible()) view_->setHaptics(player.proxy(), player.servo(), device.maxForce, true);
     view_->setWorld(player.sharedWorld());
     if (playback_->takeJump()) {
@@ -345,7 +352,7 @@ void MainWindow::playFrame() {
 void MainWindow::sayRecorded(const QString& file, bool afterFault) {
     const bool live = !playback_->active();
     const QString kept = tr("What led to it was saved: %1.").arg(file);
-    if (afterFault && link_->lost() && live) return devices_->sayAway(link_->lostName(), kept);
+    if (afterFault && link_->lost() && live) return devices_->sayAway(kept);
     if (arming_->faulty() && live) return arming_->offer(kept);
     notice_->showNote(
         afterFault ? tr("There was a fault. What led to it was saved: open %1 to see it again.").arg(file)
@@ -384,7 +391,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     room_->save();
     saver_->flush();
     if (leaving_ || !document_.modified()) {
-        engine_.setArmed(false);
+        link_->hands().setAllArmed(false);
         journal_->discard();
         return QMainWindow::closeEvent(event);
     }

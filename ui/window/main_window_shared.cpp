@@ -36,12 +36,12 @@ void MainWindow::setShared(SharedScene& shared) {
     connect(shared_, &SharedLink::changed, this, [this] {
         connection_->display(shared_->state());
         stage_->showCentre();
-        arming_->show(engine_.armed());
+        arming_->show();
     });
     connect(connection_, &ConnectionBar::penWanted, shared_, [this] { shared_->askForPen(); });
     connect(shared_, &SharedLink::refused, this, [this](const QString& sentence) {
         notice_->showError(sentence);
-        arming_->show(engine_.armed());
+        arming_->show();
     });
     connect(shared_, &SharedLink::told, notice_, &NoticeBar::showNote);
     connect(shared_, &SharedLink::foundAnother, this, [this](const QString& sentence) {

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/haptics/compile.h"
+#include "core/runtime/hands.h"
 #include "core/runtime/local_engine.h"
 #include "tests/core/runtime/patience.h"
 #include "tests/core/runtime/probe_device.h"
@@ -89,6 +90,27 @@ private slots:
         QVERIFY(two.engine.hand(1).popTrace(point));
         two.engine.setAllArmed(false);
         QVERIFY(eventually([&] { return two.probes[0]->push == 0 && two.probes[1]->push == 0; }));
+    }
+
+    /// As an Engine it is about the one that was chosen, with what all share.
+    void anEngineSpeaksOfTheChosenOne() {
+        TwoOnAPlate two;
+        Hands hands(two.engine);
+        QVERIFY(two.start());
+        QVERIFY(two.presses(1));
+        QCOMPARE(two.engine.proxy().output.contacts, 0);
+        hands.choose(1);
+        QCOMPARE(two.engine.device().name, std::string("Right"));
+        QCOMPARE(two.engine.proxy().output.contacts, 1);
+        QVERIFY(two.engine.armed());
+        const std::uint64_t updates = two.engine.proxy().updates;
+        QVERIFY(eventually([&] { return two.engine.poll(), two.engine.proxy().updates > updates; }));
+        QCOMPARE(two.engine.proxy().output.contacts, 1);
+        QVERIFY(hands.anyArmed());
+        QVERIFY(!hands.armed(0));
+        VERIFY_RESULT(hands.remove(0));
+        QCOMPARE(hands.chosen(), std::size_t(0));
+        QCOMPARE(two.engine.device().name, std::string("Right"));
     }
 
     void aFaultOfOneIsItsOwn() {

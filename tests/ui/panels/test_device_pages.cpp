@@ -76,6 +76,7 @@ private slots:
         steps.show(now);
         COMPARE_SHOWN(shownIn(steps), "steps-none");
         now = {State::Running,
+               false,
                QStringLiteral("arm"),
                QStringLiteral("Arm"),
                {{QStringLiteral("Load"), StepState::Done},

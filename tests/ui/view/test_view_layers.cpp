@@ -15,6 +15,7 @@
 #include "tests/support/waiting.h"
 #include "tests/ui/view/ball_scene.h"
 #include "tests/ui/view/props.h"
+#include "ui/base/hand_colours.h"
 #include "ui/base/style.h"
 #include "ui/view/axes_gizmo.h"
 #include "ui/view/brush_ring.h"
@@ -605,6 +606,35 @@ private slots:
         state = touched();
         state.proxy = camera().eye(); // nothing is seen of it
         QCOMPARE(labels(state), "\n");
+    }
+
+    /// Of several hands each has its name, also where finger and proxy are one; and its colours.
+    void eachHandHasItsName() {
+        const auto words = [&](auto draw) {
+            return drawnBy({800, 600}, [&](QPainter& p) { draw(p); }).count(QStringLiteral("picture"));
+        };
+        TouchState state = touched();
+        state.contacts = 0;
+        state.finger = state.proxy;
+        QCOMPARE(words([&](QPainter& p) { drawTouchLabels(p, state, camera(), kDarkTheme); }), 1);
+        const HandName left{0, QStringLiteral("Left")}, right{1, QStringLiteral("Right")};
+        QCOMPARE(words([&](QPainter& p) { drawTouchLabels(p, state, camera(), kDarkTheme, {}, left); }), 2);
+        QCOMPARE(words([&](QPainter& p) { drawHandLabels(p, state, camera(), kDarkTheme, right); }), 2);
+        state.force.setZero();
+        QCOMPARE(words([&](QPainter& p) { drawHandLabels(p, state, camera(), kDarkTheme, right); }), 1);
+        QCOMPARE(handColours(kDarkTheme, 0).finger, kDarkTheme.finger);
+        QCOMPARE(handColours(kLightTheme, 0).proxy, kLightTheme.proxy);
+        for (const Theme* theme : {&kDarkTheme, &kLightTheme})
+            for (std::size_t hand = 1; hand < std::size_t(kMaxHands); ++hand) {
+                QVERIFY(handColours(*theme, hand).finger != handColours(*theme, hand - 1).finger);
+                QVERIFY(handColours(*theme, hand).proxy != handColours(*theme, hand - 1).proxy);
+            }
+        Stage stage;
+        TouchOverlay overlay(*stage.solid, *stage.ghost);
+        overlay.setTheme(kDarkTheme, 1);
+        overlay.setVisible(true);
+        overlay.update(touched(), camera(), 0.001);
+        COMPARE_SHOWN(stage.props(), "touch-second");
     }
 
     void theUsualCamera() {

@@ -26,9 +26,12 @@ inline const QString kFake = QStringLiteral("fake:1-2");
 struct Desk {
     /// `hurried`: the window looks for devices again and again instead of every second; too often to see that
     /// one in use sends no readings any more.
-    explicit Desk(bool hurried = false)
+    /// `second`: of another device beside the example.
+    explicit Desk(bool hurried = false, const std::shared_ptr<FakeDesk>& second = nullptr)
         : desk(std::make_shared<FakeDesk>()), catalogue(std::make_unique<FakeCatalogue>(desk, nullptr)) {
         catalogue->hand = program.hand;
+        catalogue->otherDesk = second;
+        catalogue->other = second != nullptr;
         program.window->setCatalogue(*catalogue);
         program.command("device-panel").trigger();
         QObject::connect(&looking_, &QTimer::timeout, &looking_, [this] { link().look(); });

@@ -18,6 +18,7 @@ namespace tactum {
 
 /// What a test and a fake device share.
 struct FakeDesk {
+    std::string name = "Example arm";
     std::atomic<bool> plugged{true};
     std::atomic<int> go{0};      ///< steps that prepare() may end
     std::atomic<int> failAt{-1}; ///< the step that fails
@@ -45,7 +46,7 @@ public:
     ~FakeDevice() override { --desk_->made; }
 
     DeviceInfo info() const override {
-        return {.name = "Example arm",
+        return {.name = desk_->name,
                 .maxForce = 6,
                 .continuousForce = 2,
                 .workspaceRadius = 0.05,
@@ -111,7 +112,8 @@ public:
                              .usable = true,
                              .sentence = "At USB 1-2; 6 N, three buttons.",
                              .lacks = lacking ? "firmware (*.bin)" : ""});
-        if (other) found.push_back({"fake:1-4", "Other arm", true, "At USB 1-4."});
+        if (other && (!otherDesk || otherDesk->plugged))
+            found.push_back({"fake:1-4", "Other arm", true, "At USB 1-4."});
         if (locked)
             found.push_back({"locked:1-3", "Locked arm", false,
                              "At USB 1-3; you have no permission to use it: install the udev rule.", true});
@@ -120,6 +122,8 @@ public:
     }
     Result<std::unique_ptr<HapticDevice>> make(const std::string& id) override {
         if (id == "simulated") return std::make_unique<SimulatedHand>(hand);
+        if (id == "fake:1-4" && otherDesk && otherDesk->plugged)
+            return std::make_unique<FakeDevice>(otherDesk);
         if (id.starts_with("fake:") && desk_->plugged) return std::make_unique<FakeDevice>(desk_);
         return inputError("There is no such device: plug it in.");
     }
@@ -132,9 +136,10 @@ public:
 
     std::shared_ptr<HandTarget> hand; ///< of the simulated one
     std::atomic<bool> locked{false};
-    std::atomic<bool> hidden{false};  ///< there, but not listed
-    std::atomic<bool> other{false};   ///< a second one of the kind is listed
-    std::atomic<bool> lacking{false}; ///< the arm has no firmware
+    std::atomic<bool> hidden{false};     ///< there, but not listed
+    std::atomic<bool> other{false};      ///< a second one of the kind is listed
+    std::shared_ptr<FakeDesk> otherDesk; ///< where that one is a device of its own; before the window looks
+    std::atomic<bool> lacking{false};    ///< the arm has no firmware
     std::atomic<int> lists{0};
 
 private:

@@ -1,0 +1,310 @@
+// Two devices in the window: added and removed, felt, stopped together, and lost one by one.
+#include <QTest>
+
+#include "tests/support/compare.h"
+#include "tests/support/gui_test_program.h"
+#include "tests/ui/window/device_desk.h"
+#include "ui/base/hand_colours.h"
+#include "ui/showing/recording_saver.h"
+#include "ui/view/scene_view.h"
+
+namespace test_hands_together {
+
+using namespace tactum;
+
+namespace {
+
+const QString kOther = QStringLiteral("fake:1-4");
+constexpr double kTop = 0.05; // m, of the cube
+
+std::shared_ptr<FakeDesk> otherArm() {
+    auto desk = std::make_shared<FakeDesk>();
+    desk->name = "Other arm";
+    desk->place(0.02, kTop + 0.01, 0);
+    return desk;
+}
+
+/// The program with a cube, the example arm and another one.
+struct TwoArms {
+    explicit TwoArms(const QTemporaryDir& folder) {
+        desk.desk->place(-0.02, kTop + 0.01, 0);
+        if (!program().open(writeCube(folder))) qFatal("the cube does not open");
+    }
+    TouchedWindow& program() { return desk.program; }
+    LocalEngine& engine() { return desk.program.engine; }
+
+    void askForOther() {
+        other->go = 3;
+        desk.chooseRow("Other arm");
+        desk.click("device-add-button");
+    }
+    bool addOther() {
+        askForOther();
+        return test::waitFor([this] { return engine().hands() == 2 && !desk.link().preparing(); });
+    }
+    bool bothAreThere() { return desk.connectIt() && addOther(); }
+    /// Both press into the top, the second as deep again, until each device gets its force. Where a machine
+    /// that is late takes a force away, a person begins anew.
+    bool press() {
+        return test::waitFor([this] {
+            if (!engine().hand(0).armed() || !engine().hand(1).armed()) begin();
+            return isForce(*desk.desk, 0, kForce) && isForce(*other, 1, 2 * kForce);
+        });
+    }
+    bool holds(FakeDesk& one, std::size_t hand, double newton) {
+        return test::waitFor([&] { return engine().hand(hand).armed() && isForce(one, hand, newton); });
+    }
+    static constexpr double kForce = 0.4; // N
+
+    std::shared_ptr<FakeDesk> other = otherArm();
+    Desk desk{false, other};
+
+private:
+    void begin() {
+        desk.desk->y = other->y = kTop + 0.01;
+        QAction& armed = program().command("armed");
+        if (armed.isChecked()) armed.trigger();
+        program().frames(10);
+        armed.trigger();
+        program().frames(10);
+        const double radius = program().document.scene().proxyRadius;
+        const double stiffness = program().document.scene().objects[0].surfaces[0].material.stiffness;
+        desk.desk->y = kTop + radius - kForce / stiffness;
+        other->y = kTop + radius - 2 * kForce / stiffness;
+    }
+    bool isForce(FakeDesk& one, std::size_t hand, double newton) {
+        return std::abs(one.force - newton) < 0.02 * newton &&
+               engine().hand(hand).touch().output.contacts == 1;
+    }
+};
+
+/// Whether the view draws anything of that hand: the ring before its name at least is in its very colour.
+bool isDrawn(TouchedWindow& program, std::size_t hand) {
+    const QImage picture = program.window->view().grabPicture().convertToFormat(QImage::Format_RGB32);
+    const QRgb colour = handColours(kDarkTheme, hand).finger.rgb();
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (picture.pixel(x, y) == colour) return true;
+    return false;
+}
+
+} // namespace
+
+class TestHandsTogether : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+private slots:
+    static void initMain() { prepareProcess(); }
+    void init() { beginDeviceTest(folder_); }
+
+    void aSecondDeviceIsAddedAndRemoved();
+    void eachForceArrivesAtItsDevice();
+    void theChosenHandIsShown();
+    void oneIsUnpluggedWhileTheOtherHolds_data();
+    void oneIsUnpluggedWhileTheOtherHolds();
+    void whatIsLostWithoutForceGoesAtOnce();
+    void theSimulatedHandBesideADevice();
+    void whatDoesNotStartLeavesTheFirst();
+    void bothAreDrawn();
+    void aRecordingHoldsBoth();
+};
+
+void TestHandsTogether::aSecondDeviceIsAddedAndRemoved() {
+    TwoArms two(folder_);
+    Desk& desk = two.desk;
+    desk.chooseRow("Simulated hand"); // the first has it
+    QVERIFY(!desk.widget("device-add-button").isEnabled());
+    QVERIFY(desk.connectIt());
+    QVERIFY(!desk.widget("hand-list").isVisible());
+    QVERIFY(!desk.widget("device-add-button").isEnabled()); // it is chosen and in use
+    QVERIFY(two.addOther());
+    COMPARE_BEGINS(desk.text("notice-text"), QStringLiteral("Other arm is ready. The forces are off"));
+    QCOMPARE(two.engine().hand(0).device().name, std::string("Example arm"));
+    QCOMPARE(two.engine().hand(1).device().name, std::string("Other arm"));
+    QCOMPARE(desk.link().current(), kFake);
+    QCOMPARE(desk.link().idOf(1), kOther);
+    COMPARE_CONTAINS(desk.rows().join(u'\n'), QStringLiteral("Other arm \u00b7 in use"));
+    QVERIFY(!desk.widget("device-add-button").isEnabled());
+    QVERIFY(!desk.widget("device-connect-button").isEnabled());
+    const auto row = [&](const char* name) {
+        return static_cast<QAbstractButton&>(desk.widget(name)).text();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(desk.widget("hand-list").isVisible(), kPatience);
+    QCOMPARE(row("hand-0"), QStringLiteral("Example arm \u00b7 forces off"));
+    QCOMPARE(row("hand-1"), QStringLiteral("Other arm \u00b7 forces off"));
+    desk.click("notice-act"); // Arm
+    QTRY_COMPARE_WITH_TIMEOUT(row("hand-1"), QStringLiteral("Other arm \u00b7 forces on"), kPatience);
+    QVERIFY(two.engine().hand(0).armed());
+    desk.click("hand-remove-1");
+    QCOMPARE(two.engine().hands(), std::size_t(1));
+    QVERIFY(!two.program().command("armed").isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.widget("hand-list").isVisible(), kPatience);
+    QCOMPARE(two.other->made, 0);
+    QCOMPARE(desk.link().current(), kFake);
+}
+
+void TestHandsTogether::eachForceArrivesAtItsDevice() {
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    QVERIFY(two.press());
+    QVERIFY(two.program().command("stop").isEnabled());
+    two.desk.click("stop");
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.desk->force == 0 && two.other->force == 0, kPatience);
+    QVERIFY(!two.program().command("armed").isChecked());
+    QVERIFY(!two.program().command("stop").isEnabled());
+    QVERIFY(two.press());
+    two.desk.click("device-arm");
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.desk->force == 0 && two.other->force == 0, kPatience);
+}
+
+void TestHandsTogether::theChosenHandIsShown() {
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    QVERIFY(two.press());
+    const auto status = [&] { return two.desk.text("status-device"); };
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(QStringLiteral("Example arm")), kPatience);
+    two.desk.click("hand-1");
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(QStringLiteral("Other arm")), kPatience);
+    QCOMPARE(two.desk.text("device-name"), QStringLiteral("Other arm"));
+    COMPARE_NEAR(two.engine().servo().force.norm(), 2 * TwoArms::kForce, 0.02, "N");
+    // Its settings are its own, and so is their memory.
+    two.desk.page(DevicePanel::Page::Live);
+    two.desk.pick("device-stop-button", 2);
+    QCOMPARE(two.desk.link().stop(1).buttons.load(), std::uint32_t(2));
+    QCOMPARE(two.desk.link().stop(0).buttons.load(), std::uint32_t(0));
+    two.desk.click("hand-0");
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(QStringLiteral("Example arm")), kPatience);
+    // The button of either stops both.
+    two.other->buttons = 2;
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.desk->force == 0 && two.other->force == 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!two.program().command("armed").isChecked(), kPatience);
+}
+
+void TestHandsTogether::oneIsUnpluggedWhileTheOtherHolds_data() {
+    QTest::addColumn<int>("lost");
+    QTest::newRow("the first") << 0;
+    QTest::newRow("the second") << 1;
+}
+
+void TestHandsTogether::oneIsUnpluggedWhileTheOtherHolds() {
+    QFETCH(int, lost);
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    QVERIFY(two.press());
+    FakeDesk& gone = lost == 0 ? *two.desk.desk : *two.other;
+    FakeDesk& there = lost == 0 ? *two.other : *two.desk.desk;
+    const std::size_t other = 1 - std::size_t(lost);
+    gone.plugged = false;
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.link().gone(std::size_t(lost)), kPatience);
+    COMPARE_CONTAINS(two.desk.text("notice-text"), QStringLiteral("the other hand goes on"));
+    QVERIFY(two.holds(there, other, lost == 0 ? 2 * TwoArms::kForce : TwoArms::kForce));
+    QCOMPARE(gone.force.load(), 0.0);
+    QVERIFY(two.program().command("stop").isEnabled());
+    QCOMPARE(two.engine().hands(), std::size_t(2));
+    two.desk.click("stop");
+    QTRY_VERIFY_WITH_TIMEOUT(gone.made == 0, kPatience);
+    QCOMPARE(there.force.load(), 0.0);
+    // The first has a hand always, led by the mouse meanwhile; a second goes.
+    QCOMPARE(two.engine().hands(), std::size_t(lost == 0 ? 2 : 1));
+    QCOMPARE(two.desk.link().current(), lost == 0 ? kSimulatedDevice : kFake);
+    if (lost != 0) return;
+    gone.plugged = true;
+    QVERIFY(two.desk.ready());
+    QCOMPARE(two.engine().hands(), std::size_t(2));
+    QVERIFY(two.press());
+}
+
+void TestHandsTogether::whatIsLostWithoutForceGoesAtOnce() {
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    two.other->plugged = false;
+    QTRY_COMPARE_WITH_TIMEOUT(two.engine().hands(), std::size_t(1), kPatience);
+    COMPARE_CONTAINS(two.desk.text("notice-text"), QStringLiteral("its hand went with it"));
+    QCOMPARE(two.desk.link().current(), kFake);
+    QVERIFY(two.engine().running());
+}
+
+/// Anybody may try it with one device.
+void TestHandsTogether::theSimulatedHandBesideADevice() {
+    TwoArms two(folder_);
+    QVERIFY(two.desk.connectIt());
+    two.desk.chooseRow("Simulated hand");
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.widget("device-add-button").isEnabled(), kPatience);
+    two.desk.click("device-add-button");
+    QCOMPARE(two.engine().hands(), std::size_t(2));
+    QCOMPARE(two.desk.link().simulatedHand().value_or(0), std::size_t(1));
+    two.program().window->view().showStandardView(StandardView::Front);
+    two.program().command("armed").trigger();
+    two.program().press(two.program().centre());
+    QTRY_COMPARE_WITH_TIMEOUT(two.engine().hand(1).touch().output.contacts, 1, kPatience);
+    QCOMPARE(two.engine().hand(0).touch().output.contacts, 0);
+    two.program().release(two.program().centre());
+    // Disconnecting the device leaves one simulated hand, not two.
+    two.program().command("device-disconnect").trigger();
+    QCOMPARE(two.engine().hands(), std::size_t(1));
+    QCOMPARE(two.desk.link().current(), kSimulatedDevice);
+    QVERIFY(two.engine().running());
+}
+
+void TestHandsTogether::whatDoesNotStartLeavesTheFirst() {
+    TwoArms two(folder_);
+    QVERIFY(two.desk.connectIt());
+    two.other->failOpen = true;
+    two.askForOther();
+    QTRY_COMPARE_WITH_TIMEOUT(two.desk.link().preparation().state, Preparation::State::Failed, kPatience);
+    COMPARE_CONTAINS(two.desk.text("notice-text"), QStringLiteral("The arm did not wake"));
+    QCOMPARE(two.engine().hands(), std::size_t(1));
+    QCOMPARE(two.desk.link().current(), kFake);
+    QVERIFY(two.engine().running());
+    two.other->failOpen = false;
+    two.desk.click("device-again");
+    QTRY_COMPARE_WITH_TIMEOUT(two.engine().hands(), std::size_t(2), kPatience);
+}
+
+void TestHandsTogether::bothAreDrawn() {
+    TwoArms two(folder_);
+    QVERIFY(two.desk.connectIt());
+    QVERIFY(!isDrawn(two.program(), 1));
+    const int before = two.program().window->view().actorCount();
+    QVERIFY(two.addOther());
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(two.program(), 1), kPatience);
+    QVERIFY(isDrawn(two.program(), 0));
+    two.program().command("overlay").trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!isDrawn(two.program(), 1), kPatience);
+    two.program().command("overlay").trigger();
+    two.desk.click("hand-1"); // the same colours whoever is chosen
+    two.program().frames(5);
+    QVERIFY(isDrawn(two.program(), 0));
+    QVERIFY(isDrawn(two.program(), 1));
+    two.desk.click("hand-remove-1");
+    QTRY_COMPARE_WITH_TIMEOUT(two.program().window->view().actorCount(), before, kPatience);
+    QVERIFY(!isDrawn(two.program(), 1));
+}
+
+void TestHandsTogether::aRecordingHoldsBoth() {
+    TwoArms two(folder_);
+    QVERIFY(two.bothAreThere());
+    QVERIFY(two.press());
+    auto* saver = two.program().window->findChild<RecordingSaver*>();
+    const RecordingSaver::Taken taken = saver->take(QStringLiteral("a test wanted it"));
+    QVERIFY(taken);
+    QCOMPARE(taken->run.hands(), std::size_t(2));
+    const QString file = folder_.filePath(QStringLiteral("both.tactum-recording"));
+    saver->save(file, taken);
+    QVERIFY(test::waitFor([&] { return !saver->saving() && QFile::exists(file); }));
+    two.desk.click("hand-remove-1"); // what is played does not need it
+    two.program().window->open(file);
+    QTRY_VERIFY_WITH_TIMEOUT(two.desk.widget("playback").isVisible(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(two.program(), 1), kPatience);
+    COMPARE_CONTAINS(two.desk.widget("playback-event").toolTip(), QStringLiteral("those of Example arm"));
+    two.desk.click("playback-back");
+    QTRY_VERIFY_WITH_TIMEOUT(!isDrawn(two.program(), 1), kPatience);
+}
+
+TACTUM_GUI_TEST(TestHandsTogether)
+
+} // namespace test_hands_together
+
+#include "test_hands_together.moc"
