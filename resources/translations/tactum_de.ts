@@ -608,7 +608,7 @@
         </message>
         <message>
             <source>&amp;Copy the measure</source>
-            <translation>Maß &amp;kopieren</translation>
+            <translation>Maß k&amp;opieren</translation>
         </message>
         <message>
             <source>&amp;Cut the model open</source>
@@ -3163,8 +3163,8 @@
             <translation>Gelenkweg</translation>
         </message>
         <message>
-            <source>Ke&amp;pt cameras</source>
-            <translation>Gespeicherte &amp;Kameras</translation>
+            <source>&amp;Kept cameras</source>
+            <translation>&amp;Gespeicherte Kameras</translation>
         </message>
         <message>
             <source>Kee&amp;p as a set...</source>
@@ -5972,8 +5972,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>Design</translation>
         </message>
         <message>
-            <source>There is a camera %1 already; View &gt; Kept cameras &gt; Replace by this view makes it another one.</source>
-            <translation>Es gibt schon eine Kamera %1; Ansicht &gt; Gespeicherte Kameras &gt; Durch diese Ansicht ersetzen macht eine andere daraus.</translation>
+            <source>There is a camera %1 already; View &gt; Camera &gt; Kept cameras &gt; Replace by this view makes it another one.</source>
+            <translation>Es gibt schon eine Kamera %1; Ansicht &gt; Kamera &gt; Gespeicherte Kameras &gt; Durch diese Ansicht ersetzen macht eine andere daraus.</translation>
         </message>
         <message>
             <source>There is a camera %1 already; choose another name.</source>
@@ -6892,8 +6892,8 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
             <translation>gesperrt</translation>
         </message>
         <message>
-            <source>look from a camera that is kept, in the order of View &gt; Kept cameras</source>
-            <translation>durch eine gespeicherte Kamera blicken, in der Reihenfolge von Ansicht &gt; Gespeicherte Kameras</translation>
+            <source>look from a camera that is kept, in the order of View &gt; Camera &gt; Kept cameras</source>
+            <translation>durch eine gespeicherte Kamera blicken, in der Reihenfolge von Ansicht &gt; Kamera &gt; Gespeicherte Kameras</translation>
         </message>
         <message>
             <source>made by the surface, 0 or less is passive</source>

@@ -25,7 +25,7 @@ QKeySequence keyOf(int number) {
 } // namespace
 
 CamerasMenu::CamerasMenu(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
-    auto* menu = bench.window.menuBar()->findChild<QMenu*>(QStringLiteral("View/Ke&pt cameras"));
+    auto* menu = bench.window.menuBar()->findChild<QMenu*>(QStringLiteral("View/&Camera/&Kept cameras"));
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill(*menu); });
     bench.on("camera-keep", this, [this] { keep(); });
     addKeys();
@@ -91,9 +91,10 @@ void CamerasMenu::keep() {
     const QString name = askFor(tr("Keep this view"), nextName(tr("View %1"), taken));
     if (name.isEmpty()) return;
     if (taken.contains(name))
-        return bench_.notice.showNote(tr("There is a camera %1 already; View > Kept cameras > Replace by "
-                                         "this view makes it another one.")
-                                          .arg(name));
+        return bench_.notice.showNote(
+            tr("There is a camera %1 already; View > Camera > Kept cameras > Replace by "
+               "this view makes it another one.")
+                .arg(name));
     put(tr("Keep the view %1").arg(name), name);
 }
 

@@ -257,7 +257,8 @@ void MainWindow::askForFile() {
 }
 
 void MainWindow::savePicture() {
-    const QImage picture = view_->grabWithoutHandles(); // as it is now, however long the person looks for a place
+    const QImage picture =
+        view_->grabWithoutHandles(); // as it is now, however long the person looks for a place
     const QString file = askWhere(this, tr("Save the view"), {{tr("Pictures"), QStringLiteral("png")}},
                                   QStringLiteral("touch.png"));
     if (file.isEmpty()) return;
