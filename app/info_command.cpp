@@ -153,13 +153,16 @@ Json loadedJson(const LoadedScene& loaded) {
               {"parameters", parametersJson(scene.parameters)},
               {"objects", Json::array()},
               {"bodies", Json::array()},
-              {"joints", Json::array()}};
+              {"joints", Json::array()},
+              {"cameras", Json::array()}};
     for (const ObjectDescription& object : scene.objects)
         json["objects"].push_back(objectJson(object));
     for (const BodyDescription& body : scene.bodies)
         json["bodies"].push_back(bodyJson(body));
     for (const JointDescription& joint : scene.joints)
         json["joints"].push_back(jointJson(joint));
+    for (const SavedCamera& camera : loaded.scene.cameras)
+        json["cameras"].push_back({{"name", camera.name}, {"parallel", camera.parallel}});
     json["findings"] = findingsJson(loaded.findings);
     return json;
 }
@@ -257,6 +260,8 @@ void printInfo(const LoadedScene& loaded) {
         printInfo(body);
     for (const JointDescription& joint : scene.joints)
         printInfo(joint);
+    for (const SavedCamera& camera : loaded.scene.cameras)
+        std::cout << "camera " << camera.name << (camera.parallel ? ": parallel\n" : ": perspective\n");
     for (const std::string& line : linesOf(loaded.findings))
         std::cout << line << '\n';
 }

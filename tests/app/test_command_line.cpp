@@ -332,6 +332,21 @@ private slots:
         QCOMPARE(layer["strength"].toObject()["unit"].toString(), QString("m"));
     }
 
+    void infoNamesCameras() {
+        const QString scene =
+            write("cameras.gltf",
+                  R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},
+                {"name":"eye","camera":0,"translation":[0,0,1]}],
+                "cameras":[{"type":"orthographic","orthographic":{"xmag":1,"ymag":1,"znear":0,"zfar":2}}],
+                "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+                "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
+                "max":[0.1,0.1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+                "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAzczMPQAAAAAAAAAAAAAAAM3MzD0AAAAA"}]})");
+        COMPARE_CONTAINS(runTactum({"info", scene}).out, "camera eye: parallel\n");
+        const QJsonObject json = QJsonDocument::fromJson(runTactum({"info", scene, "--json"}).out).object();
+        QCOMPARE(json["cameras"].toArray().at(0).toObject()["name"].toString(), QString("eye"));
+    }
+
     void infoNamesSelectionSets() {
         const QString scene = write(
             "sets.gltf",

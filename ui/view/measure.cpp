@@ -118,11 +118,14 @@ public:
 
     QRectF box(const QFont& font) const {
         if (dots.isEmpty()) return {}; // all of it is behind the eye
-        QRectF all = dots.boundingRect();
+        // A rectangle without an area is no part of another one: each has its rim first.
+        const auto about = [](const QPolygonF& drawn) {
+            return drawn.boundingRect().adjusted(-kMeasureRim, -kMeasureRim, kMeasureRim, kMeasureRim);
+        };
+        QRectF all = about(dots);
         for (const QPolygonF& line : lines)
-            all |= line.boundingRect();
-        all |= arc.boundingRect();
-        all.adjust(-kMeasureRim, -kMeasureRim, kMeasureRim, kMeasureRim);
+            all |= about(line);
+        if (!arc.isEmpty()) all |= about(arc);
         for (const Words& each : words)
             all |= boxOf(each, font);
         return all;

@@ -39,7 +39,8 @@ void SceneView::Impl::pressLeft(QPointF cursor, bool alt) {
     const auto region = std::exchange(regionNext, std::nullopt);
     drag = !region ? ViewDrag::Orbit : region == RegionShape::Box ? ViewDrag::Box : ViewDrag::Lasso;
     lasso = QPolygonF({cursor});
-    if (region || alt || takeHandles(cursor)) return;
+    // A measure begins at what is seen there, also behind a handle.
+    if (region || alt || (tool != ViewTool::Measure && takeHandles(cursor))) return;
     if (brushes()) drag = ViewDrag::Brush;
     if (tool != ViewTool::Touch && tool != ViewTool::Paint) return;
     const auto hit = pick(cursor, ScenePicker::Patience::Wait);

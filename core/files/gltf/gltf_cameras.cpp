@@ -18,6 +18,9 @@ using Affine = Eigen::Affine3d;
 
 /// What other programs draw: parts of the way to what the camera looks at.
 constexpr double kNearest = 1e-3, kFarthestParallel = 10;
+/// Width for height of a parallel one: of a screen, for Blender makes its picture as wide as `xmag` says, and
+/// as high as the picture's own form leaves.
+constexpr double kWide = 16.0 / 9;
 
 double numberOf(const Json* holder, const char* key) {
     return holder ? numberIn(*holder, key).value_or(0) : 0;
@@ -39,6 +42,8 @@ SavedCamera lensOf(const Json& json) {
         camera.angle = numberOf(lens, "yfov");
     camera.near = numberOf(lens, "znear");
     camera.far = numberOf(lens, "zfar");
+    if (camera.far > 0 && camera.far <= camera.near)
+        camera.near = camera.far = 0; // no way to see between them
     return camera;
 }
 
@@ -76,7 +81,7 @@ private:
         PlacedCamera placed{{}, index, camera};
         if (camera >= 0) placed.camera = lensOf((*all)[std::size_t(camera)]);
         SavedCamera& read = placed.camera;
-        read.name = nameOf(node, camera < 0 ? Json() : (*all)[std::size_t(camera)]);
+        read.name = wantedName(node, camera < 0 ? Json() : (*all)[std::size_t(camera)]);
         read.pose = isRoot && !member(node, "matrix")
                         ? rigidOf(source_, model_, index) // to the bit
                         : Pose{Quat(polarDecomposition(here.linear()).rotation).normalized(),
@@ -84,9 +89,10 @@ private:
         const Json* ours = extensionOf(node);
         if (ours) read.pose = exactPose(*ours, read.pose).value_or(read.pose);
         const double ahead = numberOf(ours, "ahead");
-        if (camera < 0 || !isCamera(read))
-            return leaveOut(read.name, "has no lens that anything could be seen by");
+        if (camera < 0) return leaveOut(read.name, "is none of the cameras of the file");
+        if (!isCamera(read)) return leaveOut(read.name, "has no lens that anything could be seen by");
         if (placed_.size() >= kMaxCameras) return leaveOut(read.name, "is one more than there can be");
+        read.name = freeName(read.name);
         read.ahead = ahead;
         if (isAsItSuits(read)) read.near = read.far = 0;
         placed_.push_back(std::move(placed));
@@ -97,12 +103,16 @@ private:
                              "left out; give it another one where it comes from, and export it again"});
     }
 
-    std::string nameOf(const Json& node, const Json& camera) {
+    static std::string wantedName(const Json& node, const Json& camera) {
         std::string wanted;
         for (const Json* each : {&node, &camera})
             if (const Json* name = member(*each, "name"); name && name->is_string() && wanted.empty())
                 wanted = printable(name->get<std::string>(), kLongestName);
-        if (wanted.empty()) wanted = "camera";
+        return wanted.empty() ? "camera" : wanted;
+    }
+
+    /// Of those that are kept, which are few: looking for one takes a step for each that has the same.
+    std::string freeName(const std::string& wanted) {
         std::string name = wanted;
         for (int i = 2; !taken_.insert(name).second; ++i)
             name = wanted + " " + std::to_string(i);
@@ -134,6 +144,7 @@ Json cameraJson(const SavedCamera& camera) {
     json.erase(lensOf(!camera.parallel));
     Json& lens = json[lensOf(camera.parallel)];
     if (!lens.is_object()) lens = Json::object();
+    if (numberIn(lens, "aspectRatio").value_or(1) <= 0) lens.erase("aspectRatio");
     const bool nearest = camera.near > 0 || (camera.parallel && camera.far > 0); // 0 is one of a parallel one
     lens["znear"] = nearest ? camera.near : kNearest * camera.ahead;
     if (!camera.parallel) {
@@ -143,9 +154,9 @@ Json cameraJson(const SavedCamera& camera) {
         return json;
     }
     const double before = numberOf(&lens, "ymag");
-    const double wide = before > 0 ? numberIn(lens, "xmag").value_or(before) / before : 1;
+    const double wide = before > 0 ? numberIn(lens, "xmag").value_or(before) / before : kWide;
     lens["ymag"] = 0.5 * camera.height;
-    lens["xmag"] = 0.5 * camera.height * (wide > 0 && std::isfinite(wide) ? wide : 1);
+    lens["xmag"] = 0.5 * camera.height * (wide > 0 && std::isfinite(wide) ? wide : kWide);
     lens["zfar"] = camera.far > 0 ? camera.far : kFarthestParallel * camera.ahead;
     return json;
 }

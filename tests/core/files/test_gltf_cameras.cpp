@@ -131,7 +131,7 @@ private slots:
         QCOMPARE_GT(lens["perspective"]["znear"].get<double>(), 0);
         QCOMPARE_EQ(plan["type"], "orthographic");
         COMPARE_NEAR(plan["orthographic"]["ymag"].get<double>(), 0.5 * 0.6180339887, 1e-15, "m");
-        QCOMPARE_GT(plan["orthographic"]["xmag"].get<double>(), 0);
+        COMPARE_NEAR(plan["orthographic"]["xmag"].get<double>(), 0.5 * 0.6180339887 * 16 / 9, 1e-15, "m");
         QCOMPARE_GT(plan["orthographic"]["zfar"].get<double>(), plan["orthographic"]["znear"].get<double>());
         const Json& shown = json["scenes"][0]["nodes"];
         for (const int node : {1, 2})
@@ -252,6 +252,21 @@ private slots:
             const auto loaded = folder_.load("scene.gltf", json.dump());
             if (loaded) QVERIFY(glbOf(loaded->scene)); // else refused: as good
         }
+    }
+
+    void planesThatSeeNothingAreAsItSuits() {
+        Json json = Json::parse(
+            theirs(R"({"type":"perspective","perspective":{"yfov":1,"znear":5,"zfar":1,"aspectRatio":-1}})"));
+        json.erase("animations");
+        const auto loaded = folder_.load("scene.gltf", json.dump());
+        VERIFY_RESULT(loaded);
+        const auto blind = std::ranges::find(loaded->scene.cameras, "blind", &SavedCamera::name);
+        QVERIFY(blind != loaded->scene.cameras.end());
+        QCOMPARE_EQ(blind->near, 0.0);
+        QCOMPARE_EQ(blind->far, 0.0);
+        const Json written = jsonOf(saved(loaded->scene));
+        for (const Json& each : written["cameras"])
+            if (each["type"] == "perspective") QCOMPARE_GT(each["perspective"].value("aspectRatio", 1.0), 0);
     }
 
     void notMoreThanCanBeAreRead() {

@@ -120,6 +120,17 @@ private slots:
         QVERIFY(drawn({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}) != drawn({{0, 0, 0}, {0.1, 0, 0}}));
         QCOMPARE(drawn({{0, 0, 9}, {0, 0.1, 9}}), nothing); // behind the eye
     }
+
+    /// Also while the cursor is off the model, and there is no next one.
+    void theFirstPointIsDrawnWhereItIs() {
+        QImage picture(800, 600, QImage::Format_ARGB32_Premultiplied);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        const std::vector<Vec3> points{{0.05, 0.02, 0}};
+        drawMeasure(painter, points, {}, camera(), kDarkTheme);
+        painter.end();
+        QCOMPARE(picture.pixelColor(camera().project(points[0])->toPoint()), kDarkTheme.accent);
+    }
 };
 
 TACTUM_GUI_TEST(TestMeasure)

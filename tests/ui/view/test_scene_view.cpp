@@ -520,7 +520,7 @@ private slots:
         const Vec3 finger(0, 0, 0.045), proxy(0, 0, 0.051), force(0, 0, 4);
         const Vec3 little = 0.04 * shown.camera().pixelSize(proxy) * Vec3::UnitX();
         shown.touch(finger, proxy, force);
-        QTest::qWait(600); // a picture that rests is drawn once more, smoothly
+        QVERIFY(test::waitFor([&] { return shown.view.rests(); })); // it is drawn once more, smoothly
         PaintCount count(shown.view);
         for (int i = 0; i < 20; ++i) {
             shown.touch(finger + (i % 2) * little, proxy - (i % 2) * little,
