@@ -45,7 +45,8 @@ class TestCameras : public QObject {
     }
     /// Through the menu, by clicks.
     static void choose(TouchedWindow& program, std::initializer_list<const char*> path) {
-        auto* menu = program.window->menuBar()->findChild<QMenu*>(QStringLiteral("View/&Camera/&Kept cameras"));
+        auto* menu =
+            program.window->menuBar()->findChild<QMenu*>(QStringLiteral("View/&Camera/&Kept cameras"));
         menu->popup(program.window->mapToGlobal(QPoint(20, 20)));
         for (const char* words : path) {
             QAction* found = nullptr;
