@@ -87,8 +87,10 @@ void HandTool::next() {
     if (part_ == Part::Near) {
         begin(Part::Down, kPressTime);
         lead(deep_, kPressTime);
-    } else if (part_ == Part::Down || part_ == Part::Lift) {
-        begin(part_ == Part::Down && grip_ == Grip::None ? Part::Done : Part::None, 0);
+    } else if (part_ == Part::Lift) {
+        begin(Part::Up, 0);
+    } else if (part_ == Part::Down) {
+        begin(grip_ == Grip::None ? Part::Done : Part::None, 0);
     } else {
         const double slow = MinimumJerk::kPeakSpeed * (near_ - goal_).norm() / (kApproachSpeed * sceneSize_);
         begin(Part::Near, std::clamp(slow, kShortestApproach, kLongestApproach));
@@ -135,7 +137,10 @@ void HandTool::push(double notches, const ViewCamera& camera) {
 
 /// Away from the eye by metres; a stroke goes on at the new depth.
 void HandTool::shift(double metres, const ViewCamera& camera) {
-    if (grip_ != Grip::Stroke) return lead(goal_ + metres * (goal_ - camera.eye()).normalized());
+    if (grip_ != Grip::Stroke) {
+        if (part_ == Part::Up) part_ = Part::None;
+        return lead(goal_ + metres * (goal_ - camera.eye()).normalized());
+    }
     pressDepth_ += metres;
     deep_ += metres * away_;
     if (part_ == Part::Down)
@@ -151,7 +156,7 @@ void HandTool::nudge(const Vec3& steps, const ViewCamera& camera) {
 }
 
 bool HandTool::advance(double seconds) {
-    if (part_ == Part::None || part_ == Part::Done) return false;
+    if (!moves() || part_ == Part::Done) return false;
     if (part_ != Part::Way) {
         partTime_ += seconds;
         if (partTime_ >= partDuration_) next();

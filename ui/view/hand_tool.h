@@ -39,7 +39,7 @@ public:
     Grip grip() const { return grip_; }
     /// Whether a press has not come all the way yet.
     bool gliding() const { return part_ == Part::Way || part_ == Part::Near || part_ == Part::Down; }
-    bool moves() const { return part_ != Part::None; }
+    bool moves() const { return part_ != Part::None && part_ != Part::Up; }
 
     void setGoal(const Vec3& p_W);
     /// Diagonal of the scene: presses, wheel notches and key steps are parts of it.
@@ -59,6 +59,9 @@ public:
     /// Whether nobody holds a hand that may be down: lift() is due.
     bool isDone() const { return part_ == Part::Done; }
     void lift(const Vec3& to_W);
+    /// Whether it has lifted off and nobody has led it since: from what comes back against it, a key on its
+    /// spring, it lifts off once more.
+    bool isUp() const { return part_ == Part::Up; }
     /// Where the last stroke is off the surface; empty when the last hold was none or has left the model.
     const std::optional<Vec3>& offSurface() const { return off_; }
 
@@ -73,7 +76,7 @@ public:
     bool advance(double seconds);
 
 private:
-    enum class Part { None, Way, Near, Down, Done, Lift };
+    enum class Part { None, Way, Near, Down, Done, Lift, Up };
 
     void setPlaces(const Vec3& touched_W, const ViewCamera& camera);
     void begin(Part part, double duration);

@@ -239,8 +239,12 @@ void SceneView::setHaptics(const ProxyTelemetry& proxy, const ServoTelemetry& se
     impl_->picker.put(places);
     // Against what is shown, so that slow motion adds up until it is seen.
     const double unseen = kUnseenPixels * impl_->camera.pixelSize(next.proxy);
-    if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) return fadeOn();
+    if (!moved && impl_->touch && impl_->touch->looksLike(next, unseen)) {
+        impl_->liftAgain();
+        return fadeOn();
+    }
     impl_->touch = next;
+    impl_->liftAgain();
     impl_->overlay.setVisible(impl_->showsTouch());
     changed();
 }

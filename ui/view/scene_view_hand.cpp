@@ -71,6 +71,16 @@ void SceneView::Impl::liftHand() {
     goalMoved();
 }
 
+/// What gave way has come back against a hand that had lifted off.
+void SceneView::Impl::liftAgain() {
+    const TouchState* led = ledTouch();
+    if (!hand.isUp() || !led || led->contacts == 0) return;
+    const Vec3 place = clearPlace();
+    if (place == hand.goal()) return; // there is no room
+    hand.lift(place);
+    goalMoved();
+}
+
 /// A place near the finger where nothing pushes it: over the contact; where there is no room, or no contact,
 /// where the stroke came from, which the eye saw; and without either at the proxy, which is outside of
 /// everything.

@@ -53,6 +53,7 @@ struct SceneView::Impl {
     bool takesFinger(QPointF cursor, const std::optional<PickHit>& hit) const;
     void leaveHand(bool givenUp);
     void liftHand();
+    void liftAgain();
     Vec3 clearPlace() const;
     bool isSeen(const Vec3& p_W) const;
     std::optional<PickHit> pick(QPointF cursor, ScenePicker::Patience patience) const;

@@ -68,6 +68,25 @@ private slots:
         COMPARE_NEAR(moved, pixel * Vec3(60, 30, 0), 1e-12, "m");
     }
 
+    /// Until somebody leads it: then it stays where it was led to, also inside of something.
+    void whatHasLiftedOffIsUp() {
+        const auto lifted = [] {
+            Desk desk;
+            desk.hand.lift({0, 0, 0.1});
+            while (desk.hand.moves())
+                desk.hand.advance(0.05);
+            return desk;
+        };
+        QVERIFY(lifted().hand.isUp());
+        Desk wheeled = lifted(), nudged = lifted(), put = lifted(), held = lifted();
+        wheeled.hand.push(1, wheeled.camera);
+        nudged.hand.nudge({1, 0, 0}, nudged.camera);
+        put.hand.setGoal({0, 0, 0});
+        held.hand.beginMove(Grip::Drag, {100, 100});
+        for (const Desk* desk : {&wheeled, &nudged, &put, &held})
+            QVERIFY(!desk->hand.isUp());
+    }
+
     void dragAlongTheViewChangesOnlyDepth() {
         Desk desk;
         desk.hand.setGoal({0, 0, 0.1});
