@@ -216,7 +216,9 @@ private slots:
         program.command("motion-reset").trigger();
         auto* plot = program.window->findChild<ForcePlot*>();
         auto* angle = plot->findChild<QToolButton*>(QStringLiteral("plot-joint-angle"));
-        QVERIFY(angle && angle->isVisibleTo(plot));
+        QVERIFY(angle);
+        // A row of tools is laid out when there is time.
+        QVERIFY(test::waitFor([&] { return angle->isVisibleTo(plot); }));
         QVERIFY(!plot->findChild<QToolButton*>(QStringLiteral("plot-joint-way"))->isVisibleTo(plot));
         QTest::mouseClick(angle, Qt::LeftButton);
         QTest::mouseClick(plot->findChild<QToolButton*>(QStringLiteral("plot-body-energy")), Qt::LeftButton);
@@ -233,7 +235,7 @@ private slots:
         COMPARE_NEAR(now.kinetic + now.potential, 0, 1e-9, "J");
         choose(program, QStringLiteral("base"));
         program.frames(5);
-        QVERIFY(!angle->isVisibleTo(plot));
+        QVERIFY(test::waitFor([&] { return !angle->isVisibleTo(plot); }));
     }
 
     // What fell, and falls no more, is where it was; nor is a thing of the next scene where one of its number
