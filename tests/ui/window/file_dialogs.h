@@ -1,9 +1,10 @@
-// Answers to dialogs that ask for a file.
+// Answers to dialogs that ask for a file or a text.
 #pragma once
 
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QTimer>
 
@@ -19,6 +20,19 @@ inline void answerFileDialog(const QString& file, QString* offered = nullptr) {
         if (offered) *offered = dialog->directory().path();
         dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
         QMetaObject::invokeMethod(dialog, "accept");
+        timer->deleteLater();
+    });
+    timer->start(20);
+}
+
+/// Types into the next dialog that asks for a text.
+inline void answerTextDialog(const QString& text) {
+    auto* timer = new QTimer;
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
+        auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+        if (!dialog) return;
+        dialog->setTextValue(text);
+        dialog->accept();
         timer->deleteLater();
     });
     timer->start(20);

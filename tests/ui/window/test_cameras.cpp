@@ -1,7 +1,6 @@
 // Cameras that are kept with the scene, as a person keeps, chooses and changes them.
 #include <QAction>
 #include <QApplication>
-#include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
@@ -10,6 +9,7 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 
@@ -22,20 +22,8 @@ class TestCameras : public QObject {
 
     QTemporaryDir folder_;
 
-    /// The next dialog that asks for a name gets this one.
-    static void answerWith(const QString& text) {
-        auto* timer = new QTimer;
-        QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
-            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
-            dialog->setTextValue(text);
-            dialog->accept();
-            timer->deleteLater();
-        });
-        timer->start(20);
-    }
     static void keepAs(TouchedWindow& program, const QString& name) {
-        answerWith(name);
+        answerTextDialog(name);
         program.command("camera-keep").trigger();
     }
     static QString withoutLetter(QString text) {
@@ -130,7 +118,7 @@ void TestCameras::eachEditIsOneStep() {
     choose(program, {"Replace by this view", "first"});
     QVERIFY(cameras(program) != kept.cameras);
     QCOMPARE(history.count(), 2);
-    answerWith(QStringLiteral("second"));
+    answerTextDialog(QStringLiteral("second"));
     choose(program, {"Rename the camera", "first"});
     QTRY_COMPARE_WITH_TIMEOUT(cameras(program)[0].name, std::string("second"), kPatience);
     QCOMPARE(history.count(), 3);

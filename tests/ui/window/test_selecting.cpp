@@ -2,7 +2,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -15,6 +14,7 @@
 #include "core/scene/selection_sets.h"
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
+#include "tests/ui/window/file_dialogs.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/view/scene_view.h"
 #include "ui/widgets/notice_bar.h"
@@ -46,20 +46,8 @@ class TestSelecting : public QObject {
         click(program);
         return faces(program).size() == 1;
     }
-    /// Types into the next dialog that asks for a text.
-    static void answerWith(const QString& text) {
-        auto* timer = new QTimer;
-        QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
-            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-            if (!dialog) return;
-            dialog->setTextValue(text);
-            dialog->accept();
-            timer->deleteLater();
-        });
-        timer->start(20);
-    }
     static void keepAs(TouchedWindow& program, const QString& name) {
-        answerWith(name);
+        answerTextDialog(name);
         command(program, "set-keep").trigger();
     }
     /// Through the menu behind the button in the row, by clicks.
@@ -526,7 +514,7 @@ void TestSelecting::aSetIsChangedByItsMenu() {
     QCOMPARE(rim("rim"), (TriangleSet{1, 4, 7}));
     chooseSet(program, {"Replace by the selection", "rim"});
     QCOMPARE(rim("rim"), TriangleSet{7});
-    answerWith(QStringLiteral("edge"));
+    answerTextDialog(QStringLiteral("edge"));
     chooseSet(program, {"Rename the set", "rim"});
     QCOMPARE(rim("edge"), TriangleSet{7});
     keepAs(program, QStringLiteral("edge")); // there already: said, and left
