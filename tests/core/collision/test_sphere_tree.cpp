@@ -40,12 +40,14 @@ bool hasPart(const SphereTree::Leaf& leaf, Index triangle, const Vec3& p) {
 }
 
 // Whether a descent toward a point of a triangle ends at that triangle.
-bool reaches(const SphereTree& tree, std::int32_t index, const Vec3& p, Index triangle) {
-    if (index < 0) return hasPart(tree.leaves()[std::size_t(~index)], triangle, p);
-    const SphereTree::Node& node = tree.nodes()[std::size_t(index)];
-    for (int i = 0; i < SphereTree::kWidth; ++i)
-        if (node.radius[i] >= 0 && holds(node, i, p) && reaches(tree, node.child[i], p, triangle))
+bool reaches(const SphereTree& tree, const SphereTree::Node& node, const Vec3& p, Index triangle) {
+    for (int i = 0; i < SphereTree::kWidth; ++i) {
+        if (node.radius[i] < 0 || !holds(node, i, p)) continue;
+        const std::int32_t child = node.child[i];
+        if (child < 0 ? hasPart(tree.leaves()[std::size_t(~child)], triangle, p)
+                      : reaches(tree, tree.nodes()[std::size_t(child)], p, triangle))
             return true;
+    }
     return false;
 }
 
@@ -168,6 +170,7 @@ private slots:
     void aShortPathPastSomethingThinTouchesIt();
     void sweepIsSafeFarFromTheOrigin();
     void farFromTheOriginItPrunesAsWell();
+    void whatReachesIntoABallIsGathered();
     void whatIsRememberedChangesNothing();
     void whatIsBeyondReachIsNeverTouched();
     void depthIsBounded();
@@ -199,7 +202,8 @@ void SphereTreeTest::nodesContainAllThatIsBelow() {
             for (int v = 0; v <= grid; ++v)
                 for (int w = 0; w <= grid - v; ++w) {
                     const Vec3 p = t.a + (double(v) / grid) * (t.b - t.a) + (double(w) / grid) * (t.c - t.a);
-                    QVERIFY2(reaches(tree, 0, p - tree.origin(), Index(i)), qPrintable(name));
+                    QVERIFY2(reaches(tree, tree.nodes().front(), p - tree.origin(), Index(i)),
+                             qPrintable(name));
                 }
         }
     }
@@ -262,6 +266,36 @@ void SphereTreeTest::farFromTheOriginItPrunesAsWell() {
         }
         QVERIFY2(std::abs(there - here) <= here / 100, qPrintable(QString("%1, %2").arg(here).arg(there)));
     }
+}
+
+// Each triangle whose nearest point lies in the ball can be come to, there, from what was gathered. Wrong
+// would be a test whose balls hold nothing, or everything: both are counted.
+void SphereTreeTest::whatReachesIntoABallIsGathered() {
+    Rng rng(19);
+    int within = 0, outside = 0;
+    for (const auto& [name, soup] : manySoups()) {
+        const SphereTree tree(*soup);
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 p = randomPath(rng, *soup, 0).from;
+            const double radius = std::pow(10, uniform(rng, -3, -0.5));
+            Neighbourhood near;
+            tree.gather(p, radius, near);
+            for (Index k = 0; k < soup->triangles.size(); ++k) {
+                const Vec3 nearest = closestPoint(triangleOf(*soup, k), p).point;
+                if ((nearest - p).norm() > radius) {
+                    ++outside;
+                    continue;
+                }
+                ++within;
+                const auto leads = [&](const SphereTree::Node& block) {
+                    return reaches(tree, block, nearest - tree.origin(), k);
+                };
+                QVERIFY2(std::any_of(near.block.begin(), near.block.begin() + near.blocks, leads),
+                         qPrintable(QString("%1, ball %2, triangle %3").arg(name).arg(i).arg(k)));
+            }
+        }
+    }
+    QVERIFY2(within > 5000 && outside > 5000, qPrintable(QString("%1, %2").arg(within).arg(outside)));
 }
 
 // A walk of short and long paths, as a proxy makes them: swept from what is remembered of the surroundings
