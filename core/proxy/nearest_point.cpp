@@ -217,13 +217,13 @@ NearestPoint nearestPoint(const Vec3& u, std::span<const ConstraintPlane> planes
 }
 
 NearestPoint nearestReachable(const Vec3& u, std::span<ConstraintPlane> planes) noexcept {
-    const NearestPoint nearest = nearestPoint(u, planes);
+    NearestPoint nearest = nearestPoint(u, planes);
     if (nearest.feasible) return nearest;
     for (ConstraintPlane& plane : planes)
         plane.offset = std::min(plane.offset, 0.0);
-    NearestPoint relaxed = nearestPoint(u, planes);
-    relaxed.feasible = false;
-    return relaxed;
+    nearest = nearestPoint(u, planes);
+    nearest.feasible = false;
+    return nearest;
 }
 
 } // namespace tactum

@@ -51,6 +51,8 @@ struct StraddledBody {
 };
 
 inline constexpr std::uint32_t kNoBody = ~std::uint32_t(0);
+/// Equal to no place.
+inline const Vec3 kNowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// At most so many bodies pass over the proxy at once; one more stays in its way.
 inline constexpr int kMaxPassed = 64;
@@ -72,6 +74,9 @@ struct ProxyState {
     int stillFor = 0;
     /// The body that the proxy last slid on: a contact that it meets next slips.
     std::uint32_t slidingOn = kNoBody;
+    /// Where the contacts' planes were last seen from, world frame: from there they are what they are.
+    /// Nowhere where that is not known, which costs a look and changes nothing.
+    Vec3 seenFrom = kNowhere;
     /// Of the obstacles, each at its number modulo the size.
     std::array<SweepMemory, 4> memories{};
     std::array<PassedBody, kMaxPassed> passed{};
@@ -98,9 +103,10 @@ void restart(ProxyState& state, const Vec3& finger_W) noexcept;
 /// carried the proxy, where it came out of a squeeze, and on shaded or textured surfaces. `contacts` holds
 /// what is touched. `movers`: what the obstacles' `mover` names, how each of them moved in this step.
 /// `mostRounds` end the step, at most kMaxRounds: the next one goes on from there. `near`: of these
-/// obstacles, where they are many; without it each is looked at. Thread: real time; at most as many sweeps of
-/// each obstacle, and before them, where `movers` move, those of carry(). With every move one nearestOn() of
-/// each body in reach that is felt from one side alone.
+/// obstacles, where they are many; without it each is looked at. Obstacles at rest and the radius are as in
+/// the step before, or the proxy was restarted. Thread: real time; at most as many sweeps of each obstacle,
+/// and before them, where `movers` move, those of carry(). With every move one nearestOn() of each body in
+/// reach that is felt from one side alone.
 ProxyReport moveAndUpdate(ProxyState& state, std::span<const Obstacle> obstacles, double radius,
                           const Vec3& finger_W, double dt, const StepMotions& movers = {},
                           int mostRounds = kMaxRounds, const NearBodies* near = nullptr) noexcept;

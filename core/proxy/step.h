@@ -61,7 +61,7 @@ private:
     Vec3 unconstrainedByFriction() noexcept;
     NearestPoint updatePlain() noexcept;
     void countStillSteps() noexcept;
-    bool refreshContacts() noexcept;
+    bool refreshContacts(bool known = false) noexcept;
     void forgetInactive() noexcept;
     void finish() noexcept;
 

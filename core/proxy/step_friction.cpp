@@ -24,11 +24,12 @@ double Step::frictionAllows(const Vec3& way, double excess) noexcept {
     if (isHeld(pushing, way, excess)) return 0;
     const double speed = fingerVelocity_.dot(way);
     double slide = excess;
-    for (std::size_t i = 0; i < pushing.size(); ++i) {
+    for (std::size_t i = 0; i < contacts().size(); ++i) {
         Contact& contact = contacts()[i];
         if (contact.lambda <= 0) continue;
         contact.slipping = true;
         state_.slidingOn = contact.body;
+        if (pushing.size() == 0) continue; // nothing rubs
         const FrictionLimit limit = frictionLimit(contact.material, true);
         const double depth = depthOnSlope(pushing.all(), i, limit.coefficient, way);
         slide = std::min(slide, allowedSlide(limit, excess, depth, speed, timeLeft_));
@@ -47,9 +48,10 @@ bool Step::isHeld(const Pushes& pushing, const Vec3& way, double excess) noexcep
     return held;
 }
 
-// All contacts, in their order.
+// All contacts, in their order; none where nothing rubs.
 Step::Pushes Step::pushes() noexcept {
     Pushes all;
+    if (!rubs()) return all;
     for (const Contact& contact : contacts())
         all.push({contact.normal, contact.lambda, feltAlone(contact)});
     return all;

@@ -24,7 +24,8 @@ ProxyReport Step::run() noexcept {
     ProxyReport report;
     keepAsNearest((finger_ - state_.position).norm());
     countStillSteps();
-    refreshContacts();
+    // Mostly a step begins where the last one ended.
+    refreshContacts(state_.seenFrom == state_.position && movers_.empty());
     report.boundHit = true;
     for (rounds_ = 1; rounds_ <= mostRounds_; ++rounds_) {
         if (round())
@@ -223,22 +224,25 @@ void Step::countStillSteps() noexcept {
     state_.stillFor = still ? std::min(state_.stillFor + 1, 1 << 20) : 0;
 }
 
-// Recomputes every plane, drops what is no longer touched; says whether any plane turned or went.
-bool Step::refreshContacts() noexcept {
+// Recomputes every plane, unless all are known for this place, and drops what is no longer touched; says
+// whether any plane turned or went.
+bool Step::refreshContacts(bool known) noexcept {
+    state_.seenFrom = state_.position;
     bool changed = false;
     int kept = 0;
-    for (Contact contact : contacts()) {
+    for (Contact& contact : contacts()) {
         const Vec3 before = contact.normal;
         const bool wasBent = contact.bend > 0;
-        locate(contact);
+        if (!known) locate(contact);
         const bool turned = (contact.normal - before).squaredNorm() > kSamePlane * kSamePlane;
         // What still pushed and is only just left is come back to: rolling, or a move that was cut short.
         const double keep = contact.lambda > 0 && (wasBent || !turned) ? kHover : kKeep * kSkin;
         changed = changed || turned;
-        if (contact.gap <= keep * radius_ && isStillFelt(contact))
-            state_.contacts[kept++] = contact;
-        else
+        if (contact.gap <= keep * radius_ && isStillFelt(contact)) {
+            if (Contact& place = state_.contacts[std::size_t(kept++)]; &place != &contact) place = contact;
+        } else {
             changed = true;
+        }
     }
     state_.contactCount = kept;
     return changed;

@@ -99,7 +99,7 @@ static_assert(sizeof(ForceGate) == 48 && sizeof(ContactTransition) == 416 && siz
 static_assert(sizeof(OscillationDetector) == 192 && sizeof(MotorHeat) == 24 && sizeof(SampleCheck) == 672);
 static_assert(sizeof(LoopFigures) == 72 && sizeof(DeviceSample) == 64 && sizeof(ServoState) == 2448);
 static_assert(sizeof(LocalContactModel) == 288 && sizeof(Contact) == 152);
-static_assert(sizeof(ProxyState) == 7424 + sizeof(ProxyState::memories));
+static_assert(sizeof(ProxyState) == 7488 + sizeof(ProxyState::memories));
 static_assert(sizeof(BodiesState) == 16 * kMaxCoordinates + 16 && sizeof(FingerPress) == 72);
 static_assert(sizeof(HandState) == 384 + sizeof(ProxyState));
 static_assert(sizeof(WorldState) == 8 + sizeof(BodiesState));
@@ -118,6 +118,12 @@ bool readState(std::span<const std::byte> bytes, State& state, NotFinite rule) n
     return reader.complete();
 }
 
+// What a proxy remembers only makes it faster.
+void forgetSeen(ProxyState& proxy) noexcept {
+    proxy.memories = {};
+    proxy.seenFrom = kNowhere;
+}
+
 bool exists(const World& world, std::uint32_t body, Index triangle) noexcept {
     return body < world.obstacles.size() && triangle < world.obstacles[body].mesh->soup->triangles.size();
 }
@@ -134,11 +140,11 @@ void write(const ServoState& state, ServoStateBytes& to) noexcept {
     writeState(state, to);
 }
 bool read(std::span<const std::byte> bytes, SimState& state) noexcept {
-    state.proxy.memories = {};
+    forgetSeen(state.proxy);
     return readState(bytes, state, NotFinite::Refused);
 }
 bool read(std::span<const std::byte> bytes, HandState& state) noexcept {
-    state.proxy.memories = {};
+    forgetSeen(state.proxy);
     return readState(bytes, state, NotFinite::Refused);
 }
 bool read(std::span<const std::byte> bytes, ServoState& state) noexcept {

@@ -77,6 +77,7 @@ private slots:
     void neverLocksUp();
     void farFromTheOriginItComesToRest();
     void givesTheSameBits();
+    void whatItKnowsOfContactsIsWhatItWouldSee();
     void doesNotDependOnScale();
     void frictionKeepsOutsideToo();
 };
@@ -166,6 +167,34 @@ void ProxyPropertiesTest::givesTheSameBits() {
             QCOMPARE(first.state.contactCount, second.state.contactCount);
         }
     }
+}
+
+// Wrong would be a test in which the first one never begins where it ended: it would look each time as well.
+void ProxyPropertiesTest::whatItKnowsOfContactsIsWhatItWouldSee() {
+    int known = 0;
+    for (const auto& [name, soup] : manySoups())
+        for (const Material& material : {frictionless(), rough(0.4, 0.3, 0)}) {
+            ProxyRig knowing(soup, kRadius, material), looking(soup, kRadius, material);
+            Wanderer hand(78, 0.012);
+            knowing.startAt(hand.start());
+            looking.startAt(hand.start());
+            for (int i = 0; i < 2000; ++i) {
+                const Vec3 finger = hand.next();
+                known += knowing.state.contactCount > 0 && knowing.state.seenFrom == knowing.position();
+                looking.state.seenFrom = kNowhere;
+                knowing.step(finger);
+                looking.step(finger);
+                QVERIFY2(knowing.position() == looking.position(), qPrintable(name));
+                QCOMPARE(knowing.state.contactCount, looking.state.contactCount);
+                for (int k = 0; k < knowing.state.contactCount; ++k) {
+                    const Contact &a = knowing.state.contacts[std::size_t(k)],
+                                  &b = looking.state.contacts[std::size_t(k)];
+                    QVERIFY2(a.normal == b.normal && a.gap == b.gap && a.lambda == b.lambda,
+                             qPrintable(name));
+                }
+            }
+        }
+    QVERIFY2(known > 10000, qPrintable(QString::number(known)));
 }
 
 // A thousand times smaller or larger, the radius too: the path scales, there is no hidden length.
