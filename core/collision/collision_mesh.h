@@ -1,4 +1,4 @@
-// What the haptic loop needs of one object's geometry: its triangles in tree order and the sphere tree.
+// What the haptic loop needs of one object's geometry: its triangles and the sphere tree over them.
 #pragma once
 
 #include <memory>
