@@ -1,10 +1,12 @@
-// The haptic server, which `tactum serve` becomes: a device and a scene for programs elsewhere, without a
+// The haptic server, which `tactum serve` becomes: devices and a scene for programs elsewhere, without a
 // window.
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -25,10 +27,12 @@ namespace tactum {
 namespace {
 
 constexpr const char* kListen = "127.0.0.1:51270";
+constexpr const char* kSimulated = "simulated";
 
 struct Options {
     std::filesystem::path scene, credentials;
-    std::string listen = kListen, device = "simulated";
+    std::string listen = kListen;
+    std::vector<std::string> devices{kSimulated};
     std::optional<std::vector<std::string>> certificate;
     double outsideForce = 1; ///< N
     bool untilInputEnds = false;
@@ -84,6 +88,28 @@ std::filesystem::path tactum() {
     return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "tactum";
 }
 
+struct MadeHand {
+    std::unique_ptr<HapticDevice> device;
+    std::shared_ptr<HandTarget> lead; ///< null: it leads itself
+};
+
+/// Each simulated one has a lead of its own.
+Result<std::vector<MadeHand>> handsOf(const std::vector<std::string>& devices) {
+    std::vector<MadeHand> hands;
+    for (const std::string& id : devices) {
+        const bool simulated = id == kSimulated;
+        if (!simulated && std::ranges::count(devices, id) > 1)
+            return inputError("the device " + inQuotes(id) +
+                              " is named twice: each hand has a device of its own");
+        const auto lead = std::make_shared<HandTarget>();
+        auto device =
+            DeviceRegistry({.hand = lead, .profiles = personsProfiles(), .program = tactum()}).make(id);
+        if (!device) return tl::unexpected(device.error());
+        hands.push_back({std::move(*device), simulated ? lead : nullptr});
+    }
+    return hands;
+}
+
 /// Whoever has started it is gone then, however that ended.
 void endWithInput() {
     char some[256];
@@ -104,11 +130,12 @@ Result<int> serve(const Options& options) {
     if (!settings) return tl::unexpected(settings.error());
     auto scene = sceneOf(options.scene);
     if (!scene) return tl::unexpected(scene.error());
-    const auto hand = std::make_shared<HandTarget>();
-    DeviceRegistry devices({.hand = hand, .profiles = personsProfiles(), .program = tactum()});
-    auto device = devices.make(options.device);
-    if (!device) return tl::unexpected(device.error());
-    Stage stage(std::move(*device), options.device == "simulated" ? hand : nullptr, std::move(*scene));
+    auto hands = handsOf(options.devices);
+    if (!hands) return tl::unexpected(hands.error());
+    Stage stage(std::move(hands->front().device), hands->front().lead, std::move(*scene));
+    for (std::size_t i = 1; i < hands->size(); ++i)
+        if (auto added = stage.addHand(std::move((*hands)[i].device), (*hands)[i].lead); !added)
+            return tl::unexpected(added.error());
     if (auto started = stage.start(); !started) return tl::unexpected(started.error());
     const std::string host =
         settings->host.find(':') == std::string::npos ? settings->host : '[' + settings->host + ']';
@@ -138,9 +165,12 @@ void addOptions(CLI::App& program, Options& options) {
             "can reach it, it needs a certificate and a token")
         ->type_name("HOST:PORT");
     program
-        .add_option("--device", options.device,
-                    "A name that tactum devices lists; the simulated hand unless said otherwise")
-        ->type_name("NAME");
+        .add_option("--device", options.devices,
+                    "A name that tactum devices lists; the simulated hand unless said otherwise. Again for "
+                    "each further hand")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
     program
         .add_option("--credentials", options.credentials, "The folder of certificate.pem, key.pem and token")
         ->type_name("FOLDER");

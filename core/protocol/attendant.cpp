@@ -40,7 +40,9 @@ void Attendant::begin() {
     v1::Welcome& to = *news_.mutable_welcome();
     to.set_key(welcome->key);
     to.set_server(service_.settings().name);
-    tactum::write(*to.mutable_device(), service_.stage().device());
+    const auto& devices = service_.stage().devices();
+    for (std::size_t hand = 0; hand < devices.size(); ++hand)
+        tactum::write(hand == 0 ? *to.mutable_device() : *to.add_other(), devices[hand]);
     to.set_revision(service_.stage().scenery().revision);
     to.set_pen(welcome->pen);
     to.set_push_limit(service_.settings().pushLimit);
@@ -67,14 +69,14 @@ void Attendant::push() {
     const auto force = vectorOf(word_.push().force());
     if (!force) return;
     const double size = force->norm(), limit = service_.settings().pushLimit;
-    service_.stage().push(client_, size > limit ? Vec3(limit / size * *force) : *force);
+    service_.stage().push(client_, word_.push().hand(), size > limit ? Vec3(limit / size * *force) : *force);
 }
 
 /// What cannot be led is left alone.
 void Attendant::lead() {
     const v1::HandGoal& goal = word_.hand();
     if (const auto to = vectorOf(goal.position()))
-        (void)service_.stage().leadHand(client_,
+        (void)service_.stage().leadHand(client_, goal.hand(),
                                         {*to, goal.jumps(), goal.number(), goal.held(), goal.time()});
 }
 

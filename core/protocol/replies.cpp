@@ -31,6 +31,25 @@ void write(v1::Contact* to, const ContactReport& contact, ObjectId object) {
     to->set_slipping(contact.slipping);
 }
 
+/// Into a State or a Hand, which name the same things.
+template <class To> void writeHand(To& to, const StageHand& hand) {
+    write(to.mutable_finger(), hand.servo.finger);
+    write(to.mutable_proxy(), hand.touch.output.proxy);
+    write(to.mutable_force(), hand.servo.force);
+    to.set_contacts(std::uint32_t(std::max(0, hand.touch.output.contacts)));
+    for (std::size_t i = 0; i < hand.objects.size(); ++i)
+        write(to.add_contact(), hand.touch.output.contact[i], hand.objects[i]);
+    to.set_buttons(hand.servo.buttons);
+    to.set_armed(hand.armed);
+    to.set_gain(hand.servo.gain);
+    if (hand.servo.inhibit != InhibitReason::Nothing) to.set_why(inhibitWords(hand.servo.inhibit).brief);
+    to.set_servo_rate(hand.servo.rate);
+    to.set_ticks(hand.servo.ticks);
+    to.set_missed(hand.servo.misses);
+    to.set_machine_missed(hand.servo.machineMisses);
+    to.set_trouble(hand.trouble);
+}
+
 void write(v1::SurfaceDescription* to, const Surface& surface) {
     to->set_name(surface.name);
     to->set_stiffness(surface.material.stiffness);
@@ -47,22 +66,12 @@ void write(v1::SurfaceDescription* to, const Surface& surface) {
 void write(v1::State& to, const StageState& state, bool bodies) {
     to.set_time_ns(state.at);
     to.set_revision(state.revision);
-    write(to.mutable_finger(), state.engine.servo.finger);
-    write(to.mutable_proxy(), state.engine.proxy.output.proxy);
-    write(to.mutable_force(), state.engine.servo.force);
-    to.set_contacts(std::uint32_t(std::max(0, state.engine.proxy.output.contacts)));
-    for (std::size_t i = 0; i < state.objects.size(); ++i)
-        write(to.add_contact(), state.engine.proxy.output.contact[i], state.objects[i]);
-    to.set_buttons(state.engine.servo.buttons);
-    to.set_armed(state.engine.armed);
-    to.set_gain(state.engine.servo.gain);
-    if (state.engine.servo.inhibit != InhibitReason::Nothing)
-        to.set_why(inhibitWords(state.engine.servo.inhibit).brief);
     to.set_proxy_rate(state.engine.proxy.rate);
-    to.set_servo_rate(state.engine.servo.rate);
-    to.set_ticks(state.engine.servo.ticks);
-    to.set_missed(state.engine.servo.misses);
-    to.set_machine_missed(state.engine.servo.machineMisses);
+    for (std::size_t hand = 0; hand < state.hands.size(); ++hand)
+        if (hand == 0)
+            writeHand(to, state.hands[hand]);
+        else
+            writeHand(*to.add_other(), state.hands[hand]);
     to.set_attending(std::uint32_t(state.attending));
     to.set_pen_holder(state.penHolder);
     to.set_pen_asker(state.penAsker);
@@ -77,6 +86,7 @@ void write(v1::State& to, const StageState& state, bool bodies) {
 void write(v1::Event& to, const StageEvent& event) {
     to.set_kind(v1::Event::Kind(event.kind));
     to.set_time_ns(event.at);
+    to.set_hand(std::uint32_t(event.hand));
     to.set_object(event.object);
     to.set_button(event.button);
     to.set_revision(event.revision);

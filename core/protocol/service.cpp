@@ -9,6 +9,7 @@
 #include "core/haptics/replay.h"
 #include "core/protocol/attendant.h"
 #include "core/protocol/edits.h"
+#include "core/protocol/orders.h"
 #include "core/protocol/pieces.h"
 #include "core/protocol/replies.h"
 #include "core/recording/recording_file.h"
@@ -264,49 +265,6 @@ grpc::ServerUnaryReactor* HapticsService::Apply(grpc::CallbackServerContext* con
     return reactor;
 }
 
-Result<void> HapticsService::obey(ClientId who, const v1::OrderRequest& request) {
-    using Request = v1::OrderRequest;
-    switch (request.what_case()) {
-    case Request::kArm:
-        return stage_.arm(who, request.arm());
-    case Request::kAsk:
-        return stage_.askForPen(who);
-    case Request::kGive:
-        return stage_.passPen(who, request.give().to());
-    case Request::kPace:
-        if (!(request.pace() >= 0 && request.pace() <= 1)) return inputError("a pace is from 0 to 1");
-        return stage_.order(who, [&](Engine& engine) { engine.setPace(request.pace()); });
-    case Request::kBegin:
-        return stage_.order(who, [](Engine& engine) { engine.beginBodies(); });
-    case Request::kRestart:
-        return stage_.order(who, [](Engine& engine) { engine.restartProxy(); });
-    case Request::kStep:
-        return stage_.order(who, [](Engine& engine) { engine.stepBodies(); });
-    case Request::kFade:
-        return stage_.order(who, [](Engine& engine) { engine.fade(); });
-    case Request::kDeadMan:
-        return stage_.order(who, [&](Engine& engine) { engine.setDeadMan(request.dead_man()); });
-    case Request::kOverrideCeiling:
-        return stage_.order(who,
-                            [&](Engine& engine) { engine.setOverrideCeiling(request.override_ceiling()); });
-    case Request::kGrasped:
-        return stage_.order(who, [&](Engine& engine) { engine.setGrasped(request.grasped()); });
-    case Request::kWorkspace: {
-        const auto workspace = workspaceOf(request.workspace());
-        if (!workspace) return tl::unexpected(workspace.error());
-        Result<void> set;
-        return stage_.order(who, [&](Engine& engine) { set = engine.setWorkspace(*workspace); })
-            .and_then([&] { return set; });
-    }
-    case Request::kHand: {
-        const auto to = vectorOf(request.hand());
-        return to ? stage_.leadHand(who, {.position = *to}) : Result<void>(tl::unexpected(to.error()));
-    }
-    default:
-        return inputError("says nothing that this server knows: is the client newer?");
-    }
-}
-
 grpc::ServerUnaryReactor* HapticsService::Order(grpc::CallbackServerContext* context,
                                                 const v1::OrderRequest* request, v1::OrderReply* reply) {
     grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
@@ -316,7 +274,7 @@ grpc::ServerUnaryReactor* HapticsService::Order(grpc::CallbackServerContext* con
     } else if (who == 0) {
         reactor->Finish(kUnknown);
         return reactor;
-    } else if (const auto obeyed = obey(who, *request); !obeyed) {
+    } else if (const auto obeyed = obey(stage_, who, *request); !obeyed) {
         reactor->Finish(statusOf(obeyed.error()));
         return reactor;
     }

@@ -52,8 +52,6 @@ public:
     void forget(Attendant* attendant);
 
 private:
-    Result<void> obey(ClientId who, const v1::OrderRequest& request);
-
     Stage& stage_;
     ServiceSettings settings_;
     Uploads uploads_;

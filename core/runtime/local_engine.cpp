@@ -294,10 +294,11 @@ Result<void> LocalEngine::addDevice(std::unique_ptr<HapticDevice> device) {
     if (impl_->sides.size() >= std::size_t(kMaxHands))
         return inputError("The engine: it has " + std::to_string(kMaxHands) +
                           " hands already, as many as there can be; remove a device first.");
+    const bool ran = impl_->running;
     (void)stop();
     impl_->sides.push_back(std::make_unique<Impl::Side>(std::move(device)));
     impl_->freshChannels();
-    return start();
+    return ran ? start() : Result<void>();
 }
 
 Result<void> LocalEngine::removeDevice(std::size_t hand) {
@@ -317,6 +318,12 @@ Result<void> LocalEngine::removeDevice(std::size_t hand) {
 void LocalEngine::setAllArmed(bool armed) {
     for (std::size_t i = 0; i < hands(); ++i)
         hand(i).setArmed(armed);
+}
+
+bool LocalEngine::anyArmed() const {
+    for (std::size_t i = 0; i < hands(); ++i)
+        if (Hand(*impl_, i).armed()) return true;
+    return false;
 }
 
 std::size_t LocalEngine::hands() const {

@@ -21,9 +21,9 @@ public:
     /// removed. What it traced before is dropped.
     void speakOf(std::size_t hand);
     std::size_t spokenOf() const;
-    /// One more hand, with its device. As setDevice(): all loops stop and start, forces off. Refuses more
-    /// than kMaxHands, and then nothing changes. On another error nothing runs, and start() would try again
-    /// with it.
+    /// One more hand, with its device. Loops that ran stop and start again, forces off. Refuses more than
+    /// kMaxHands, and then nothing changes. On another error nothing runs, and start() would try again with
+    /// it.
     Result<void> addDevice(std::unique_ptr<HapticDevice> device);
     /// Another device for one hand, below hands(), as setDevice() for the one it speaks of.
     Result<void> exchangeDevice(std::size_t hand, std::unique_ptr<HapticDevice> device);
@@ -32,6 +32,7 @@ public:
     Result<void> removeDevice(std::size_t hand);
     /// Forces of all hands on or off.
     void setAllArmed(bool armed);
+    bool anyArmed() const;
 
     Result<void> start() override;
     Result<void> stop() override;

@@ -1,11 +1,9 @@
 #include "core/session/stage.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "core/base/clock.h"
 #include "core/haptics/compile.h"
-#include "core/safety/inhibit_words.h"
 #include "core/session/secret.h"
 
 namespace tactum {
@@ -13,8 +11,6 @@ namespace {
 
 using Kind = StageEvent::Kind;
 
-constexpr auto kTick = std::chrono::milliseconds(1);  ///< while somebody attends
-constexpr auto kRest = std::chrono::milliseconds(20); ///< else
 /// Of a whole scene, so that no client uses up the machine.
 constexpr std::size_t kMostTriangles = 100'000'000, kMostObjects = 10'000;
 
@@ -38,8 +34,12 @@ std::vector<ObjectId> addedTo(const Scene& before, const Scene& after) {
 } // namespace
 
 Stage::Stage(std::unique_ptr<HapticDevice> device, std::shared_ptr<HandTarget> hand, Scene scene)
-    : engine_(std::move(device)), hand_(std::move(hand)),
+    : engine_(std::move(device)), sides_{Side(std::move(hand))},
       scene_(std::make_shared<const Scene>(std::move(scene))) {}
+
+Result<void> Stage::addHand(std::unique_ptr<HapticDevice> device, std::shared_ptr<HandTarget> hand) {
+    return engine_.addDevice(std::move(device)).map([&] { sides_.emplace_back(std::move(hand)); });
+}
 
 Stage::~Stage() {
     {
@@ -58,7 +58,8 @@ Result<void> Stage::start() {
     auto world = compile(*scene_);
     if (!world) return tl::unexpected(world.error());
     if (auto started = engine_.start(); !started) return started;
-    device_ = engine_.device();
+    for (std::size_t hand = 0; hand < engine_.hands(); ++hand)
+        devices_.push_back(engine_.hand(hand).device());
     take(*scene_, std::move(*world));
     thread_ = std::thread([this] { run(); });
     return {};
@@ -120,8 +121,9 @@ std::string Stage::nameOf(ClientId id) const {
 /// What it had is free, and no force goes on that nobody answers for.
 void Stage::letGo(const std::string& name, const std::string& what) {
     say({.kind = Kind::Pen});
-    if (!engine_.armed()) return;
-    engine_.fade();
+    if (!engine_.anyArmed()) return;
+    for (std::size_t hand = 0; hand < engine_.hands(); ++hand)
+        engine_.hand(hand).fade();
     say({.kind = Kind::Force, .text = name + what + ": the force fades", .client = name});
 }
 
@@ -182,20 +184,26 @@ Stage::Scenery Stage::scenery() const {
 
 void Stage::stop(ClientId who) {
     const std::lock_guard lock(mutex_);
-    engine_.setArmed(false);
+    engine_.setAllArmed(false);
     const std::string name = nameOf(who);
     say({.kind = Kind::Force,
          .text = (name.empty() ? "the server" : name) + " has stopped all force",
          .client = name});
 }
 
-Result<void> Stage::arm(ClientId who, bool on) {
-    return order(who, [&](Engine& engine) {
-        engine.setArmed(on);
-        say({.kind = Kind::Force,
-             .text = nameOf(who) + (on ? " has switched the force on" : " has switched the force off"),
-             .client = nameOf(who)});
-    });
+Result<void> Stage::arm(ClientId who, bool on, OfHand of) {
+    return order(who, of,
+                 [&](LocalEngine::Hand hand) {
+                     hand.setArmed(on);
+                     return Result<void>();
+                 })
+        .map([&] {
+            const std::lock_guard lock(mutex_);
+            say({.kind = Kind::Force,
+                 .hand = of.value_or(0),
+                 .text = nameOf(who) + (on ? " has switched the force on" : " has switched the force off"),
+                 .client = nameOf(who)});
+        });
 }
 
 Result<void> Stage::askForPen(ClientId who) {
@@ -225,18 +233,33 @@ Result<void> Stage::order(ClientId who, const std::function<void(Engine&)>& orde
     return {};
 }
 
-void Stage::push(ClientId who, const Vec3& force) {
-    const std::lock_guard lock(mutex_);
-    if (who != 0 && attendance_.pen() == who) engine_.push(force);
+Result<void> Stage::order(ClientId who, OfHand of,
+                          const std::function<Result<void>(LocalEngine::Hand)>& order) {
+    Result<void> done;
+    const auto all = [&](Engine&) {
+        if (of && *of >= engine_.hands())
+            done = inputError("there is no hand " + std::to_string(*of) + ": they are numbered from 0");
+        else if (of)
+            done = order(engine_.hand(*of));
+        for (std::size_t hand = 0; !of && done && hand < engine_.hands(); ++hand)
+            done = order(engine_.hand(hand));
+    };
+    return this->order(who, all).and_then([&] { return done; });
 }
 
-Result<void> Stage::leadHand(ClientId who, HandGoal goal) {
-    if (!hand_) return inputError("only the simulated hand can be led");
+void Stage::push(ClientId who, std::size_t hand, const Vec3& force) {
+    const std::lock_guard lock(mutex_);
+    if (who != 0 && attendance_.pen() == who && hand < engine_.hands()) engine_.hand(hand).push(force);
+}
+
+Result<void> Stage::leadHand(ClientId who, std::size_t hand, HandGoal goal) {
+    if (hand >= sides_.size() || !sides_[hand].lead) return inputError("only a simulated hand can be led");
     return order(who, [&](Engine&) {
-        if (goal.teleport && (jump_.who != who || jump_.theirs != goal.sequence))
-            jump_ = {who, goal.sequence, jump_.ours + 1};
-        goal.sequence = jump_.ours;
-        hand_->write(goal);
+        Side::Jump& jump = sides_[hand].jump;
+        if (goal.teleport && (jump.who != who || jump.theirs != goal.sequence))
+            jump = {who, goal.sequence, jump.ours + 1};
+        goal.sequence = jump.ours;
+        sides_[hand].lead->write(goal);
     });
 }
 
@@ -247,120 +270,12 @@ RecordedRun Stage::recorded() const {
 
 bool Stage::armed() const {
     const std::lock_guard lock(mutex_);
-    return engine_.armed();
+    return engine_.anyArmed();
 }
 
 std::size_t Stage::attending() const {
     const std::lock_guard lock(mutex_);
     return attendance_.count();
-}
-
-void Stage::run() {
-    StageState state;
-    std::vector<StageEvent> events;
-    auto next = std::chrono::steady_clock::now();
-    while (true) {
-        {
-            std::unique_lock lock(mutex_);
-            const bool attended = attendance_.count() > 0;
-            const auto moment = std::chrono::steady_clock::now();
-            next = std::max(next + (attended ? kTick : kRest), moment); // what was missed is not made up for
-            wake_.wait_until(lock, next,
-                             [this, attended] { return ending_ || (!attended && attendance_.count() > 0); });
-            if (ending_) return;
-            events.clear();
-            tick(state, events);
-        }
-        const std::lock_guard lock(telling_);
-        if (listener_) listener_(state, events);
-    }
-}
-
-void Stage::tick(StageState& state, std::vector<StageEvent>& events) {
-    engine_.poll();
-    watchHearts();
-    fill(state);
-    watchContacts(state);
-    watchDevice(state);
-    watchDetents(state);
-    std::swap(events, events_);
-}
-
-void Stage::watchHearts() {
-    if (const auto silent = attendance_.takeFromSilent(now()))
-        letGo(nameOf(*silent), " is not heard any more");
-}
-
-/// Also forgets what is older.
-const Stage::Felt* Stage::feltNow(std::uint64_t worldRevision) {
-    const auto found =
-        std::ranges::find_if(felt_, [&](const Felt& felt) { return felt.world->revision == worldRevision; });
-    if (found == felt_.end()) return nullptr;
-    felt_.erase(felt_.begin(), found);
-    return &felt_.front();
-}
-
-void Stage::fill(StageState& state) {
-    report(engine_, state.engine);
-    const ProxyTelemetry& proxy = state.engine.proxy;
-    const Felt* felt = feltNow(proxy.worldRevision);
-    state.at = monotonicNanoseconds();
-    state.revision = felt ? felt->revision : 0;
-    state.attending = attendance_.count();
-    state.pen = attendance_.pen();
-    state.penHolder = nameOf(state.pen);
-    state.penAsker = nameOf(attendance_.asker());
-    state.objects.clear();
-    state.bodies.clear();
-    state.detents.clear();
-    if (!felt) return;
-    for (int i = 0; i < std::min(proxy.output.contacts, kMaxModelPlanes); ++i) {
-        const std::uint32_t body = proxy.output.contact[std::size_t(i)].body;
-        state.objects.push_back(body < felt->world->bodies.size() ? felt->world->bodies[body].object : 0);
-    }
-    if (!felt->world->moving) return;
-    if (placesOf_ != felt->world->revision) {
-        places_ = std::make_unique<BodyPlaces>(felt->world.get());
-        placesOf_ = felt->world->revision;
-    }
-    const auto places = places_->at(proxy.bodies);
-    state.bodies.assign(places.begin(), places.end());
-    const auto detents = places_->detents();
-    state.detents.assign(detents.begin(), detents.end());
-}
-
-void Stage::watchContacts(const StageState& state) {
-    std::vector<ObjectId> now = state.objects;
-    std::ranges::sort(now);
-    now.erase(std::unique(now.begin(), now.end()), now.end());
-    if (now == touched_) return;
-    for (const ObjectId object : now)
-        if (!std::ranges::binary_search(touched_, object)) say({.kind = Kind::Touch, .object = object});
-    for (const ObjectId object : touched_)
-        if (!std::ranges::binary_search(now, object)) say({.kind = Kind::Leave, .object = object});
-    touched_ = std::move(now);
-}
-
-/// Of a scene that is new to it, it says nothing: there nothing has moved yet.
-void Stage::watchDetents(const StageState& state) {
-    const bool known = detentsOf_ == state.revision && detents_.size() == state.detents.size();
-    for (std::size_t i = 0; known && i < detents_.size(); ++i)
-        if (detents_[i] != state.detents[i])
-            say({.kind = Kind::Detent, .object = state.detents[i].object, .detent = state.detents[i].detent});
-    detents_ = state.detents;
-    detentsOf_ = state.revision;
-}
-
-void Stage::watchDevice(const StageState& state) {
-    const std::uint32_t changed = state.engine.servo.buttons ^ buttons_;
-    for (std::uint32_t button = 0; button < 32; ++button)
-        if (changed >> button & 1)
-            say({.kind = state.engine.servo.buttons >> button & 1 ? Kind::Pressed : Kind::Released,
-                 .button = button});
-    buttons_ = state.engine.servo.buttons;
-    if (state.engine.servo.inhibit == why_) return;
-    why_ = state.engine.servo.inhibit;
-    say({.kind = Kind::Force, .text = inhibitWords(why_).brief});
 }
 
 } // namespace tactum

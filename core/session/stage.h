@@ -1,4 +1,5 @@
-// One scene on one device, for several at once: revisions, the pen, heartbeats, and what happens as events.
+// One scene on one or several devices, for several clients at once: revisions, the pen, heartbeats, and what
+// happens as events.
 #pragma once
 
 #include <condition_variable>
@@ -36,7 +37,8 @@ struct StageEvent {
         Detent
     };
     Kind kind = Kind::Touch;
-    std::int64_t at = 0; ///< ns of monotonicNanoseconds()
+    std::int64_t at = 0;  ///< ns of monotonicNanoseconds()
+    std::size_t hand = 0; ///< whose touch, button or force; of no other kind
     ObjectId object = 0;
     std::uint32_t button = 0;
     int detent = 0; ///< counted from where the joint's drive rests
@@ -46,12 +48,21 @@ struct StageEvent {
     ClientId only = 0;    ///< for this client alone; 0: for all
 };
 
+/// What one hand does.
+struct StageHand {
+    bool armed = false;
+    std::string trouble; ///< HapticDevice::trouble()
+    TouchTelemetry touch;
+    ServoTelemetry servo;
+    std::vector<ObjectId> objects; ///< of each contact of its touch
+};
+
 /// The newest of everything. SI, world frame.
 struct StageState {
-    std::int64_t at = 0;        ///< ns of monotonicNanoseconds()
-    std::uint64_t revision = 0; ///< of the scene that is felt; 0: of none
-    EngineReport engine;
-    std::vector<ObjectId> objects; ///< of each contact of the proxy's output
+    std::int64_t at = 0;          ///< ns of monotonicNanoseconds()
+    std::uint64_t revision = 0;   ///< of the scene that is felt; 0: of none
+    EngineReport engine;          ///< which speaks of the first hand
+    std::vector<StageHand> hands; ///< in the order of Stage::devices()
     std::vector<PlacedObject> bodies;
     std::vector<AtDetent> detents;
     std::size_t attending = 0;
@@ -76,6 +87,8 @@ public:
 
     /// `hand`: of the simulated hand, else null.
     Stage(std::unique_ptr<HapticDevice> device, std::shared_ptr<HandTarget> hand, Scene scene);
+    /// One more, before start(). Errors: there are kMaxHands.
+    Result<void> addHand(std::unique_ptr<HapticDevice> device, std::shared_ptr<HandTarget> hand);
     ~Stage();
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
@@ -112,24 +125,30 @@ public:
     };
     Scenery scenery() const;
 
+    /// Which hands an order is for; none: all of them.
+    using OfHand = std::optional<std::size_t>;
+
     /// All force ends, now, whoever says so.
     void stop(ClientId who);
     /// Forces on or off; for who has the pen.
-    Result<void> arm(ClientId who, bool on);
+    Result<void> arm(ClientId who, bool on, OfHand of = {});
     Result<void> askForPen(ClientId who);
     Result<void> passPen(ClientId who, std::string_view name);
-    /// Engine::push(), for who has the pen; from others it is nothing.
-    void push(ClientId who, const Vec3& force);
+    /// Engine::push(), for who has the pen; from others, or on a hand that there is not, it is nothing.
+    void push(ClientId who, std::size_t hand, const Vec3& force);
     /// For who has the pen: an order to the engine.
     Result<void> order(ClientId who, const std::function<void(Engine&)>& order);
-    /// For who has the pen: where the simulated hand goes. A jump is made once for each number that this
+    /// For who has the pen: an order to a hand, or to each. Errors: there is no such hand; the order's first.
+    Result<void> order(ClientId who, OfHand of, const std::function<Result<void>(LocalEngine::Hand)>& order);
+    /// For who has the pen: where a simulated hand goes. A jump is made once for each number that this
     /// client gives it.
-    Result<void> leadHand(ClientId who, HandGoal goal);
+    Result<void> leadHand(ClientId who, std::size_t hand, HandGoal goal);
     /// Engine::recorded().
     RecordedRun recorded() const;
 
-    const DeviceInfo& device() const { return device_; } ///< as it was when the loops started
-    bool armed() const;
+    /// Of each hand, as they were when the loops started.
+    const std::vector<DeviceInfo>& devices() const { return devices_; }
+    bool armed() const; ///< any hand
     std::size_t attending() const;
 
 private:
@@ -142,10 +161,11 @@ private:
     void run();
     void tick(StageState& state, std::vector<StageEvent>& events);
     void watchHearts();
-    void watchContacts(const StageState& state);
-    void watchDevice(const StageState& state);
+    void watchContacts(std::size_t hand, const StageHand& now);
+    void watchDevice(std::size_t hand, const ServoTelemetry& now);
     void watchDetents(const StageState& state);
     void fill(StageState& state);
+    void fill(StageHand& state, LocalEngine::Hand hand, const World* felt);
     const Felt* feltNow(std::uint64_t worldRevision);
     void take(Scene scene, std::shared_ptr<const World> world);
     void say(StageEvent event);
@@ -155,12 +175,21 @@ private:
     mutable std::mutex mutex_; ///< of everything below, the engine too
     std::condition_variable wake_;
     LocalEngine engine_;
-    DeviceInfo device_;
-    std::shared_ptr<HandTarget> hand_;
-    struct Jump {
-        ClientId who = 0;
-        std::uint32_t theirs = 0, ours = 0; ///< its number to the client, and to the hand
-    } jump_;
+    std::vector<DeviceInfo> devices_;
+    struct Side {
+        explicit Side(std::shared_ptr<HandTarget> target) : lead(std::move(target)) {}
+
+        std::shared_ptr<HandTarget> lead; ///< null: it leads itself
+        struct Jump {
+            ClientId who = 0;
+            std::uint32_t theirs = 0, ours = 0; ///< its number to the client, and to the hand
+        } jump;
+        // As it was told last.
+        std::vector<ObjectId> touched;
+        std::uint32_t buttons = 0;
+        InhibitReason why = InhibitReason::NotArmed;
+    };
+    std::vector<Side> sides_; ///< of each hand
     Attendance attendance_;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const World> world_;
@@ -169,11 +198,8 @@ private:
     std::unique_ptr<BodyPlaces> places_;
     std::uint64_t placesOf_ = 0;     ///< revision of the World
     std::vector<StageEvent> events_; ///< that were not told yet
-    std::vector<ObjectId> touched_;
     std::vector<AtDetent> detents_;
     std::uint64_t detentsOf_ = 0; ///< revision of the scene
-    std::uint32_t buttons_ = 0;
-    InhibitReason why_ = InhibitReason::NotArmed;
     bool ending_ = false;
     std::mutex telling_; ///< of the listener, while it is called; taken alone
     Listener listener_;

@@ -67,6 +67,11 @@ void TestServe::refusesWhatCannotBe_data() {
         "--make-certificate");
     row("no such scene", {"/nowhere/a.obj"}, 1, "a.obj");
     row("no such device", {"--device", "spoon"}, 1, "spoon");
+    row("one device for two hands", {"--device", "falcon:1-1", "--device", "falcon:1-1"}, 1, "named twice");
+    row("too many hands",
+        {"--device", "simulated", "--device", "simulated", "--device", "simulated", "--device", "simulated",
+         "--device", "simulated"},
+        1, "4 hands");
     row("too much force", {"--outside-force", "1e9"}, 2, "0 to 100");
     row("no such option", {"--nonsense"}, 2, "--help");
 }

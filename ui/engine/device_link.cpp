@@ -361,7 +361,8 @@ Result<void> DeviceLink::adoptBeside(const QString& id, std::unique_ptr<HapticDe
     emit letsGo();
     Used used{.id = id};
     const std::size_t before = hands_.count();
-    Result<void> added = hands_.add(std::make_unique<StopButton>(std::move(device), used.stop));
+    const Result<void> added = hands_.add(std::make_unique<StopButton>(std::move(device), used.stop))
+                                   .and_then([this] { return engine_.start(); });
     if (added) {
         used_.push_back(std::move(used));
     } else if (hands_.count() > before) {

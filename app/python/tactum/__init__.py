@@ -6,7 +6,7 @@
     touch = scene.touch(path)                 # rows of t, x, y, z: numpy in, numpy out
     print(touch.force)
 
-The first half needs numpy alone; Client, State, connect and serve, for the server, need python3-grpcio as well. SI
+The first half needs numpy alone; Client, Hand, State, connect and serve, for the server, need python3-grpcio as well. SI
 throughout: metre, second, newton, kilogram, radian; the world's frame, y up. docs/python.md has the whole of it.
 """
 
@@ -16,7 +16,7 @@ from tactum.results import Error, Touch
 
 _NATIVE = ["Body", "Contact", "Joint", "Layer", "Mask", "Object", "Parameter", "Place", "Preset", "Reading", "Recording",
            "Scene", "Step", "Surface", "World", "open", "parameters", "play", "presets"]
-_SERVER = ["Client", "State", "connect", "serve"]
+_SERVER = ["Client", "Hand", "State", "connect", "serve"]
 __all__ = sorted(["Error", "Touch"] + _NATIVE + _SERVER)
 
 

@@ -3,4 +3,4 @@ from tactum._tactum import (Body as Body, Contact as Contact, Joint as Joint, La
                             Recording as Recording, Scene as Scene, Step as Step, Surface as Surface, World as World,
                             open as open, parameters as parameters, play as play, presets as presets)
 from tactum.results import Error as Error, Touch as Touch
-from tactum.server import Client as Client, State as State, connect as connect, serve as serve
+from tactum.server import Client as Client, Hand as Hand, State as State, connect as connect, serve as serve

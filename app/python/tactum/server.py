@@ -28,7 +28,7 @@ import tactum_pb2 as pb
 import tactum_pb2_grpc as rpc
 from tactum.results import Error, Touch
 
-__all__ = ["Client", "State", "connect", "serve"]
+__all__ = ["Client", "Hand", "State", "connect", "serve"]
 
 HEARTBEAT = 0.25  # s: at least so often the client says something
 SILENCE = 3 * HEARTBEAT  # s without a word of the server: it is gone
@@ -90,15 +90,28 @@ def _nobody(target, secured):
     return f"no haptic server answers at {target}: see whether tactum serve runs there, {certificate}"
 
 
-class State:
-    """The newest that the server told: finger, proxy and force as arrays, all else as in the protocol's State."""
+class Hand:
+    """What one hand does: finger, proxy and force as arrays, its device, all else as in the protocol's Hand."""
 
-    def __init__(self, message):
-        self.message = message
+    def __init__(self, message, device):
+        self.message, self.device = message, device
         self.finger, self.proxy, self.force = (_array(v) for v in (message.finger, message.proxy, message.force))
 
     def __getattr__(self, name):
         return getattr(self.message, name)
+
+
+class State(Hand):
+    """The newest that the server told: what is of a hand is that of the first, all else as in the protocol's State."""
+
+    def __init__(self, message, devices):
+        super().__init__(message, devices[0])
+        self._others = [Hand(other, device) for other, device in zip(message.other, devices[1:])]
+
+    @property
+    def hands(self):
+        """Each of them, this first one too."""
+        return [self, *self._others]
 
 
 class Client:
@@ -172,7 +185,7 @@ class Client:
         if what == "welcome":
             self.welcome = news.welcome
         elif what == "state":
-            self._state = State(news.state)
+            self._state = State(news.state, self.devices)
             self._words.put(pb.Word(seen=news.state.number))
         elif what == "event":
             self._events.append(news.event)
@@ -186,6 +199,11 @@ class Client:
                 if time.monotonic() > end:
                     raise Error(otherwise)
                 self._news.wait(0.05)
+
+    @property
+    def devices(self):
+        """What drives each hand: name, real, max_force and what the protocol's Device has."""
+        return [self.welcome.device, *self.welcome.other]
 
     @property
     def alive(self):
@@ -211,9 +229,9 @@ class Client:
             events, self._events = self._events, []
         return events
 
-    def push(self, force):
-        """Adds a force (N) to what the finger feels; say it again within 100 ms, or it fades."""
-        self._words.put(pb.Word(push=pb.Push(force=_vector(force))))
+    def push(self, force, hand=0):
+        """Adds a force (N) to what a hand's finger feels; say it again within 100 ms, or it fades."""
+        self._words.put(pb.Word(push=pb.Push(force=_vector(force), hand=hand)))
 
     # ---- the scene ----
 
@@ -323,11 +341,12 @@ class Client:
             return self._stub.Order(pb.OrderRequest(key=self.welcome.key, **what))
 
     def stop(self):
-        """All force ends, whoever has the pen."""
+        """All force of all hands ends, whoever has the pen."""
         return self._order(stop=pb.Stop())
 
-    def arm(self, on=True):
-        return self._order(arm=on)
+    def arm(self, on=True, hand=None):
+        """The force of a hand, or of all of them, on or off."""
+        return self._order(of=hand, arm=on)
 
     def ask_for_pen(self):
         return self._order(ask=pb.Ask()).pen
@@ -338,12 +357,13 @@ class Client:
     def pace(self, pace):
         return self._order(pace=pace)
 
-    def restart(self):
-        return self._order(restart=pb.Restart())
+    def restart(self, hand=0):
+        """The proxy of a hand begins at its finger."""
+        return self._order(of=hand, restart=pb.Restart())
 
-    def lead_hand(self, to):
-        """Where the simulated hand should go."""
-        return self._order(hand=_vector(to))
+    def lead_hand(self, to, hand=0):
+        """Where a simulated hand should go."""
+        return self._order(of=hand, hand=_vector(to))
 
     def close(self):
         self._closing = True
@@ -377,9 +397,12 @@ def connect(target="127.0.0.1:51270", **options):
 
 
 def serve(scene=None, device="simulated", program=None, **options):
-    """Starts a server of its own that ends with the client."""
+    """Starts a server of its own that ends with the client. `device`: a name that `tactum devices` lists, or one for
+    each hand."""
     program = program or os.environ.get("TACTUM") or shutil.which("tactum") or "tactum"
-    words = [str(program), "serve", "--listen", "127.0.0.1:0", "--device", device, "--until-input-ends"]
+    words = [str(program), "serve", "--listen", "127.0.0.1:0", "--until-input-ends"]
+    for name in [device] if isinstance(device, str) else device:
+        words += ["--device", name]
     if scene is not None:
         words.append(str(scene))
     try:

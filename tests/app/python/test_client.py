@@ -36,6 +36,30 @@ class Client(unittest.TestCase):
         self.assertEqual(scene.object[0].surface[0].stiffness, STIFFNESS)
         self.assertIn(pb.Event.TOUCH, [event.kind for event in self.haptics.events()])
 
+    def test_each_of_two_hands_is_told(self):
+        with tactum.serve(device=["simulated", "simulated"], rate=250) as haptics:
+            self.assertEqual([device.name for device in haptics.devices], 2 * [haptics.welcome.device.name])
+            haptics.material(object=haptics.add_mesh(*PLATE), stiffness=STIFFNESS)
+            haptics.arm()
+            goals = (-0.01, -0.005)
+            for hand, goal in enumerate(goals):
+                haptics.lead_hand((0.02 * hand, 0, goal), hand=hand)
+            wanted = [STIFFNESS * (1e-3 - goal) * 250 / (250 + STIFFNESS) for goal in goals]
+            state = haptics.until(lambda s: all(hand.gain == 1 and abs(hand.force[2] / force - 1) < 0.02
+                                                for hand, force in zip(s.hands, wanted)), patience=60)
+            self.assertEqual(len(state.hands), 2)
+            self.assertAlmostEqual(state.hands[1].finger[0], 0.02, places=6)
+            self.assertEqual(state.hands[1].device.name, haptics.devices[1].name)
+            touched = {event.hand for event in haptics.events() if event.kind == pb.Event.TOUCH}
+            self.assertEqual(touched, {0, 1})
+            haptics.arm(False, hand=1)
+            state = haptics.until(lambda s: not np.any(s.hands[1].force), patience=60)
+            self.assertTrue(state.armed)
+            with self.assertRaisesRegex(tactum.Error, "only a simulated hand"):
+                haptics.lead_hand((0, 0, 0), hand=2)
+            with self.assertRaisesRegex(tactum.Error, "there is no hand 7"):
+                haptics.arm(hand=7)
+
     def test_stop_ends_the_force(self):
         self.press()
         self.haptics.stop()

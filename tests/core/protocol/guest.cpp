@@ -1,5 +1,6 @@
 #include "tests/core/protocol/guest.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
@@ -25,14 +26,23 @@ Scene plateScene() {
 } // namespace
 
 struct Served::Shared {
-    std::shared_ptr<Probe> probe = std::make_shared<Probe>();
+    std::vector<std::shared_ptr<Probe>> probes; ///< of each hand
 };
 
-Served::Served(ServerSettings given) : shared(std::make_shared<Shared>()), settings(std::move(given)) {}
+Served::Served(ServerSettings given, std::size_t hands)
+    : shared(std::make_shared<Shared>()), settings(std::move(given)) {
+    while (shared->probes.size() < hands)
+        shared->probes.push_back(std::make_shared<Probe>());
+    for (std::size_t hand = 1; hand < hands; ++hand)
+        shared->probes[hand]->name += ' ' + std::to_string(hand + 1);
+}
 Served::~Served() = default;
 
 std::string Served::begin() {
-    stage = std::make_unique<Stage>(std::make_unique<ProbeDevice>(shared->probe), nullptr, plateScene());
+    stage = std::make_unique<Stage>(std::make_unique<ProbeDevice>(shared->probes[0]), nullptr, plateScene());
+    for (std::size_t hand = 1; hand < shared->probes.size(); ++hand)
+        if (auto added = stage->addHand(std::make_unique<ProbeDevice>(shared->probes[hand]), nullptr); !added)
+            return added.error().text;
     if (auto started = stage->start(); !started) return started.error().text;
     auto made = Server::start(*stage, settings);
     if (!made) return made.error().text;
@@ -43,14 +53,17 @@ std::string Served::begin() {
 std::string Served::target() const {
     return "127.0.0.1:" + std::to_string(server->port());
 }
-void Served::setHeight(double metres) {
-    shared->probe->height = metres;
+void Served::setHeight(double metres, std::size_t hand) {
+    shared->probes[hand]->height = metres;
 }
-double Served::push() const {
-    return shared->probe->push;
+double Served::push(std::size_t hand) const {
+    return shared->probes[hand]->push;
+}
+void Served::setReadable(bool on, std::size_t hand) {
+    shared->probes[hand]->valid = on;
 }
 std::uint64_t Served::exchanges() const {
-    return std::uint64_t(shared->probe->exchanges);
+    return std::uint64_t(shared->probes[0]->exchanges);
 }
 
 void setDeadline(grpc::ClientContext& context) {
@@ -213,6 +226,11 @@ bool Guest::heard(v1::Event::Kind kind, const std::string& part) const {
     for (const v1::Event& event : impl_->events)
         if (event.kind() == kind && event.text().find(part) != std::string::npos) return true;
     return false;
+}
+bool Guest::heardOf(std::uint32_t hand, v1::Event::Kind kind) const {
+    const std::lock_guard lock(impl_->mutex);
+    return std::ranges::any_of(
+        impl_->events, [&](const v1::Event& event) { return event.kind() == kind && event.hand() == hand; });
 }
 bool Guest::ended() const {
     const std::lock_guard lock(impl_->mutex);

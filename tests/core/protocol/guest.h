@@ -8,9 +8,9 @@
 
 namespace tactum::test {
 
-/// A device whose finger a test leads, a stage over a plate in z = 0 (normal z, 0.2 m wide), and its server.
+/// Devices whose fingers a test leads, a stage over a plate in z = 0 (normal z, 0.2 m wide), and its server.
 struct Served {
-    explicit Served(ServerSettings settings = {});
+    explicit Served(ServerSettings settings = {}, std::size_t hands = 1);
     ~Served();
     /// Empty when it runs.
     std::string begin();
@@ -22,8 +22,9 @@ struct Served {
     std::unique_ptr<Stage> stage;
     std::unique_ptr<Server> server;
 
-    void setHeight(double metres); ///< of the finger over the plate
-    double push() const;           ///< newest command along z, N
+    void setHeight(double metres, std::size_t hand = 0); ///< of the finger over the plate
+    double push(std::size_t hand = 0) const;             ///< newest command along z, N
+    void setReadable(bool on, std::size_t hand = 0);     ///< whether its readings can be used
     std::uint64_t exchanges() const;
 };
 
@@ -46,6 +47,7 @@ public:
     std::size_t states() const;
     v1::State newest() const;
     bool heard(v1::Event::Kind kind, const std::string& part = {}) const;
+    bool heardOf(std::uint32_t hand, v1::Event::Kind kind) const;
     bool ended() const; ///< the server, or the attendance
 
     grpc::Status apply(const v1::Transaction& edits, v1::Applied* applied = nullptr);

@@ -23,27 +23,34 @@ StageState everything() {
     StageState state;
     state.at = 1;
     state.revision = 2;
-    state.engine.proxy.output.proxy = {3, 4, 5};
-    state.engine.proxy.output.contacts = 2;
-    state.engine.proxy.output.contact[0].surface = 6;
-    state.engine.proxy.output.contact[0].point = {7, 8, 9};
-    state.engine.proxy.output.contact[0].normal = {0, 0.6, 0.8};
-    state.engine.proxy.output.contact[0].normalForce = 10;
-    state.engine.proxy.output.contact[0].slipping = true;
-    state.engine.proxy.output.contact[1].surface = 11;
-    state.objects = {12, 13};
+    StageHand hand;
+    HapticOutput& output = hand.touch.output;
+    output.proxy = {3, 4, 5};
+    output.contacts = 2;
+    output.contact[0].surface = 6;
+    output.contact[0].point = {7, 8, 9};
+    output.contact[0].normal = {0, 0.6, 0.8};
+    output.contact[0].normalForce = 10;
+    output.contact[0].slipping = true;
+    output.contact[1].surface = 11;
+    hand.objects = {12, 13};
     state.bodies = {{14, {Quat(0.5, -0.5, 0.5, -0.5), {15, 16, 17}}}};
-    state.engine.servo.finger = {18, 19, 20};
-    state.engine.servo.force = {21, 22, 23};
-    state.engine.servo.buttons = 24;
-    state.engine.servo.gain = 0.25;
-    state.engine.servo.inhibit = InhibitReason::DeadMan;
-    state.engine.servo.rate = 26;
-    state.engine.servo.ticks = 27;
-    state.engine.servo.misses = 28;
-    state.engine.servo.machineMisses = 29;
+    hand.servo.finger = {18, 19, 20};
+    hand.servo.force = {21, 22, 23};
+    hand.servo.buttons = 24;
+    hand.servo.gain = 0.25;
+    hand.servo.inhibit = InhibitReason::DeadMan;
+    hand.servo.rate = 26;
+    hand.servo.ticks = 27;
+    hand.servo.misses = 28;
+    hand.servo.machineMisses = 29;
     state.engine.proxy.rate = 30;
-    state.engine.armed = true;
+    hand.armed = true;
+    hand.trouble = "unplugged";
+    state.hands = {hand, hand};
+    state.hands[1].servo.finger = {31, 32, 33};
+    state.hands[1].touch.output.contacts = 1;
+    state.hands[1].objects = {34};
     return state;
 }
 
@@ -56,7 +63,9 @@ private slots:
     void aStateSaysAllThatIsKnown() {
         v1::State all, none;
         write(all, everything(), true);
-        write(none, StageState{}, true);
+        StageState nothing;
+        nothing.hands.resize(1);
+        write(none, nothing, true);
         COMPARE_SHOWN(textOf(all) + "---\n" + textOf(none), "state");
     }
 
@@ -74,6 +83,7 @@ private slots:
         v1::Event event;
         StageEvent happened{StageEvent::Kind::Pressed};
         happened.at = 1;
+        happened.hand = 7;
         happened.object = 2;
         happened.button = 3;
         happened.revision = 4;

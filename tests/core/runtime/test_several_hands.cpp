@@ -179,6 +179,7 @@ private slots:
 
     void moreThanThereCanBeAreRefused() {
         LocalEngine engine(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
+        VERIFY_RESULT(engine.start());
         for (int i = 1; i < kMaxHands; ++i)
             VERIFY_RESULT(engine.addDevice(std::make_unique<ProbeDevice>(std::make_shared<Probe>())));
         const auto refused = engine.addDevice(std::make_unique<ProbeDevice>(std::make_shared<Probe>()));
