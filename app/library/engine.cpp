@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "app/library/parts.h"
 #include "core/geometry/soup_builder.h"
@@ -33,11 +34,11 @@ public:
             objects.push_back(body.object);
     }
 
-    void show(const ProxyTelemetry& told, EngineState& state) {
-        known_.erase(known_.begin(), known_.lower_bound(told.worldRevision));
-        const auto of = known_.find(told.worldRevision);
-        for (int i = 0; i < told.output.contacts && of != known_.end(); ++i) {
-            const ContactReport& report = told.output.contact[std::size_t(i)];
+    void show(const HapticOutput& output, std::uint64_t world, EngineState& state) {
+        known_.erase(known_.begin(), known_.lower_bound(world));
+        const auto of = known_.find(world);
+        for (int i = 0; i < output.contacts && of != known_.end(); ++i) {
+            const ContactReport& report = output.contact[std::size_t(i)];
             if (state.contacts == kMostContacts || report.body >= of->second.size()) break;
             state.contact[state.contacts++] = outward(report, of->second[report.body]);
         }
@@ -47,28 +48,55 @@ private:
     std::map<std::uint64_t, std::vector<ObjectId>> known_; ///< by the World's revision
 };
 
+/// With who leads it, where it is a simulated one.
+struct MadeDevice {
+    explicit MadeDevice(const std::string& id)
+        : device(valueOf(
+              DeviceRegistry({.hand = lead, .profiles = personsProfiles(), .program = {}}).make(id))) {}
+
+    std::shared_ptr<HandTarget> lead = std::make_shared<HandTarget>();
+    std::unique_ptr<HapticDevice> device;
+};
+
 } // namespace
 
 struct Engine::State {
-    explicit State(const std::string& device)
-        : engine(valueOf(
-              DeviceRegistry({.hand = hand, .profiles = personsProfiles(), .program = {}}).make(device))) {}
+    explicit State(MadeDevice first) : leads{first.lead}, engine(std::move(first.device)) {}
 
     static State& of(const std::unique_ptr<State>& state) {
         if (!state) refuse("this Engine was moved elsewhere; assign another one to it first");
         return *state;
     }
+    static Hand first(const std::unique_ptr<State>& state) { return {of(state), 0}; }
 
-    std::shared_ptr<HandTarget> hand = std::make_shared<HandTarget>();
+    std::vector<std::shared_ptr<HandTarget>> leads; ///< of each hand
     LocalEngine engine;
     std::shared_ptr<const core::World> last;
     ObjectsOfWorlds objects;
 };
 
-Engine::Engine(const std::string& device) : state_(std::make_unique<State>(device)) {}
+Engine::Engine(const std::string& device) : state_(std::make_unique<State>(MadeDevice(device))) {}
 Engine::Engine(Engine&& other) noexcept = default;
 Engine& Engine::operator=(Engine&& other) noexcept = default;
 Engine::~Engine() = default;
+
+void Engine::addHand(const std::string& device) {
+    State& state = State::of(state_);
+    MadeDevice made(device);
+    const auto added = state.engine.addDevice(std::move(made.device));
+    // Also where it does not start: the hand is there then.
+    if (state.engine.hands() > state.leads.size()) state.leads.push_back(made.lead);
+    valueOf(added);
+}
+
+std::size_t Engine::hands() const {
+    return State::of(state_).leads.size();
+}
+
+Hand Engine::hand(std::size_t i) {
+    if (i >= hands()) refuse("there is no hand " + std::to_string(i) + ": they are numbered from 0");
+    return {*state_, i};
+}
 
 void Engine::open() {
     valueOf(State::of(state_).engine.start());
@@ -80,18 +108,6 @@ void Engine::close() {
 
 bool Engine::isOpen() const {
     return State::of(state_).engine.running();
-}
-
-std::string Engine::deviceName() const {
-    return State::of(state_).engine.device().name;
-}
-
-double Engine::maxForce() const {
-    return State::of(state_).engine.device().maxForce;
-}
-
-std::string Engine::trouble() const {
-    return State::of(state_).engine.trouble();
 }
 
 std::string Engine::priority() const {
@@ -106,48 +122,102 @@ void Engine::publish(const Scene& scene) {
 }
 
 void Engine::arm(bool on) {
-    State::of(state_).engine.setArmed(on);
+    State::of(state_).engine.setAllArmed(on);
+}
+
+std::string Engine::deviceName() const {
+    return State::first(state_).deviceName();
+}
+
+double Engine::maxForce() const {
+    return State::first(state_).maxForce();
+}
+
+std::string Engine::trouble() const {
+    return State::first(state_).trouble();
 }
 
 bool Engine::armed() const {
-    return State::of(state_).engine.armed();
+    return State::first(state_).armed();
 }
 
 void Engine::place(const Workspace& workspace) {
-    core::Workspace where = State::of(state_).engine.workspace();
-    where.scale = workspace.scale;
-    where.offset = inward(workspace.offset);
-    valueOf(state_->engine.setWorkspace(where));
+    State::first(state_).place(workspace);
 }
 
 void Engine::push(const Vec3& force) {
-    const core::Vec3 pushed = inward(force);
-    if (!pushed.allFinite()) refuse("force: is not finite");
-    State::of(state_).engine.push(pushed);
+    State::first(state_).push(force);
 }
 
 void Engine::restartProxy() {
-    State::of(state_).engine.restartProxy();
+    State::first(state_).restartProxy();
 }
 
 void Engine::leadHand(const Vec3& to, double seconds) {
+    State::first(state_).lead(to, seconds);
+}
+
+EngineState Engine::state() {
+    return State::first(state_).state();
+}
+
+std::string Hand::deviceName() const {
+    return engine_->engine.hand(index_).device().name;
+}
+
+double Hand::maxForce() const {
+    return engine_->engine.hand(index_).device().maxForce;
+}
+
+std::string Hand::trouble() const {
+    return engine_->engine.hand(index_).trouble();
+}
+
+void Hand::arm(bool on) {
+    engine_->engine.hand(index_).setArmed(on);
+}
+
+bool Hand::armed() const {
+    return engine_->engine.hand(index_).armed();
+}
+
+void Hand::place(const Workspace& workspace) {
+    core::Workspace where = engine_->engine.hand(index_).workspace();
+    where.scale = workspace.scale;
+    where.offset = inward(workspace.offset);
+    valueOf(engine_->engine.hand(index_).setWorkspace(where));
+}
+
+void Hand::push(const Vec3& force) {
+    const core::Vec3 pushed = inward(force);
+    if (!pushed.allFinite()) refuse("force: is not finite");
+    engine_->engine.hand(index_).push(pushed);
+}
+
+void Hand::restartProxy() {
+    engine_->engine.hand(index_).restartProxy();
+}
+
+void Hand::lead(const Vec3& to, double seconds) {
     HandGoal goal;
     goal.position = inward(to);
     goal.held = true;
     goal.time = seconds;
     if (!std::ranges::all_of(goal.position, isCoordinate) || !(seconds >= 0 && seconds <= 3600))
         refuse("leadHand: wants a place within 1e6 m, and from 0 to 3600 s");
-    State::of(state_).hand->write(goal);
+    engine_->leads[index_]->write(goal);
 }
 
-EngineState Engine::state() {
-    State& state = State::of(state_);
-    state.engine.poll();
-    const ProxyTelemetry& proxy = state.engine.proxy();
-    const ServoTelemetry& servo = state.engine.servo();
+EngineState Hand::state() {
+    LocalEngine& engine = engine_->engine;
+    engine.poll();
+    const LocalEngine::Hand hand = engine.hand(index_);
+    const ProxyTelemetry& proxy = engine.proxy();
+    const ServoTelemetry& servo = hand.servo();
+    const HapticOutput& output = hand.touch().output;
     EngineState told;
     told.finger = outward(servo.finger);
-    told.proxy = outward(proxy.output.proxy);
+    told.proxy = outward(output.proxy);
     told.force = outward(servo.force);
     told.gain = servo.gain;
     told.why = inhibitWords(servo.inhibit).brief;
@@ -156,9 +226,9 @@ EngineState Engine::state() {
     told.ticks = servo.ticks;
     told.updates = proxy.updates;
     told.misses = servo.misses;
-    told.rate = state.engine.servoStandsStill() ? 0 : servo.rate;
+    told.rate = hand.servoStandsStill() ? 0 : servo.rate;
     told.updateMicros = proxy.updateMicros;
-    state.objects.show(proxy, told);
+    engine_->objects.show(output, proxy.worldRevision, told);
     return told;
 }
 

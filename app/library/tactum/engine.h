@@ -1,4 +1,4 @@
-// A device that renders a scene: both loops of the program, their safety, and the simulated hand.
+// Devices that render a scene: the loops of the program, their safety, and the simulated hand.
 #pragma once
 
 #include <array>
@@ -59,8 +59,11 @@ struct EngineState {
     }
 };
 
-/// Drives a device against a scene. The loops run on threads of their own, as urgent as the account is
-/// allowed; nothing here holds them up. Thread of every member: any but real time, one at a time.
+class Hand;
+
+/// Drives devices against a scene, each of which is a hand. The loops run on threads of their own, as urgent
+/// as the account is allowed; nothing here holds them up. Thread of every member, and of those of its hands:
+/// any but real time, one at a time.
 class TACTUM_API Engine {
 public:
     /// `device`: an id of devices(). Error: there is none of this id, or it is not there any more.
@@ -69,12 +72,21 @@ public:
     Engine& operator=(Engine&& other) noexcept;
     ~Engine(); ///< as close()
 
-    /// Opens the device and starts both loops, without force. Error: the device's sentence.
+    /// One more hand. Loops that run stop and start again, without force. Error: as of the constructor; there
+    /// are four already; or the device's sentence, after which open() would try again with it.
+    void addHand(const std::string& device);
+    std::size_t hands() const;
+    /// i < hands(); valid as long as the engine, wherever that is moved. Error: there is none.
+    Hand hand(std::size_t i);
+
+    /// Opens the devices and starts the loops, without force. Error: a device's sentence.
     void open();
-    /// No force, both loops ended, the device closed. Error: a device that does not come back. Safe to call
+    /// No force, the loops ended, the devices closed. Error: a device that does not come back. Safe to call
     /// twice.
     void close();
     bool isOpen() const;
+
+    // Of the first hand, unless another thing is said.
 
     std::string deviceName() const;
     double maxForce() const; ///< N; no command exceeds it
@@ -86,8 +98,8 @@ public:
     /// The scene as it is now is felt from the next update on, before or after open(). Contacts and friction
     /// stay where no shape changed. Error: a scene that cannot be touched; the one before stays then.
     void publish(const Scene& scene);
-    /// Force on, which comes gently; off at once. Off is also the state after open(). A fault needs off and
-    /// on again.
+    /// Force of all hands on, which comes gently; off at once. Off is also the state after open(). A fault
+    /// needs off and on again.
     void arm(bool on = true);
     bool armed() const;
     /// Error: what cannot be.
@@ -105,8 +117,33 @@ public:
     EngineState state();
 
 private:
+    friend class Hand;
     struct State;
     std::unique_ptr<State> state_;
+};
+
+/// One hand of an engine: each member as the one of Engine.
+class TACTUM_API Hand {
+public:
+    std::string deviceName() const;
+    double maxForce() const;
+    std::string trouble() const;
+    void arm(bool on = true);
+    bool armed() const;
+    void place(const Workspace& workspace);
+    void push(const Vec3& force);
+    void restartProxy();
+    /// Where it goes, if it is a simulated one.
+    void lead(const Vec3& to, double seconds = 0);
+    /// Updates are those of all hands.
+    EngineState state();
+
+private:
+    friend class Engine;
+    Hand(Engine::State& engine, std::size_t index) : engine_(&engine), index_(index) {}
+
+    Engine::State* engine_;
+    std::size_t index_;
 };
 
 } // namespace tactum::library

@@ -21,6 +21,7 @@ private slots:
     void forceIsOffUntilItIsArmed();
     void worksOnAfterItWasClosed();
     void listsTheSimulatedHand();
+    void eachOfTwoHandsFeelsWhatItTouches();
     void refusesWhatCannotBe();
 };
 
@@ -91,6 +92,41 @@ void TestLibraryEngine::listsTheSimulatedHand() {
     QCOMPARE(lib::Engine().trouble(), "");
 }
 
+// Where they come to rest the plate's spring is in balance with each hand's own, of 250 N/m.
+void TestLibraryEngine::eachOfTwoHandsFeelsWhatItTouches() {
+    constexpr double kPlate = 200, kHand = 250, kRadius = 1e-3, kExact = 0.02;
+    const std::array<double, 2> goals{-0.01, -0.005};
+    const lib::Scene scene = plate(kPlate);
+    lib::Engine engine;
+    engine.addHand("simulated");
+    QCOMPARE(engine.hands(), std::size_t(2));
+    engine.publish(scene);
+    engine.open();
+    engine.arm();
+    std::array<double, 2> wanted{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        engine.hand(i).lead({0.01 * double(i), goals[i], 0}, 0.2);
+        wanted[i] = kPlate * (kRadius - goals[i]) * kHand / (kHand + kPlate);
+    }
+    std::array<lib::EngineState, 2> states;
+    QTRY_VERIFY(std::ranges::all_of(std::array{0, 1}, [&](int hand) {
+        const auto i = std::size_t(hand);
+        states[i] = engine.hand(i).state();
+        return states[i].gain == 1 && std::abs(states[i].force.y / wanted[i] - 1) < kExact;
+    }));
+    QCOMPARE(states[1].contacts, 1U);
+    QCOMPARE(states[1].contact[0].object, 1U);
+    QCOMPARE(std::string(states[1].why), "full force");
+    COMPARE_NEAR(states[1].finger.x, 0.01, 1e-4, "m");
+    QCOMPARE(engine.hand(1).deviceName(), engine.deviceName());
+    engine.hand(1).arm(false);
+    QTRY_VERIFY(engine.hand(1).state().force == lib::Vec3());
+    QVERIFY(engine.armed() && !engine.hand(1).armed());
+    QVERIFY(engine.state().force.y > 0);
+    engine.arm(false);
+    QTRY_VERIFY(engine.state().force == lib::Vec3());
+}
+
 void TestLibraryEngine::refusesWhatCannotBe() {
     COMPARE_CONTAINS(sentenceOf([] { lib::Engine engine("falcon"); }), "falcon");
     COMPARE_CONTAINS(sentenceOf([] { lib::Engine engine("nothing"); }), "There is no device \"nothing\"");
@@ -102,6 +138,8 @@ void TestLibraryEngine::refusesWhatCannotBe() {
                  engine.leadHand({0, kNan, 0});
              }),
              "leadHand: wants a place within 1e6 m, and from 0 to 3600 s");
+    COMPARE_CONTAINS(sentenceOf([&] { (void)engine.hand(1); }), "there is no hand 1");
+    COMPARE_CONTAINS(sentenceOf([&] { engine.addHand("nothing"); }), "There is no device \"nothing\"");
     const lib::Engine elsewhere = std::move(engine);
     COMPARE_BEGINS(sentenceOf([&] { engine.open(); }), "this Engine was moved elsewhere");
     COMPARE_BEGINS(sentenceOf([&] { engine.state(); }), "this Engine was moved elsewhere");

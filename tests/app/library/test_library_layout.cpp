@@ -49,6 +49,7 @@ void TestLibraryLayout::isWhatProgramsWereBuiltWith_data() {
     addLayout<lib::Scene>("Scene", 16);
     addLayout<lib::World>("World", 8);
     addLayout<lib::Engine>("Engine", 8);
+    addLayout<lib::Hand>("Hand", 16);
 }
 
 void TestLibraryLayout::isWhatProgramsWereBuiltWith() {
