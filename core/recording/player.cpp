@@ -255,6 +255,11 @@ void Player::advanceTo(double time) {
         hand.servo.rate = rateAt(hand.recorded->servo.rows, hand.nextServo);
 }
 
+void Player::speakOf(std::size_t hand) {
+    spoken_ = hand;
+    static_cast<TouchTelemetry&>(proxy_) = hands_[hand].touch;
+}
+
 void Player::stepProxy() {
     const std::size_t index = nextProxy_++;
     std::array<ProxyRow, std::size_t(kMaxHands)> rows;
@@ -265,7 +270,7 @@ void Player::stepProxy() {
     modelSteps_ = run_->proxy.first + nextProxy_;
     for (std::size_t i = 0; i < hands_.size(); ++i)
         noteStep(i, outputs[i]);
-    static_cast<TouchTelemetry&>(proxy_) = hands_[0].touch;
+    speakOf(spoken_);
     proxy_.updates = modelSteps_;
     proxy_.worldRevision = rows[0].world;
     proxy_.time = sim_.time;

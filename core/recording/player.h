@@ -49,11 +49,13 @@ public:
     const World* world() const;
     /// The same, to keep.
     std::shared_ptr<const World> sharedWorld() const;
+    /// The hand that is spoken of, and what all share.
     const ProxyTelemetry& proxy() const { return proxy_; }
+    /// Whom proxy() is about from now on, below run().hands(); at first the first.
+    void speakOf(std::size_t hand);
     /// With the misses since the recording began; whose they were it does not know.
     const ServoTelemetry& servo(std::size_t hand = 0) const { return hands_[hand].servo; }
-    /// What a hand touches; that of the first is in proxy(), too. `hand`, here and there: below
-    /// run().hands().
+    /// What a hand touches. `hand`, here and there: below run().hands().
     const TouchTelemetry& touch(std::size_t hand) const { return hands_[hand].touch; }
     /// Of the last servo tick; nullptr before the first.
     const ServoRow* servoRow(std::size_t hand = 0) const;
@@ -112,6 +114,7 @@ private:
     SimState sim_;
     std::vector<HandState> others_; ///< the second hand and so on
     std::vector<Hand> hands_;
+    std::size_t spoken_ = 0; ///< whom proxy_ is about
     std::size_t nextProxy_ = 0;
     std::uint64_t modelSteps_ = 0; ///< rows of the proxy that led to the models; 0: there are none
     double time_ = 0;

@@ -551,6 +551,10 @@
             <translation>&amp;Hinzufügen</translation>
         </message>
         <message>
+            <source>&amp;Add a device</source>
+            <translation>&amp;Gerät hinzufügen</translation>
+        </message>
+        <message>
             <source>&amp;Agree on fronts</source>
             <translation>&amp;Vorderseiten angleichen</translation>
         </message>
@@ -707,6 +711,10 @@
             <translation>&amp;Handbuch</translation>
         </message>
         <message>
+            <source>&amp;Hands</source>
+            <translation>Hä&amp;nde</translation>
+        </message>
+        <message>
             <source>&amp;Hear the contact</source>
             <translation>Kontakt &amp;hören</translation>
         </message>
@@ -733,6 +741,10 @@
         <message>
             <source>&amp;Keep this view...</source>
             <translation>Diese &amp;Ansicht behalten...</translation>
+        </message>
+        <message>
+            <source>&amp;Kept cameras</source>
+            <translation>&amp;Gespeicherte Kameras</translation>
         </message>
         <message>
             <source>&amp;Keyboard</source>
@@ -797,6 +809,10 @@
         <message>
             <source>&amp;New study</source>
             <translation>&amp;Neue Studie</translation>
+        </message>
+        <message>
+            <source>&amp;Next hand</source>
+            <translation>&amp;Nächste Hand</translation>
         </message>
         <message>
             <source>&amp;Next panel</source>
@@ -873,6 +889,10 @@
         <message>
             <source>&amp;Remove layer</source>
             <translation>Ebene &amp;entfernen</translation>
+        </message>
+        <message>
+            <source>&amp;Remove the hand</source>
+            <translation>Hand &amp;entfernen</translation>
         </message>
         <message>
             <source>&amp;Rename</source>
@@ -2736,6 +2756,10 @@
             <translation>Das Gerät zurückgeben; die Maus führt eine simulierte Hand</translation>
         </message>
         <message>
+            <source>Give the device of the chosen hand back. The forces of all hands are off then</source>
+            <translation>Das Gerät der gewählten Hand zurückgeben. Die Kräfte aller Hände sind dann aus</translation>
+        </message>
+        <message>
             <source>Give the keys to the next panel</source>
             <translation>Die Tastatur dem nächsten Bereich geben</translation>
         </message>
@@ -3163,10 +3187,6 @@
             <translation>Gelenkweg</translation>
         </message>
         <message>
-            <source>&amp;Kept cameras</source>
-            <translation>&amp;Gespeicherte Kameras</translation>
-        </message>
-        <message>
             <source>Kee&amp;p as a set...</source>
             <translation>Als Satz be&amp;wahren...</translation>
         </message>
@@ -3439,6 +3459,10 @@
             <translation>Das gewählte Gerät Schritt für Schritt bereit machen</translation>
         </message>
         <message>
+            <source>Make the device that is chosen in the dock Device ready as one more hand</source>
+            <translation>Das im Bereich Gerät gewählte Gerät als weitere Hand bereit machen</translation>
+        </message>
+        <message>
             <source>Make the device that is chosen in the dock Device ready, step by step</source>
             <translation>Das im Bereich Gerät gewählte Gerät Schritt für Schritt bereit machen</translation>
         </message>
@@ -3705,6 +3729,10 @@
         <message>
             <source>No condition yet. Make the scene feel as one should, then keep this state.</source>
             <translation>Noch keine Bedingung. Die Szene so einrichten, wie sich eine anfühlen soll, dann den Zustand festhalten.</translation>
+        </message>
+        <message>
+            <source>No device is chosen in the dock Device that no hand has, or there are as many hands as there can be.</source>
+            <translation>Im Bereich Gerät ist kein Gerät gewählt, das noch keine Hand hat, oder es gibt schon so viele Hände wie möglich.</translation>
         </message>
         <message>
             <source>No device is connected.</source>
@@ -5112,6 +5140,10 @@ der Grenze rendern</translation>
             <translation>Status, Zustand, Diagramme und Spur sind die der gewählten Hand.</translation>
         </message>
         <message>
+            <source>Status, health, plots and trail are those of the next hand; of a recording's hands while one is shown</source>
+            <translation>Status, Zustand, Diagramme und Spur sind die der nächsten Hand; solange eine Aufnahme gezeigt wird, die einer ihrer Hände</translation>
+        </message>
+        <message>
             <source>Steps multiply and divide</source>
             <translation>Schritte multiplizieren und dividieren</translation>
         </message>
@@ -5470,6 +5502,10 @@ der Grenze rendern</translation>
         <message>
             <source>The finger was faster than a hand that holds it.</source>
             <translation>Der Finger war schneller als eine Hand, die ihn hält.</translation>
+        </message>
+        <message>
+            <source>The first hand is chosen, which always is there; Disconnect gives its device back.</source>
+            <translation>Gewählt ist die erste Hand, die es immer gibt; Trennen gibt ihr Gerät zurück.</translation>
         </message>
         <message>
             <source>The force comes back softly. Hold the handle.</source>
@@ -5994,6 +6030,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>There is no stroke, or no state was marked as A.</source>
             <translation>Es gibt keinen Strich, oder kein Zustand wurde als A markiert.</translation>
+        </message>
+        <message>
+            <source>There is one hand.</source>
+            <translation>Es gibt nur eine Hand.</translation>
         </message>
         <message>
             <source>There was a fault. What led to it was saved: open %1 to see it again.</source>
@@ -6550,6 +6590,10 @@ Ein Modell öffnen (Strg+O) oder auf dem Fenster ablegen.</translation>
         <message>
             <source>Whole again</source>
             <translation>Wieder ganz</translation>
+        </message>
+        <message>
+            <source>Whose plots, trail and status are shown</source>
+            <translation>Wessen Diagramme, Spur und Status gezeigt werden</translation>
         </message>
         <message>
             <source>Width of one repeat on the surface; for noise, of its coarsest grain. The height of an image follows from its proportions.</source>

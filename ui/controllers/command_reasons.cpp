@@ -32,6 +32,11 @@ constexpr Reason kReasons[] = {
     {"dead-man", QT_TR_NOOP("This device has no button that could be held.")},
     {"device-connect", QT_TR_NOOP("No other device is chosen in the dock Device that can be used.")},
     {"device-disconnect", QT_TR_NOOP("No device is connected.")},
+    {"hand-add", QT_TR_NOOP("No device is chosen in the dock Device that no hand has, or there are as many "
+                            "hands as there can be.")},
+    {"hand-next", QT_TR_NOOP("There is one hand.")},
+    {"hand-remove", QT_TR_NOOP("The first hand is chosen, which always is there; Disconnect gives its "
+                               "device back.")},
     {"workspace-centre", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
     {"workspace-fit", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},
     {"workspace-axes", QT_TR_NOOP("The mouse leads the simulated hand in the scene itself.")},

@@ -48,6 +48,9 @@ void DeviceController::connectCommands() {
     bench_.on("device-panel", this, [this] { showPage(int(DevicePanel::Page::Connect)); });
     bench_.on("device-connect", this, [this] { choose(); });
     bench_.on("device-disconnect", this, [this] { link_.choose(kSimulatedDevice); });
+    bench_.on("hand-add", this, [this] { addHand(); });
+    bench_.on("hand-next", this, [this] { chooseNextHand(); });
+    bench_.on("hand-remove", this, [this] { link_.remove(link_.hands().chosen()); });
     bench_.on("workspace-centre", this, [this] { centreWorkspace(false); });
     bench_.on("workspace-fit", this, [this] { centreWorkspace(true); });
     bench_.on("workspace-axes", this, [this] {
@@ -68,10 +71,7 @@ void DeviceController::connectLink() {
 void DeviceController::connectHands() {
     connect(&panel_.hands(), &HandList::handChosen, this, &DeviceController::chooseHand);
     connect(&panel_.hands(), &HandList::removePressed, &link_, &DeviceLink::remove);
-    connect(&panel_.connecting(), &DeviceConnect::addPressed, this, [this] {
-        arming_.switchOff(); // nothing pushes while the person is busy with another device
-        link_.add(panel_.connecting().chosen());
-    });
+    connect(&panel_.connecting(), &DeviceConnect::addPressed, this, &DeviceController::addHand);
     connect(&link_, &DeviceLink::wentAway, this, [this](const QString& name, bool others) {
         away_ = (others ? tr("%1 is not there any more and gets no force; the other hand goes on. When you "
                              "switch the forces off, the mouse leads a simulated hand in its place.")
@@ -88,6 +88,19 @@ void DeviceController::connectHands() {
                     .arg(name);
         sayAway();
     });
+}
+
+void DeviceController::addHand() {
+    arming_.switchOff(); // nothing pushes while the person is busy with another device
+    link_.add(panel_.connecting().chosen());
+}
+
+void DeviceController::chooseNextHand() {
+    Playback& playback = bench_.playback;
+    if (playback.active())
+        playback.showHand((playback.hand() + 1) % playback.player().run().hands());
+    else
+        chooseHand((link_.hands().chosen() + 1) % link_.hands().count());
 }
 
 void DeviceController::chooseHand(std::size_t hand) {
@@ -255,10 +268,15 @@ void DeviceController::sayAway(const QString& more) {
 
 void DeviceController::showCommands() {
     const bool leadsItself = link_.leadsItself(link_.hands().chosen());
+    const bool live = !bench_.playback.active();
+    const std::size_t hands = live ? link_.hands().count() : bench_.playback.player().run().hands();
+    bench_.actions["hand-add"].setEnabled(live && link_.mayAdd(panel_.connecting().chosen()));
+    bench_.actions["hand-next"].setEnabled(hands > 1);
+    bench_.actions["hand-remove"].setEnabled(live && link_.hands().chosen() > 0);
     bench_.actions["device-connect"].setEnabled(link_.mayBegin(panel_.connecting().chosen()));
     bench_.actions["device-disconnect"].setEnabled(link_.mayLetGo());
     for (const char* id : {"workspace-centre", "workspace-fit", "workspace-axes"})
-        bench_.actions[id].setEnabled(leadsItself && !bench_.playback.active());
+        bench_.actions[id].setEnabled(leadsItself && live);
 }
 
 } // namespace tactum

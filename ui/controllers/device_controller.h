@@ -51,7 +51,9 @@ private:
     void connectWorkspace();
     void choose();
     void adopt();
+    void addHand();
     void chooseHand(std::size_t hand);
+    void chooseNextHand();
     // Of the chosen hand.
     const DeviceSettings& settings() const;
     void setSettings(const DeviceSettings& settings);

@@ -68,13 +68,14 @@ void HealthController::display() {
 
 void HealthController::displayRecorded() {
     Player& player = bench_.playback.player();
-    const DeviceInfo& device = player.run().device;
-    const ServoRow* tick = player.servoRow();
+    const std::size_t hand = bench_.playback.hand();
+    const DeviceInfo& device = player.run().hand(hand).device;
+    const ServoRow* tick = player.servoRow(hand);
     const bool overridden = tick && (tick->flags & ServoRow::Override) != 0;
-    const CeilingNow ceiling = ceilingNow(player.servo(), device);
+    const CeilingNow ceiling = ceilingNow(player.servo(hand), device);
     inspector_.setCeiling(ceiling, overridden);
     if (panel_.visibleRegion().isEmpty()) return;
-    panel_.display(player.servo(), player.proxy(), device);
+    panel_.display(player.servo(hand), player.proxy(), device);
     const World* world = player.world();
     panel_.displayCeiling(ceiling, world ? stiffestOf(*world->scene) : Stiffest{}, overridden);
     panel_.setEvents(bench_.playback.eventsSoFar());

@@ -25,6 +25,7 @@ Playback::Playback(PlaybackBar& bar, QObject* parent) : QObject(parent), bar_(ba
     connect(&job_, &BackgroundJob::progressed, this, &Playback::progressed);
     connect(&bar_, &PlaybackBar::playToggled, this, [this] { setPlaying(!playing_); });
     connect(&bar_, &PlaybackBar::soughtTo, this, &Playback::seek);
+    connect(&bar_, &PlaybackBar::handChosen, this, &Playback::showHand);
     connect(&bar_, &PlaybackBar::left, this, &Playback::end);
 }
 
@@ -40,11 +41,15 @@ void Playback::adopt(Player player, const QString& file) {
     const RecordedRun& run = player.run();
     events_ = eventsOf(run);
     bar_.setRecording(run.end() - run.begin(), events_, run.begin());
-    bar_.setShownHand(run.hands() > 1 ? QString::fromStdString(run.device.name) : QString());
+    QStringList hands;
+    for (std::size_t hand = 0; hand < run.hands(); ++hand)
+        hands << QString::fromStdString(run.hand(hand).device.name);
+    bar_.setHands(hands);
     player_.emplace(std::move(player));
     file_ = file;
     setPlaying(false);
     seek(0, true);
+    hand_ = 0;
     bar_.show();
     emit begun();
 }
@@ -86,6 +91,15 @@ void Playback::seek(double time, bool resting) {
     player_->seek(player_->run().begin() + time, resting ? kPlotted : 0);
     jumped_ = true;
     clock_.start();
+}
+
+/// What was drawn over time is stepped through again, for it was another hand's.
+void Playback::showHand(std::size_t hand) {
+    if (!active()) return;
+    hand_ = hand;
+    player_->speakOf(hand);
+    bar_.showHand(hand);
+    seek(time(), true);
 }
 
 void Playback::frame() {

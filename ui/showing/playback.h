@@ -42,8 +42,11 @@ public:
     /// What happened in the recording until now, newest first, each at its time since the beginning.
     std::deque<HealthEvent> eventsSoFar() const;
 
-    /// Only while active.
+    // Only while active.
     Player& player() { return *player_; }
+    /// Whose plot, trail and status are shown, below player().run().hands(): at first the first hand's.
+    std::size_t hand() const { return hand_; }
+    void showHand(std::size_t hand);
     /// Whether the last frame() jumped: what was drawn over time begins anew.
     bool takeJump() { return std::exchange(jumped_, false); }
 
@@ -62,6 +65,7 @@ private:
     QString file_;
     std::vector<RecordedEvent> events_;
     QElapsedTimer clock_;
+    std::size_t hand_ = 0;
     bool playing_ = false, jumped_ = false;
 };
 

@@ -35,7 +35,8 @@ QLabel* figures(const QString& name, const QString& widest) {
 } // namespace
 
 PlaybackBar::PlaybackBar(QWidget* parent)
-    : QWidget(parent), play_(new QToolButton), speed_(new QComboBox), scrubber_(new Scrubber),
+    : QWidget(parent), play_(new QToolButton), speed_(new QComboBox), hand_(new QComboBox),
+      scrubber_(new Scrubber),
       time_(figures(QStringLiteral("playback-time"), QStringLiteral("00.00 / 00.00 s"))), event_(new QLabel),
       verdict_(new QLabel), back_(new QPushButton(tr("Back to live"))) {
     setObjectName(QStringLiteral("playback"));
@@ -50,6 +51,9 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     speed_->setObjectName(QStringLiteral("playback-speed"));
     speed_->setToolTip(tr("Speed of the playback"));
     speed_->setAccessibleName(speed_->toolTip());
+    hand_->setObjectName(QStringLiteral("playback-hand"));
+    hand_->setToolTip(tr("Whose plots, trail and status are shown"));
+    hand_->setAccessibleName(hand_->toolTip());
     event_->setObjectName(QStringLiteral("playback-event"));
     event_->setProperty("dimmed", true);
     event_->setMinimumWidth(1);
@@ -68,6 +72,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     line->addWidget(speed_);
     line->addWidget(scrubber_, 1);
     line->addWidget(time_);
+    line->addWidget(hand_);
     line->addWidget(back_);
     words->addWidget(event_, 1);
     words->addWidget(verdict_);
@@ -75,6 +80,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     column->addLayout(words);
     connect(play_, &QToolButton::clicked, this, &PlaybackBar::playToggled);
     connect(scrubber_, &Scrubber::moved, this, &PlaybackBar::soughtTo);
+    connect(hand_, &QComboBox::activated, this, [this](int hand) { emit handChosen(std::size_t(hand)); });
     connect(back_, &QPushButton::clicked, this, &PlaybackBar::left);
     refreshIcon();
     hide();
@@ -87,6 +93,17 @@ void PlaybackBar::setRecording(double length, const std::vector<RecordedEvent>& 
         marks_.push_back({event.time - begin, event.fault, QString::fromStdString(event.text)});
     scrubber_->setRecording(length, marks_);
     speed_->setCurrentIndex(kOwnSpeed);
+}
+
+void PlaybackBar::setHands(const QStringList& names) {
+    hand_->clear();
+    for (const QString& name : names)
+        hand_->addItem(QStringLiteral("%1 \u00b7 %2").arg(hand_->count() + 1).arg(name), name);
+    hand_->setVisible(names.size() > 1);
+}
+
+void PlaybackBar::showHand(std::size_t hand) {
+    hand_->setCurrentIndex(int(hand));
 }
 
 void PlaybackBar::display(double time, bool playing, const ReplayCheck& check) {
@@ -111,10 +128,10 @@ void PlaybackBar::changeSpeed(int by) {
 // What happened last: beside the picture of the moment it says how it came to it.
 void PlaybackBar::tellEvent(double time) {
     const auto next = std::ranges::upper_bound(marks_, time, {}, &ScrubberMark::time);
-    QString text =
-        shownHand_.isEmpty()
-            ? tr("Recording: finger, proxy and forces are those of then")
-            : tr("Recording of several hands; plots, trail and status are those of %1").arg(shownHand_);
+    QString text = hand_->count() < 2
+                       ? tr("Recording: finger, proxy and forces are those of then")
+                       : tr("Recording of several hands; plots, trail and status are those of %1")
+                             .arg(hand_->currentData().toString());
     if (next != marks_.begin()) {
         const ScrubberMark& last = *std::prev(next);
         text = tr("%1 s: %2").arg(numberText(last.time, 2), last.text);

@@ -22,8 +22,10 @@ public:
 
     /// Times in s since the beginning.
     void setRecording(double length, const std::vector<RecordedEvent>& events, double begin);
-    /// Whose plot, trail and status are shown of a recording of several hands; empty: there is one.
-    void setShownHand(const QString& name) { shownHand_ = name; }
+    /// The names of their devices. The first is shown.
+    void setHands(const QStringList& names);
+    /// Whose plot, trail and status are shown.
+    void showHand(std::size_t hand);
     void display(double time, bool playing, const ReplayCheck& check);
     bool isHeld() const { return scrubber_->isHeld(); }
     double speed() const;
@@ -33,6 +35,7 @@ public:
 signals:
     void playToggled();
     void soughtTo(double time, bool resting);
+    void handChosen(std::size_t hand);
     void left();
 
 protected:
@@ -44,14 +47,13 @@ private:
     void tellVerdict(const ReplayCheck& check);
 
     QToolButton* play_;
-    QComboBox* speed_;
+    QComboBox *speed_, *hand_;
     Scrubber* scrubber_;
     QLabel* time_;
     QLabel* event_;
     QLabel* verdict_;
     QPushButton* back_;
     std::vector<ScrubberMark> marks_;
-    QString shownHand_;
     double length_ = 0;
     bool playing_ = false;
 };

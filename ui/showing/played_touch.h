@@ -12,12 +12,14 @@ namespace tactum {
 class ForcePlot;
 class SceneView;
 
-/// Shows the servo ticks since the last call, with the haptic steps that belong to them; both are taken from
-/// the player. `touched`: the name of the surface that is touched. Gives the ticks back. Thread: ui.
-std::vector<TracePoint> showPlayed(Player& player, ForcePlot& plot, SceneView& view, const QString& touched);
+// Of a hand of the recording, below player.run().hands(), of which the player speaks. Thread: ui.
 
-/// Draws the other hands of the recording beside the first, with the names of their devices. Before
-/// setHaptics(). Thread: ui.
-void showPlayedHands(const Player& player, SceneView& view);
+/// Shows the servo ticks since the last call, with the haptic steps that belong to them; both are taken from
+/// the player. `touched`: the name of the surface that is touched. Gives the ticks back.
+std::vector<TracePoint> showPlayed(Player& player, std::size_t hand, ForcePlot& plot, SceneView& view,
+                                   const QString& touched);
+
+/// Draws it, and the other hands beside it, with the names of their devices.
+void showPlayedHands(const Player& player, std::size_t hand, SceneView& view);
 
 } // namespace tactum

@@ -49,10 +49,9 @@ void PlayedView::followScene() {
 VideoPicture PlayedView::pictureAt(double time) {
     player_.advanceTo(time);
     followScene();
-    showPlayedHands(player_, view_);
-    view_.setHaptics(player_.proxy(), player_.servo(), player_.run().device.maxForce, true);
+    showPlayedHands(player_, 0, view_);
     view_.setWorld(player_.sharedWorld());
-    showPlayed(player_, plot_, view_, {});
+    showPlayed(player_, 0, plot_, view_, {});
     QImage plot;
     if (!layout_.plot.isEmpty()) plot = plot_.picture(layout_.plot.size(), layout_.plotScale());
     return videoFrame(layout_, view_.grabPicture(), plot, theme().window);

@@ -330,23 +330,22 @@ void MainWindow::frame() {
 void MainWindow::playFrame() {
     playback_->frame();
     Player& player = playback_->player();
-    const DeviceInfo& device = player.run().device;
+    const std::size_t hand = playback_->hand();
     if (const World* world = player.world(); world && world->shapeRevision != shownShape_) {
         shownShape_ = world->shapeRevision;
         view_->setScene(*world->scene);
     }
-    showPlayedHands(player, *view_);
-    if (view_->isVisible()) view_->setHaptics(player.proxy(), player.servo(), device.maxForce, true);
+    if (view_->isVisible()) showPlayedHands(player, hand, *view_);
     view_->setWorld(player.sharedWorld());
     if (playback_->takeJump()) {
         docks_.plot->clear();
         view_->clearTrail();
     }
     if (const World* world = player.world()) showTouched(world, *world->scene);
-    sound_->play(showPlayed(player, *docks_.plot, *view_, touchedName_));
+    sound_->play(showPlayed(player, hand, *docks_.plot, *view_, touchedName_));
     for (TracePoint live; engine_.popTrace(live);)
         continue;
-    status_->display(player.proxy(), player.servo(), device);
+    status_->display(player.proxy(), player.servo(hand), player.run().hand(hand).device);
 }
 
 void MainWindow::sayRecorded(const QString& file, bool afterFault) {

@@ -3,8 +3,10 @@
 
 #include "tests/support/compare.h"
 #include "tests/support/gui_test_program.h"
-#include "tests/ui/window/device_desk.h"
+#include "tests/ui/window/two_arms.h"
 #include "ui/base/hand_colours.h"
+#include "ui/controllers/command_reasons.h"
+#include "ui/showing/playback.h"
 #include "ui/showing/recording_saver.h"
 #include "ui/view/scene_view.h"
 
@@ -14,69 +16,10 @@ using namespace tactum;
 
 namespace {
 
-const QString kOther = QStringLiteral("fake:1-4");
-constexpr double kTop = 0.05; // m, of the cube
-
-std::shared_ptr<FakeDesk> otherArm() {
-    auto desk = std::make_shared<FakeDesk>();
-    desk->name = "Other arm";
-    desk->place(0.02, kTop + 0.01, 0);
-    return desk;
+/// The keys of hands: H with these.
+void pressH(TwoArms& two, Qt::KeyboardModifiers with) {
+    QTest::keyClick(&two.program().window->view(), Qt::Key_H, with);
 }
-
-/// The program with a cube, the example arm and another one.
-struct TwoArms {
-    explicit TwoArms(const QTemporaryDir& folder) {
-        desk.desk->place(-0.02, kTop + 0.01, 0);
-        if (!program().open(writeCube(folder))) qFatal("the cube does not open");
-    }
-    TouchedWindow& program() { return desk.program; }
-    LocalEngine& engine() { return desk.program.engine; }
-
-    void askForOther() {
-        other->go = 3;
-        desk.chooseRow("Other arm");
-        desk.click("device-add-button");
-    }
-    bool addOther() {
-        askForOther();
-        return test::waitFor([this] { return engine().hands() == 2 && !desk.link().preparing(); });
-    }
-    bool bothAreThere() { return desk.connectIt() && addOther(); }
-    /// Both press into the top, the second as deep again, until each device gets its force. Where a machine
-    /// that is late takes a force away, a person begins anew.
-    bool press() {
-        return test::waitFor([this] {
-            if (!engine().hand(0).armed() || !engine().hand(1).armed()) begin();
-            return isForce(*desk.desk, 0, kForce) && isForce(*other, 1, 2 * kForce);
-        });
-    }
-    bool holds(FakeDesk& one, std::size_t hand, double newton) {
-        return test::waitFor([&] { return engine().hand(hand).armed() && isForce(one, hand, newton); });
-    }
-    static constexpr double kForce = 0.4; // N
-
-    std::shared_ptr<FakeDesk> other = otherArm();
-    Desk desk{false, other};
-
-private:
-    void begin() {
-        desk.desk->y = other->y = kTop + 0.01;
-        QAction& armed = program().command("armed");
-        if (armed.isChecked()) armed.trigger();
-        program().frames(10);
-        armed.trigger();
-        program().frames(10);
-        const double radius = program().document.scene().proxyRadius;
-        const double stiffness = program().document.scene().objects[0].surfaces[0].material.stiffness;
-        desk.desk->y = kTop + radius - kForce / stiffness;
-        other->y = kTop + radius - 2 * kForce / stiffness;
-    }
-    bool isForce(FakeDesk& one, std::size_t hand, double newton) {
-        return std::abs(one.force - newton) < 0.02 * newton &&
-               engine().hand(hand).touch().output.contacts == 1;
-    }
-};
 
 /// Whether the view draws anything of that hand: the ring before its name at least is in its very colour.
 bool isDrawn(TouchedWindow& program, std::size_t hand) {
@@ -109,6 +52,8 @@ private slots:
     void whatDoesNotStartLeavesTheFirst();
     void bothAreDrawn();
     void aRecordingHoldsBoth();
+    void handsHaveKeys();
+    void commandsSayWhyTheyCannot();
 };
 
 void TestHandsTogether::aSecondDeviceIsAddedAndRemoved() {
@@ -299,8 +244,61 @@ void TestHandsTogether::aRecordingHoldsBoth() {
     QTRY_VERIFY_WITH_TIMEOUT(two.desk.widget("playback").isVisible(), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn(two.program(), 1), kPatience);
     COMPARE_CONTAINS(two.desk.widget("playback-event").toolTip(), QStringLiteral("those of Example arm"));
+    // Its end, where both press; the hand is chosen by its key or in the bar.
+    auto* playback = two.program().window->findChild<Playback*>();
+    playback->seek(1e9, true);
+    const auto force = [&] { return playback->player().servo(playback->hand()).force.norm(); };
+    COMPARE_NEAR(force(), TwoArms::kForce, 0.02 * TwoArms::kForce, "N");
+    pressH(two, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(playback->hand(), std::size_t(1), kPatience);
+    COMPARE_NEAR(force(), 2 * TwoArms::kForce, 0.04 * TwoArms::kForce, "N");
+    COMPARE_NEAR(playback->player().proxy().output.force.norm(), 2 * TwoArms::kForce, 0.04 * TwoArms::kForce,
+                 "N");
+    const auto status = [&] { return two.desk.text("status-device"); };
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(QStringLiteral("Other arm")), kPatience);
+    QVERIFY(isDrawn(two.program(), 0) && isDrawn(two.program(), 1));
+    two.desk.pick("playback-hand", 0);
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(QStringLiteral("Example arm")), kPatience);
     two.desk.click("playback-back");
     QTRY_VERIFY_WITH_TIMEOUT(!isDrawn(two.program(), 1), kPatience);
+}
+
+void TestHandsTogether::handsHaveKeys() {
+    TwoArms two(folder_);
+    QVERIFY(two.desk.connectIt());
+    two.other->go = 3;
+    two.desk.chooseRow("Other arm");
+    pressH(two, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(test::waitFor([&] { return two.engine().hands() == 2 && !two.desk.link().preparing(); }));
+    pressH(two, Qt::ControlModifier);
+    QCOMPARE(two.desk.link().hands().chosen(), std::size_t(1));
+    pressH(two, Qt::ControlModifier);
+    QCOMPARE(two.desk.link().hands().chosen(), std::size_t(0));
+    pressH(two, Qt::ControlModifier | Qt::AltModifier); // the first stays
+    QCOMPARE(two.engine().hands(), std::size_t(2));
+    pressH(two, Qt::ControlModifier);
+    pressH(two, Qt::ControlModifier | Qt::AltModifier);
+    QCOMPARE(two.engine().hands(), std::size_t(1));
+    QCOMPARE(two.desk.link().current(), kFake);
+}
+
+void TestHandsTogether::commandsSayWhyTheyCannot() {
+    TwoArms two(folder_);
+    QVERIFY(two.desk.connectIt());
+    const auto off = [&](const char* command) {
+        return two.program().command(command).isEnabled() ? QString()
+                                                          : whyOff(QString::fromLatin1(command), false);
+    };
+    COMPARE_CONTAINS(off("hand-add"), QStringLiteral("that no hand has")); // it is the first's
+    COMPARE_BEGINS(off("hand-next"), QStringLiteral("There is one hand"));
+    COMPARE_BEGINS(off("hand-remove"), QStringLiteral("The first hand is chosen"));
+    two.desk.chooseRow("Other arm");
+    QCOMPARE(off("hand-add"), QString());
+    QVERIFY(two.addOther());
+    COMPARE_CONTAINS(off("hand-add"), QStringLiteral("that no hand has"));
+    QCOMPARE(off("hand-next"), QString());
+    two.desk.click("hand-1");
+    QCOMPARE(off("hand-remove"), QString());
 }
 
 TACTUM_GUI_TEST(TestHandsTogether)
