@@ -236,16 +236,16 @@
             <translation>%1 wird in %2 gemessen.</translation>
         </message>
         <message>
-            <source>%1 is not there any more and gets no force; the other hand goes on. Its own goes when you switch the forces off: plug it in and add it again.</source>
-            <translation>%1 ist nicht mehr da und bekommt keine Kraft; die andere Hand macht weiter. Seine eigene verschwindet, wenn Sie die Kräfte ausschalten: wieder anschließen und neu hinzufügen.</translation>
+            <source>%1 is not there any more and gets no force; the other hand goes on. Its own goes when you switch the forces off. Plug it in: it is made ready again by itself.</source>
+            <translation>%1 ist nicht mehr da und bekommt keine Kraft; die andere Hand macht weiter. Seine eigene verschwindet, wenn Sie die Kräfte ausschalten. Wieder anschließen: Es wird von selbst bereit gemacht.</translation>
         </message>
         <message>
             <source>%1 is not there any more and gets no force; the other hand goes on. When you switch the forces off, the mouse leads a simulated hand in its place.</source>
             <translation>%1 ist nicht mehr da und bekommt keine Kraft; die andere Hand macht weiter. Wenn Sie die Kräfte ausschalten, führt die Maus an seiner Stelle eine simulierte Hand.</translation>
         </message>
         <message>
-            <source>%1 is not there any more, and its hand went with it. Plug it in and add it again.</source>
-            <translation>%1 ist nicht mehr da und seine Hand mit ihm. Wieder anschließen und neu hinzufügen.</translation>
+            <source>%1 is not there any more, and its hand went with it. Plug it in: it is made ready again by itself.</source>
+            <translation>%1 ist nicht mehr da und seine Hand mit ihm. Wieder anschließen: Es wird von selbst bereit gemacht.</translation>
         </message>
         <message>
             <source>%1 is not there any more; the forces are off. Plug it in: it is made ready again by itself. Until then the mouse leads a simulated hand.</source>
@@ -3115,6 +3115,10 @@
             <translation>So, wie die Dinge liegen, hat es keine Wirkung.</translation>
         </message>
         <message>
+            <source>It is ready, and becomes a hand when the forces are off.</source>
+            <translation>Es ist bereit und wird eine Hand, sobald die Kräfte aus sind.</translation>
+        </message>
+        <message>
             <source>It lies where the mesh's texture coordinates put it; the other mappings have a frame that can be moved in the view.</source>
             <translation>Sie liegt dort, wohin die Texturkoordinaten des Netzes sie legen; die anderen Abbildungen haben einen Rahmen, der in der Ansicht bewegt werden kann.</translation>
         </message>
@@ -3885,6 +3889,10 @@
         <message>
             <source>Not now: %1 %2</source>
             <translation>Jetzt nicht: %1 %2</translation>
+        </message>
+        <message>
+            <source>Not there since last time: %1. What you plug in is made ready by itself.</source>
+            <translation>Seit dem letzten Mal nicht mehr da: %1. Was Sie anschließen, wird von selbst bereit gemacht.</translation>
         </message>
         <message>
             <source>Note</source>

@@ -80,11 +80,16 @@ void DeviceController::connectHands() {
                     .arg(name);
         sayAway();
     });
+    connect(&link_, &DeviceLink::missing, this, [this](const QStringList& names) {
+        bench_.notice.showNote(tr("Not there since last time: %1. What you plug in is made ready by itself.")
+                                   .arg(names.join(QStringLiteral(", "))));
+    });
     connect(&link_, &DeviceLink::besideWentAway, this, [this](const QString& name, bool others) {
         away_ = (others ? tr("%1 is not there any more and gets no force; the other hand goes on. Its own "
-                             "goes when you switch the forces off: plug it in and add it again.")
-                        : tr("%1 is not there any more, and its hand went with it. Plug it in and add it "
-                             "again."))
+                             "goes when you switch the forces off. Plug it in: it is made ready again by "
+                             "itself.")
+                        : tr("%1 is not there any more, and its hand went with it. Plug it in: it is made "
+                             "ready again by itself."))
                     .arg(name);
         sayAway();
     });

@@ -16,6 +16,11 @@ QString chosenKey() {
     return QStringLiteral("device/chosen");
 }
 
+/// What that is called, for when it is not there.
+QString nameKey() {
+    return QStringLiteral("device/chosen-name");
+}
+
 } // namespace
 
 /// Passes on from the worker what the device says while it is made ready.
@@ -59,6 +64,7 @@ DeviceLink::~DeviceLink() {
 void DeviceLink::setCatalogue(DeviceCatalogue& catalogue) {
     catalogue_ = &catalogue;
     wanted_ = QSettings().value(chosenKey(), current()).toString();
+    recall();
     look();
 }
 
@@ -98,6 +104,8 @@ void DeviceLink::listed(std::vector<DeviceListing> found, const Made& spare) {
     for (std::size_t hand = 0; hand < used_.size(); ++hand)
         used_[hand].seenUnread = hands_.servo(hand).invalidSamples;
     bringBack();
+    bringBackBeside();
+    sayMissing();
     if (changed) emit listChanged();
     if (std::exchange(again_, false)) return look();
     timer_.start();
@@ -134,19 +142,24 @@ void DeviceLink::lose(std::size_t hand) {
         emit besideWentAway(name, others);
 }
 
-void DeviceLink::letGoOfLost() {
-    for (std::size_t hand = used_.size(); hand-- > 1;)
-        if (used_[hand].gone) remove(hand);
-    if (used_[0].gone) park();
-}
-
 /// Once for each time that the wanted device appears: what failed is not tried without end.
 void DeviceLink::bringBack() {
     const DeviceListing* wanted = find(wanted_);
     const bool there = wanted && wanted->usable;
-    if (there && !wantedThere_ && !uses(wanted_) && !attempt_)
-        begin(std::make_shared<Attempt>(wanted_, true));
+    if (there && attempt_) return; // another one first
+    if (there && !wantedThere_ && !uses(wanted_)) begin(std::make_shared<Attempt>(wanted_, true));
     wantedThere_ = there;
+}
+
+/// Once, of what the last start had and this one has not.
+void DeviceLink::sayMissing() {
+    if (std::exchange(looked_, true)) return;
+    QStringList names;
+    if (wanted_ != kSimulatedDevice && !uses(wanted_) && !find(wanted_))
+        names << QSettings().value(nameKey(), wanted_).toString();
+    for (const Remembered& hand : beside_)
+        if (hand.id != kSimulatedDevice && !find(hand.id)) names << hand.name;
+    if (!names.isEmpty()) emit missing(names);
 }
 
 std::optional<std::size_t> DeviceLink::simulatedHand() const {
@@ -159,38 +172,13 @@ bool DeviceLink::uses(const QString& id) const {
     return std::ranges::find(used_, id, &Used::id) != used_.end();
 }
 
-bool DeviceLink::mayAdd(const QString& id) const {
-    const bool ready = id != kSimulatedDevice || (connected() && spare_);
-    return catalogue_ && !id.isEmpty() && !preparing() && !uses(id) && hands_.mayAdd() && ready;
-}
-
-void DeviceLink::add(const QString& id) {
-    if (!mayAdd(id)) return;
-    if (id != kSimulatedDevice) return begin(std::make_shared<Attempt>(id, false, true));
-    const Made spare = std::exchange(spare_, nullptr);
-    if (const Result<void> added = adoptBeside(id, std::move(*spare)); !added)
-        emit failed(QString::fromStdString(added.error().text));
-    look();
-}
-
-void DeviceLink::remove(std::size_t hand) {
-    emit letsGo();
-    takeOut(hand);
-    emit exchanged();
-}
-
-void DeviceLink::takeOut(std::size_t hand) {
-    used_.erase(used_.begin() + std::ptrdiff_t(hand));
-    if (const Result<void> removed = hands_.remove(hand); !removed)
-        emit failed(QString::fromStdString(removed.error().text));
-}
-
 // By value: it may be the name of the current device, which changes on the way.
 void DeviceLink::choose(QString id) {
     if (!catalogue_ || id.isEmpty()) return;
     if (id != kSimulatedDevice && id != current() && uses(id)) return; // another hand has it
     wanted_ = id;
     QSettings().setValue(chosenKey(), id);
+    forget(id);
     const DeviceListing* listing = find(id);
     wantedThere_ = listing && listing->usable;
     if (id != kSimulatedDevice) {
@@ -314,12 +302,15 @@ void DeviceLink::beginStep(const QString& step, const QString& request) {
 
 void DeviceLink::frame() {
     if (std::ranges::any_of(used_, &Used::gone) && !hands_.anyArmed()) letGoOfLost();
+    if (waiting_ && (attempt_->cancelled || mayBringBack()))
+        ended(std::shared_ptr(attempt_), std::exchange(waiting_, nullptr), {});
     if (!attempt_ || preparation_.progress == attempt_->progress) return;
     preparation_.progress = attempt_->progress;
     emit preparationChanged();
 }
 
 void DeviceLink::ended(const std::shared_ptr<Attempt>& attempt, const Made& device, const QString& failure) {
+    if (device && attempt->back && !attempt->cancelled && !mayBringBack()) return wait(device);
     attempt_.reset();
     // The person may want another one by now.
     if (attempt->cancelled || (attempt->id != wanted_ && !attempt->beside))
@@ -346,6 +337,7 @@ void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> dev
         }
         used_[0] = std::move(used);
         lostName_.clear();
+        QSettings().setValue(nameKey(), QString::fromStdString(hands_.device(0).name));
     }
     for (Preparation::Step& step : preparation_.steps)
         step.state = StepState::Done;
@@ -354,23 +346,6 @@ void DeviceLink::adopt(const Attempt& attempt, std::unique_ptr<HapticDevice> dev
     finish(Preparation::State::Done);
     if (!attempt.beside) emit exchanged();
     emit ready(preparation_.name, attempt.back);
-}
-
-/// One that does not start leaves the others as they were.
-Result<void> DeviceLink::adoptBeside(const QString& id, std::unique_ptr<HapticDevice> device) {
-    emit letsGo();
-    Used used{.id = id};
-    const std::size_t before = hands_.count();
-    const Result<void> added = hands_.add(std::make_unique<StopButton>(std::move(device), used.stop))
-                                   .and_then([this] { return engine_.start(); });
-    if (added) {
-        used_.push_back(std::move(used));
-    } else if (hands_.count() > before) {
-        (void)hands_.remove(before);
-        (void)engine_.start(); // which says by running() that it could not
-    }
-    emit exchanged();
-    return added;
 }
 
 void DeviceLink::fail(const QString& sentence) {

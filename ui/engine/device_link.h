@@ -9,6 +9,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -44,9 +45,9 @@ struct Preparation {
 /// cannot be started or was lost. The choice is remembered. A chosen device that comes back, or is there
 /// when the program starts, is made ready by itself; the forces are off then, and a person switches them on.
 /// Without a catalogue it does nothing.
-/// That is the first hand. Others are added beside it, each with its device, and are not remembered. One
-/// whose device is lost goes; as long as another hand has force it stays without a device, because to take it
-/// out of the engine would take the force from all. Thread: ui.
+/// That is the first hand. Others are added beside it, each with its device, and are remembered and brought
+/// back as well, once no device has force. One whose device is lost goes; as long as another hand has force
+/// it stays without a device, because to take it out of the engine would take the force from all. Thread: ui.
 class DeviceLink : public QObject {
     Q_OBJECT
 public:
@@ -93,7 +94,7 @@ public:
     bool mayAdd(const QString& id) const;
     /// Makes it ready as one more hand; the simulated one at once. Whoever asks has switched the forces off.
     void add(const QString& id);
-    /// Without this hand, one beside the first. Forces of all are off then.
+    /// Without this hand, one beside the first, which is not brought back. Forces of all are off then.
     void remove(std::size_t hand);
     /// Takes out what is gone() although others have force, which is off then.
     void letGoOfLost();
@@ -128,6 +129,8 @@ signals:
     void wentAway(const QString& name, bool others);
     /// Of a hand beside it.
     void besideWentAway(const QString& name, bool others);
+    /// When it has looked for the first time: devices that were hands last time.
+    void missing(const QStringList& names);
 
 private:
     struct Attempt {
@@ -146,6 +149,11 @@ private:
         std::uint64_t seenUnread = 0; ///< readings, when it was last looked at
         bool gone = false;
     };
+    /// A hand beside the first, of which settings know.
+    struct Remembered {
+        QString id, name;
+        bool tried = false; ///< since it appeared
+    };
     class Watch;
     using Made = std::shared_ptr<std::unique_ptr<HapticDevice>>;
 
@@ -155,7 +163,16 @@ private:
     bool unread(std::size_t hand);
     void lose(std::size_t hand);
     void takeOut(std::size_t hand);
+    void drop(std::size_t hand);
     void bringBack();
+    void bringBackBeside();
+    void sayMissing();
+    bool mayBringBack() const;
+    void wait(const Made& device);
+    void recall();
+    void remember(const QString& id, const QString& name);
+    void forget(const QString& id);
+    void keep() const;
     void begin(const std::shared_ptr<Attempt>& attempt);
     void prepare(const std::shared_ptr<Attempt>& attempt);
     void knowSteps(const QString& name, const std::vector<std::string>& steps);
@@ -175,9 +192,12 @@ private:
     Made spare_;             ///< a simulated device at hand
     std::vector<Used> used_; ///< of each hand
     QString wanted_;
+    std::vector<Remembered> beside_;
     QString lostName_;
     std::shared_ptr<Attempt> next_; ///< when the one that is given up has ended
+    Made waiting_;                  ///< of the attempt: for the forces to be off
     bool wantedThere_ = false;      ///< when it was last looked for
+    bool looked_ = false;           ///< for the first time
     bool listing_ = false, again_ = false;
     bool troubled_ = false; ///< the current device, when it was last looked at
     Preparation preparation_;
