@@ -230,7 +230,10 @@ FlatSample weave(const FlatPoint& point, double smallestFeature) noexcept {
 }
 
 // Much of a textured step goes here (docs/performance.md).
-[[gnu::target_clones("avx2", "default")]] FlatSample
+#ifndef __SANITIZE_THREAD__ // which has not begun yet when the loader chooses one of them
+[[gnu::target_clones("avx2", "default")]]
+#endif
+FlatSample
 noise(int octaves, std::uint32_t seed, const FlatPoint& point, double smallestFeature) noexcept {
     const double ratio =
         smallestFeature > 0 ? 1 / (densestOf(point) * smallestFeature) : kWhole * (1 << octaves);
