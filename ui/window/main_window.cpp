@@ -17,6 +17,7 @@
 #include "ui/controllers/arming.h"
 #include "ui/controllers/cameras_menu.h"
 #include "ui/controllers/compare_controller.h"
+#include "ui/controllers/covers.h"
 #include "ui/controllers/device_controller.h"
 #include "ui/controllers/edit_notice.h"
 #include "ui/controllers/folds.h"
@@ -144,6 +145,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     connectParts();
     connectShowing();
     makeControllers();
+    new Covers(*centralWidget(), *view_);
     setAcceptDrops(true);
     restore();
     follow({});
