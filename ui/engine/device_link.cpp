@@ -119,7 +119,7 @@ bool DeviceLink::isLost(std::size_t hand) {
 }
 
 void DeviceLink::lose(std::size_t hand) {
-    const QString name = QString::fromStdString(hands_.device(hand).name);
+    const QString name = wordsOf(hands_.device(hand).name);
     used_[hand].gone = true;
     if (hand == 0) {
         lostName_ = name;
@@ -159,13 +159,22 @@ bool DeviceLink::uses(const QString& id) const {
     return std::ranges::find(used_, id, &Used::id) != used_.end();
 }
 
-bool DeviceLink::mayAdd(const QString& id) const {
-    const bool ready = id != kSimulatedDevice || (connected() && spare_);
-    return catalogue_ && !id.isEmpty() && !preparing() && !uses(id) && hands_.mayAdd() && ready;
+QString DeviceLink::whyNotAdd(const QString& id) const {
+    if (id.isEmpty() || !catalogue_) return tr("No device is chosen.");
+    if (preparing()) return whyWhilePreparing();
+    if (uses(id)) return tr("A hand has this device already.");
+    if (!hands_.mayAdd()) return tr("There are as many hands as can be; remove one first.");
+    if (id == kSimulatedDevice && !connected())
+        return tr("The mouse leads one hand alone; connect a device first.");
+    return id == kSimulatedDevice && !spare_ ? tr("The simulated hand is not there yet.") : QString();
+}
+
+QString DeviceLink::whyWhilePreparing() {
+    return tr("A device is being made ready; wait for it, or give it up.");
 }
 
 void DeviceLink::add(const QString& id) {
-    if (!mayAdd(id)) return;
+    if (!whyNotAdd(id).isEmpty()) return;
     if (id != kSimulatedDevice) return begin(std::make_shared<Attempt>(id, false, true));
     const Made spare = std::exchange(spare_, nullptr);
     if (const Result<void> added = adoptBeside(id, std::move(*spare)); !added)
@@ -204,9 +213,18 @@ void DeviceLink::choose(QString id) {
     if (connected() || !engine_.running()) park();
 }
 
-bool DeviceLink::mayBegin(const QString& id) const {
-    if (id.isEmpty() || preparing()) return false;
-    return id == current() ? connected() && !hands_.trouble(0).empty() : !uses(id) || id == kSimulatedDevice;
+QString DeviceLink::whyNotBegin(const QString& id) const {
+    if (id.isEmpty()) return tr("No device is chosen.");
+    if (preparing()) return whyWhilePreparing();
+    if (id == current())
+        return connected() && !hands_.trouble(0).empty() ? QString() : tr("This device is in use already.");
+    const bool free = !uses(id) || id == kSimulatedDevice;
+    return free ? QString() : tr("Another hand has this device; remove that hand first.");
+}
+
+QString DeviceLink::whyNotLetGo() const {
+    const bool any = catalogue_ && (connected() || preparing() || wanted_ != kSimulatedDevice);
+    return any ? QString() : tr("No device is connected.");
 }
 
 void DeviceLink::tryAgain() {
