@@ -126,7 +126,7 @@ MainWindow::MainWindow(Document& document, Engine& engine, std::shared_ptr<HandT
     bench_.dock("dock-inspector").raise();
     sizeDocks(*this);
     folds_ = new Folds(*this);
-    makeToolBar();
+    makeToolBars();
     makeMenus();
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
@@ -192,7 +192,10 @@ void MainWindow::makeControllers() {
     connect(new PaletteController(bench_, *folds_, *sets_, *cameras_, *centre_, *importBar_),
             &PaletteController::fileChosen, this, &MainWindow::open);
     connect(new PreferenceController(bench_, *journal_), &PreferenceController::themeChanged, this,
-            refreshStart);
+            [this, refreshStart] {
+                refreshStart();
+                refreshMore();
+            });
 }
 
 /// What concerns the hand, the device and the forces: what is felt in the document's place gives way to each
